@@ -91,8 +91,7 @@ def main(students=8, *problems):
     their_further = (theirs - their_start) / count, their_cells / count
     print(
         f"{students} students, problems {', '.join(problems)}: {count} notebooks, one process "
-        "each, trajlib in its "
-        f"sandbox"
+        "each, trajlib in its sandbox"
     )
     compare((theirs, their_cells), (ours, our_cells))
     print("each further notebook")
@@ -130,15 +129,13 @@ def compare(theirs, ours):
         overhead = whole - cells
         print(
             f"  {name} {whole.wall:.3f} s: cells {cells.wall:.3f} s, overhead {overhead.wall:.3f} "
-            "s; processor "
-            f"{whole.processor:.3f} s: cells {cells.processor:.3f} s, overhead "
+            f"s; processor {whole.processor:.3f} s: cells {cells.processor:.3f} s, overhead "
             f"{overhead.processor:.3f} s"
         )
     times, of_overhead = theirs[0] / ours[0], (theirs[0] - theirs[1]) / (ours[0] - ours[1])
     print(
         f"  nbgrader takes {times.wall:.1f} times as long, its overhead is {of_overhead.wall:.1f} "
-        "times ours; in "
-        f"processor time {times.processor:.1f} and {of_overhead.processor:.1f}"
+        f"times ours; in processor time {times.processor:.1f} and {of_overhead.processor:.1f}"
     )
 
 

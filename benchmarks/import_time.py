@@ -22,8 +22,7 @@ def main():
     start, trajlib, numpy = (statistics.median(measured) for measured in times.values())
     print(
         f"interpreter alone {start:.3f} s, with trajlib {trajlib:.3f} s, with numpy {numpy:.3f} s "
-        "(medians of "
-        f"{RUNS})"
+        f"(medians of {RUNS})"
     )
     print(f"import trajlib costs {(trajlib - start) / (numpy - start):.2f} of import numpy")
 

@@ -56,8 +56,7 @@ def main():
         )
         print(
             f"{until} steps from all headings, a measurement at 20 s: published {old:.1f} ms a "
-            "step, guaranteed "
-            f"{new:.1f} ms, {new / old:.1f} times as long"
+            f"step, guaranteed {new:.1f} ms, {new / old:.1f} times as long"
         )
 
 

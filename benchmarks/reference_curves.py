@@ -76,9 +76,8 @@ def main():
         ]
         print(
             f"weights, degree {degree}: {1e6 * ours:.0f} us once the window is made "
-            f"({1e6 * made:.0f} us), with inverses "
-            f"{1e6 * peer:.0f} us; conditions missed by {missed[0]:.0e} and {missed[1]:.0e} of the "
-            "greatest"
+            f"({1e6 * made:.0f} us), with inverses {1e6 * peer:.0f} us; conditions missed by "
+            f"{missed[0]:.0e} and {missed[1]:.0e} of the greatest"
         )
 
 

@@ -97,10 +97,8 @@ def main():
             )
             print(
                 f"   central differences, rtol {rtol:.0e}: {1e3 * peer:.0f} ms, error {wrong:.0e} "
-                "with the best step "
-                f"({step:g} km); ours "
-                f"takes {ours / peer:.2f} times as long, its error is "
-                f"{wrong / error(found.matrix):.0f} times smaller"
+                f"with the best step ({step:g} km); ours takes {ours / peer:.2f} times as long, "
+                f"its error is {wrong / error(found.matrix):.0f} times smaller"
             )
     random = np.random.default_rng(0)
     for n in (100, 1000, 10_000):
@@ -111,8 +109,7 @@ def main():
         )
         print(
             f"judging {n:>6,} x 6: {1e3 * ours:.2f} ms, numpy.linalg.matrix_rank {1e3 * peer:.2f} "
-            f"ms: {ours / peer:.1f} "
-            f"times"
+            f"ms: {ours / peer:.1f} times"
         )
 
 

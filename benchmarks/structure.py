@@ -112,9 +112,8 @@ def timed():
             found = observability(A, H).rank, kalman(A, H)
             row.append(
                 f"verdict {verdict:6.3f} ({verdict / peers[1]:5.1f} x Popov at the eigenvalues), "
-                "decomposition "
-                f"{split:6.3f}, obsv {peers[0]:6.3f}; ranks {found[0]}, obsv {found[1]}, true "
-                f"{n - hidden}"
+                f"decomposition {split:6.3f}, obsv {peers[0]:6.3f}; ranks {found[0]}, obsv "
+                f"{found[1]}, true {n - hidden}"
             )
         print(f"  n = {n:3}: " + "\n           ".join(row))
 

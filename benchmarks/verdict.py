@@ -49,8 +49,7 @@ def main(number="1.15"):
     run_judge, alone, nbclient_time = map(statistics.median, (ours, judged, peer))
     print(
         f"problem {number}: run and judge {run_judge:.2f} s (judging alone {alone:.2f} s), "
-        "nbclient "
-        f"{nbclient_time:.2f} s (medians of {RUNS})"
+        f"nbclient {nbclient_time:.2f} s (medians of {RUNS})"
     )
     print(
         f"nbclient takes {nbclient_time / run_judge:.1f} times as long as run and judge, "

@@ -307,8 +307,7 @@ def heavy_picture(notebook):
             if size > LARGEST:
                 return (
                     f"{place(notebook, number)}: this picture takes {size // 1000} kB; draw what "
-                    "has so many "
-                    "points with rasterized=True"
+                    "has so many points with rasterized=True"
                 )
     return None
 

@@ -245,8 +245,7 @@ class _Window:
         if self.N < self.K + len(Theta):
             raise ValueError(
                 f"times: {self.N} samples are fewer than the {self.K + len(Theta)} functions of "
-                "signal "
-                f"and nuisance"
+                "signal and nuisance"
             )
         self.factor = (
             np.sqrt(covariance) if covariance.ndim == 1 else np.linalg.cholesky(covariance)
@@ -279,11 +278,9 @@ class _Window:
         on_it = np.abs(combination @ o).max()
         raise ValueError(
             f"functional: the samples cannot tell it. At all of them {words} is a combination of "
-            "the "
-            f"nuisance's functions or zero, while the functional is {on_it:.4g} on it. Leave a "
-            "function "
-            "out, or sample longer or more densely; count the time from the record, not from far "
-            "away"
+            f"the nuisance's functions or zero, while the functional is {on_it:.4g} on it. Leave a "
+            "function out, or sample longer or more densely; count the time from the record, not "
+            "from far away"
         )
 
     def _whitened(self, rows, transposed=False):
@@ -316,8 +313,7 @@ def _on(functional, basis):
     if o.ndim > 2 or not np.isfinite(o).all():
         raise ValueError(
             "functional: expected a finite number for each function of the basis, or a list of "
-            "them, got "
-            f"{o.tolist() if o.size < 9 else f'shape {o.shape}'}"
+            f"them, got {o.tolist() if o.size < 9 else f'shape {o.shape}'}"
         )
     return o
 
@@ -350,8 +346,7 @@ def _lambdified(expression, r):
     if len(symbols) > 1:
         raise ValueError(
             f"basis, nuisance: {expression} has the symbols {', '.join(map(str, symbols))}; "
-            "expected a "
-            f"function of the time alone, give the others numbers"
+            "expected a function of the time alone, give the others numbers"
         )
     t = symbols[0] if symbols else sp.Symbol("t")
     function = sp.lambdify(t, expression.diff(t, r) if r else expression, "numpy")
@@ -388,8 +383,7 @@ def _times(times):
         k = int(np.flatnonzero(np.diff(times) < 0)[0])
         raise ValueError(
             f"times: they must not decrease, but {times[k]:g} is followed by {times[k + 1]:g}; "
-            "sort them, "
-            f"with their samples"
+            "sort them, with their samples"
         )
     return times
 
@@ -414,8 +408,7 @@ def _covariance(covariance, size):
     if K.shape not in ((), (size,), (size, size)):
         raise ValueError(
             f"covariance: expected a variance, {size} variances or a matrix ({size}, {size}), got "
-            "shape "
-            f"{K.shape}"
+            f"shape {K.shape}"
         )
     if not np.isfinite(K).all():
         raise ValueError("covariance: expected finite numbers")

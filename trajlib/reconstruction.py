@@ -60,8 +60,7 @@ class SweepGains:
         if not (np.isscalar(M) and np.isfinite(M) and M > 0):
             raise ValueError(
                 f"M: expected a positive finite number, got {M}; max |u| grows as M falls, a "
-                "straight "
-                f"line is M = inf"
+                "straight line is M = inf"
             )
         self.M = float(M)
         self._tau = np.diff(self.t)
@@ -275,9 +274,7 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
     if not (bound > 0).all():
         raise ValueError(
             f"max_acceleration: expected a positive bound, got {max_acceleration}; no motion has "
-            "|u| "
-            f"below zero, and "
-            "with 0 it is uniform: fit a straight line"
+            "|u| below zero, and with 0 it is uniform: fit a straight line"
         )
     try:
         bounds = np.broadcast_to(bound, h.shape[1:]).ravel()
@@ -421,9 +418,7 @@ def _root(excess, start, width):
         start, here, width = there, value, 2 * width
     raise ArithmeticError(
         "no weight M was found that meets the acceleration bound: it is beyond the range of "
-        "machine "
-        "numbers; "
-        "change the units of time or length, or fit a straight line"
+        "machine numbers; change the units of time or length, or fit a straight line"
     )
 
 
@@ -635,15 +630,11 @@ def _times(t):
         if t[k] == t[k + 1]:
             raise ValueError(
                 f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one "
-                "time "
-                f"by their "
-                "weighted mean"
+                "time by their weighted mean"
             )
         raise ValueError(
             f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; "
-            "sort "
-            f"times and "
-            "samples together"
+            "sort times and samples together"
         )
     return t
 

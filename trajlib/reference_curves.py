@@ -267,8 +267,7 @@ class ReferenceCurves:
         if len(x0) != self.n or len(p) != self.parameters:
             raise ValueError(
                 f"x0, p: expected {self.n} components and {self.parameters} parameters, got "
-                f"{len(x0)} and "
-                f"{len(p)}"
+                f"{len(x0)} and {len(p)}"
             )
         return [np.asarray(value, dtype=float) for value in (*x0, *p)]
 
@@ -305,8 +304,7 @@ class _Flow:
             call = f"(t, x, p) with {self.parameters} parameters" if self.parameters else "(t, x)"
             raise type(reason)(
                 f"f: it failed ({reason}); it is called as {call} and {self.n} components of the "
-                "state, "
-                f"arrays, so it takes NumPy's functions and not those of math"
+                "state, arrays, so it takes NumPy's functions and not those of math"
             ) from None
         if len(rates) != self.n:
             raise ValueError(
@@ -414,8 +412,7 @@ class TensorInterpolant:
         if len(x0) != self._n or len(p) != len(self.nodes) - 1 - self._n:
             raise ValueError(
                 f"x0, p: expected {self._n} components and {len(self.nodes) - 1 - self._n} "
-                "parameters, "
-                f"got {len(x0)} and {len(p)}"
+                f"parameters, got {len(x0)} and {len(p)}"
             )
         places = np.broadcast_arrays(*(np.asarray(part, dtype=float) for part in (t, *x0, *p)))
         shape = places[0].shape
@@ -467,9 +464,8 @@ class TensorInterpolant:
             if outside.any() and not extrapolate:
                 raise ValueError(
                     f"{name}: {place[outside][0]:g} lies outside of its interval [{low:g}, "
-                    f"{high:g}]; "
-                    "polynomials go astray quickly there. Give extrapolate=True to have it all "
-                    "the same"
+                    f"{high:g}]; polynomials go astray quickly there. Give extrapolate=True to "
+                    "have it all the same"
                 )
 
 
@@ -575,7 +571,6 @@ def _box(box, nodes, names):
         if not low <= axis[0] <= axis[-1] <= high:
             raise ValueError(
                 f"box: the interval [{low:g}, {high:g}] does not hold all of {name}, which reach "
-                "from "
-                f"{axis[0]:g} to {axis[-1]:g}"
+                f"from {axis[0]:g} to {axis[-1]:g}"
             )
     return tuple(box)

@@ -274,8 +274,7 @@ def grade(
     if cluster is not None and processes is not None:
         raise UserError(
             "--processes is for this machine; with --cluster each worker grades as many at a time "
-            "as it "
-            "has threads"
+            "as it has threads"
         )
     if cluster is None and (tls_ca_file or tls_cert or tls_key):
         raise UserError("--tls-ca-file, --tls-cert and --tls-key are for --cluster")

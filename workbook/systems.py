@@ -504,8 +504,7 @@ class Functional:
             if len(given) > self.order:
                 raise ValueError(
                     f"{name}: {len(given)} values; with derivatives up to order {self.order} at "
-                    "most "
-                    f"{self.order} can be given"
+                    f"most {self.order} can be given"
                 )
             object.__setattr__(self, name, (*given, *[None] * (self.order - len(given))))
 

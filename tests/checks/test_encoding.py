@@ -1132,8 +1132,7 @@ def test_changed_bytes_are_refused_or_a_value(data, at, cut, scrap):
 ARMED = []  # once it holds something, whatever is asked of a hostile object is added
 OPERATORS = (
     "eq ne lt hash iter len repr str int float complex bool index getitem contains format array "
-    "reduce "
-    "sizeof abs neg call"
+    "reduce sizeof abs neg call"
 )
 
 

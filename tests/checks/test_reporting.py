@@ -63,8 +63,7 @@ def test_formulas_of_a_verdict_are_set_in_a_notebook_and_typed_in_a_terminal():
     )
     assert (
         "at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + "
-        "2\u202f<i>k</i><sub>1</sub>\u202f<i>x</i> "
-        "≥ 0 is &lt;<i>b</i>&gt;0.5&lt;/<i>b</i>&gt;"
+        "2\u202f<i>k</i><sub>1</sub>\u202f<i>x</i> ≥ 0 is &lt;<i>b</i>&gt;0.5&lt;/<i>b</i>&gt;"
     ) in shown
     assert ">a_region</code>" in shown and "Was λ left out?" in shown
     assert typed.splitlines() == [f"✗ a_region: wrong: {verdict.message}", "  Was lambda left out?"]

@@ -159,8 +159,7 @@ def test_exercises_are_written_anew(tmp_path):
 def test_importing_trajlib_loads_nothing_heavy():
     code = (
         "import sys, trajlib; print([m for m in ('numpy', 'scipy', 'sympy', 'casadi', 'control', "
-        "'matplotlib') if "
-        "m in sys.modules])"
+        "'matplotlib') if m in sys.modules])"
     )
     assert (
         subprocess.run(

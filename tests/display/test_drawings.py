@@ -40,11 +40,10 @@ def drawn(name, *arguments, **options):
 
 def test_neither_pyplot_nor_the_settings_are_touched():
     code = (
-        "import sys; from workbook.display import Drawing; assert 'matplotlib' not in sys.modules; "
-        "import matplotlib; before = dict(matplotlib.rcParams); d = Drawing((0, 1), (0, 1)); "
-        "d.label((0.5, 0.5), '$x$'); d.png(); d._repr_svg_(); assert dict(matplotlib.rcParams) == "
-        "before; "
-        "assert 'matplotlib.pyplot' not in sys.modules"
+        "import sys; from workbook.display import Drawing; assert 'matplotlib' not in "
+        "sys.modules; import matplotlib; before = dict(matplotlib.rcParams); d = Drawing((0, 1), "
+        "(0, 1)); d.label((0.5, 0.5), '$x$'); d.png(); d._repr_svg_(); assert "
+        "dict(matplotlib.rcParams) == before; assert 'matplotlib.pyplot' not in sys.modules"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
 

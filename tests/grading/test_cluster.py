@@ -578,8 +578,7 @@ def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
 def test_grading_on_one_machine_loads_nothing_of_dask():
     code = (
         "import sys, workbook.cli, workbook.grading.commands, workbook.grading.worker_pool, "
-        "workbook.grading.notebook_worker, "
-        "workbook.grading.cluster.coordinator\n"
+        "workbook.grading.notebook_worker, workbook.grading.cluster.coordinator\n"
         "print([name for name in sys.modules if name.split('.')[0] in ('dask', 'distributed')])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)

@@ -133,7 +133,6 @@ def test_a_stray_in_a_homework_without_a_file(tmp_path, problems, asked, alone):
     assert homework.problems == asked and list(whys) == alone
     for why in whys.values():
         assert why == (
-            "only cid handed in problem 1.17, while others share 1.15: it is not taken for part of "
-            "hw1; "
-            "an assignment.toml would say what is"
+            "only cid handed in problem 1.17, while others share 1.15: it is not taken for part "
+            "of hw1; an assignment.toml would say what is"
         )

@@ -77,8 +77,7 @@ def grades(out):
         return sorted(
             database.execute(
                 "SELECT student, assignment, problem, content, submitted, exercise, verdicts, "
-                "answers, remarks"
-                " FROM attempt JOIN result ON result.attempt = attempt.id"
+                "answers, remarks FROM attempt JOIN result ON result.attempt = attempt.id"
             )
         )
 

@@ -210,15 +210,13 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
         ),
         (
             "import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * "
-            "2**20); "
-            "time.sleep(9)\ntime.sleep(3)",
+            "2**20); time.sleep(9)\ntime.sleep(3)",
             "memory",
             b"",
         ),
         (
             "import os\nfor number in range(3, 9):\n    try: os.write(number, b'\\xff' * 4)\n    "
-            "except OSError: pass\nwhile "
-            "True: pass",
+            "except OSError: pass\nwhile True: pass",
             "large",
             b"",
         ),
@@ -335,8 +333,7 @@ def test_limits_on_all_processes_together(once):
         assert run(sandbox, computing) == Outcome("time", b"")
         filling = (
             "import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(200 * "
-            "2**20); "
-            "time.sleep(99)\ntime.sleep(99)"
+            "2**20); time.sleep(99)\ntime.sleep(99)"
         )
         assert run(sandbox, filling) == Outcome("memory", b"")
 
@@ -644,8 +641,7 @@ def trusting():
         ),
         (
             "import os, time\nfor _ in range(5):\n    if os.fork() == 0: a = bytearray(90 * "
-            "2**20); "
-            "time.sleep(9)\ntime.sleep(3)",
+            "2**20); time.sleep(9)\ntime.sleep(3)",
             "memory",
             b"",
         ),

@@ -44,10 +44,9 @@ def hatched_at(ax, point):
 
 def test_importing_changes_and_loads_nothing():
     code = (
-        "import sys; import trajlib.plotting; assert 'matplotlib' not in sys.modules; "
-        "import matplotlib as m; before = dict(m.rcParams); import trajlib.plotting; assert "
-        "dict(m.rcParams) == "
-        "before"
+        "import sys; import trajlib.plotting; assert 'matplotlib' not in sys.modules; import "
+        "matplotlib as m; before = dict(m.rcParams); import trajlib.plotting; assert "
+        "dict(m.rcParams) == before"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
 

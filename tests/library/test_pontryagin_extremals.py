@@ -222,9 +222,8 @@ def goddard():
         times,
         None,
         cost,
-        "motion by the feedback law of the singular surface; COPS: 1.01283, five packages 1.012836 "
-        "to "
-        "1.012838",
+        "motion by the feedback law of the singular surface; COPS: 1.01283, five packages "
+        "1.012836 to 1.012838",
     )
 
 

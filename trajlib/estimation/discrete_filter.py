@@ -24,9 +24,8 @@ from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
 #: How much of the variances may be left to converge when the gain is kept.
 SETTLED = 1e-13
 LOST = (
-    "the covariance has lost its definiteness to rounding: the variances differ by too many powers "
-    "of ten, or the "
-    "model is unstable and unobserved; scale the states, or check Q and R"
+    "the covariance has lost its definiteness to rounding: the variances differ by too many "
+    "powers of ten, or the model is unstable and unobserved; scale the states, or check Q and R"
 )
 
 

@@ -135,8 +135,7 @@ def least_gain(covariance, parameters, component=None):
     if len(inside) != 1:
         raise ValueError(
             f"parameters: {len(inside)} points inside {covariance.where} may be minima; give the "
-            "other "
-            "symbols values or signs (positive=True)"
+            "other symbols values or signs (positive=True)"
             if inside
             else f"parameters: no minimum is reached inside {covariance.where}"
         )

@@ -191,8 +191,7 @@ def satellite_fix(satellites, squared_ranges):
     if _in_a_plane(points):
         raise ValueError(
             "satellites: their vectors lie in one plane with the origin, so the squares of the "
-            "ranges do "
-            "not give x; choose the origin elsewhere, or measure to more satellites"
+            "ranges do not give x; choose the origin elsewhere, or measure to more satellites"
         )
     # Both by least squares on 2 r_s^T x = ..., once for the data and once for the share of X.
     ones = np.ones(len(points)) if floats else sp.ones(points.rows, 1)
@@ -315,8 +314,7 @@ def bearing_fix(observers, directions):
     except ValueError:
         raise ValueError(
             "directions: all of them are parallel, so the position is free along them; measure "
-            "from a "
-            "place off this line"
+            "from a place off this line"
         ) from None
     x = found.estimate
     residuals = (

@@ -120,10 +120,9 @@ def _fit_floats(H, z, R):
 
 def _not_determined(direction):
     return (
-        "H: its columns are dependent, so the measurements do not determine x: adding any multiple "
-        "of "
-        f"{[entry[0] if isinstance(entry, list) else entry for entry in direction]} to it changes "
-        "none of them"
+        "H: its columns are dependent, so the measurements do not determine x: adding any "
+        f"multiple of {[entry[0] if isinstance(entry, list) else entry for entry in direction]} to "
+        "it changes none of them"
     )
 
 

@@ -130,8 +130,7 @@ def _iterate(problem, x, tolerance, most_steps):
             if not steps:
                 raise ValueError(
                     f"start: the columns of the Jacobian are dependent at {x.tolist()}, so there "
-                    "is no "
-                    "step; start elsewhere, or measure more"
+                    "is no step; start elsewhere, or measure more"
                 )
             reason = f"not converged: the columns of the Jacobian become dependent at {x.tolist()}"
             break

@@ -71,8 +71,7 @@ def shaping_filter(correlation, tau):
         if variance.is_positive is not True:
             raise ValueError(
                 f"correlation: the term with the rate {rate} has the variance {variance}, which is "
-                "not "
-                "known to be positive"
+                "not known to be positive"
             )
     rates, variances = list(terms), list(terms.values())
     return ShapingFilter(

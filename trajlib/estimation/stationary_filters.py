@@ -164,8 +164,7 @@ def _why_none(A, H, Q, time):
         if (A.free_symbols | H.free_symbols | Q.free_symbols) or not A.is_Matrix:
             return (
                 "no stationary filter, for general values of the symbols: the pair is not "
-                "detectable, or a mode "
-                "on the border of stability is free of noise"
+                "detectable, or a mode on the border of stability is free of noise"
             )
         A, H, Q = (np.array(matrix.evalf(30).tolist(), dtype=float) for matrix in (A, H, Q))
     size = max(1, np.linalg.norm(A, 2))
@@ -179,8 +178,7 @@ def _why_none(A, H, Q, time):
             )
     return (
         "no stationary filter: a mode on the border of stability is free of noise, so that its "
-        "gain tends to zero "
-        "and its errors do not decay with it"
+        "gain tends to zero and its errors do not decay with it"
     )
 
 

@@ -141,8 +141,7 @@ def _decays(rate, mode):
     if decays not in (True, False, sp.true, sp.false):
         raise ValueError(
             f"A: whether the fixed mode with the eigenvalue {mode.eigenvalue} decays depends on "
-            "its "
-            "symbols; give them values or assumptions (positive=True)"
+            "its symbols; give them values or assumptions (positive=True)"
         )
     return bool(decays)
 

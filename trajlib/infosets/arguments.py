@@ -67,8 +67,7 @@ def arc(value, name):
     ):
         raise ValueError(
             f"{name}: expected a heading or (low, high), low <= high <= low + 2 pi, in radians, "
-            "got "
-            f"{value!r}"
+            f"got {value!r}"
         )
     return float(ends[0]), float(ends[-1] - ends[0])
 

@@ -86,15 +86,13 @@ class Cells:
         if slowest[0] <= 0:
             raise ValueError(
                 f"the least possible speed after the next step is {slowest[0]:.4g}, but the model "
-                "needs "
-                f"V > 0; measure earlier, or begin with higher speeds"
+                "needs V > 0; measure earlier, or begin with higher speeds"
             )
         turn = self.k * self.dt / slowest
         if turn[0] >= np.pi:
             raise ValueError(
                 f"dt: a step may turn the slowest vehicle by {turn[0]:.3g} rad, more than half a "
-                "circle; "
-                f"take dt below {self.dt * np.pi / turn[0]:.3g}"
+                f"circle; take dt below {self.dt * np.pi / turn[0]:.3g}"
             )
         moved = self.values + self._displacements(low, turn / self.dt)
         moved += EPS * (8 * moved.max() + ROUNDED * self.speeds[-1] * self.dt * (1 + 1 / turn[-1]))

@@ -9,6 +9,5 @@ class EmptyInformationSet(ValueError):
         self.time = time
         super().__init__(
             f"no state agrees with the measurement at t = {time:g} and those before it: a bound on "
-            "its "
-            f"error, on k or on mu is too small, or the set had lost the true state before"
+            "its error, on k or on mu is too small, or the set had lost the true state before"
         )

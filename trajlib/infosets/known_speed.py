@@ -57,8 +57,7 @@ class ConstantSpeedInformationSet(Sections):
         if self.k * self.dt / self.speed >= np.pi:
             raise ValueError(
                 f"dt: a step may turn the vehicle by {self.k * self.dt / self.speed:.3g} rad, more "
-                "than half "
-                f"a circle; take dt below {np.pi * self.speed / self.k:.3g}"
+                f"than half a circle; take dt below {np.pi * self.speed / self.k:.3g}"
             )
         section, arc = (
             read_region(region, self.normals).values,

@@ -49,15 +49,13 @@ class Nodes:
         if speeds[0] <= 0:
             raise ValueError(
                 f"the least node of the speed is {speeds[0]:.4g}, but the model needs V > 0; "
-                "measure "
-                f"earlier, or begin with higher speeds"
+                "measure earlier, or begin with higher speeds"
             )
         turn = self.k * self.dt / speeds
         if turn[0] >= np.pi:
             raise ValueError(
                 f"dt: a step may turn the slowest vehicle by {turn[0]:.3g} rad, more than half a "
-                "circle; "
-                f"take dt below {self.dt * np.pi / turn[0]:.3g}"
+                f"circle; take dt below {self.dt * np.pi / turn[0]:.3g}"
             )
         ahead = (
             np.stack([np.sin(self.headings), np.cos(self.headings)], axis=-1) @ normals(self.m).T

@@ -55,8 +55,7 @@ class InformationSet(Sections):
         if not self.mu[0] < 0 < self.mu[1]:
             raise ValueError(
                 f"mu: expected mu1 < 0 < mu2, got {mu!r}; a speed that is known and constant is "
-                "for "
-                f"ConstantSpeedInformationSet"
+                "for ConstantSpeedInformationSet"
             )
         speeds = arguments.pair(speeds, "speeds")
         if speeds[0] <= 0:

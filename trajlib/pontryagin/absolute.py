@@ -15,8 +15,7 @@ from trajlib.pontryagin.extremal import Extremal, solve
 
 REWARDED = (
     "the cost rewards the absolute value of a control: p and q with u = p - q are positive at "
-    "once, so that "
-    "p + q is not |u|. State the problem without Abs."
+    "once, so that p + q is not |u|. State the problem without Abs."
 )
 
 

@@ -40,10 +40,8 @@ class Accumulation:
     def __str__(self):
         return (
             f"the optimal cost is {self.cost:.9g} (breaking off after {len(self.lengths)} arcs "
-            "changes it by "
-            f"{self.cost_error:.0e}), and each arc is {self.ratio:.7g} times as long as the next "
-            "(to "
-            f"{self.ratio_error:.0e})"
+            f"changes it by {self.cost_error:.0e}), and each arc is {self.ratio:.7g} times as long "
+            f"as the next (to {self.ratio_error:.0e})"
         )
 
 

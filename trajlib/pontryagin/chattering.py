@@ -60,10 +60,9 @@ def refuse_chattering(numeric, arcs, end, duration):
             told = f"With ever more arcs {numbers}." if numbers else f"First arcs: {lengths}."
             raise Chattering(
                 f"the switchings of {numeric.problem.control[j]} accumulate where the trajectory "
-                "reaches a singular "
-                f"arc of order {q}: {why}. {told} No list of arcs describes it; bound the number "
-                "of switchings in "
-                "another way, for example by a cost on the control.",
+                f"reaches a singular arc of order {q}: {why}. {told} No list of arcs describes "
+                "it; bound the number of switchings in another way, for example by a cost on the "
+                "control.",
                 numbers,
             )
 

@@ -22,8 +22,7 @@ class Comparison:
     def _repr_markdown_(self):
         rows = "".join(
             f"| {', '.join(kind_latex(kind) for kind, _, _ in e.arcs)} | {e.cost:.9g} | "
-            f"{e.duration:.9g} | "
-            f"{', '.join(f'{t:.6g}' for t in e.switching_times)} |\n"
+            f"{e.duration:.9g} | {', '.join(f'{t:.6g}' for t in e.switching_times)} |\n"
             for e in self.extremals
         )
         rows += "".join(

@@ -152,8 +152,7 @@ def conditions(problem):
     if clash:
         raise ValueError(
             f"conditions: {', '.join(sorted(clash))} is the name of a costate or multiplier; "
-            "rename the "
-            f"symbol of the problem"
+            "rename the symbol of the problem"
         )
     sign = -1 if problem.maximise else 1
     # exp(-k*(h - 1)) stays whole: exp(k)*exp(-k*h) overflows.

@@ -82,8 +82,7 @@ def control_field(problem):
     else:
         raise ValueError(
             f"problem: {len(free)} costates are not known from the end of the process, and the "
-            "condition "
-            "H_u = 0 does not eliminate them"
+            "condition H_u = 0 does not eliminate them"
         )
     rate = -sp.simplify(drift.subs(values)) / sp.simplify(bend.subs(values))
     field = {u: sp.expand(sp.trigsimp(sp.simplify(rate)))}

@@ -242,8 +242,7 @@ def _values(function, times, rows, name):
     if values.shape != (rows, len(times)):
         raise ValueError(
             f"certify: expected {name}(t) of shape ({rows}, {len(times)}) for {len(times)} times, "
-            "got "
-            f"{values.shape}"
+            f"got {values.shape}"
         )
     return values
 

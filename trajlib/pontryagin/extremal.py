@@ -302,10 +302,9 @@ def solve(problem, structure=None, guess=None):
     if open_control:
         raise NotUnique(
             f"{open_control}. So many controls may be equally good, as where several motions must "
-            "end at "
-            f"one moment and only the slowest sets it; one of them has a cost of about {cost:.6g} "
-            "(a "
-            "discrete picture). To single one out, give a structure, or the control a small cost."
+            "end at one moment and only the slowest sets it; one of them has a cost of about "
+            f"{cost:.6g} (a discrete picture). To single one out, give a structure, or the control "
+            "a small cost."
         )
     raise WrongStructure(
         "the arcs that the discrete solution shows could not be joined to an extremal: "

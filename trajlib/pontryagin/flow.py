@@ -232,9 +232,7 @@ def singular_control(numeric, i, control, kinds):
         if any(not _vanishes(numeric, ca.jacobian(following, other)) for other in moving):
             raise WrongStructure(
                 f"a singular arc of {numeric.problem.control[i]} while another control moves "
-                "between "
-                f"its bounds acts on "
-                "it: such arcs are not provided for"
+                "between its bounds acts on it: such arcs are not provided for"
             )
         factor = ca.jacobian(following, u)
         if order % 2 == 0 and not _vanishes(numeric, factor):
@@ -242,8 +240,7 @@ def singular_control(numeric, i, control, kinds):
         derivatives.append(_without(following, u, moving))
     raise NotUnique(
         f"the maximum condition leaves {numeric.problem.control[i]} open on an arc: its switching "
-        "function "
-        "vanishes there whatever it does"
+        "function vanishes there whatever it does"
     )
 
 

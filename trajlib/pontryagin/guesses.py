@@ -112,9 +112,8 @@ def refuse_start_on_target(numeric):
     if np.max(np.abs(values)) <= 1e-12 * (1 + np.max(np.abs(numeric.start))):
         raise StartOnTarget(
             "the initial state satisfies the terminal conditions already: the process ends at "
-            "once, after zero time. "
-            "For the first return to the target after it has been left, state the problem with "
-            "first_return=True."
+            "once, after zero time. For the first return to the target after it has been left, "
+            "state the problem with first_return=True."
         )
 
 

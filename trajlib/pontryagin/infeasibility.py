@@ -57,9 +57,8 @@ def refuse_infeasible(numeric):
             when = "" if numeric.duration is None else f" at the time {numeric.duration:.6g}"
             raise Infeasible(
                 f"no admissible control leads to the target: {quantity} begins at {value:.6g} and "
-                f"{limit}"
-                f"{when}, whatever the control; the target asks for {wanted:.6g}. "
-                "The target cannot be reached from this start."
+                f"{limit}{when}, whatever the control; the target asks for {wanted:.6g}. The "
+                "target cannot be reached from this start."
             )
     _refuse_unmoved(numeric)
 
@@ -70,8 +69,7 @@ def _refuse_contradiction(G, d):
     if np.max(np.abs(G @ nearest - d)) > MARGIN * (1 + np.max(np.abs(d))):
         raise Infeasible(
             "the terminal equations contradict one another: no state satisfies all of them. Leave "
-            "out "
-            "what is not asked for."
+            "out what is not asked for."
         )
 
 
@@ -105,10 +103,9 @@ def _refuse_unmoved(numeric):
             when = "at all times" if duration is None else f"at the time {duration:.6g}"
             raise Infeasible(
                 f"no control leads to the target: {sp.sstr((row * state)[0])} does not depend on "
-                "the "
-                f"control and is {value:.6g} {when}; the target asks for {wanted:.6g}. The pair "
-                "(A, B) "
-                "of the plant is not controllable; choose an end that keeps to this combination."
+                f"the control and is {value:.6g} {when}; the target asks for {wanted:.6g}. The "
+                "pair (A, B) of the plant is not controllable; choose an end that keeps to this "
+                "combination."
             )
 
 

@@ -172,10 +172,8 @@ def _refuse_kinks(problem):
             if kink.free_symbols & set(problem.control):
                 raise ValueError(
                     f"solve: {kink} is not smooth in the control. Only Abs(u) of a single control "
-                    "in the "
-                    "running cost is split here; otherwise split the control likewise: u = p - q "
-                    "with "
-                    "the controls p, q >= 0, and p + q in place of Abs(u)."
+                    "in the running cost is split here; otherwise split the control likewise: u = "
+                    "p - q with the controls p, q >= 0, and p + q in place of Abs(u)."
                 )
 
 

@@ -49,16 +49,14 @@ def polish(numeric, picture, arcs, duration, made, keep_structure=False):
         elif not shot.residual <= ACCEPTED:
             reason = (
                 f"the conditions for the arcs {', '.join(name(arc.kinds) for arc in arcs)} were "
-                "not satisfied "
-                f"(residual {shot.residual:.1e})"
+                f"not satisfied (residual {shot.residual:.1e})"
             )
             break
         elif not shot.uncertainty <= DETERMINED:
             reason = (
                 f"the conditions for the arcs {', '.join(name(arc.kinds) for arc in arcs)} do not "
-                "determine "
-                f"their lengths "
-                f"(Newton's method would still move them by {shot.uncertainty:.1e} of the duration)"
+                "determine their lengths (Newton's method would still move them by "
+                f"{shot.uncertainty:.1e} of the duration)"
             )
             break
         else:

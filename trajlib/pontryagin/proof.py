@@ -260,8 +260,7 @@ class _Proof:
         if not all(box[i, 0].contains_interior(K[i, 0]) for i in range(self.count)):
             raise Undetermined(
                 "Krawczyk's test fails: the conditions of these arcs hardly determine the costate "
-                "and "
-                "the switchings"
+                "and the switchings"
             )
         if not all(K[i, 0] > 0 for i in range(n, self.count)):
             raise NotProved("an arc has no positive length")

@@ -251,15 +251,13 @@ class _Attempts:
         if failure:
             raise Unbounded(
                 f"the cost falls without bound (it passed {_cost(numeric, failure.cost):.3g}): "
-                "there is no "
-                "optimal process. Check the sign of the cost, bound the controls, or fix the "
-                "duration."
+                "there is no optimal process. Check the sign of the cost, bound the controls, or "
+                "fix the duration."
             )
         what = f" with the arcs {', '.join(map(name, self.structure))}" if self.structure else ""
         missed = (
             f"the terminal equations are missed by {self.closest:.3g} at least (least distance "
-            "found, by "
-            "local search)"
+            "found, by local search)"
             if 1e-4 < self.closest < np.inf
             else ""
         )
@@ -289,8 +287,7 @@ class _Attempts:
             return
         text = (
             f"no admissible control leads to the target in the time {duration:.6g}: a costate "
-            "separates it from "
-            f"all states that can be reached; {missed}"
+            f"separates it from all states that can be reached; {missed}"
         )
         shortest = _least_time(numeric) if numeric.duration is not None else None
         if shortest is not None and shortest > numeric.duration:
@@ -423,17 +420,15 @@ def settled_duration(numeric, picture):
     if T <= 1.5 * low and not numeric.time_bounds_given:
         raise Unbounded(
             f"the best duration tends to zero (it ran into {low:g}): the infimum "
-            f"{_cost(numeric, picture.cost)} is approached "
-            "by ever shorter processes and not attained. Bound the controls, or give a duration; "
-            "if "
-            "processes as short as that are meant, choose a smaller unit of time."
+            f"{_cost(numeric, picture.cost)} is approached by ever shorter processes and not "
+            "attained. Bound the controls, or give a duration; if processes as short as that are "
+            "meant, choose a smaller unit of time."
         )
     if T >= high * (1 - 1e-6) and not numeric.time_bounds_given:
         raise Unbounded(
             f"the best duration grows beyond every bound (it ran into {high:g}): there is no best "
-            f"process. Give a duration, or "
-            "bounds for it; for a process that ends when it first meets the target, state it with "
-            "first_return=True."
+            "process. Give a duration, or bounds for it; for a process that ends when it first "
+            "meets the target, state it with first_return=True."
         )
     if numeric.time_bounds_given:
         for bound in (low, high):
@@ -507,19 +502,17 @@ def refuse_endless(numeric, picture, side):
         raise NotUnique(
             f"the best duration is left open: processes that last {times} cost the same, about "
             f"{_cost(numeric, costs[0]):.7g}, so that many may be equally good. Give a duration, "
-            "or the "
-            "time a small cost."
+            "or the time a small cost."
         )
     values = ", ".join(
         f"{_cost(numeric, cost):.7g} for {duration:.3g}"
         for duration, cost in zip(durations[::-1], costs[::-1])
     )
     raise Unbounded(
-        f"no best duration was found: the cost keeps "
-        f"{'rising' if numeric.problem.maximise else 'falling'} with the duration "
-        f"({values}), towards about {_cost(numeric, costs[0]):.7g}. It seems that this value is "
-        f"approached as the duration "
-        "grows, and not attained. Give a duration."
+        "no best duration was found: the cost keeps "
+        f"{'rising' if numeric.problem.maximise else 'falling'} with the duration ({values}), "
+        f"towards about {_cost(numeric, costs[0]):.7g}. It seems that this value is approached as "
+        "the duration grows, and not attained. Give a duration."
     )
 
 

@@ -71,8 +71,7 @@ def singular_arc(derived, u):
             (),
             False,
             f"the derivatives of the switching function have more than {MOST_TERMS} terms before "
-            "it is "
-            f"known what keeps it zero: singular arcs of {u} are not looked for",
+            f"it is known what keeps it zero: singular arcs of {u} are not looked for",
         )
     order = len(derivatives) // 2 if highest is not None else None
     unknowns = (
@@ -103,8 +102,7 @@ def singular_arc(derived, u):
             surface,
             False,
             f"no derivative of the switching function contains {u}: it is not determined on a "
-            "singular "
-            f"arc",
+            "singular arc",
         )
     highest = sp.expand(sp.simplify(highest), power_exp=False)
     a, b = highest.subs(u, 0), sp.diff(highest, u)

@@ -103,14 +103,12 @@ def refuse_sliding(numeric, picture, relaxed, separate):
     ]
     raise Unbounded(
         "no optimal process was found, and it seems that there is none: H is not concave in the "
-        "control, and the cost "
-        f"falls with ever faster switching, as between {values[0]} and {values[1]} at t = "
-        f"{relaxed.times[middle]:.3g}. "
-        f"The infimum is about {sign * relaxed.cost:.3g}, that of the relaxed problem y' = a f(y, "
-        "u) + (1 - a) f(y, v), "
+        f"control, and the cost falls with ever faster switching, as between {values[0]} and "
+        f"{values[1]} at t = {relaxed.times[middle]:.3g}. The infimum is about "
+        f"{sign * relaxed.cost:.3g}, that of the relaxed problem y' = a f(y, u) + (1 - a) f(y, v), "
         "0 <= a <= 1 (a discrete picture; the best ordinary one found has "
-        f"{sign * picture.cost:.3g}). State that "
-        "problem, or give each change of the control a cost."
+        f"{sign * picture.cost:.3g}). State that problem, or give each change of the control a "
+        "cost."
     )
 
 

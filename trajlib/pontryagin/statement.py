@@ -239,8 +239,7 @@ class Problem:
         if len(self.terminal) > len(self.state):
             raise ValueError(
                 f"terminal: {len(self.terminal)} equations for {len(self.state)} states; expected "
-                "at "
-                f"most as many"
+                "at most as many"
             )
         for g in self.terminal:
             if not g.free_symbols & set(self.state):

@@ -219,8 +219,7 @@ def read_structure(numeric, structure):
         if len(kinds) != numeric.k or any(kind not in KINDS for kind in kinds):
             raise ValueError(
                 f"structure: expected one of {', '.join(KINDS)} for each of {numeric.k} controls, "
-                "got "
-                f"{arc!r}"
+                f"got {arc!r}"
             )
         for i, kind in enumerate(kinds):
             wanted = {True: "singular", False: "interior"}[numeric.affine[i]]

@@ -16,13 +16,11 @@ def read_times(times):
         if steps[k] == 0:
             raise ValueError(
                 f"times: {times[k]:g} is repeated; put the measurements of one moment into one "
-                "function "
-                f"or matrix H"
+                "function or matrix H"
             )
         raise ValueError(
             f"times: they must increase, but {times[k]:g} is followed by {times[k + 1]:g}; sort "
-            "them, "
-            f"with their measurements"
+            "them, with their measurements"
         )
     return times
 
@@ -35,8 +33,7 @@ def read_matrix(matrix, name, dtype=float):
     except (TypeError, ValueError):
         raise TypeError(
             f"{name}: expected a matrix of numbers, got entries such as {matrix.flat[0]!r}; "
-            "substitute "
-            f"numbers first"
+            "substitute numbers first"
         ) from None
     if matrix.ndim != 2:
         raise ValueError(f"{name}: expected a matrix, got shape {matrix.shape}")

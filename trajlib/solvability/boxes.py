@@ -43,14 +43,11 @@ class Guarantee:
         if self.proved:
             return (
                 "solvable in the whole box: the smallest singular value is at least "
-                f"{self.lower:.4g} "
-                f"({self.cells} cells; {self.upper:.4g} at {at})"
+                f"{self.lower:.4g} ({self.cells} cells; {self.upper:.4g} at {at})"
             )
         return (
             f"not proved: with {self.cells} cells only {self.lower:.4g} is certain; the smallest "
-            "singular value "
-            f"found is "
-            f"{self.upper:.4g}, at {at}"
+            f"singular value found is {self.upper:.4g}, at {at}"
         )
 
 
@@ -89,8 +86,7 @@ def guarantee(matrix, box, *, scaling=None, ratio=0.5, cells=20000):
     if scaling.shape != (m,) or not ((scaling > 0) & np.isfinite(scaling)).all():
         raise ValueError(
             f"scaling: expected {m} positive numbers, got {scaling}; a column that is zero at the "
-            "middle "
-            f"of the box needs one"
+            "middle of the box needs one"
         )
 
     begin, end = low[None], high[None]

@@ -30,8 +30,7 @@ def reflection_constant(m, n):
     if m == 1:
         raise ValueError(
             "m = 1: the constant has no meaning for one unknown (2m - 3 < 0), whose condition "
-            "number is "
-            "always 1"
+            "number is always 1"
         )
     return math.sqrt(m) * (2 * m - 3) * (4 * n + 27)
 

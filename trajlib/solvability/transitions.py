@@ -92,7 +92,6 @@ def stack(H, Phi, times=None, reference=None):
     if H.ndim != 3 or H.shape[0] != k or H.shape[2] != m:
         raise ValueError(
             f"H: expected shape (r, {m}) or ({k}, r, {m}) to go with Phi of shape {Phi.shape}, got "
-            "shape "
-            f"{H.shape}"
+            f"shape {H.shape}"
         )
     return (H @ Phi).reshape(-1, m)

@@ -83,8 +83,7 @@ def linearise(f, h, state, times, *, reference=None, breaks=(), rtol=1e-10, name
         raise ValueError(
             f"f: it or its derivative is not finite at the start, t = {reference:g}, state "
             f"{state.tolist()}; does the motion begin outside the domain of f? (Functions of "
-            "Python's "
-            f"module `math` make nan of CasADi symbols: use those of NumPy or CasADi)"
+            "Python's module `math` make nan of CasADi symbols: use those of NumPy or CasADi)"
         )
     breaks = np.unique(np.asarray(breaks, dtype=float))
 
@@ -145,9 +144,7 @@ def _evaluated(function, t, components, name):
         reason = f"{type(error).__name__}: {(str(error).splitlines() or [''])[-1]}"
         raise ValueError(
             f"{name}: it cannot be called with CasADi symbols ({reason}); it has to return a list, "
-            "made "
-            f"of operators and of "
-            "NumPy or CasADi functions, without an `if` on its arguments"
+            "made of operators and of NumPy or CasADi functions, without an `if` on its arguments"
         ) from error
 
 
@@ -161,8 +158,7 @@ def _stacked(measured, times, values, m):
         k = int(np.flatnonzero(bad)[0])
         raise ValueError(
             f"h: the measurement or its derivative is not finite at t = {times[k]:g}, where the "
-            "state is "
-            f"{motion[k].round(6).tolist()}"
+            f"state is {motion[k].round(6).tolist()}"
         )
     return stack(H, Phi), motion, predicted, (H, Phi)
 
@@ -214,7 +210,6 @@ def _leg(rates, state, begin, end, at, rtol, atol):
         reached = begin + (end - begin) * rate.share
         raise ValueError(
             f"f: the motion could not be continued beyond t = {reached:g} on the way to {end:g} "
-            f"({found.message}); does it "
-            "leave the domain of f there?"
+            f"({found.message}); does it leave the domain of f there?"
         )
     return found.y.T[np.searchsorted(asked if end > begin else -asked, at if end > begin else -at)]

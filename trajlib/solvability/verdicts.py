@@ -162,9 +162,8 @@ class Solvability:
         values = self.singular_values
         lines = [
             f"{self.m} unknowns, {self.n} scalar measurements; condition number {_short(self.mu)} "
-            "as given, "
-            f"{_short(self.mu_scaled)} with scaled columns; full rank is guaranteed below "
-            f"{_short(self.threshold)}."
+            f"as given, {_short(self.mu_scaled)} with scaled columns; full rank is guaranteed "
+            f"below {_short(self.threshold)}."
         ]
         if self.matrix_error:
             lines[0] = (
@@ -177,8 +176,7 @@ class Solvability:
         if self.solvable:
             lines.append(
                 f"Solvable: the smallest singular value {values[-1]:.2e} is above "
-                f"{self.level:.2e}, the "
-                f"level of the errors."
+                f"{self.level:.2e}, the level of the errors."
             )
             weakest = self._in_words(self.combination(self.m - 1))
             lines.append(
@@ -193,8 +191,7 @@ class Solvability:
             )
             lines.append(
                 f"Not shown to be solvable: {self.rank} of {self.m} singular values are above "
-                f"{self.level:.2e}, the level of the "
-                f"errors; the {others}."
+                f"{self.level:.2e}, the level of the errors; the {others}."
             )
             lines += [f"Cannot be told from zero: {self._in_words(row)}." for row in self.unseen]
             seen = [name for name in self.names if name not in self.undetermined]
@@ -294,17 +291,13 @@ def analyse(matrix, W=None, *, eps=None, scale=True, matrix_error=None, names=No
     if n < m:
         raise ValueError(
             f"matrix: {n} scalar measurements for {m} unknowns; whatever they are, {m - n} "
-            "combinations "
-            f"stay free. Take more "
-            "measurements or fewer unknowns"
+            "combinations stay free. Take more measurements or fewer unknowns"
         )
     zero = [name for name, column in zip(names, matrix.T) if not column.any()]
     if zero:
         raise ValueError(
             f"matrix: the column of {', '.join(zero)} is zero: no measurement ever sees it. Leave "
-            "it "
-            f"out, or measure "
-            "something else"
+            "it out, or measure something else"
         )
     eps = rounding.EPS if eps is None else float(eps)
     weights = Weights(W, n)
@@ -314,8 +307,7 @@ def analyse(matrix, W=None, *, eps=None, scale=True, matrix_error=None, names=No
     if not (np.isfinite(largest).all() and (largest > 0).all()):
         raise ValueError(
             "matrix: its weighted entries are too large or too small for machine numbers; change "
-            "the "
-            "units"
+            "the units"
         )
     norms = largest * np.linalg.norm(weighted / largest, axis=0)
     entry_errors = _entry_errors(matrix_error, matrix)

@@ -22,9 +22,7 @@ class Weights:
                 k = int(np.flatnonzero(W <= 0)[0])
                 raise ValueError(
                     f"W: the variance of measurement {k} is {W[k]:g}; it must be positive (a "
-                    "measurement "
-                    f"without error has no "
-                    "weight)"
+                    "measurement without error has no weight)"
                 )
             self.factor = np.sqrt(W)
             return
@@ -33,8 +31,7 @@ class Weights:
         if W.ndim != 3 or W.shape[1] != W.shape[2]:
             raise ValueError(
                 f"W: expected {n} variances, a matrix ({n}, {n}) or square blocks (k, r, r), got "
-                "shape "
-                f"{W.shape}"
+                f"shape {W.shape}"
             )
         self._sized(W.shape[0] * W.shape[1], W.shape)
         if np.abs(W - W.transpose(0, 2, 1)).max() > 1e-10 * np.abs(W).max():
@@ -46,14 +43,11 @@ class Weights:
             if not W[k].any():
                 raise ValueError(
                     f"{where} is zero: without errors of the measurements there is nothing to "
-                    "weigh; "
-                    f"leave W out"
+                    "weigh; leave W out"
                 )
             raise ValueError(
                 f"{where} is not positive definite: its smallest eigenvalue is {lowest[k, 0]:.3g}. "
-                "Some "
-                f"combination of the "
-                "measurements would have no error or a negative variance"
+                "Some combination of the measurements would have no error or a negative variance"
             )
         self.factor = np.linalg.cholesky(W)
 

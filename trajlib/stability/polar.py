@@ -198,6 +198,5 @@ def _sign_under(expression, condition, name):
         pass
     raise ValueError(
         f"{name}: the answer depends on the sign of {product}; declare its symbols positive or "
-        "negative, "
-        "or substitute numbers"
+        "negative, or substitute numbers"
     )

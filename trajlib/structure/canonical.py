@@ -132,9 +132,8 @@ def _coordinates(A, H, name, kind, word, way_out):
     if H.shape[0] != 1:
         raise ValueError(
             f"{name}: the canonical form is that of one {kind}, got {H.shape[0]}; for several take "
-            "one "
-            f"of them or "
-            "their sum, or decompose by components (decompose_by_outputs, decompose_by_inputs)"
+            "one of them or their sum, or decompose by components (decompose_by_outputs, "
+            "decompose_by_inputs)"
         )
     g = stacked_powers(A, H)
     floating = isinstance(A, np.ndarray)

@@ -176,9 +176,7 @@ def _coordinates(A, H, how, name):
     if isinstance(A, np.ndarray):
         raise ValueError(
             f"{name}: expected exact matrices (SymPy), since every chain ends by an exact "
-            "decision; "
-            f"write the "
-            "numbers as integers or sp.Rational"
+            "decision; write the numbers as integers or sp.Rational"
         )
     chains = _sequential_chains(A, H) if how == "sequential" else _shuttle_chains(A, H)
     sizes = tuple(len(chain) for chain in chains)

@@ -38,8 +38,7 @@ def _refuse_functions(matrix):
             hint = ", or the rational functions of tau = tan(angle/2)" if angle else ""
             raise ValueError(
                 f"A: {plain} stands in the system, and a rank with such functions is not exact "
-                "here; put "
-                f"symbols for them{hint}"
+                f"here; put symbols for them{hint}"
             )
 
 

@@ -116,8 +116,7 @@ def told_split(A, H):
     if found.rank == len(A) and found.margin < DOUBTFUL:
         warnings.warn(
             f"nothing is split off, but a change of the entries by {found.margin:.1e} of their "
-            "size would "
-            "take a state away; exact entries (SymPy) would decide",
+            "size would take a state away; exact entries (SymPy) would decide",
             stacklevel=4,
         )
     return found

@@ -49,9 +49,8 @@ def state_form(left, right, symbol=None):
     if len(right) > n:
         raise ValueError(
             f"right: expected derivatives of u up to order {n - 1}, below the order {n} of the "
-            "equation; "
-            f"with order "
-            f"{len(right) - 1} the output contains u itself: subtract a multiple of u from x first"
+            f"equation; with order {len(right) - 1} the output contains u itself: subtract a "
+            "multiple of u from x first"
         )
     a = [sp.cancel(c / left[0]) for c in left]
     c = [sp.Integer(0)] * (n - len(right)) + [sp.cancel(e / left[0]) for e in right]
@@ -151,9 +150,7 @@ def _coefficients(polynomial, symbol, name):
     elif isinstance(polynomial, (str, sp.Expr)) or not isinstance(polynomial, Iterable):
         raise ValueError(
             f"{name}: expected the list of coefficients, highest derivative first, or an "
-            "expression "
-            f"together with "
-            f"`symbol`, which stands for d/dt; got {polynomial!r}"
+            f"expression together with `symbol`, which stands for d/dt; got {polynomial!r}"
         )
     else:
         coefficients = [exact_decimals(read_expression(c, name)) for c in polynomial]

@@ -62,9 +62,7 @@ def with_measurement_error(A, H, S, c):
     if tuple(c.shape) != (H.shape[0], S.shape[0]):
         raise ValueError(
             f"c: expected shape {(H.shape[0], S.shape[0])}, a row for each output and a column for "
-            "each "
-            f"w, "
-            f"got {tuple(c.shape)}"
+            f"each w, got {tuple(c.shape)}"
         )
     if floating:
         n, k = len(A), len(S)
@@ -127,8 +125,7 @@ def time_varying_conditions(A, H, time, parameters=()):
     if strangers := H.free_symbols - {time, *parameters} | A.free_symbols - {*parameters}:
         raise ValueError(
             f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
-            f"symbol that is "
-            "not a number"
+            "symbol that is not a number"
         )
     blocks = [N[: H.rows, :]]
     for _ in range(A.rows * _order_of_equation(H, time) - 1):
@@ -152,8 +149,7 @@ def _order_of_equation(H, time):
             if not rest.is_polynomial(time) or sp.expand(exponent - rate * time).has(time):
                 raise ValueError(
                     f"H: expected sums of polynomials, exponentials, sines and cosines of {time}, "
-                    "got "
-                    f"{entry}"
+                    f"got {entry}"
                 )
             powers[rate] = max(powers.get(rate, 0), sp.degree(rest, time) if rest.has(time) else 0)
     return int(sum(degree + 1 for degree in powers.values()))

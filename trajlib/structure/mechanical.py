@@ -94,9 +94,8 @@ def first_order_form(M, D, K, L=None, H1=None, H2=None):
     if singular:
         raise ValueError(
             "M: expected an invertible matrix; with a singular one some accelerations drop out: "
-            "remove "
-            "these "
-            "coordinates first, or ask mechanical_observability, which needs no inverse"
+            "remove these coordinates first, or ask mechanical_observability, which needs no "
+            "inverse"
         )
     if floating:
         A = np.block(

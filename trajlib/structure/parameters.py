@@ -104,8 +104,7 @@ def _conditions(A, H, parameters):
     if strangers := (A.free_symbols | H.free_symbols) - set(parameters):
         raise ValueError(
             f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
-            f"symbol that is "
-            "not a number"
+            "symbol that is not a number"
         )
     if roots := sorted(
         (p for p in (A.atoms(sp.Pow) | H.atoms(sp.Pow)) if p.free_symbols and not p.exp.is_Integer),
@@ -113,8 +112,7 @@ def _conditions(A, H, parameters):
     ):
         raise ValueError(
             f"A: {roots[0]} stands in the system, and conditions are found for rational functions "
-            "of the "
-            "parameters; put a symbol for it"
+            "of the parameters; put a symbol for it"
         )
     below = sp.Mul(*{sp.denom(sp.together(entry)) for entry in (*A, *H)})
     return rank_conditions(stacked_powers(A, H), parameters, below)
@@ -136,11 +134,9 @@ def rank_conditions(N, parameters, below=sp.Integer(1)):
     except (_NotSolved, sp.PolynomialError) as problem:
         where = shorten(with_names(str(problem), back), 200, placeholder=" ...")
         raise NotImplementedError(
-            f"parameters: the equation {where} = 0, on which the rank "
-            f"may fall, is "
-            "beyond the methods here; give some of the parameters values, or study the minors "
-            "of the "
-            "Kalman matrix by hand"
+            f"parameters: the equation {where} = 0, on which the rank may fall, is beyond the "
+            "methods here; give some of the parameters values, or study the minors of the Kalman "
+            "matrix by hand"
         ) from None
     whole = [(sp.true, generic)] if generic < N.cols else []
     largest = [p for p in pieces if not any(_inside(p, q) for q in pieces if q is not p)]

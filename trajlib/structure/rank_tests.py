@@ -165,8 +165,7 @@ def float_test(A, H, word, orient=lambda vectors: vectors):
     elif split.margin < floats.DOUBTFUL:
         remark += (
             f", small: a change of the entries by {split.margin:.1e} of their size can turn the "
-            "verdict; exact "
-            "entries (SymPy) would decide"
+            "verdict; exact entries (SymPy) would decide"
         )
     lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(split)]
     return rank_test(split.rank, len(A), lost, word, split.margin, remark=remark)

@@ -26,8 +26,7 @@ from workbook.notebooks import exercises
 CREDIT = (
     "S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Yu. Cherkasov, "
     "*Mechanics of Controlled Systems: Problem Book* (in Russian), ed. V. V. Aleksandrov, Yu. V. "
-    "Bolotin, "
-    "Moscow, 2012"
+    "Bolotin, Moscow, 2012"
 )
 RESEARCH = "the research chapters of the workbook"
 WHEEL = f"trajlib-{__version__}-py3-none-any.whl"
@@ -320,15 +319,12 @@ def _origin(master, equations):
     return _markdown(
         f"*The data of this problem come from* {credit}.\n\n"
         'You need the workbook: from a checkout of it run `pip install -e ".[workbook]"`, or '
-        "install the "
-        "wheel that the workbook's site offers. Replace each `...` by your answer and run the "
-        "check cell below "
-        "it: it says what holds and what does not, as often as you like. The theory stands in "
-        f"chapter {chapter}"
+        "install the wheel that the workbook's site offers. Replace each `...` by your answer and "
+        "run the check cell below it: it says what holds and what does not, as often as you like. "
+        f"The theory stands in chapter {chapter}"
         + (
             f"; numbers such as {', '.join(words for words, _ in equations)} name equations of "
-            "chapter "
-            f"{equations[0][0][1:].split('.')[0]}"
+            f"chapter {equations[0][0][1:].split('.')[0]}"
             if equations
             else ""
         )

@@ -95,8 +95,7 @@ class Roster:
         if self.header[:2] != ["Student", "ID"] or "Section" not in self.header:
             raise BadInput(
                 "the roster is not a gradebook exported from Canvas: its columns are to be "
-                "Student, ID, "
-                "..., Section, ..."
+                "Student, ID, ..., Section, ..."
             )
         self.width = self.header.index("Section") + 1
         lines = [(line + [""] * len(self.header))[: len(self.header)] for line in lines[1:]]

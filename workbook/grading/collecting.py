@@ -105,8 +105,7 @@ def _addresses(worksheet):
     except (UnicodeDecodeError, csv.Error, KeyError, AttributeError):
         raise BadInput(
             f"{worksheet} is not a grading worksheet of Moodle: CSV in UTF-8 with the columns "
-            "Identifier and"
-            " Email address"
+            "Identifier and Email address"
         ) from None
     return {
         number: address

@@ -60,8 +60,7 @@ def grade_course(
     if failed:
         console.print(
             f"the grader itself failed on {count(failed, 'notebook')}: run it again, and it will "
-            "grade what "
-            "is missing",
+            "grade what is missing",
             markup=False,
             style="red",
         )
@@ -112,14 +111,12 @@ def score_by_hand(graded, student, assignment, problem, answer, points, comment=
     if not found:
         raise BadInput(
             f"there are no grades of {assignment} in {graded}; run workbook grade first, or say "
-            "where with "
-            f"--graded"
+            "where with --graded"
         )
     if student not in found:
         raise BadInput(
             f"{assignment} has no student {student}; a folder of that name beside the others' "
-            "makes one "
-            f"known to workbook grade"
+            "makes one known to workbook grade"
         )
     worth = {
         (each["problem"], each["answer"]): each["max points"] for each in found[student]["answers"]
@@ -184,8 +181,7 @@ def _cluster(options, console):
     if not cluster.address.startswith("tls://"):
         cluster.tell(
             f"{cluster.address} is not encrypted: who can reach it can read and change grades, and "
-            "run "
-            f"anything on the workers"
+            "run anything on the workers"
         )
     return cluster
 

@@ -49,9 +49,8 @@ def tell(console, folder, assignment, graded, changes, file):
     if waiting:
         say(
             f"  {waiting} need your look: {folder / 'summary.html'} says which answers could not "
-            "be judged, and what "
-            f"was left aside; "
-            "Moodle, Canvas and nbgrader get no grade of theirs yet",
+            "be judged, and what was left aside; Moodle, Canvas and nbgrader get no grade of "
+            "theirs yet",
             style="yellow",
         )
     if spoilt:

@@ -82,8 +82,7 @@ def _of_problem(problem, about, answers, score):
     if attempt is not None and score.tried[problem] > 1:
         parts.append(
             f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the '
-            "attempt "
-            f"that counts.</p>"
+            "attempt that counts.</p>"
         )
     if attempt is not None and attempt.remarks:
         parts.append(

@@ -162,8 +162,7 @@ class Forkserver:
         if not answer:
             raise NotStarted(
                 "the process that others are forked from ended: the machine may be out of memory; "
-                "the same"
-                " command goes on from here"
+                "the same command goes on from here"
             )
         return json.loads(answer)
 
@@ -175,8 +174,7 @@ def _told():
     except OSError as error:
         raise NotStarted(
             f"the process that others are forked from is gone or too slow ({error}): the machine "
-            "may be"
-            " out of memory; the same command goes on from here"
+            "may be out of memory; the same command goes on from here"
         ) from None
 
 

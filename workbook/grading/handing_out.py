@@ -52,8 +52,7 @@ def make(folder, name, problems, title=None, due=None, site=""):
     if not assignments.can_be_name(name):
         raise AssignmentError(
             f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, "
-            "- "
-            f"and _"
+            "- and _"
         )
     if place.exists():
         raise AssignmentError(f"{place} is already there; take another name or remove it")
@@ -111,8 +110,7 @@ def due_date(text):
     except ValueError:
         raise AssignmentError(
             f'{text!r} is not a date; write "2026-10-01 23:59", or "2026-10-01T23:59:00+03:00" '
-            "with "
-            f"a zone"
+            "with a zone"
         ) from None
     if len(text) == len("2026-10-01"):
         due = due.replace(hour=23, minute=59, second=59)
@@ -161,8 +159,7 @@ def _text(value):
 def _readme(homework):
     rows = [
         f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
-        f"{sum(points.values()):g} "
-        f"point{'s' * (sum(points.values()) != 1)} for {len(points)} "
+        f"{sum(points.values()):g} point{'s' * (sum(points.values()) != 1)} for {len(points)} "
         f"answer{'s' * (len(points) != 1)}"
         for problem, points in homework.points.items()
     ]

@@ -45,9 +45,8 @@ def page(title, whose, body):
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src '
-        "'unsafe-inline'\">"
-        f"<title>{escape(title)}: {escape(whose)}</title><style>{STYLE}</style></head>"
-        f"<body><h1>{escape(title)}<br><span "
+        f"'unsafe-inline'\"><title>{escape(title)}: "
+        f"{escape(whose)}</title><style>{STYLE}</style></head><body><h1>{escape(title)}<br><span "
         f'class="soft">{person(whose)}</span></h1>{body}</body></html>\n'
     )
 

@@ -89,8 +89,7 @@ class Store:
     def _error(self, error):
         return StoreError(
             f"{self.path}: {error}; what is stored in it is kept, and the same command goes on "
-            "from "
-            f"there"
+            "from there"
         )
 
     @contextmanager
@@ -105,10 +104,9 @@ class Store:
         the time it has now."""
         key = (student, assignment, problem, content)
         self._database.execute(
-            "INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, ?, "
-            "?, ?, ?)"
-            " ON CONFLICT DO UPDATE SET submitted = excluded.submitted WHERE submitted != "
-            "excluded.submitted",
+            "INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, "
+            "?, ?, ?, ?) ON CONFLICT DO UPDATE SET submitted = excluded.submitted WHERE "
+            "submitted != excluded.submitted",
             (*key, submitted),
         )
         (found,) = self._database.execute(
@@ -144,9 +142,8 @@ class Store:
         """Store a result, whole or not at all; a second one by the same exercise replaces the
         first."""
         self._database.execute(
-            "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, graded, "
-            "hashes) VALUES (?, "
-            "?, ?, ?, ?, ?, ?)",
+            "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, "
+            "graded, hashes) VALUES (?, ?, ?, ?, ?, ?, ?)",
             (
                 attempt,
                 exercise,

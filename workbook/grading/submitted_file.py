@@ -54,8 +54,7 @@ def content(path):
         if about.st_size > LARGEST:
             raise Unreadable(
                 f"the file has {about.st_size / 2**20:.0f} MB; notebooks up to {LARGEST // 2**20} "
-                "MB are "
-                f"read"
+                "MB are read"
             )
         with open(descriptor, "rb", closefd=False) as file:
             return file.read(LARGEST + 1)
@@ -72,8 +71,7 @@ def notebook(content):
     except RuntimeError:
         raise Unreadable(
             f"the file has {len(content) / 2**20:.0f} MB, and reading it took more time or memory "
-            "than "
-            f"allowed"
+            "than allowed"
         ) from None
     if trouble:
         raise Unreadable(trouble)
@@ -115,8 +113,7 @@ def _notebook(content):
     if sum(map(len, cells)) > MOST_CODE or len(cells) > MOST_CELLS:
         raise Unreadable(
             f"the notebook holds more than {MOST_CODE // 2**20} MB of code, or more than "
-            f"{MOST_CELLS} "
-            f"cells of it"
+            f"{MOST_CELLS} cells of it"
         )
     return _number(given), cells
 

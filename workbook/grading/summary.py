@@ -48,9 +48,8 @@ def _in_short(assignment, scores, handed_in):
         reached = [score.points for score in handed_in]
         said.append(
             f"the middle one has {points(statistics.median(reached))} of "
-            f"{points(assignment.max_points)} "
-            f"points, "
-            f"the mean is {points(statistics.mean(reached))}"
+            f"{points(assignment.max_points)} points, the mean is "
+            f"{points(statistics.mean(reached))}"
         )
     return f"<p>{'; '.join(said)}.</p>"
 
@@ -66,8 +65,7 @@ def _to_review(assignment, scores):
     command = f"workbook score STUDENT {escape(assignment.name)} PROBLEM ANSWER POINTS"
     return (
         "<p>These could not be judged and may still raise the grade. Give points with "
-        f"<code>{command}</code>, "
-        f"then grade again.</p>"
+        f"<code>{command}</code>, then grade again.</p>"
         + table(("student", "answer", "what was given, and why it was not judged"), rows)
     )
 
@@ -101,9 +99,8 @@ def _spoilt(scores):
         for works in sorted(whose.values(), key=len, reverse=True)
     ]
     return (
-        "<p>What a student handed in last for a problem, without any answer that could be read. It "
-        "earns nothing; "
-        "ask for it again.</p>"
+        "<p>What a student handed in last for a problem, without any answer that could be read. "
+        "It earns nothing; ask for it again.</p>"
         + table(("times", "why, in the words of one of them", "students and problems"), rows)
     )
 
@@ -137,8 +134,7 @@ def _histogram(assignment, scores, bars=10):
         )
     drawn.append(
         f'<text x="{end / 2}" y="{floor + 44}" text-anchor="middle">points; on each bar the number '
-        "of "
-        f"students</text>"
+        "of students</text>"
     )
     spread = ", ".join(
         f"{counts[k]} from {points(assignment.max_points * k / bars)}" for k in sorted(counts)
@@ -225,8 +221,7 @@ def _identical(scores):
     )
     rows = [
         f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}'
-        f"<td><code>{escape(texts[given])}</code></td>"
-        f"<td>{', '.join(map(person, names))}</td></tr>"
+        f"<td><code>{escape(texts[given])}</code></td><td>{', '.join(map(person, names))}</td></tr>"
         for (problem, name, given), names in shared
     ]
     return table(("times", "answer", "given", "by"), rows)

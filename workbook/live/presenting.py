@@ -171,8 +171,7 @@ def _free(port):
         except (OSError, OverflowError) as error:
             raise LiveError(
                 f"port {port} cannot be had ({getattr(error, 'strerror', None) or error}); another "
-                "--port, "
-                "or none, takes a free one"
+                "--port, or none, takes a free one"
             ) from None
         return trial.getsockname()[1]
 

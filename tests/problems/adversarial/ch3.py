@@ -327,16 +327,14 @@ ROWS = [
         "3.6",
         "family",
         "[0.529*beta1 - 0.353*beta2 + 0.235*beta3 - 0.294, -0.294*beta1 + 0.529*beta2 - "
-        "0.353*beta3 + 0.941,"
-        " 0.941*beta1 - 0.294*beta2 + 0.529*beta3 - 0.412]",
+        "0.353*beta3 + 0.941, 0.941*beta1 - 0.294*beta2 + 0.529*beta3 - 0.412]",
         "three digits",
     ),
     wrong(
         "3.6",
         "family",
         "[0.529*beta1 - 0.353*beta2 + 0.235*beta3 - 0.294, -0.294*beta1 + 0.529*beta2 - "
-        "0.353*beta3 + 0.941,"
-        " 0.914*beta1 - 0.294*beta2 + 0.529*beta3 - 0.412]",
+        "0.353*beta3 + 0.941, 0.914*beta1 - 0.294*beta2 + 0.529*beta3 - 0.412]",
         "0.914 for 0.941",
     ),
     wrong(
@@ -474,8 +472,7 @@ ROWS = [
         "3.10",
         "matrices",
         "[np.array([[0, 1], [1, 0]]), np.array([[0, -1], [1, 0]]), np.array([[0, 1], [-1, 0]]), "
-        "np.array([[0,"
-        " -1], [-1, 0]]), np.zeros((2, 2))]",
+        "np.array([[0, -1], [-1, 0]]), np.zeros((2, 2))]",
         "arrays",
     ),
     wrong(
@@ -488,24 +485,21 @@ ROWS = [
         "3.10",
         "gains",
         "[[(0, 0), [-2, -1]], [(0, sp.pi), [0, -1]], [(sp.pi, 0), [0, -1]], [(sp.pi, sp.pi), [2, "
-        "-1]],"
-        " [(sp.pi/2, sp.pi/2), []]]",
+        "-1]], [(sp.pi/2, sp.pi/2), []]]",
         "other gains",
     ),
     wrong(
         "3.10",
         "gains",
-        "[[(0, 0), [-2, -1]], [(0, sp.pi), [0, -1]], [(sp.pi, 0), [0, -1]], [(sp.pi, sp.pi), [-2, "
-        "-1]],"
-        " [(sp.pi/2, sp.pi/2), []]]",
+        "[[(0, 0), [-2, -1]], [(0, sp.pi), [0, -1]], [(sp.pi, 0), [0, -1]], [(sp.pi, sp.pi), "
+        "[-2, -1]], [(sp.pi/2, sp.pi/2), []]]",
         "the fourth needs another sign",
     ),
     wrong(
         "3.10",
         "gains",
         "[[(0, 0), [-1, -1]], [(0, sp.pi), [0, -1]], [(sp.pi, 0), [0, -1]], [(sp.pi, sp.pi), [2, "
-        "-1]],"
-        " [(sp.pi/2, sp.pi/2), []]]",
+        "-1]], [(sp.pi/2, sp.pi/2), []]]",
         "a root is zero at the origin",
     ),
     wrong(
@@ -774,9 +768,8 @@ ROWS = [
     right(
         "3.19",
         "correction",
-        "[0.333*g1 + 0.333*g2 - 0.167*g3 + 0.333, 0.333*g1 + 0.333*g2 + 0.333*g3 + 1.33, 0.667*g1 "
-        "- 0.333*g2 +"
-        " 0.167*g3 - 0.333]",
+        "[0.333*g1 + 0.333*g2 - 0.167*g3 + 0.333, 0.333*g1 + 0.333*g2 + 0.333*g3 + 1.33, "
+        "0.667*g1 - 0.333*g2 + 0.167*g3 - 0.333]",
         "three digits",
     ),
     right(
@@ -840,16 +833,14 @@ ROWS = [
         "3.21",
         "gains",
         "[sp.diag(-1, -2, -3), sp.Matrix([1, -1, 0]), sp.Matrix([[1, 1, 1]]), sp.Matrix([[2, 1, "
-        "0]]),"
-        " sp.Matrix([[-4, -1, 0]]), sp.Matrix([2, -1, 0])]",
+        "0]]), sp.Matrix([[-4, -1, 0]]), sp.Matrix([2, -1, 0])]",
         "by the modes, all roots -3",
     ),
     wrong(
         "3.21",
         "gains",
         "[sp.diag(-1, -2, -3), sp.Matrix([1, -1, 0]), sp.Matrix([[1, 1, 1]]), sp.Matrix([[2, 1, "
-        "0]]),"
-        " sp.Matrix([[-4, -1, 0]]), sp.Matrix([1, 0, 0])]",
+        "0]]), sp.Matrix([[-4, -1, 0]]), sp.Matrix([1, 0, 0])]",
         "the errors have the margin 2",
     ),
     right("3.21", "static_region", "k < 0.667", "three digits"),
@@ -887,9 +878,8 @@ ROWS = [
     wrong(
         "3.21",
         "gains",
-        "[sp.diag(-1.0, -2, -3), sp.Matrix([1, -1, 0]), sp.Matrix([[1, 1, 1]]), sp.Matrix([[2, 1, "
-        "0]]),"
-        " sp.Matrix([[-3.9, -1, 0]]), sp.Matrix([2, -1, 0])]",
+        "[sp.diag(-1.0, -2, -3), sp.Matrix([1, -1, 0]), sp.Matrix([[1, 1, 1]]), sp.Matrix([[2, "
+        "1, 0]]), sp.Matrix([[-3.9, -1, 0]]), sp.Matrix([2, -1, 0])]",
         "the loop has another margin",
     ),
     wrong("3.22", "c_margins", "mu < 2", "the margin 2 itself can be had"),

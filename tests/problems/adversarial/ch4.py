@@ -357,38 +357,34 @@ ROWS = [
     right(
         "4.17",
         "motion",
-        "(lambda c, L: (lambda F: L + F*(sp.Matrix([[p11, p12], [p12, p22]]) -"
-        " L)*F.T)(sp.exp(-a*t/2)*sp.Matrix([[sp.cosh(c*t) + a*sp.sinh(c*t)/(2*c), sp.sinh(c*t)/c],"
-        " [-b*sp.sinh(c*t)/c, sp.cosh(c*t) - a*sp.sinh(c*t)/(2*c)]])))(sp.sqrt(a**2/4 - b), "
-        "sp.diag(Q/(2*a*b),"
-        " Q/(2*a)))",
+        "(lambda c, L: (lambda F: L + F*(sp.Matrix([[p11, p12], [p12, p22]]) - "
+        "L)*F.T)(sp.exp(-a*t/2)*sp.Matrix([[sp.cosh(c*t) + a*sp.sinh(c*t)/(2*c), "
+        "sp.sinh(c*t)/c], [-b*sp.sinh(c*t)/c, sp.cosh(c*t) - "
+        "a*sp.sinh(c*t)/(2*c)]])))(sp.sqrt(a**2/4 - b), sp.diag(Q/(2*a*b), Q/(2*a)))",
         "hyperbolic functions",
     ),
     wrong(
         "4.17",
         "motion",
-        "(lambda c, L: (lambda F: L + F*(sp.Matrix([[p11, p12], [p12, p22]]) -"
-        " L)*F.T)(sp.exp(-a*t/2)*sp.Matrix([[sp.cosh(c*t) - a*sp.sinh(c*t)/(2*c), sp.sinh(c*t)/c],"
-        " [-b*sp.sinh(c*t)/c, sp.cosh(c*t) + a*sp.sinh(c*t)/(2*c)]])))(sp.sqrt(a**2/4 - b), "
-        "sp.diag(Q/(2*a*b),"
-        " Q/(2*a)))",
+        "(lambda c, L: (lambda F: L + F*(sp.Matrix([[p11, p12], [p12, p22]]) - "
+        "L)*F.T)(sp.exp(-a*t/2)*sp.Matrix([[sp.cosh(c*t) - a*sp.sinh(c*t)/(2*c), "
+        "sp.sinh(c*t)/c], [-b*sp.sinh(c*t)/c, sp.cosh(c*t) + "
+        "a*sp.sinh(c*t)/(2*c)]])))(sp.sqrt(a**2/4 - b), sp.diag(Q/(2*a*b), Q/(2*a)))",
         "two signs",
     ),
     right(
         "4.17",
         "critical",
-        "(lambda s: [[Q*sp.Integral(s**2*sp.exp(-a*s), (s, 0, t)), Q*t**2*sp.exp(-a*t)/2],"
-        " [Q*t**2*sp.exp(-a*t)/2, Q*sp.Integral((1 - a*s/2)**2*sp.exp(-a*s), (s, 0, "
-        "t))]])(sp.Symbol('s',"
-        " real=True))",
+        "(lambda s: [[Q*sp.Integral(s**2*sp.exp(-a*s), (s, 0, t)), Q*t**2*sp.exp(-a*t)/2], "
+        "[Q*t**2*sp.exp(-a*t)/2, Q*sp.Integral((1 - a*s/2)**2*sp.exp(-a*s), (s, 0, "
+        "t))]])(sp.Symbol('s', real=True))",
         "integrals",
     ),
     wrong(
         "4.17",
         "critical",
-        "[[2*Q/a**3*(1 - sp.exp(-a*t)), Q*t**2*sp.exp(-a*t)/2], [Q*t**2*sp.exp(-a*t)/2, Q/(2*a)*(1 "
-        "-"
-        " sp.exp(-a*t))]]",
+        "[[2*Q/a**3*(1 - sp.exp(-a*t)), Q*t**2*sp.exp(-a*t)/2], [Q*t**2*sp.exp(-a*t)/2, "
+        "Q/(2*a)*(1 - sp.exp(-a*t))]]",
         "the powers of t are lost",
     ),
     wrong("4.17", "undamped", "[[Q*t/(2*omega**2), 0], [0, Q*t/2]]", "the average over a turn"),
@@ -396,17 +392,15 @@ ROWS = [
         "4.17",
         "undamped",
         "(lambda s: [[Q*sp.Integral(sp.sin(omega*s)**2, (s, 0, t))/omega**2, "
-        "Q*sp.sin(omega*t)**2/(2*omega**2)],"
-        " [Q*sp.sin(omega*t)**2/(2*omega**2), Q*sp.Integral(sp.cos(omega*s)**2, (s, 0, "
-        "t))]])(sp.Symbol('s'))",
+        "Q*sp.sin(omega*t)**2/(2*omega**2)], [Q*sp.sin(omega*t)**2/(2*omega**2), "
+        "Q*sp.Integral(sp.cos(omega*s)**2, (s, 0, t))]])(sp.Symbol('s'))",
         "integrals",
     ),
     wrong(
         "4.17",
         "springless",
         "[[Q*t/a**2, Q/(2*a**2)*(1 - sp.exp(-a*t))**2], [Q/(2*a**2)*(1 - sp.exp(-a*t))**2, "
-        "Q/(2*a)*(1 -"
-        " sp.exp(-2*a*t))]]",
+        "Q/(2*a)*(1 - sp.exp(-2*a*t))]]",
         "what grows in the end alone",
     ),
     wrong("4.17", "settles", "sp.And(a > 0, b > 0, sp.Ne(b, a))", "a line"),
@@ -426,25 +420,22 @@ ROWS = [
     right(
         "4.18",
         "motion",
-        "(lambda x: [[sp.Rational(1, 60) - x**4/4 + 2*x**5/5 - x**6/6, (x**2 - x**3)**2/2], [(x**2 "
-        "- x**3)**2/2,"
-        " 0.1 - x**4 + 2.4*x**5 - 1.5*x**6]])(sp.exp(-t))",
+        "(lambda x: [[sp.Rational(1, 60) - x**4/4 + 2*x**5/5 - x**6/6, (x**2 - x**3)**2/2], "
+        "[(x**2 - x**3)**2/2, 0.1 - x**4 + 2.4*x**5 - 1.5*x**6]])(sp.exp(-t))",
         "decimals",
     ),
     wrong(
         "4.18",
         "motion",
-        "(lambda x: [[sp.Rational(1, 60) - x**4/4 + 2*x**5/5 - x**6/6, (x**2 - x**3)**2/2], [(x**2 "
-        "- x**3)**2/2,"
-        " sp.Rational(1, 10) - x**4 + 12*x**5/5 - 7*x**6/5]])(sp.exp(-t))",
+        "(lambda x: [[sp.Rational(1, 60) - x**4/4 + 2*x**5/5 - x**6/6, (x**2 - x**3)**2/2], "
+        "[(x**2 - x**3)**2/2, sp.Rational(1, 10) - x**4 + 12*x**5/5 - 7*x**6/5]])(sp.exp(-t))",
         "7/5 for 3/2",
     ),
     wrong(
         "4.18",
         "motion",
-        "(lambda x: [[sp.Rational(1, 60) - x**4/4 + 2*x**5/5 - x**6/6, (x**2 - x**3)**2], [(x**2 - "
-        "x**3)**2,"
-        " sp.Rational(1, 10) - x**4 + 12*x**5/5 - 3*x**6/2]])(sp.exp(-t))",
+        "(lambda x: [[sp.Rational(1, 60) - x**4/4 + 2*x**5/5 - x**6/6, (x**2 - x**3)**2], [(x**2 "
+        "- x**3)**2, sp.Rational(1, 10) - x**4 + 12*x**5/5 - 3*x**6/2]])(sp.exp(-t))",
         "a half is lost",
     ),
     wrong("4.18", "limit", "[[0.0168, 0], [0, 0.1]]", "a digit"),
@@ -453,8 +444,7 @@ ROWS = [
         "4.18",
         "motion",
         "(lambda x: [[sp.Rational(1, 60) - x**4/4 + 0.404*x**5 - x**6/6, (x**2 - x**3)**2/2], "
-        "[(x**2 -"
-        " x**3)**2/2, 0.1 - x**4 + 2.4*x**5 - 1.5*x**6]])(sp.exp(-t))",
+        "[(x**2 - x**3)**2/2, 0.1 - x**4 + 2.4*x**5 - 1.5*x**6]])(sp.exp(-t))",
         "one per cent",
     ),
     wrong(
@@ -552,16 +542,14 @@ ROWS = [
         "4.21",
         "motion",
         "(lambda F, L: L + F*(start - L)*F.T)(sp.Matrix([[1 + k, k], [-k, 1 - k]])/2**k, "
-        "sp.Matrix([[20, -8],"
-        " [-8, 32]])/27)",
+        "sp.Matrix([[20, -8], [-8, 32]])/27)",
         "a product",
     ),
     wrong(
         "4.21",
         "motion",
         "(lambda F, L: L + F*(start - L)*F.T)(sp.Matrix([[1 + k, k], [-k, 1 - k]])/4**k, "
-        "sp.Matrix([[20, -8],"
-        " [-8, 32]])/27)",
+        "sp.Matrix([[20, -8], [-8, 32]])/27)",
         "the power is squared twice",
     ),
     wrong(
@@ -645,8 +633,7 @@ ROWS = [
         "4.22",
         "prior",
         "(lambda q: R*sp.Matrix([[q/2*(sp.sqrt(1 + 4/q) - 1), q/2*(sp.sqrt(1 + 4/q) - 1)], "
-        "[q/2*(sp.sqrt(1 +"
-        " 4/q) - 1), q/2*(sp.sqrt(1 + 4/q) + 1)]]))(Q/R)",
+        "[q/2*(sp.sqrt(1 + 4/q) - 1), q/2*(sp.sqrt(1 + 4/q) + 1)]]))(Q/R)",
         "by the ratio",
     ),
     wrong(
@@ -716,24 +703,21 @@ ROWS = [
         "4.24",
         "gain",
         "(lambda p: a*h*p/(h**2*p + R))((Q*h**2 + R*(a**2 - 1) + sp.sqrt(4*Q*R*h**2 + (Q*h**2 + "
-        "R*(a**2 -"
-        " 1))**2))/(2*h**2))",
+        "R*(a**2 - 1))**2))/(2*h**2))",
         "that of the prediction",
     ),
     right(
         "4.24",
         "gain",
         "(lambda p: h*p/(h**2*p + R))((Q*h**2 + R*(a**2 - 1) + sp.sqrt(4*Q*R*h**2 + (Q*h**2 + "
-        "R*(a**2 -"
-        " 1))**2))/(2*h**2))",
+        "R*(a**2 - 1))**2))/(2*h**2))",
         "by the variance before",
     ),
     wrong(
         "4.24",
         "decay",
         "[(lambda p: R*sp.Abs(a)/(h**2*p + R))((Q*h**2 + R*(a**2 - 1) + sp.sqrt(4*Q*R*h**2 + "
-        "(Q*h**2 + R*(a**2 -"
-        " 1))**2))/(2*h**2))]",
+        "(Q*h**2 + R*(a**2 - 1))**2))/(2*h**2))]",
         "a may be negative",
     ),
     wrong("4.24", "quiet", "R*(a**2 - 1)/h**2", "before the measurement"),
@@ -894,8 +878,7 @@ ROWS = [
         "4.33",
         "negative",
         "[[(a*R + sp.sqrt(R*Q + R**2*(a**2 - 4*b)))/sp.Abs(b), 2*R], [2*R, -a*R + sp.sqrt(R*Q + "
-        "R**2*(a**2 -"
-        " 4*b))]]",
+        "R**2*(a**2 - 4*b))]]",
         "a modulus",
     ),
     wrong("4.33", "exists", "b > 0", "a repelled one is seen too"),
@@ -903,9 +886,8 @@ ROWS = [
     wrong(
         "4.33",
         "riccati",
-        "[[2*p12 - p12**2/R, p22 - a*p12 - b*p11 - p12*p22/R], [p22 - a*p12 - b*p11 - p12*p22/R, Q "
-        "- 2*a*p22 -"
-        " 2*b*p12 - p22**2*R]]",
+        "[[2*p12 - p12**2/R, p22 - a*p12 - b*p11 - p12*p22/R], [p22 - a*p12 - b*p11 - p12*p22/R, "
+        "Q - 2*a*p22 - 2*b*p12 - p22**2*R]]",
         "multiplied for divided",
     ),
     wrong(
@@ -1060,8 +1042,7 @@ ROWS = [
         "4.35",
         "eigenvalues",
         "sp.roots(sp.Symbol('x')**2 + sp.sqrt(2)*(Q/R)**sp.Rational(1, 4)*sp.Symbol('x') + "
-        "sp.sqrt(Q/R),"
-        " sp.Symbol('x'))",
+        "sp.sqrt(Q/R), sp.Symbol('x'))",
         "from roots",
     ),
     wrong(

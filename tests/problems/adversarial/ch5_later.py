@@ -839,16 +839,14 @@ ROWS = [
         "5.35",
         "rest_control",
         "sp.Piecewise((sp.atan2(-y0, -x0), t < (x0**2+y0**2)**sp.Rational(1,4)/sp.sqrt(a)*1.02), "
-        "(sp.atan2(y0, x0),"
-        " True))",
+        "(sp.atan2(y0, x0), True))",
         "two per cent too late",
     ),
     right(
         "5.35",
         "rest_control",
         "sp.Piecewise((sp.atan2(-y0, -x0), t < (x0**2+y0**2)**sp.Rational(1,4)/sp.sqrt(a)), "
-        "(sp.atan2(y0, x0), "
-        "True))",
+        "(sp.atan2(y0, x0), True))",
         "opposite",
     ),
     right(
@@ -942,32 +940,28 @@ ROWS = [
         "5.37",
         "b_motion",
         "[v0**2*(sp.sqrt(3)/2 + g*t/v0 - sp.sin(g*t/v0 + sp.pi/3))/g, v0**2*(sp.cos(g*t/v0 + "
-        "sp.pi/3) - "
-        "sp.Rational(1,2))/g, 2*v0*sp.sin(g*t/(2*v0) + sp.pi/6)]",
+        "sp.pi/3) - sp.Rational(1,2))/g, 2*v0*sp.sin(g*t/(2*v0) + sp.pi/6)]",
         "double angles",
     ),
     right(
         "5.37",
         "b_motion",
         "[v0**2*(0.866 + g*t/v0 - sp.sin(g*t/v0 + 1.047))/g, v0**2*(sp.cos(g*t/v0 + 1.047) - "
-        "0.5)/g, "
-        "2*v0*sp.sin(g*t/(2*v0) + 0.5236)]",
+        "0.5)/g, 2*v0*sp.sin(g*t/(2*v0) + 0.5236)]",
         "three and four digits",
     ),
     wrong(
         "5.37",
         "b_motion",
         "[v0**2*(0.88 + g*t/v0 - sp.sin(g*t/v0 + 1.047))/g, v0**2*(sp.cos(g*t/v0 + 1.047) - "
-        "0.5)/g, "
-        "2*v0*sp.sin(g*t/(2*v0) + 0.5236)]",
+        "0.5)/g, 2*v0*sp.sin(g*t/(2*v0) + 0.5236)]",
         "more than one per cent off",
     ),
     wrong(
         "5.37",
         "b_motion",
         "[v0**2*(sp.sqrt(3)/2 + g*t/v0 - sp.sin(g*t/v0 + sp.pi/3))/g, v0**2*(sp.Rational(1,2) - "
-        "sp.cos(g*t/v0 + "
-        "sp.pi/3))/g, 2*v0*sp.sin(g*t/(2*v0) + sp.pi/6)]",
+        "sp.cos(g*t/v0 + sp.pi/3))/g, 2*v0*sp.sin(g*t/(2*v0) + sp.pi/6)]",
         "the height with the wrong sign",
     ),
     wrong("5.37", "b_costate", "-2*v0/g*sp.cos(g*t/(2*v0) + sp.pi/6)", "the sign"),
@@ -1205,8 +1199,7 @@ ROWS = [
         "5.45",
         "adjoint",
         "[-psi2*omega**2 + psi3*(k - 2*v)*omega/rho**2, -psi1 + 2*psi3*omega/rho, "
-        "-2*psi2*rho*omega + psi3*(k - "
-        "2*v)/rho]",
+        "-2*psi2*rho*omega + psi3*(k - 2*v)/rho]",
         "sign in the last",
     ),
     wrong("5.45", "gain", "-kbar*sp.sign(omega*psi3)", "the sign"),
@@ -1387,8 +1380,7 @@ ROWS = [
         "5.53",
         "law",
         "sp.Piecewise((0, w <= v), (P_max, a*v**4*(1 + v/c) < b*mass**2*(3 + v/c)), (a*v**2 + "
-        "b*mass**2/v**2, "
-        "True))",
+        "b*mass**2/v**2, True))",
         "keeps the speed",
     ),
     wrong("5.53", "way", "1.3157", "full thrust"),
@@ -1502,8 +1494,7 @@ ROWS = [
         "5.58",
         "a_pontryagin",
         "v*(psi1*sp.cos(alpha) + psi2*sp.sin(alpha)) + omega*(psi3 + k0*(psi1*sp.sin(alpha) - "
-        "psi2*sp.cos(alpha))) "
-        "- 1",
+        "psi2*sp.cos(alpha))) - 1",
         "sign of k0",
     ),
     wrong(
@@ -1553,19 +1544,16 @@ ROWS = [
         "5.59",
         "d_control",
         "[[-1, 1.05*(sp.asinh(1/(1 - b)) - sp.log(1 + sp.sqrt(2)))], [((1 - "
-        "b)*sp.cosh((sp.asinh(1/(1 - b)) - "
-        "sp.log(1 + sp.sqrt(2)))) - 1)/2*sp.exp(-(t - (sp.asinh(1/(1 - b)) - sp.log(1 + "
-        "sp.sqrt(2))))/sp.sqrt(2)), "
-        "3]]",
+        "b)*sp.cosh((sp.asinh(1/(1 - b)) - sp.log(1 + sp.sqrt(2)))) - 1)/2*sp.exp(-(t - "
+        "(sp.asinh(1/(1 - b)) - sp.log(1 + sp.sqrt(2))))/sp.sqrt(2)), 3]]",
         "it switches five per cent late",
     ),
     wrong(
         "5.59",
         "d_control",
-        "[[-1, (sp.asinh(1/(1 - b)) - sp.log(1 + sp.sqrt(2)))], [-((1 - b)*sp.cosh((sp.asinh(1/(1 "
-        "- b)) - sp.log(1 "
-        "+ sp.sqrt(2)))) - 1)/2*sp.exp(-(t - (sp.asinh(1/(1 - b)) - sp.log(1 + "
-        "sp.sqrt(2))))/sp.sqrt(2)), 3]]",
+        "[[-1, (sp.asinh(1/(1 - b)) - sp.log(1 + sp.sqrt(2)))], [-((1 - "
+        "b)*sp.cosh((sp.asinh(1/(1 - b)) - sp.log(1 + sp.sqrt(2)))) - 1)/2*sp.exp(-(t - "
+        "(sp.asinh(1/(1 - b)) - sp.log(1 + sp.sqrt(2))))/sp.sqrt(2)), 3]]",
         "the sign",
     ),
     wrong("5.59", "d_cost", "sp.sqrt(2)*b**2 + b**3", "right to the second order only"),

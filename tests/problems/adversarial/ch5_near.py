@@ -15,18 +15,16 @@ SHORT_17 = "sp.Piecewise((sp.Abs(x0)**3/6, T > {0}*sp.Abs(x0)), ((sp.Abs(x0)**3 
 D_57, R_57 = "sp.sqrt(a**2 + b**2)", "(vbar/omegabar)"
 TURN_57 = (
     f"(sp.atan2(sp.Abs(b), a) - sp.asin(sp.Min({D_57}/(2*{R_57}), 1/sp.sqrt(2))) - "
-    f"sp.acos(sp.Min({R_57}/{D_57}"
-    f", 1/sp.sqrt(2))) + sp.pi/4)"
+    f"sp.acos(sp.Min({R_57}/{D_57}, 1/sp.sqrt(2))) + sp.pi/4)"
 )
 A_58, D_58 = "(r*sp.cos(phi) + k0)", "sp.sqrt((r*sp.cos(phi) + k0)**2 + (r*sp.sin(phi))**2)"
 S_58 = "sp.Abs(r*sp.sin(phi))"
 TURN_58 = f"(sp.atan2({S_58}, {A_58}) - sp.acos({R_57}/{D_58}))"
 TIME_58 = (
     f"sp.Piecewise((({TURN_58} + sp.pi/2)/omegabar + (sp.sqrt({D_58}**2 - {R_57}**2) - "
-    f"{R_57})/vbar, "
-    f"{TURN_58} > {{0}}), ((sp.atan2({S_58} - {R_57}, {A_58}) + sp.atan2({R_57}, sp.sqrt({D_58}**2 "
-    f"- 2*{R_57}*"
-    f"{S_58})))/omegabar + sp.sqrt({D_58}**2 - 2*{R_57}*{S_58})/vbar, True)) - k0/vbar"
+    f"{R_57})/vbar, {TURN_58} > {{0}}), ((sp.atan2({S_58} - {R_57}, {A_58}) + sp.atan2({R_57}, "
+    f"sp.sqrt({D_58}**2 - 2*{R_57}*{S_58})))/omegabar + sp.sqrt({D_58}**2 - 2*{R_57}*{S_58})/vbar, "
+    "True)) - k0/vbar"
 )
 D_64 = "(1 + (1-t) + (1-t)**3/3 + (1-t)**4/12)"
 

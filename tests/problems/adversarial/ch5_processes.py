@@ -11,9 +11,8 @@ THREE = (
 )
 COST = (
     "sp.Piecewise((7*b/4 + sp.sqrt(10*a + 5*b**2), sp.And(a > -2*b*sp.Abs(b), a > "
-    "-b*sp.Abs(b)/2)), "
-    "(-7*b/4 + sp.sqrt(-10*a + 5*b**2), sp.And(a < -2*b*sp.Abs(b), a < -b*sp.Abs(b)/2)), "
-    "(sp.Abs(a/b) + {0}*sp.Abs(b), True))"
+    "-b*sp.Abs(b)/2)), (-7*b/4 + sp.sqrt(-10*a + 5*b**2), sp.And(a < -2*b*sp.Abs(b), a < "
+    "-b*sp.Abs(b)/2)), (sp.Abs(a/b) + {0}*sp.Abs(b), True))"
 )
 WITH_ENERGY = (
     "sp.Eq(sp.Piecewise((u + 1, sp.And(x1 > -{0}*x2*sp.Abs(x2), x1 > -x2*sp.Abs(x2)/2)), "

@@ -111,16 +111,14 @@ ROWS = [
         "5.69",
         "S",
         "[[sp.sqrt(2)*(3 + sp.sqrt(8 + 2*sp.sqrt(2))) - 3*(sp.sqrt(2) - 1), sp.sqrt(2) - 1], "
-        "[sp.sqrt(2) - 1, 3 + "
-        "sp.sqrt(8 + 2*sp.sqrt(2))]]",
+        "[sp.sqrt(2) - 1, 3 + sp.sqrt(8 + 2*sp.sqrt(2))]]",
         "nested roots",
     ),
     wrong(
         "5.69",
         "S",
         "[[sp.sqrt(2)*(3 + sp.sqrt(8 + 2*sp.sqrt(2))) + 3*(sp.sqrt(2) - 1), sp.sqrt(2) - 1], "
-        "[sp.sqrt(2) - 1, 3 + "
-        "sp.sqrt(8 + 2*sp.sqrt(2))]]",
+        "[sp.sqrt(2) - 1, 3 + sp.sqrt(8 + 2*sp.sqrt(2))]]",
         "the sign",
     ),
     wrong(

@@ -15,8 +15,7 @@ LEFT_OR_Z = "sp.Piecewise((sp.sqrt(x1**2 - R**4/x1**2), R <= -x1), (0, R > x1), 
 BELOW = "sp.Piecewise((1, sp.Or(sp.And(x2 <= 0, x1 < 0.5), sp.And(x2 > 0, x2 < 1, x1 < x2**2/2 + {0}))), (-1, True))"
 ABOVE = (
     "-sp.Piecewise((1, sp.Or(sp.And(x2 >= 0, x1 > -0.5), sp.And(x2 < 0, x2 > -1, x1 > -x2**2/2 - "
-    "{0}))), "
-    "(-1, True))"
+    "{0}))), (-1, True))"
 )
 TO_LINE = f"sp.Piecewise(({BELOW}, x1 > x2), ({ABOVE}, True))"
 
@@ -389,8 +388,7 @@ ROWS = [
         "a_switching",
         f"[{TURNED}*(R*(sp.cos(alpha) - sp.sin(alpha)) - 1)/2 + 1.03 + (R*(sp.sin(alpha) + "
         f"sp.cos(alpha)) - 1)/(2*{TURNED}), -{TURNED}*(R*(sp.cos(alpha) - sp.sin(alpha)) - 1)/2 + "
-        "(R*(sp.sin(alpha)"
-        f" + sp.cos(alpha)) - 1)/(2*{TURNED})]",
+        f"(R*(sp.sin(alpha) + sp.cos(alpha)) - 1)/(2*{TURNED})]",
         "the saddle is three per cent off",
     ),
     wrong("5.9", "b_law", f"-sp.sign(x2 - {LEFT_OR_Z})", "the bounds of item a"),

@@ -80,14 +80,12 @@ class ControlPart:
         if smooth.has(sp.Abs(u)) or price.has(u) or weight.has(u):
             raise ValueError(
                 f"running: expected a polynomial of at most the second degree in {u}, and a "
-                "multiple of "
-                f"|{u}|"
+                f"multiple of |{u}|"
             )
         if any(sp.simplify(smooth.diff(u, v)) != 0 for v in others):
             raise ValueError(
                 f"running: a product of {u} with another control, so that the maximum condition "
-                "does not "
-                "tell the controls one by one"
+                "does not tell the controls one by one"
             )
         if not (self.low.is_finite and self.high.is_finite and self.low < self.high):
             raise ValueError(

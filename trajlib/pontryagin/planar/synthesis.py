@@ -189,9 +189,8 @@ class Synthesis:
     def __repr__(self):
         return (
             f"Synthesis({len(self.switching_curves)} switching curves, "
-            f"{len(self.dispersal_curves)} dispersal "
-            f"curves, "
-            f"{len(self.barriers)} barriers, window={self.window}, horizon={self.horizon:g})"
+            f"{len(self.dispersal_curves)} dispersal curves, {len(self.barriers)} barriers, "
+            f"window={self.window}, horizon={self.horizon:g})"
         )
 
     def _best(self, x1, x2):
@@ -294,8 +293,7 @@ def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", c
     if not fans:
         raise ValueError(
             "terminal: no extremal ends on this target: no admissible velocity crosses it towards "
-            "the "
-            "side asked for"
+            "the side asked for"
         )
     field_ = ValueField(fans, window)
     dispersal = dispersal_curves(np.hstack([cut_at_overlaps(fan, field_) for fan in fans]), field_)

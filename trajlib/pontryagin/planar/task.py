@@ -23,8 +23,7 @@ def read_window(window):
     ):
         raise ValueError(
             "window: expected ((left, right), (bottom, top)) with left < right and bottom < top, "
-            "got "
-            f"{window}"
+            f"got {window}"
         )
     return window
 
@@ -50,10 +49,8 @@ def read_plant(problem):
     if problem.duration is not None:
         raise ValueError(
             "duration: with a given duration the optimal law depends on the time that is left, so "
-            "that it "
-            "is no feedback in the plane of the states; leave the duration free, or use solve() "
-            "for the "
-            "process from one start"
+            "that it is no feedback in the plane of the states; leave the duration free, or use "
+            "solve() for the process from one start"
         )
     # The start is not used, so that its parameters need no values.
     bounds = [b for pair in problem.controls.values() for b in pair]
@@ -105,10 +102,8 @@ def refuse_singular_arcs(problem, plant, window):
             if (inside & close.ravel()).sum() > 3:
                 raise ValueError(
                     f"problem: where {sp.simplify(det)} = 0 a motion could be singular in "
-                    f"{part.u}, and a "
-                    "synthesis without singular arcs would be wrong; solve() finds processes with "
-                    "such "
-                    "arcs from one start"
+                    f"{part.u}, and a synthesis without singular arcs would be wrong; solve() "
+                    "finds processes with such arcs from one start"
                 )
 
 
@@ -148,9 +143,8 @@ def _refuse_free_rest(problem, point):
     if not (values > 0).all():
         turned = "with the opposite sign, for a maximum; " if problem.maximise else ""
         raise ValueError(
-            f"running: it has to be positive at a target point ({turned}there it is {cost}): "
-            "where a moment costs nothing, controls may switch infinitely often, or the best "
-            "process is "
+            f"running: it has to be positive at a target point ({turned}there it is {cost}): where "
+            "a moment costs nothing, controls may switch infinitely often, or the best process is "
             "not attained; solve() says which"
         )
 
@@ -168,9 +162,8 @@ def _read_curve(curve):
         ) from None
     if not (isinstance(s, sp.Symbol) and low < high and (x1.free_symbols | x2.free_symbols) <= {s}):
         raise ValueError(
-            "curve: expected two expressions in one symbol s with numbers for everything else, and "
-            "low < "
-            "high"
+            "curve: expected two expressions in one symbol s with numbers for everything else, "
+            "and low < high"
         )
     point = stacked([s], [x1, x2])
     return point, low, high

@@ -110,9 +110,8 @@ class CurveTarget:
         size = np.hypot(*self.gradient(*points))
         if not np.isfinite(size).all() or (size < 1e-12).any():
             raise ValueError(
-                "terminal: the gradient of its equation vanishes on the target, which is no smooth "
-                "curve "
-                "there"
+                "terminal: the gradient of its equation vanishes on the target, which is no "
+                "smooth curve there"
             )
         if np.abs(self.value(*points) / size).max() > 1e-6:
             raise ValueError("curve: the parametrisation does not satisfy the terminal equation")
@@ -130,8 +129,7 @@ class CurveTarget:
         if not lines:
             raise ValueError(
                 "terminal: the equation has no solutions in the window (and twice its size around "
-                "it); "
-                "enlarge the window"
+                "it); enlarge the window"
             )
         self._splines, self._pieces, start = [], [], 0.0
         for line in lines:

@@ -162,8 +162,7 @@ def with_symbols(answer, symbols):
     if any(len(part.args) > MOST_COMPARED for part in answer.atoms(sp.Max, sp.Min)):
         raise Invalid(
             f"the answer contains the greatest or the least of more than {MOST_COMPARED} terms; "
-            "give a "
-            "simpler form of it"
+            "give a simpler form of it"
         )
     if sum(len(part.args) for part in answer.atoms(sp.Piecewise)) > MOST_CASES:
         raise Invalid(
@@ -172,8 +171,7 @@ def with_symbols(answer, symbols):
     if grows_too_fast(answer):
         raise Invalid(
             "the answer grows too fast to be computed with: an exponent, an angle or the argument "
-            "of a "
-            f"factorial is too large already where the symbols are {2**SYMBOL_BITS}"
+            f"of a factorial is too large already where the symbols are {2**SYMBOL_BITS}"
         )
     return answer.xreplace({s: known[s.name] for s in answer.free_symbols})
 
@@ -276,8 +274,7 @@ def as_condition(answer, symbols):
     if isinstance(answer, (bool, np.bool_)):
         remark(
             f"What was handed over is a bare {bool(answer)}: in Python `x != 77` is True and `x == "
-            "77` is False "
-            "at once; write `sp.Ne(x, 77)` and `sp.Eq(x, 77)`"
+            "77` is False at once; write `sp.Ne(x, 77)` and `sp.Eq(x, 77)`"
         )
         return sp.true if answer else sp.false
     if len(symbols) == 1 and (values := _listed_numbers(answer)) is not None:
@@ -303,8 +300,7 @@ def as_condition(answer, symbols):
     if _written_out(answer, {})[0] > MOST_WRITTEN_OUT:
         raise Invalid(
             f"written with And and Or alone this condition has more than {MOST_WRITTEN_OUT} "
-            "inequalities; "
-            "give a simpler form of it"
+            "inequalities; give a simpler form of it"
         )
     for relation in answer.atoms(sp.core.relational.Relational):
         if not all(
@@ -313,8 +309,7 @@ def as_condition(answer, symbols):
         ):
             raise Invalid(
                 "a condition compares numbers, not matrices, other conditions, True or False; "
-                "write the "
-                f"condition itself, {EXAMPLE_OF_CONDITION}"
+                f"write the condition itself, {EXAMPLE_OF_CONDITION}"
             )
         if any(_has_logical_cases(side) for side in relation.args):
             raise Invalid("the condition compares something with cases that are True or False")

@@ -50,8 +50,7 @@ MAX_DESCRIPTION = 300  # characters that `describe` returns
 
 ALLOWED = (
     "An answer may be a number, a string, an array, a SymPy expression, relation, set or matrix, "
-    "or a list or dict of "
-    "these."
+    "or a list or dict of these."
 )
 
 
@@ -268,8 +267,7 @@ def _refusal(value):
         )
     return (
         f"is of the type {name}, which is not an answer (nor is a subclass of an allowed type: "
-        "write `list(...)` "
-        f"or the like). {ALLOWED}"
+        f"write `list(...)` or the like). {ALLOWED}"
     )
 
 
@@ -365,8 +363,7 @@ def _dtype_name(walk, value):
     if name is None:
         raise walk.error(
             f"is of NumPy's kind {value.dtype.kind!r}; arrays may hold numbers, booleans, strings "
-            "or "
-            f"SymPy"
+            "or SymPy"
         )
     return name
 
@@ -395,8 +392,7 @@ def write_elements(walk, array):
     if math.prod(max(1, size) for size in array.shape) > MAX_NODES:  # before the lists are made
         raise walk.error(
             f"is an array of shape {array.shape}; up to {MAX_NODES} elements that are no plain "
-            "numbers "
-            f"are allowed"
+            "numbers are allowed"
         )
     return walk.visit(array.tolist()) if array.shape else walk.child("[()]", array[()])
 

@@ -80,8 +80,7 @@ def vectors(answer, n, symbols, names=()):
         if n not in answer.shape:
             raise Invalid(
                 f"expected a list of vectors with {n} components each, or a matrix whose columns "
-                "they are; "
-                f"the shape of yours is {answer.shape}"
+                f"they are; the shape of yours is {answer.shape}"
             )
         if answer.rows != n:
             answer = answer.T  # an array made of a list of vectors has them as rows

@@ -143,8 +143,7 @@ def _style(status):
     ink, ground = COLOURS[status]
     return (
         f"color: var(--{status}, {ink}); background: var(--{status}-ground, {ground}); padding: "
-        ".4em .8em; "
-        "margin: .3em 0; border-radius: .4em; overflow-wrap: break-word"
+        ".4em .8em; margin: .3em 0; border-radius: .4em; overflow-wrap: break-word"
     )
 
 

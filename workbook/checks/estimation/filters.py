@@ -39,8 +39,7 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
             true,
             lambda said, i, j: (
                 f"{part_text('estimate', said, i)}{where_text(values)}; this is not the mean of "
-                "the state under the "
-                "condition of what was measured"
+                "the state under the condition of what was measured"
             ),
             values,
             abs(true).max() + _size(known),
@@ -202,8 +201,7 @@ def riccati_equation(claim, process, covariance, parameters=()):
             sum(terms),
             lambda said, i, j: (
                 f"{found.format(i + 1, j + 1)} is {number_text(said[i, j])}{where_text(values)}; "
-                "the motion, the noise and "
-                f"the measurement together {does}"
+                f"the motion, the noise and the measurement together {does}"
             ),
             values,
             sum(map(abs, terms)),
@@ -231,8 +229,7 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
             fits,
             lambda number: (
                 f"{number_text(number[1])} is no eigenvalue of the matrix of the "
-                f"errors{where_text(values)}: no error is "
-                "multiplied by it"
+                f"errors{where_text(values)}: no error is multiplied by it"
             ),
             lambda *_: (
                 f"an error decays by a mode that your answer does not name{where_text(values)}"

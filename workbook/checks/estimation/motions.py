@@ -147,8 +147,7 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
             true,
             lambda said, i, j: (
                 f"a process that had your covariance would not keep it{where_text(values)}: by the "
-                "dispersion equation it "
-                f"changes; {entry_text(said, i, j)}"
+                f"dispersion equation it changes; {entry_text(said, i, j)}"
             ),
             values,
             abs(true).max(),

@@ -134,19 +134,16 @@ def _comparisons(form, equation):
         allowed[1],
         lambda place: (
             f"from rest your form does not satisfy the equation: u{_primes(place[0])} enters its "
-            "left-hand side with the "
-            f"coefficient {number_text(found[1][place])}, its right-hand side with "
-            f"{number_text(right[place])}"
+            f"left-hand side with the coefficient {number_text(found[1][place])}, its right-hand "
+            f"side with {number_text(right[place])}"
         ),
         1,
     )
     if pair_of(form[0], form[2]).unseen[0]:
         raise Wrong(
             "your form satisfies the equation, but does not have all its motions: x = Cy stays "
-            "zero from some "
-            "states other than zero, so that fewer initial values of x, x', ... can be chosen than "
-            "the "
-            "equation allows"
+            "zero from some states other than zero, so that fewer initial values of x, x', ... "
+            "can be chosen than the equation allows"
         )
     yield Follows(
         H[0],

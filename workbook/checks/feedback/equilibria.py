@@ -66,8 +66,7 @@ def rest_gains(claim, field, state, controls, domain=None, zeros=None):
             rates = flow([*place, *[0.0] * len(controls)])
             raise Wrong(
                 f"your point {point_text(place)} is no equilibrium: without a control the "
-                "right-hand sides are "
-                f"{point_text(np.where(abs(rates) > 1e-12, rates, 0))} there"
+                f"right-hand sides are {point_text(np.where(abs(rates) > 1e-12, rates, 0))} there"
             )
         rest = missed.pop(here[0])
         if gain is None:
@@ -109,15 +108,13 @@ def _hold_none(flow, state, rest):
     if slowest < -ON_BORDER:
         raise Wrong(
             f"some gain makes the equilibrium {point_text(rest)} asymptotically stable: no mode "
-            "that stays the "
-            "same forbids it"
+            "that stays the same forbids it"
         )
     verdicts = {_by_motions(flow, tuple(state), tuple(rest), gain)[0] for gain in _tried(A, B)}
     if "asymptotically stable" in verdicts:
         raise Wrong(
             f"some gain makes the equilibrium {point_text(rest)} asymptotically stable: motions "
-            "that start "
-            "close to it come back"
+            "that start close to it come back"
         )
 
 

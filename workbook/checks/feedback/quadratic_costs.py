@@ -44,9 +44,8 @@ def best_gain(claim, problem, time=None, parameters=(), given=sp.true):
         if problem.anywhere or problem.duration != sp.oo or regulators.exists(problem):
             raise Wrong(
                 "there is a best law: what could forbid it is a mode that does not decay and is "
-                "not controlled "
-                "or, if all states are to come to zero, one on the imaginary axis that the cost "
-                "does not see"
+                "not controlled or, if all states are to come to zero, one on the imaginary axis "
+                "that the cost does not see"
             )
         return "no law is the best one: a mode stands in the way that the control or the cost does not reach"
     for values, one, moment in _moments(problem, time, claim, parameters, given):
@@ -71,8 +70,7 @@ def _improved(claim, one, values):
     except np.linalg.LinAlgError:
         raise Wrong(
             f"under your law not every state comes to zero{where_text(values)}: A + BK has the "
-            "eigenvalue "
-            f"{number_text(roots[np.argmax(roots.real)])}"
+            f"eigenvalue {number_text(roots[np.argmax(roots.real)])}"
         ) from None
     k = int(np.argmax(np.diag(cost)))
     start = point_text(np.eye(len(cost))[k])
@@ -80,10 +78,8 @@ def _improved(claim, one, values):
     def told(values):
         return lambda *_: (
             f"under your law every state comes to zero{where_text(values)}, and from x = {start} "
-            "it "
-            f"costs {one.factor * cost[k, k]:.4g}; there is a gain with which it costs less from "
-            "some "
-            "state, and more from none"
+            f"it costs {one.factor * cost[k, k]:.4g}; there is a gain with which it costs less "
+            "from some state, and more from none"
         )
 
     return one.gain_for(cost), told
@@ -116,8 +112,7 @@ def _other_cost(one, values):
         if np.isfinite(one.duration) or said.imag.any():
             return (
                 f"the least cost is another one{place}: look at the entry ({i + 1}, {j + 1}), "
-                "where yours is "
-                f"{number_text(said[i, j])}"
+                f"where yours is {number_text(said[i, j])}"
             )
         if not abs(S - S.T).max() <= ROUNDED * abs(S).max():
             return f"your matrix is not symmetric{place}, and that of a cost is"
@@ -126,8 +121,7 @@ def _other_cost(one, values):
             i, j = np.unravel_index(abs(rate).argmax(), rate.shape)
             return (
                 f"your matrix would not stay constant{place}: by the Riccati equation its entry "
-                f"({i + 1}, {j + 1}) "
-                f"changes at the rate {number_text(rate[i, j])}"
+                f"({i + 1}, {j + 1}) changes at the rate {number_text(rate[i, j])}"
             )
         stays = (
             not one.anywhere
@@ -207,8 +201,7 @@ def best_rest(claim, problem, start, parameters=(), given=sp.true):
             true,
             lambda said, i, j: (
                 f"the motion under the best law{where_text(values)} comes to rest elsewhere: look "
-                f"at component {i + 1}, "
-                f"where yours is {number_text(said[i, 0])}"
+                f"at component {i + 1}, where yours is {number_text(said[i, 0])}"
             ),
             values,
             abs(begin).max(),
@@ -229,8 +222,7 @@ def cost_rate(claim, problem, cost, parameters=()):
             sum(terms),
             lambda said, i, j: (
                 f"with S of these values{where_text(values)} the least cost changes at another "
-                f"rate: your entry ({i + 1}, "
-                f"{j + 1}) is {number_text(said[i, j])}"
+                f"rate: your entry ({i + 1}, {j + 1}) is {number_text(said[i, j])}"
             ),
             values,
             sum(map(abs, terms)),

@@ -83,10 +83,8 @@ def follow(law, truth, lanes):
             passed = few.time[k] * (1 + SLOWER) + 1e-3 - left[k]
             raise Wrong(
                 f"{truth.told(few, k)} the target can be reached in a time of {few.time[k]:.4g}; "
-                "your law has "
-                f"brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after {passed:.4g}, and from "
-                "there it "
-                f"cannot be reached in the time left"
+                f"your law has brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after "
+                f"{passed:.4g}, and from there it cannot be reached in the time left"
             )
 
 
@@ -182,8 +180,7 @@ def _closed_loop(law, plant, lanes, steps, moments):
             for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
                 raise Wrong(
                     f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), "
-                    "where it "
-                    f"gives {said[k]:.4g}, outside the bounds of the control"
+                    f"where it gives {said[k]:.4g}, outside the bounds of the control"
                 )
             u[here], rest[here] = np.clip(said, low, high), t[here]
             for k in here[np.isnan(said)]:
@@ -191,8 +188,7 @@ def _closed_loop(law, plant, lanes, steps, moments):
                 if np.isnan(near).all():
                     raise Wrong(
                         f"a motion under your law comes to ({x[k][0]:.4g}, {x[k][1]:.4g}), where "
-                        "it gives no "
-                        f"real number"
+                        "it gives no real number"
                     )
                 u[k] = near[~np.isnan(near)][0]  # on a curve alone a law need not be defined
         yield x.copy(), t.copy()

@@ -53,8 +53,7 @@ def control_equation(claim, problem, domain=None):
         shown = {s: value for s, value in values.items() if s in truth.symbols | claim.free_symbols}
         raise Wrong(
             f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is {true:.4g}; your "
-            "expression gives "
-            f"{said:.4g}"
+            f"expression gives {said:.4g}"
         )
     return f"under it dH/d{u} stays zero, tried at {PLACES} places"
 

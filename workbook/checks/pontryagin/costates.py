@@ -100,8 +100,7 @@ def _adjoint(full, slope, best, y, u, rounding, largest, state, there, left_open
         j = int(np.argmax(np.abs(slope - wanted)))
         raise Wrong(
             f"{there} the adjoint equation for {state[j]} does not hold: the derivative of your "
-            "costate is "
-            f"{slope[j]:.4g}, the equation with your costates demands {wanted[j]:.4g}"
+            f"costate is {slope[j]:.4g}, the equation with your costates demands {wanted[j]:.4g}"
         )
 
 
@@ -119,8 +118,7 @@ def _greatest(full, best, y, u, rounding, duration, there, left_open):
     if not H >= most - 10 * rounding * size:
         raise Wrong(
             f"{there} the optimal control does not make H greatest with your costates: it gives "
-            f"{H:.4g}, "
-            f"another one {most:.4g}"
+            f"{H:.4g}, another one {most:.4g}"
         )
     _stationary(full, best, y, u, left_open, there)
     open_H = left_open @ np.abs(fields[0])
@@ -169,8 +167,7 @@ def _stationary(full, best, y, u, left_open, there):
     ) @ np.abs(rate):
         raise Wrong(
             f"{there} dH/du is {full @ rate:.4g} with your costates, where the optimal control "
-            "lies between "
-            "its bounds"
+            "lies between its bounds"
         )
 
 

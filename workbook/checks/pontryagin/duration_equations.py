@@ -39,7 +39,6 @@ def duration_equation(answer, problem, duration, parameters):
         if found.size:
             raise Wrong(
                 f"for {where} your equation has a root near {duration} = {shorter[found[0]]:.4g}, "
-                "and no "
-                "admissible process is so short"
+                "and no admissible process is so short"
             )
     return "its least positive root is the shortest duration, for all parameters tried"

@@ -46,8 +46,7 @@ class Path:
             if not low - slack <= u <= high + slack:
                 raise Wrong(
                     f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds "
-                    f"{low:.4g} and "
-                    f"{high:.4g}"
+                    f"{low:.4g} and {high:.4g}"
                 )
 
 

@@ -63,8 +63,7 @@ def best_motion(claim, functional, parameters=()):
         motion.is_the_best()
     return (
         "it has the given values at the ends, no variation changes the functional to first order, "
-        "and its value "
-        f"there is the {_word(functional)} one"
+        f"and its value there is the {_word(functional)} one"
     )
 
 
@@ -148,8 +147,7 @@ def stationary_duration(claim, functional, duration):
             return "to three digits the best value does not change with the duration there, to first order"
     raise Wrong(
         f"at your duration {T:.4g} the {_word(functional)} value changes with the duration at the "
-        "rate "
-        f"{rate:.4g}"
+        f"rate {rate:.4g}"
     )
 
 
@@ -204,8 +202,7 @@ class _Motion:
                 ):
                     raise Wrong(
                         f"{self.where}{self._name(k)} is {said:.4g} at t = {place:.4g} for your "
-                        "motion, and "
-                        f"{wanted:.4g} is given"
+                        f"motion, and {wanted:.4g} is given"
                     )
 
     def is_stationary(self):
@@ -233,10 +230,8 @@ class _Motion:
                     if not abs(rate) <= self.rounding * size + left_open:
                         raise Wrong(
                             f"{self.where}{self._name(k)} is not given at t = {place:.4g}; moved "
-                            "there, the "
-                            f"functional changes to first order: the rate is {rate:.4g}. So the "
-                            "natural "
-                            "condition at this end fails"
+                            "there, the functional changes to first order: the rate is "
+                            f"{rate:.4g}. So the natural condition at this end fails"
                         )
 
     def is_the_best(self):
@@ -245,8 +240,7 @@ class _Motion:
         if not abs(said - self.best.value) <= self.rounding * size + left_open:
             raise Wrong(
                 f"{self.where}your motion is an extremal and gives the functional the value "
-                f"{said:.4g}, but "
-                "another motion with the given ends does better"
+                f"{said:.4g}, but another motion with the given ends does better"
             )
 
     def _open(self, here, quantity):

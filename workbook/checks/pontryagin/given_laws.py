@@ -52,8 +52,7 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
                 if not same(said, true, claim, size=scale, computed=FOLLOWED):
                     raise Wrong(
                         f"for {rounded_text(at)} your {name} is {said:.4g}; under the law given "
-                        "the motion "
-                        "that starts as it should "
+                        "the motion that starts as it should "
                         + (f"has {true:.4g} there" if k else "begins otherwise")
                     )
     return "it is the motion under the law, at all times and parameters tried"
@@ -78,8 +77,7 @@ def end_under_law(claim, quantity, problem, law, time, unknown, parameters):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
                 f"{told_for(values)}your {quantity} is {said:.4g}; if the constants of the law are "
-                "chosen so "
-                "that the conditions at the end hold, it is "
+                "chosen so that the conditions at the end hold, it is "
                 f"{f'{true:.4g}' if values else 'another number'}"
             )
     return "it is what the conditions at the end make it, for all parameters tried"

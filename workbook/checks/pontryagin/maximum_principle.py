@@ -103,8 +103,7 @@ def switching_function(claim, problem, costates, control=None, domain=None):
         if np.sign(said) != np.sign(true):
             raise Wrong(
                 f"for {rounded_text(values)}, H {'grows' if true > 0 else 'falls'} with {control}, "
-                "and your "
-                f"function is {said:.4g}"
+                f"and your function is {said:.4g}"
             )
     _has_the_sign(claim, slope, control, known_costates(problem, costates), domain)
     # Of one sign at random places is less than vanishing together: there each has to.
@@ -159,14 +158,12 @@ def transversality(answer, problem, costates):
         if (less and more >= 0) or more > 0:
             raise Wrong(
                 f"at the end {rounded_text(values)} your conditions demand what need not hold: "
-                "there are "
-                "costates that satisfy the condition of transversality and not yours"
+                "there are costates that satisfy the condition of transversality and not yours"
             )
         if less:
             raise Wrong(
                 f"at the end {rounded_text(values)} your conditions allow costates that are not "
-                "orthogonal to "
-                "the target"
+                "orthogonal to the target"
             )
     return "they say what the condition of transversality says"
 
@@ -215,8 +212,7 @@ def maximising_control(answer, problem, costates, domain=None):
         if not found.max() >= np.nanmax(others) - 1e-9 * np.ptp(others) - 0.01 * np.ptp(found):
             raise Wrong(
                 f"for {rounded_text(values)} your control gives H = {H(*numbers, *said)[0]:.4g}, "
-                "another "
-                f"admissible one {np.nanmax(others):.4g}"
+                f"another admissible one {np.nanmax(others):.4g}"
             )
     return f"no admissible control gives a greater H, tried at {PLACES} places"
 
@@ -267,8 +263,7 @@ def singular_order(claim, problem, costates, control=None):
     if claim != arcs.order:
         raise Wrong(
             f"differentiate dH/du along the trajectories: {arcs.control} does not appear first in "
-            "the "
-            f"derivative of order {2 * int(claim)}"
+            f"the derivative of order {2 * int(claim)}"
         )
     return f"{arcs.control} appears first in the derivative of order {2 * arcs.order}"
 
@@ -300,8 +295,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
         if not arcs.multipliers_exist(place, 20 * surface.left_open(place)):
             raise Wrong(
                 f"at {rounded_text(place)} your equation holds, and with no costates this is a "
-                "point of a "
-                "singular arc"
+                "point of a singular arc"
             )
         if seen == PLACES:
             break
@@ -369,9 +363,8 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
             if not same(said, values[psi], claim, size=size, computed=POINTS):
                 raise Wrong(
                     f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your "
-                    f"{psi} is "
-                    f"{said:.4g}; with it dH/d{arcs.control} does not vanish for a while, or H "
-                    "does not"
+                    f"{psi} is {said:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
+                    "or H does not"
                 )
     return "with them dH/du stays zero, and H is what it has to be"
 
@@ -397,8 +390,7 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
         if not same(said, real_at(true, values), claim, computed=POINTS):
             raise Wrong(
                 f"at a point of a singular arc your expression gives {said:.4g}, which is not the "
-                "left-hand "
-                "side of Kelley's condition there"
+                "left-hand side of Kelley's condition there"
             )
     return "it is Kelley's expression on singular arcs"
 
@@ -668,8 +660,7 @@ def _has_the_sign(claim, slope, control, known, domain):
             values, holds = place
             raise Wrong(
                 f"for {place_text(values)}, H {does if holds else not_} with {control}, and your "
-                "function has "
-                f"another sign"
+                "function has another sign"
             )
 
 

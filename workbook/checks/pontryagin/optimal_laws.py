@@ -94,8 +94,7 @@ def optimal_change(claim, problem, change, domain, parameters):
             if not same(said, true, claim, true, LOCATED):
                 raise Wrong(
                     f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {said:.4g}; the "
-                    "control of "
-                    f"the best process {told_for(values)}does not change there"
+                    f"control of the best process {told_for(values)}does not change there"
                 )
     if not places:
         raise RuntimeError("on no process that was found the control changes so")
@@ -172,8 +171,7 @@ class _Law:
         if not np.all(np.isfinite(bounds)):
             raise Invalid(
                 "the control has no bounds, so that an equation may have any solution: write the "
-                "law as an "
-                "expression"
+                "law as an expression"
             )
         return self._solved(known, bounds)
 
@@ -195,8 +193,7 @@ class _Law:
                     k = int(np.argmax(changed.sum(axis=0)))
                     raise Wrong(
                         f"at the state {point_text([v[k] for v in known[:2]])} your equation has "
-                        "several "
-                        f"solutions between the bounds of {self.control}"
+                        f"several solutions between the bounds of {self.control}"
                     )
                 # What ends just beyond a bound is meant to be this bound.
                 ends = np.abs(left[[0, -1]])
@@ -277,10 +274,9 @@ def _same_at_a_scale(law, values, best, factors):
     ):
         raise Wrong(
             f"{told_for(values)}at {point_text(states[:, k])} your law gives "
-            f"{wanted[k] / scale:.4g}. In other "
-            f"units the problem is the same, so that {told_for(own)}at {point_text(there[:, k])} "
-            "it has to "
-            f"give {wanted[k]:.4g}; it gives {said[k]:.4g}"
+            f"{wanted[k] / scale:.4g}. In other units the problem is the same, so that "
+            f"{told_for(own)}at {point_text(there[:, k])} it has to give {wanted[k]:.4g}; it gives "
+            f"{said[k]:.4g}"
         )
 
 
@@ -371,8 +367,7 @@ def _jumps_where_it_should(law, values, best):
         if not abs(at(min(last + ACROSS, 1.0)) - after) <= slack:
             raise Wrong(
                 f"{told_for(values)}at {point_text(best.states[:, j])} the best control jumps; "
-                "your law gives "
-                f"values between"
+                "your law gives values between"
             )
 
 

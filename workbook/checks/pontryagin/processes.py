@@ -315,8 +315,7 @@ def optimal_motion(claims, problem, time, parameters=None):
         ):
             raise Wrong(
                 f"{where}your motion is one that the system can have, but another one with the "
-                "same ends does "
-                f"better; the two come to be {off:.4g} apart"
+                f"same ends does better; the two come to be {off:.4g} apart"
             )
     return "it starts where it should, obeys the equations, keeps to the ends, and is the best motion found"
 
@@ -450,8 +449,7 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
         if not same(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
             raise Wrong(
                 f"{told_for(values)}your expression goes over from one form to another, and gives "
-                f"{said:.4g} "
-                f"next to that; the {what} of the best process found is "
+                f"{said:.4g} next to that; the {what} of the best process found is "
                 f"{'less' if said > true else 'greater'}"
             )
         seen.append((values, said, true))
@@ -462,8 +460,7 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
         if beside and abs(other - one) > LEAPS * max(abs(greatest - least), COSTS * abs(one)):
             raise Wrong(
                 f"{told_for(values)}your expression jumps, from one form to another; next to that "
-                f"the {what} "
-                f"of the best process found hardly changes"
+                f"the {what} of the best process found hardly changes"
             )
 
 
@@ -529,8 +526,7 @@ def held_at_first(claim, problem, control, value, parameters):
         if not same(said, true, claim, best.duration, ARC if true else MISSED):
             raise Wrong(
                 f"{told_for(values)}you keep {control} = {value} for {said:.4g} at first; the best "
-                "process "
-                f"found does so "
+                "process found does so "
                 + (
                     "longer"
                     if true > said
@@ -607,7 +603,6 @@ def optimal_extent(claim, problem, quantity, parameters=None):
         if not same(said, true, claim, computed=FOLLOWED):
             raise Wrong(
                 f"{told_for(values)}your expression gives {said:.4g}; along the best process found "
-                f"{quantity} "
-                f"ranges over {'less' if said > true else 'more'}"
+                f"{quantity} ranges over {'less' if said > true else 'more'}"
             )
     return "so far it ranges along the best process found"

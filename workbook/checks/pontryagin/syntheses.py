@@ -93,8 +93,7 @@ def _time_optimal(claim, data, curve):
             continue
         raise Wrong(
             f"{truth.told(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and "
-            "the fastest "
-            f"motion from there begins with another value"
+            "the fastest motion from there begins with another value"
         )
     _judge_next_to_curves(others, truth, control)
     _judge_change(law, truth, lanes, control)
@@ -119,8 +118,7 @@ def _judge_next_to_curves(laws, truth, control):
     for k in differ[:1]:
         raise Wrong(
             f"{truth.told(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest "
-            "motion from "
-            f"there begins with another value"
+            "motion from there begins with another value"
         )
 
 
@@ -137,8 +135,7 @@ def _judge_on_extremals(laws, truth, control):
         gives = f"{control} = {said[0][k]:.4g}" if np.isfinite(said[0][k]) else "no real number"
         raise Wrong(
             f"{truth.told(lanes, k)} your law gives {gives}, and the fastest motion from there "
-            "begins with "
-            f"another value"
+            "begins with another value"
         )
 
 
@@ -165,8 +162,7 @@ def _judge_change(law, truth, lanes, control):
     for k in np.flatnonzero(np.isfinite(found.time)):
         raise Wrong(
             f"{truth.told(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
-            "and the "
-            f"fastest motion from there begins with another value"
+            "and the fastest motion from there begins with another value"
         )
 
 
@@ -236,8 +232,7 @@ def reached_part(answer, system, target, ends, variable, parameters=None, start=
         )
         return (
             f"for {place_text(place)}, at the point {family.point_text(place)} of the target, "
-            f"{how}; your "
-            "condition says otherwise"
+            f"{how}; your condition says otherwise"
         )
 
     agreement = compare(answer, [variable, *family.parameters], truth, told)
@@ -305,11 +300,8 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
             ):
                 raise Wrong(
                     f"{target.told(values, places[k])} the optimal motion switches {times[k]:.4g} "
-                    "before its "
-                    f"end, at a distance "
-                    f"{np.linalg.norm(given[k] - points[k]):.4g} from your point "
-                    f"({given[k][0]:.4g}, "
-                    f"{given[k][1]:.4g})"
+                    f"before its end, at a distance {np.linalg.norm(given[k] - points[k]):.4g} "
+                    f"from your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
                 )
     if not met:
         raise RuntimeError("no motion that ends there switches")
@@ -349,9 +341,8 @@ def switching_crossing(claim, system, target, ends, variable, parameters=None, s
             ):
                 raise Wrong(
                     f"{target.told(values, places[k])} the determinant of the tangent of the curve "
-                    "and the "
-                    f"velocity {name} the "
-                    f"switching is not {numbers[k]:.4g}: look at the sign and the size of both"
+                    f"and the velocity {name} the switching is not {numbers[k]:.4g}: look at the "
+                    "sign and the size of both"
                 )
     return "these are the determinants, for sample values"
 
@@ -384,8 +375,7 @@ def _crossed(*curve):
         if away:
             raise Wrong(
                 f"{told} of your curve the fastest motions leave the curve on both sides: it is no "
-                "place "
-                f"where they switch"
+                "place where they switch"
             )
     _change_on(places, *curve)
     _through_the_target(*curve)
@@ -430,8 +420,7 @@ def _through_the_target(claim, domain, data):
     for k in np.flatnonzero(~(abs(said - true) <= LOCATED * abs(true) + open_))[:1]:
         raise Wrong(
             f"for {variable} = {numbers[0][k]:.4g} the control of the fastest motions does not "
-            "change on your "
-            f"curve, but beside it"
+            "change on your curve, but beside it"
         )
 
 
@@ -452,8 +441,7 @@ def _change_on(places, claim, domain, data):
     for k in np.flatnonzero(~right):
         raise Wrong(
             f"{places[k][0]} of your curve the control of the fastest motions does not change on "
-            "it, but "
-            f"beside it"
+            "it, but beside it"
         )
     return [truth.solve(x, case).time for x in (first, last)]
 
@@ -469,8 +457,7 @@ def _jumping(*curve):
         ):
             raise Wrong(
                 f"{told} of your curve the fastest time does not jump: it grows without bound as "
-                "the curve is "
-                f"approached"
+                "the curve is approached"
             )
         # What grows like a root, as next to a motion that grazes the target, would fall to the
         # half.
@@ -701,8 +688,7 @@ def other_extremal_time(claim, system, target, start=None):
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
         raise Wrong(
             f"from {place} your expression gives {told}, which is not the time of an extremal "
-            "slower than the "
-            f"fastest one"
+            "slower than the fastest one"
         )
     return "it is the time of the slower extremal, from all sample starts that have one"
 

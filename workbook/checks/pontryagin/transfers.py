@@ -36,8 +36,7 @@ def meeting_time(claim, problem, count):
             if number == 0:
                 raise Wrong(
                     f"the start lies on the target already; for {count} = 0 your expression gives "
-                    "another "
-                    f"time than that of the start"
+                    "another time than that of the start"
                 )
             told = "no real number" if said is None else f"{said:.4g}; {best.told_duration(said)}"
             raise Wrong(f"for {count} = {number} your time is {told}")
@@ -138,8 +137,7 @@ def reached_within(answer, problem, duration, parameters):
         truth,
         lambda values, holds: (
             f"for {place_text(values)} the target {'can' if holds else 'cannot'} be reached in "
-            "time; your condition "
-            f"{'does not hold' if holds else 'holds'}"
+            f"time; your condition {'does not hold' if holds else 'holds'}"
         ),
     )
     return f"it tells the times that suffice from those that do not: {agreement}"
@@ -160,8 +158,7 @@ def switchings(claim, problem, parameters):
             told = "no real number" if said is None else f"{said:.4g}"
             raise Wrong(
                 f"for {values_text(values)} the fastest control switches {_times(count)}; your "
-                "expression "
-                f"gives {told}"
+                f"expression gives {told}"
             )
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 
@@ -181,8 +178,7 @@ def most_switchings(claim, problem, parameters):
     if claim > most:
         raise Wrong(
             f"among {4 * SAMPLES} starts there is none from which the fastest control switches as "
-            "often as "
-            f"{_times(claim)}"
+            f"often as {_times(claim)}"
         )
     return f"the fastest controls from {4 * SAMPLES} starts confirm it"
 
@@ -224,9 +220,7 @@ def isochrone_radius(claim, problem, duration, count):
             told = "is no real number" if said is None else f"is {said:.4g}"
             raise Wrong(
                 f"for {count} = {number} your radius {told}; the farthest starts from which the "
-                "origin can be "
-                f"reached in that "
-                "time lie "
+                "origin can be reached in that time lie "
                 + ("farther out" if said is not None and said < min(radii) else "closer")
             )
     return "all around the origin the starts that need this time lie at that distance"

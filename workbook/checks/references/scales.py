@@ -95,10 +95,8 @@ def same_at_every_scale(claim, problem, parameters, places, weight, what):
             gives = f"it is {there[k]:.6g}" if np.isfinite(there[k]) else "it is no real number"
             raise Wrong(
                 f"{told_for(dict(zip(symbols, at[k])))}your {what} is {said[k]:.6g}. In other "
-                "units the "
-                f"problem is the same, so that {told_for(dict(zip(symbols, other[k])))}it has to "
-                "be "
-                f"{wanted[k]:.6g}; {gives}"
+                "units the problem is the same, so that "
+                f"{told_for(dict(zip(symbols, other[k])))}it has to be {wanted[k]:.6g}; {gives}"
             )
 
 

@@ -37,19 +37,16 @@ def invariant_weights(claims, signal, nuisance, functional):
             for k in np.flatnonzero(np.abs(means - wanted) > slack[: len(psi)])[:1]:
                 return (
                     f"for {where}, function {k + 1} of the signal comes out of your weights as "
-                    f"{means[k]:.4g}, not "
-                    f"as {wanted[k]:.4g}: the estimate is biased"
+                    f"{means[k]:.4g}, not as {wanted[k]:.4g}: the estimate is biased"
                 )
             for k in np.flatnonzero(np.abs(passes) > slack[len(psi) :])[:1]:
                 return (
                     f"for {where}, function {k + 1} of the nuisance comes through your weights "
-                    "with the factor "
-                    f"{passes[k]:.4g}"
+                    f"with the factor {passes[k]:.4g}"
                 )
             return (
                 f"for {where}, your weights are unbiased and ignore the nuisance, but their sum of "
-                "squares "
-                f"{weights @ weights:.4g} is not the least"
+                f"squares {weights @ weights:.4g} is not the least"
             )
 
         yield Entries(

@@ -89,8 +89,7 @@ def digits_lost(number, transition, kappa, value):
         factor = 10**claim if abs(claim) < 300 else math.inf
         raise Wrong(
             f"an error would grow by the factor {factor:.4g} with every sample; multiplying a "
-            "vector many "
-            f"times by the transition matrix shows another factor"
+            "vector many times by the transition matrix shows another factor"
         )
     return "powers of the transition matrix grow by this many digits a sample"
 
@@ -139,8 +138,7 @@ def weight_for_bound(claim, times, samples, rho, D):
         ):
             raise Wrong(
                 f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} "
-                "has the "
-                f"greatest acceleration {greatest:.4g}, not {values[D]:.4g}"
+                f"has the greatest acceleration {greatest:.4g}, not {values[D]:.4g}"
             )
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 

@@ -85,8 +85,7 @@ def unseen_by_bearings(answer, relative, t):
             if not abs(turned) <= ZERO:
                 raise Wrong(
                     f"for {rounded_text(values)}, scaled to length 1, your change turns the "
-                    "bearing at t = "
-                    f"{time:.3g} by {turned:.3g} rad per unit"
+                    f"bearing at t = {time:.3g} by {turned:.3g} rad per unit"
                 )
     (x, y), (dx, dy) = relative, (sp.diff(part, t) for part in relative)
     judge_everywhere(
@@ -170,8 +169,7 @@ def modes_of_range(claims, matrix, sight, initial, rate, t):
             if not abs(said - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
                 raise Wrong(
                     f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by "
-                    f"{true:.5g}; your "
-                    f"four terms sum up to {said:.5g}"
+                    f"{true:.5g}; your four terms sum up to {said:.5g}"
                 )
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 
@@ -303,8 +301,7 @@ def breaks_bound(claim, matrix, state, factor):
     if not found >= float(factor) * bound * (1 - 1e-9):
         raise Wrong(
             f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is "
-            "exceeded "
-            f"{found / bound:.3g} times, not {float(factor):g} times"
+            f"exceeded {found / bound:.3g} times, not {float(factor):g} times"
         )
     return "the estimate is wrong by more than the printed bound, as many times as was asked"
 

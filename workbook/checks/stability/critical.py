@@ -47,28 +47,24 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
             if not off <= 1e-9 * size:
                 raise Wrong(
                     f"your {number_text(number)} is no eigenvalue{where_text(values)}: A - lambda "
-                    "E is "
-                    f"invertible there, its smallest singular value is {off:.3g}"
+                    f"E is invertible there, its smallest singular value is {off:.3g}"
                 )
             if any(abs(number - other) < SPREAD * size for other in numbers[:k]):
                 raise Wrong(
                     f"the eigenvalue {number_text(number)} is listed twice{where_text(values)}; "
-                    "give each "
-                    "eigenvalue once, with its multiplicities"
+                    "give each eigenvalue once, with its multiplicities"
                 )
         if sum(algebraic for _, algebraic, _ in rows) != n:
             raise Wrong(
                 "the algebraic multiplicities that you give add up to "
-                f"{sum(a for _, a, _ in rows)}, and the "
-                f"characteristic polynomial is of degree {n}"
+                f"{sum(a for _, a, _ in rows)}, and the characteristic polynomial is of degree {n}"
             )
         found = np.linalg.eigvals(matrix)
         for number, (_, algebraic, geometric) in zip(numbers, rows):
             if sum(abs(found - number) < SPREAD * size) != algebraic:
                 raise Wrong(
                     f"{number_text(number)} is a root of the characteristic equation, but not of "
-                    "the "
-                    f"multiplicity {algebraic}{where_text(values)}"
+                    f"the multiplicity {algebraic}{where_text(values)}"
                 )
             if _eigenvectors(matrix, number) != geometric:
                 raise Wrong(
@@ -77,8 +73,7 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
                 )
     return (
         "they are all roots of the characteristic equation, as often as you say, and A - lambda E "
-        "has the ranks "
-        "that go with your numbers of eigenvectors"
+        "has the ranks that go with your numbers of eigenvectors"
     )
 
 
@@ -96,9 +91,8 @@ def critical_stability(claim, field, state, parameters, program=None, part=None)
     duration = 20 / np.linalg.norm(matrix)
     told = (
         "motions that start at distance 1 from zero are at distances of up to "
-        f"{_distance(matrix, duration)} "
-        f"after {duration:.3g} units of time and up to {_distance(matrix, 100 * duration)} "
-        f"after {100 * duration:.3g}{where_text(values)}"
+        f"{_distance(matrix, duration)} after {duration:.3g} units of time and up to "
+        f"{_distance(matrix, 100 * duration)} after {100 * duration:.3g}{where_text(values)}"
     )
     return (yield Word(claim, truth, told, "this does not agree with the motions: "))
 
@@ -150,9 +144,8 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
                 k = int(np.argmax(off))
                 raise Wrong(
                     f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your "
-                    "motion, and "
-                    f"they ask for {(matrix @ x)[k].real:.4g}{where_text(values)}, {time} = "
-                    f"{moment}"
+                    f"motion, and they ask for {(matrix @ x)[k].real:.4g}{where_text(values)}, "
+                    f"{time} = {moment}"
                 )
         early, late = (
             max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)
@@ -165,9 +158,8 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
                 f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{where_text(values)}"
             )
     return (
-        "it satisfies the equations, and its distance from zero exceeds every bound; so does every "
-        "multiple of it, "
-        "however small its start"
+        "it satisfies the equations, and its distance from zero exceeds every bound; so does "
+        "every multiple of it, however small its start"
     )
 
 
@@ -194,8 +186,7 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
             if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
                 raise Wrong(
                     f"the motion from {point_text(begin)} has come to {point_text(true + 0.0)} "
-                    "after a long "
-                    f"time{where_text(values)}; your limit is {point_text(said.real)}"
+                    f"after a long time{where_text(values)}; your limit is {point_text(said.real)}"
                 )
     return "motions from several starts come to these states"
 
@@ -213,8 +204,7 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
         ):
             raise Wrong(
                 f"this is no quadratic form in {', '.join(s.name for s in part)}: every term has "
-                "to be of "
-                f"second order in them"
+                "to be of second order in them"
             )
         weights = matrix_at(sp.hessian(expanded, part), {})
         if abs(weights.imag).max() > 0:

@@ -39,8 +39,7 @@ def polar_form(rates, field, state, polar):
             if not abs(said - value) <= 1e-9 * size:
                 raise Wrong(
                     f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your "
-                    "expression "
-                    f"gives {said.real:.4g}"
+                    f"expression gives {said.real:.4g}"
                 )
     return "both rates agree with the velocity of the motion at random points"
 
@@ -65,8 +64,7 @@ def radial_motion(claim, field, state, time, start):
             if r <= 0:
                 raise Wrong(
                     f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from "
-                    "zero stays "
-                    f"positive here"
+                    "zero stays positive here"
                 )
             true, said = (
                 _polar_velocity(flow, r, ANGLES[0])[0],
@@ -75,8 +73,7 @@ def radial_motion(claim, field, state, time, start):
             if not abs(said - true) <= 1e-9 * (abs(true) + r) < math.inf:
                 raise Wrong(
                     f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes "
-                    "at the rate "
-                    f"{said:.4g} there; the system demands r' = {true:.4g} at this r"
+                    f"at the rate {said:.4g} there; the system demands r' = {true:.4g} at this r"
                 )
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 
@@ -100,8 +97,7 @@ def limit_cycles(answer, field, state):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
             raise Wrong(
                 f"the circle r = {radius:.4g} is not a closed orbit: r' = "
-                f"{max(rates, key=abs):.4g} at a "
-                f"point of it"
+                f"{max(rates, key=abs):.4g} at a point of it"
             )
     missed = [
         other
@@ -160,8 +156,7 @@ def cycle_stability(answer, field, state, radius=None):
         if claimed is None:
             raise Wrong(
                 "semistable means that motions on one side move towards the cycle and motions on "
-                "the other "
-                f"away from it: try r = {0.95 * radius:g} and r = {1.05 * radius:g}"
+                f"the other away from it: try r = {0.95 * radius:g} and r = {1.05 * radius:g}"
             )
         side, start = (
             ("inside", 0.95 * radius) if inside != claimed[0] else ("outside", 1.05 * radius)
@@ -169,8 +164,7 @@ def cycle_stability(answer, field, state, radius=None):
         does = {"to": "towards", "from": "away from"}[inside if side == "inside" else outside]
         raise Wrong(
             f"this does not agree with the neighbouring motions: the one that starts {side}, at r "
-            f"= {start:g}, "
-            f"moves {does} the cycle"
+            f"= {start:g}, moves {does} the cycle"
         )
     return (
         f"motions inside move {'towards' if inside == 'to' else 'away from'} it, "
@@ -207,8 +201,7 @@ def return_slope(claim, field, state, radius=None):
         if float(claim) <= 0:
             raise Wrong(
                 "the slope is positive: a motion that starts outside the cycle stays outside, for "
-                "motions do "
-                "not cross"
+                "motions do not cross"
             )
         if rounds_to(claim, slope) and not in_decimals(claim):
             raise Wrong(
@@ -218,10 +211,8 @@ def return_slope(claim, field, state, radius=None):
         turn = _turn(flow, radius)
         raise Wrong(
             f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units "
-            "of time "
-            f"would grow at the mean rate {math.log(float(claim)) / turn:.4g}; linearising r' at "
-            "the cycle "
-            "gives another rate"
+            f"of time would grow at the mean rate {math.log(float(claim)) / turn:.4g}; linearising "
+            "r' at the cycle gives another rate"
         )
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
 

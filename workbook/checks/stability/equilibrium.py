@@ -43,9 +43,8 @@ def spectra(answer, field, state):
     missed = [point for point in found if not _among(point, given)]
     if missed:
         raise Wrong(
-            "your list does not hold all of them: a search finds an equilibrium for which you give "
-            "no "
-            "eigenvalues"
+            "your list does not hold all of them: a search finds an equilibrium for which you "
+            "give no eigenvalues"
         )
     return "at every equilibrium the numbers are the roots of the characteristic equation, each as often as it is one"
 
@@ -65,8 +64,7 @@ def stable_equilibria(answer, field, state):
         elif any(_is_at(place, point) for place in given):
             raise Wrong(
                 f"the point {point_text(point)} is listed as stable, but the first approximation "
-                "there has an "
-                f"eigenvalue with real part {real_part:.4g}"
+                f"there has an eigenvalue with real part {real_part:.4g}"
             )
     for place in given:
         if not any(_is_at(place, point) for point in stable):
@@ -77,8 +75,7 @@ def stable_equilibria(answer, field, state):
     if missed:
         raise Wrong(
             "not all asymptotically stable equilibria are there: some equilibrium that you leave "
-            "out has a "
-            "first approximation whose eigenvalues all have negative real parts"
+            "out has a first approximation whose eigenvalues all have negative real parts"
         )
     return "at these equilibria, and at no others, all eigenvalues of the first approximation have negative real parts"
 
@@ -113,8 +110,7 @@ def _spectra_by_place(answer, state):
     if not isinstance(answer, (list, tuple, np.ndarray)):
         raise Invalid(
             f"expected a list with a row of {2 * n} numbers for each equilibrium: its coordinates, "
-            "then the "
-            f"eigenvalues"
+            "then the eigenvalues"
         )
     rows = (
         [answer]

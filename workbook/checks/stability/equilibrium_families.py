@@ -129,8 +129,7 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
                 )
     return (
         "at every stationary solution found one of them gives the rates of change under small "
-        "deviations, and "
-        "none is left over"
+        "deviations, and none is left over"
     )
 
 
@@ -148,8 +147,7 @@ def growth_rate(claim, field, state, parameters=(), given=()):
             # Which solution it is the student is asked for in another item.
             told = (
                 "it is a root of the characteristic equation at an unstable stationary solution, "
-                "but not a "
-                "positive one"
+                "but not a positive one"
                 if residual < 1e-9 * np.linalg.norm(matrix) ** len(state)
                 else "at an unstable stationary solution the characteristic determinant has the modulus "
                 f"{residual:.4g} for it, not zero"
@@ -213,8 +211,7 @@ def rest_kinds(answer, field, state):
         if kind != _kind(eigenvalues):
             raise Wrong(
                 f"at x = {number:.4g} the roots of the characteristic equation are "
-                f"{roots_text(eigenvalues)}: "
-                f"that is no {kind}"
+                f"{roots_text(eigenvalues)}: that is no {kind}"
             )
         left = [point for point in left if point is not near[0]]
     if left:
@@ -254,10 +251,8 @@ def saddle_slopes(answer, field, state):
             if not abs(across) <= allowed or not along * sign > 0:
                 raise Wrong(
                     f"along the line of slope {slope:.4g} through the saddle at {state[0]} = "
-                    f"{point[0]:.4g} "
-                    f"small deviations change at the rate {along:.3g} along it and {across:.3g} "
-                    "across it: "
-                    f"these motions do not {told} the saddle"
+                    f"{point[0]:.4g} small deviations change at the rate {along:.3g} along it and "
+                    f"{across:.3g} across it: these motions do not {told} the saddle"
                 )
     return "along these lines the linear field at each saddle points straight away from it and straight to it"
 
@@ -330,15 +325,13 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
                 rate = _growth(flow, near[0])
                 raise Wrong(
                     f"at your value {number:.4g}{told} the largest real part of a root of the "
-                    "characteristic "
-                    f"equation is {rate:.4g}{where_text(values)}"
+                    f"characteristic equation is {rate:.4g}{where_text(values)}"
                 )
             claimed.append(near[0])
     if any(not any(point is other for other in claimed) for point in wanted):
         raise Wrong(
             f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds one that "
-            "your answer "
-            f"does not give{where_text(values)}"
+            f"your answer does not give{where_text(values)}"
         )
     if integer is None or any(family.has(integer) for family in claims):
         return
@@ -347,8 +340,7 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
         if np.all(abs(flow(again)) < 1e-9 * (1 + abs(again[0]))):
             raise Wrong(
                 f"not all {what} are there: {again[0]:.4g} is one too{where_text(values)}, and a "
-                "list has "
-                f"an end; write the family with the integer {integer}"
+                f"list has an end; write the family with the integer {integer}"
             )
 
 

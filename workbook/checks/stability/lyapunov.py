@@ -81,8 +81,7 @@ def vanishing_set(answer, function, field, state, parameters=()):
     def told(values, holds):
         return (
             f"at {place_text(values)} the derivative is {'zero' if holds else 'not zero'}, and "
-            "your set "
-            f"{'does not hold' if holds else 'holds'} this state"
+            f"your set {'does not hold' if holds else 'holds'} this state"
         )
 
     agreement = compare(answer, [*state, *kept], truth, told)
@@ -108,8 +107,7 @@ def departure(answer, function, field, state, parameters=()):
         said = number_at(claim, values)
         return (
             f"at {place_text(values)} the derivative of V is zero, and {state[-1]} changes there "
-            "at the rate "
-            f"{float(true.subs(values)):.4g}; your expression gives {said.real:.4g}"
+            f"at the rate {float(true.subs(values)):.4g}; your expression gives {said.real:.4g}"
         )
 
     same = Truth((Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols))
@@ -136,10 +134,8 @@ def proved_stable(answer, function, field, state, parameters):
         rates = rate(circle, values.values())
         return (
             f"for {place_text(values)} the derivative of V on the circle of radius 0.1 lies "
-            "between "
-            f"{min(rates):.3g} and {max(rates):.3g}, which "
-            f"{'proves' if holds else 'does not prove'} asymptotic "
-            f"stability"
+            f"between {min(rates):.3g} and {max(rates):.3g}, which "
+            f"{'proves' if holds else 'does not prove'} asymptotic stability"
         )
 
     near = sum(x**2 for x in state) <= sp.Rational(1, 100)
@@ -197,8 +193,7 @@ def proved_global(answer, function, field, state, parameters, given=()):
             if why
             else (
                 "V grows without bound in every direction and its derivative is nowhere positive: "
-                "it proves stability in "
-                "the large"
+                "it proves stability in the large"
             )
         )
 
@@ -273,9 +268,8 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
                 )
             )
     return (
-        "up to this level the derivative of V is nowhere positive and no other equilibrium is met, "
-        "and beyond it "
-        "this ends"
+        "up to this level the derivative of V is nowhere positive and no other equilibrium is "
+        "met, and beyond it this ends"
     )
 
 
@@ -331,8 +325,7 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
             )
     return (
         "its boundary is a level line of V, the derivative is nowhere positive inside, and no "
-        "higher level has "
-        "this property"
+        "higher level has this property"
     )
 
 
@@ -477,8 +470,7 @@ def _reach(claim, state, directions, where):
 def _away(place, where):
     return (
         f"the set has a part away from zero, at {place} for instance, and motions from there need "
-        "not come to zero"
-        f"{where}"
+        f"not come to zero{where}"
     )
 
 
@@ -505,8 +497,7 @@ def _has_no_holes(claim, state, height, level, border, where):
         if np.linalg.norm(point) <= 1.01 * np.linalg.norm(border[np.argmin(away)]):
             raise Wrong(
                 f"your set leaves out the state {place_text(place[0])}, where V is smaller than on "
-                "its boundary"
-                f"{where}"
+                f"its boundary{where}"
             )
 
 

@@ -59,8 +59,7 @@ def program_motion(answer, field, state, parameters, program, controls, time):
             if not abs(place[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
                 raise Wrong(
                     f"this is not the program: {where} your {symbol} is {place[symbol].real:.4g}, "
-                    "prescribed "
-                    f"is {wanted.real:.4g}"
+                    f"prescribed is {wanted.real:.4g}"
                 )
         for symbol, rate, right_side in zip(state, rates, field):
             left = number_at(rate, at, f"the derivative of your {symbol}")
@@ -75,8 +74,7 @@ def program_motion(answer, field, state, parameters, program, controls, time):
             ):
                 raise Wrong(
                     f"the equation for {symbol}' does not hold: {where} its left-hand side is "
-                    f"{left.real:.4g}, "
-                    f"its right-hand side {sum(terms).real:.4g}"
+                    f"{left.real:.4g}, its right-hand side {sum(terms).real:.4g}"
                 )
     return "it is the program, and all equations hold at random times and parameters"
 
@@ -174,8 +172,7 @@ def angle_deviations(claim, field, state, parameters, angle, deviations):
                     )
                     raise Wrong(
                         f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation "
-                        f"{told} "
-                        f"changes phi'' by {true:.4g} to first order; your expression gives "
+                        f"{told} changes phi'' by {true:.4g} to first order; your expression gives "
                         f"{said.real:.4g}"
                     )
     return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
@@ -299,8 +296,7 @@ def _judge_rest_angles(answer, field, state, parameters, integer, word):
                 if abs(given.imag) > 1e-9 * (1 + abs(given)):
                     raise Wrong(
                         f"your value{member} is not real for {values_text(values)}, where there "
-                        "are "
-                        f"stationary angles"
+                        "are stationary angles"
                     )
                 turned = [
                     given.real + np.remainder(phi - given.real + np.pi, 2 * np.pi) - np.pi
@@ -353,10 +349,9 @@ def _judge_angles(answer, field, state, parameters, angle, kind, word):
     def told(values, holds):
         return (
             f"the stationary angle {float(values[angle]):.4g} for "
-            f"{place_text({p: values[p] for p in parameters})} "
-            f"is {'' if holds else 'not '}{word}, and your condition "
-            f"{'does not hold' if holds else 'holds'} "
-            f"there: {_roots_told(*angles.derivatives(values, float(values[angle])))}"
+            f"{place_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, "
+            f"and your condition {'does not hold' if holds else 'holds'} there: "
+            f"{_roots_told(*angles.derivatives(values, float(values[angle])))}"
         )
 
     exact = exactly(kind(friction, -slope), sp.Eq(force.subs(at_rest), 0), at=truth, points=points)
@@ -392,8 +387,7 @@ def _judge_kind(answer, field, state, parameters, kind, word):
     agreement = compare(answer, parameters, exact, contrary(told))
     return (
         "for these parameters, and for no others, the stationary angles that are no saddles are "
-        "of the kind "
-        f"{word}: {agreement}"
+        f"of the kind {word}: {agreement}"
     )
 
 

@@ -103,8 +103,7 @@ def cycle_period(claim, radial, angular, radius, parameters):
         if period <= 0 or not same(rate * period, math.copysign(2 * math.pi, rate), claim):
             raise Wrong(
                 f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
-                f"{period:.4g}, "
-                f"which is not one turn"
+                f"{period:.4g}, which is not one turn"
             )
     return "in this time the angle gains one full turn on the closed orbit"
 
@@ -184,8 +183,7 @@ def stationary_type(answer, field, state, parameters, domain=None):
         if claim != kind:
             raise Wrong(
                 f"this does not agree with the first approximation: for {sample_text(values)} its "
-                "roots are "
-                f"{roots_text(np.linalg.eigvals(matrix))}"
+                f"roots are {roots_text(np.linalg.eigvals(matrix))}"
             )
     return (
         "it agrees with the roots of the first approximation, for sample values of the parameters"
@@ -236,8 +234,7 @@ def dulac(answer, field, state, parameters, domain=None):
     if not signs.any():
         raise Wrong(
             "the divergence vanishes everywhere, so it excludes nothing: such a field may well "
-            "have closed "
-            "orbits"
+            "have closed orbits"
         )
     if signs.min() < 0 < signs.max():
         low, high = places[:, np.argmin(signs)], places[:, np.argmax(signs)]
@@ -403,15 +400,13 @@ def _judge_points(answer, family, noun, searched=None):
                 )
                 raise Wrong(
                     f"for {sample_text(values)} your answer gives "
-                    f"{_place_told(family.state, place)}; "
-                    f"the right-hand {told} there, not zero"
+                    f"{_place_told(family.state, place)}; the right-hand {told} there, not zero"
                 )
             del missed[here[0]]
         if missed:
             raise Wrong(
                 f"for {sample_text(values)} there is a {noun} in the domain that your answer does "
-                "not "
-                f"give{outside}"
+                f"not give{outside}"
             )
     if not all(met):
         raise Wrong(
@@ -444,8 +439,7 @@ def _judge_existence(answer, family, noun):
     def told(values, holds):
         return (
             f"for {place_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
-            "condition "
-            f"{'does not hold' if holds else 'holds'}"
+            f"condition {'does not hold' if holds else 'holds'}"
         )
 
     given, rest = family.given, family.at_rest
@@ -484,8 +478,7 @@ def _judge_roots(answer, family, sign, noun):
     def told(values, holds):
         return (
             f"for {place_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
-            "yet your condition "
-            f"{'does not hold' if holds else 'holds'}"
+            f"yet your condition {'does not hold' if holds else 'holds'}"
         )
 
     _, determinant, discriminant = family.invariants

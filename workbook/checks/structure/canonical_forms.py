@@ -114,8 +114,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
     if claim.cols != system.A.rows:
         raise Invalid(
             f"expected a matrix with {system.A.rows} columns, one for each coordinate of x; the "
-            "shape of "
-            f"yours is {claim.shape}"
+            f"shape of yours is {claim.shape}"
         )
     pair = seen(system, parameters)
     if pair.outputs != 1:
@@ -125,15 +124,13 @@ def canonical_part_coordinates(claim, system, parameters=()):
         if claim.rows > order:
             raise Wrong(
                 f"the output and its derivatives do not hold {claim.rows} independent combinations "
-                "of the "
-                f"coordinates{where}, so not all of yours are observable"
+                f"of the coordinates{where}, so not all of yours are observable"
             )
         if claim.rows < order:
             raise Wrong(
                 f"the output and its derivatives hold more than {claim.rows} independent "
                 f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are "
-                "too few for "
-                "them"
+                "too few for them"
             )
         yield Entries(
             claim[0, :],
@@ -155,8 +152,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
                 what = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
                 raise Wrong(
                     f"{what} has to be a multiple of z{where}; by your rows it differs from the "
-                    "nearest "
-                    f"multiple by terms such as {number_text(rest[j])} x{j + 1}"
+                    f"nearest multiple by terms such as {number_text(rest[j])} x{j + 1}"
                 )
     judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
     return "z = xi1, and the derivatives are as the form (2.5) says"
@@ -179,8 +175,7 @@ def judge_form(claim, pair, form):
             )
             raise Wrong(
                 f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that "
-                "of A is "
-                f"{number_text(np.polyval(true, at))}, that of your matrix "
+                f"of A is {number_text(np.polyval(true, at))}, that of your matrix "
                 f"{number_text(np.polyval(own, at))}"
             )
     judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
@@ -201,8 +196,7 @@ def shape_of_form(said, tolerance, form, where):
     i, j = map(int, np.unravel_index(np.argmax(off), off.shape))
     raise Wrong(
         f"the entry {form.place(i, j, n)} of your matrix is {number_text(said[i, j])}{where}; "
-        f"{form.shape} has "
-        f"{form.ones_and_zeros}"
+        f"{form.shape} has {form.ones_and_zeros}"
     )
 
 
@@ -250,8 +244,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
                 )
             return (
                 f"A times {last} has to be {own} + {free} ({said_rows[0]}){where}; the entry "
-                f"{j + 1} of your {own} "
-                "does not fit"
+                f"{j + 1} of your {own} does not fit"
             )
 
         yield Entries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])

@@ -113,8 +113,7 @@ def canonical_observable_part(answer, system, parameters=()):
         if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
             raise Wrong(
                 f"in the form (2.5) z is the first coordinate alone{where_text(values)}; that is "
-                "not what "
-                f"your H1 says"
+                "not what your H1 says"
             )
         shape_of_form(matrix_at(matrix, values), tolerance, BY_OBSERVATION, where_text(values))
     return _judge_part(matrix, output, pair)
@@ -211,8 +210,7 @@ def _judge_split(claim, pair, side):
         if _vanishes(said[n - size :], space, tolerance):
             raise Wrong(
                 f"your matrix has the {side.rest} coordinates first; the {side.part} ones, xi, "
-                "have to stand "
-                f"first"
+                "have to stand first"
             )
         if _vanishes(said.T[:size], space, tolerance):
             raise Wrong(
@@ -222,8 +220,7 @@ def _judge_split(claim, pair, side):
         new_A, new_H = said @ A @ np.linalg.inv(said), H @ np.linalg.inv(said)
         raise Wrong(
             f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many "
-            "coordinates as "
-            f"{side.size} says"
+            f"coordinates as {side.size} says"
         )
     judge_everywhere(
         claim,
@@ -252,8 +249,7 @@ def _judge_system(matrix, output, pair, side):
         ).any():
             raise Wrong(
                 f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi "
-                "has as many "
-                f"coordinates as {side.size} says"
+                f"has as many coordinates as {side.size} says"
             )
         open_ = uncertain_entries(matrix, values)
         if not _same_system(A, H, new_A, new_H, tolerance, A, open_):
@@ -265,10 +261,8 @@ def _judge_system(matrix, output, pair, side):
             ):
                 raise Wrong(
                     f"your {side.part} part is that of the given system, but no change of "
-                    "variables gives the "
-                    f"rest of your equations{where_text(values)}: look at eta, and at how the two "
-                    "parts act on "
-                    "each other"
+                    f"variables gives the rest of your equations{where_text(values)}: look at eta, "
+                    "and at how the two parts act on each other"
                 )
             raise Wrong(_why_different(A, new_A, *part, values, side))
     _serves_everywhere(matrix, output, pair, side)
@@ -282,8 +276,7 @@ def _judge_part(matrix, output, pair):
         if matrix.rows != pair.order - len(unseen):
             raise Wrong(
                 f"your subsystem has the order {matrix.rows}; the observable one has the order "
-                "rank N, and "
-                f"that is not {matrix.rows}{where_text(values)}"
+                f"rank N, and that is not {matrix.rows}{where_text(values)}"
             )
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
         if not _same_system(
@@ -413,8 +406,7 @@ def _why_different(A, new_A, part, part_output, values, side):
     if side.by_control:
         return (
             f"no change of variables turns the given system into yours{where_text(values)}: "
-            "controls have another "
-            f"influence there"
+            "controls have another influence there"
         )
     return f"no change of variables turns the given system into yours{where_text(values)}: it has other functions z(t)"
 
@@ -509,8 +501,7 @@ def _judge_chains(parts, A, H, tolerance, side):
                 )
                 raise Wrong(
                     f"part {k + 1} is not spanned by its own chain {name}, each up to what is "
-                    "taken with "
-                    f"lower powers of A: it fails at the power {power}"
+                    f"taken with lower powers of A: it fails at the power {power}"
                 )
         lower, ends = upper, ends @ A
 

@@ -42,8 +42,7 @@ def _control_changes(k, order, number, value):
     which = "the first derivative" if order == 0 else f"the derivative of order {order + 1}"
     return (
         f"the control u{number} changes your combination {k}: it enters {which} of w x with the "
-        "coefficient w "
-        f"{power}b{number} = {value}, not 0"
+        f"coefficient w {power}b{number} = {value}, not 0"
     )
 
 
@@ -139,8 +138,7 @@ def judge_region(answer, pair, side, holds=True):
         shown = " and ".join(f"{p} = {float(x):.4g}" for p, x in values.items() if p != hidden)
         return (
             f"{f'with {shown} ' if shown else ''}your condition {says} at a value of {hidden} "
-            f"where {found}: "
-            f"{left_over(dimension, side)}"
+            f"where {found}: {left_over(dimension, side)}"
         )
 
     try:
@@ -179,8 +177,7 @@ def judge_kalman(claim, pair, side):
             )
             return (
                 f"{asked}{where_text(values)}: {block} {k + 1} of your matrix, with "
-                f"{number_text(said[k, j])} in "
-                f"{side.across} {j + 1}, does not fit"
+                f"{number_text(said[k, j])} in {side.across} {j + 1}, does not fit"
             )
 
         yield Entries(claim, true, told, values, sizes)
@@ -221,8 +218,7 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
             if any(fits(one, other, 1e-7) for other in every):
                 return (
                     f"{number} is {_a(side.spectrum)}{where}, but the rank of {side.pencil} does "
-                    "not fall there: "
-                    f"there is no {side.vector}"
+                    f"not fall there: there is no {side.vector}"
                 )
             return (
                 f"{number} is no {side.spectrum}{where}, so the rank of {side.pencil} is full there"

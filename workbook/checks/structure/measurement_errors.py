@@ -35,8 +35,7 @@ def augmented_system(answer, system, parameters=(), own=False):
     if matrix.rows != matrix.cols or matrix.rows <= n:
         raise Invalid(
             f"expected a square matrix A' of more than {n} rows, since the coordinates of the "
-            "error come "
-            f"after those of x; the shape of yours is {matrix.shape}"
+            f"error come after those of x; the shape of yours is {matrix.shape}"
         )
     row = coercion.as_matrix(answer[1], parameters)
     # A single row is a vector, whichever way it is written.
@@ -81,8 +80,7 @@ def augmented_system(answer, system, parameters=(), own=False):
         )
     return (
         "its outputs are those of the motions with every error of the kind, and no coordinate of "
-        "the error can be "
-        "spared"
+        "the error can be spared"
     )
 
 
@@ -159,6 +157,5 @@ def _compare_errors(S, c, left_open, derivatives, where):
     if not np.linalg.norm(here) <= 10 * EXACT * np.linalg.norm(wanted) + allowed:
         raise Wrong(
             "from no start do your coordinates of the error give the error of the "
-            f"statement{where}: the "
-            f"derivatives of z at t = 0 do not agree"
+            f"statement{where}: the derivatives of z at t = 0 do not agree"
         )

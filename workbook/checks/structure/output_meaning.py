@@ -30,8 +30,7 @@ def measured_quantity(claim, system, known, quantities):
     if equations[claim] != seen:
         raise Wrong(
             f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of "
-            "lower order, in "
-            f"all motions; what is measured has motions that do not"
+            "lower order, in all motions; what is measured has motions that do not"
             if _breaks(equations[claim], A, H)
             else f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured "
             f"in all motions"

@@ -101,8 +101,7 @@ class _LinearEquation:
         ):
             raise Wrong(
                 f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives "
-                "your equation "
-                f"has another one, so that it fails at rest without control"
+                "your equation has another one, so that it fails at rest without control"
             )
 
     def judge_everywhere(self, order, parameters, given):
@@ -172,16 +171,13 @@ class _LinearEquation:
             if max(controls, default=0) > 0:
                 raise Wrong(
                     f"a derivative of {u} stands in your equation{where}; into that of the first "
-                    "coordinate "
-                    f"of the form (2.4) {u} enters alone"
+                    f"coordinate of the form (2.4) {u} enters alone"
                 )
             if controls:
                 raise Wrong(
                     f"without control your equation is right{where}, but {u} has the wrong "
-                    "coefficient; in the "
-                    f"form (2.4) {u} enters the last equation with the coefficient 1, and {y} is "
-                    "the first "
-                    "coordinate of that form, no multiple"
+                    f"coefficient; in the form (2.4) {u} enters the last equation with the "
+                    f"coefficient 1, and {y} is the first coordinate of that form, no multiple"
                 )
         random, free = np.random.default_rng(220), failing[0] < n
         for _ in range(20):
@@ -204,8 +200,7 @@ class _LinearEquation:
         hint = "" if free else "without control it is right; "
         raise Wrong(
             f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your "
-            "equation: "
-            f"its two sides differ by {number_text(abs(difference))}"
+            f"equation: its two sides differ by {number_text(abs(difference))}"
         )
 
     def _terms(self, numbers, to_all, state):
@@ -312,8 +307,7 @@ class _LinearEquation:
     def _not_linear(self):
         return (
             f"your equation is not linear with constant coefficients in {self.names[0]}, "
-            f"{self.names[1]} and "
-            f"their derivatives"
+            f"{self.names[1]} and their derivatives"
         )
 
     def _coefficient(self, difference, symbol):

@@ -50,8 +50,7 @@ def derivative_rows(claim, system, parameters):
             if k and np.allclose(said[k], terms[k][0], rtol=0, atol=1e-6 * sizes[k]):
                 return (
                     f"row {k + 1} of your matrix leaves out that H changes with time: the "
-                    "derivative of z = H(t) x "
-                    "has one term more"
+                    "derivative of z = H(t) x has one term more"
                 )
             what = (
                 "z itself"
@@ -62,8 +61,7 @@ def derivative_rows(claim, system, parameters):
             )
             return (
                 f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in "
-                f"column {j + 1}: "
-                f"there your matrix has {number_text(said[k, j])}"
+                f"column {j + 1}: there your matrix has {number_text(said[k, j])}"
             )
 
         sizes = np.array([sum(map(np.linalg.norm, row)) for row in terms])
@@ -122,8 +120,7 @@ def frozen_determinant(claim, system, parameters):
             told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(
                 f"at one of the moments tried the rows are {told}; {number_text(said)}, which your "
-                "expression "
-                f"gives, is not their determinant"
+                "expression gives, is not their determinant"
             )
     return "it is the determinant at all moments and parameters tried"
 

@@ -100,8 +100,7 @@ def bases_by_value(side):
         Vectors(size=size),
         lambda data: (
             f"a dictionary such as {{4: [{[3, 1, *[0] * (size(data) - 2)]}]}}, from each value to "
-            f"a basis of {side.left} "
-            "there"
+            f"a basis of {side.left} there"
         ),
     )
 
@@ -129,8 +128,7 @@ def judge_where_lost(claim, pair, side, at_value):
         judge_basis(basis, at_value(value), side, f" for {parameter} = {value}")
     return (
         f"at these values of the parameter and no others the system is {side.fails}, and the "
-        "vectors are bases of "
-        f"{side.left}"
+        f"vectors are bases of {side.left}"
     )
 
 

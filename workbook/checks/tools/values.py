@@ -213,9 +213,8 @@ def real_function(symbols, expressions):
             return np.full(shape, np.nan)
         except (TypeError, ValueError, AttributeError, NameError):
             raise Invalid(
-                "your answer cannot be evaluated at numbers: write it with functions such as sqrt, "
-                "sin, Abs, "
-                "sign or Piecewise"
+                "your answer cannot be evaluated at numbers: write it with functions such as "
+                "sqrt, sin, Abs, sign or Piecewise"
             ) from None
         return np.where(
             np.isfinite(values) & (abs(values.imag) < 1e-9 * (1 + abs(values))), values.real, np.nan
@@ -293,8 +292,7 @@ def _one_by_one(symbols, e):
         if places > MOST_INTEGRATED:
             raise Invalid(
                 "your answer holds an integral, a sum or a special function and is asked for at "
-                "many places; "
-                "write it without"
+                "many places; write it without"
             )
         found = real_at(e, dict(zip(symbols, map(sp.Float, numbers))))
         return np.nan if found is None else found
@@ -389,8 +387,7 @@ def _added(claim):
         if not (whole and last.is_number and last == sp.floor(last) and last - first < MOST_ADDED):
             raise Invalid(
                 f"a sum is added up term by term, between whole numbers and up to {MOST_ADDED} "
-                "terms; yours "
-                "cannot be: write it without `sp.Sum`"
+                "terms; yours cannot be: write it without `sp.Sum`"
             )
         return sp.Add(
             *(term.xreplace({index: sp.Integer(k)}) for k in range(int(first), int(last) + 1))
@@ -415,8 +412,7 @@ def _series(term, first):
         if not (far <= 0.48 * near or far == 0):
             raise Invalid(
                 "your answer holds an infinite sum that does not converge fast enough to be "
-                "computed: write "
-                "it without `sp.Sum`"
+                "computed: write it without `sp.Sum`"
             )
         return sp.sympify(mpmath.nsum(number, [first, mpmath.inf]))
 

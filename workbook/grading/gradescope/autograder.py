@@ -86,8 +86,7 @@ def _that_counts(homework, earlier, now):
     if homework.attempts is not None and len(earlier) >= homework.attempts:
         return points, [
             f"This is attempt {len(earlier) + 1}; the first {homework.attempts} count. Your points "
-            "are "
-            f"{points:g}."
+            f"are {points:g}."
         ]
     return points, [
         f"An earlier attempt of yours was better and counts: {points:g} points."

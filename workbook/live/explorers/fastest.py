@@ -70,8 +70,7 @@ def fastest_motion(problem="5.3", item="a"):
         _, _, switching, control = (values[frame] for values in motion["over time"])
         return (
             f"least time {motion['times'][-1]:.3f}; now t = {motion['times'][frame]:.2f}, u = "
-            f"{control:g}, "
-            f"switching function {switching:.3f}"
+            f"{control:g}, switching function {switching:.3f}"
         )
 
     def pointed(axes, points):

@@ -81,8 +81,7 @@ def popov_distance(problem="2.5", item="g"):
         )
         return (
             f"the distance is between {found.lower:.3g} and {found.upper:.3g}, proved; the nearest "
-            "pair that is "
-            f"not observable loses {lost}"
+            f"pair that is not observable loses {lost}"
         )
 
     def pointed(axes, stroke):
@@ -114,8 +113,7 @@ def _asked(problem, item):
     if len(parameters) != 1:
         raise LiveError(
             f"problem {problem} has no item {item} with numbers A_{item} and one parameter in "
-            f"H_{item}; "
-            "2.5 has g, h, i, j"
+            f"H_{item}; 2.5 has g, h, i, j"
         )
     function = sp.lambdify(parameters, H, "numpy")
     return (

@@ -204,8 +204,7 @@ CASES = [
 
 LIMITS = [
     "Where a margin is asked for, each decimal of a gain may shift the spectrum by what half a "
-    "unit of its third "
-    "digit does.",
+    "unit of its third digit does.",
     "That no static feedback stabilises is decided for few entries; with many it is tried at "
     "points.",
 ]

@@ -115,9 +115,8 @@ CASES = [
 
 LIMITS = [
     "`control_equation`: the equation must follow from H_u = 0 and the costates that "
-    "transversality says, or with "
-    "H = 0 where the time is free; where it does not, as in steering by the linear tangent, the "
-    "check cannot judge.",
+    "transversality says, or with H = 0 where the time is free; where it does not, as in "
+    "steering by the linear tangent, the check cannot judge.",
     "`control_equation`: an equation is compared where some costate makes H greatest, with H_uu < "
     "0.",
 ]

@@ -82,11 +82,9 @@ CASES = [
 ]
 LIMITS = [
     "A motion is varied in nine overlapping windows, as a whole, and at its free ends; with "
-    "parameters for four sets "
-    "of values.",
+    "parameters for four sets of values.",
     "That there is a best motion is decided for integrands that are at most quadratic, on forty "
-    "intervals; a best "
-    "duration is looked for among fourteen from 0.2 to 80.",
+    "intervals; a best duration is looked for among fourteen from 0.2 to 80.",
     "A motion that is written with decimals may leave half a percent of the terms of the first "
     "variation.",
 ]

@@ -115,6 +115,5 @@ CASES = [
 
 LIMITS = [
     "One control, and a law that is continuous in time; the unknown constants have to be "
-    "determined by the "
-    "conditions at the end."
+    "determined by the conditions at the end."
 ]

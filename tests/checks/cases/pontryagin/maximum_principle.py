@@ -364,10 +364,8 @@ LIMITS = [
     "such an arc may be "
     "excluded by it. `greatest_hamiltonian`: controls that enter H linearly, between bounds.",
     "`singular_control` and its like: points of singular arcs are searched with lambda_0 = 1; "
-    "abnormal ones do not "
-    "count.",
+    "abnormal ones do not count.",
     "`singular_surface`: an equation is followed to its zeros by Newton's method from random "
-    "places, so that a part of "
-    "it far from all others may go unseen.",
+    "places, so that a part of it far from all others may go unseen.",
     "`maximising_control`: a control without a bound is compared with those up to 20 away.",
 ]

@@ -255,11 +255,9 @@ CASES = [
 ]
 
 LIMITS = [
-    "One control. The optimum is the best process found; where several processes are best from one "
-    "start, a law "
-    "has to do what the one found does.",
-    "A law is compared with the best processes from six starts, or as many as a finite set of them "
-    "holds; then "
-    "it is followed in small steps, in each of which the control is constant.",
+    "One control. The optimum is the best process found; where several processes are best from "
+    "one start, a law has to do what the one found does.",
+    "A law is compared with the best processes from six starts, or as many as a finite set of "
+    "them holds; then it is followed in small steps, in each of which the control is constant.",
     "A law that is written as an equation needs a control with bounds.",
 ]

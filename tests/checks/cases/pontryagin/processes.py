@@ -491,7 +491,6 @@ CASES = [
 
 LIMITS = [
     "One control. The optimum is the best process found: a proof only where the problem is convex.",
-    "`optimal_duration`, `held_at_first` with several controls: the best process found among those "
-    "whose controls are "
-    "constant on a few arcs, from a given start in least time.",
+    "`optimal_duration`, `held_at_first` with several controls: the best process found among "
+    "those whose controls are constant on a few arcs, from a given start in least time.",
 ]

@@ -568,30 +568,23 @@ CASES = [
     Case("other_extremal_time", x1 > 0, POSITIONS, "invalid", "a condition"),
 ]
 LIMITS = [
-    "A law is tried from 80 to 400 starts: some spread over the plane to a distance of about ten, "
-    "some at 0.6 per "
-    "cent of their distance "
-    "from the origin on both sides of the switching curves (1.5 per cent if it contains decimals), "
-    "some at 0.02 per "
-    "cent. A mistake that no start meets passes.",
+    "A law is tried from 80 to 400 starts: some spread over the plane to a distance of about "
+    "ten, some at 0.6 per cent of their distance from the origin on both sides of the switching "
+    "curves (1.5 per cent if it contains decimals), some at 0.02 per cent. A mistake that no "
+    "start meets passes.",
     "Far from the origin, up to a distance of about thirty, a law is tried for targets that are "
     "points.",
     "A law may be slower than the optimum by 0.4 per cent of the time; the last 3 per cent of a "
-    "motion are taken from "
-    "the optimum.",
-    "What a law says on a curve alone is asked where it says nothing on one side: on the border of "
-    "the set from which "
-    "the target can be reached.",
+    "motion are taken from the optimum.",
+    "What a law says on a curve alone is asked where it says nothing on one side: on the border "
+    "of the set from which the target can be reached.",
     "A switching or dispersal curve has to lie where the control changes, up to 0.01 per cent of "
-    "its coordinates, or "
-    "to three digits if it contains decimals; a barrier may lie 0.01 per cent beside, with "
-    "decimals 0.06.",
+    "its coordinates, or to three digits if it contains decimals; a barrier may lie 0.01 per "
+    "cent beside, with decimals 0.06.",
     "Next to a barrier (2 per cent) a law is not judged when the target is so thin that the "
-    "optimum itself may have "
-    "missed it.",
+    "optimum itself may have missed it.",
     "Parameters are tried at six values of each interval, at most about 4 where an interval is "
     "infinite.",
     "Whether a target can be reached is decided within a time of 400; starts that border on the "
-    "other kind are left "
-    "out.",
+    "other kind are left out.",
 ]

@@ -394,20 +394,14 @@ CASES = [
 ]
 LIMITS = [
     "Of its own an optimum is known for one state, for the first meeting with a line of a system "
-    "homogeneous in two "
-    "states whose direction turns in one sense, and for a linear plane system with the origin as "
-    "the target; of other "
-    "transfers a control, a motion, a costate and the time are compared with the best process "
-    "found.",
+    "homogeneous in two states whose direction turns in one sense, and for a linear plane system "
+    "with the origin as the target; of other transfers a control, a motion, a costate and the "
+    "time are compared with the best process found.",
     "A control is tried by the motion that it gives, up to the least time: what it says later is "
-    "of no account, and "
-    "values at single "
-    "instants are not seen.",
+    "of no account, and values at single instants are not seen.",
     "A motion is compared with the bounds on its rates at 37 instants.",
     "Times, controls and motions with parameters are tried for ten to twenty sets of values; "
-    "switchings are counted "
-    "for forty.",
+    "switchings are counted for forty.",
     "A control or motion that is written with decimals may be off by half a percent, one without "
-    "them by a "
-    "hundred-thousandth.",
+    "them by a hundred-thousandth.",
 ]

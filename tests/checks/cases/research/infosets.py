@@ -74,8 +74,7 @@ CASES = [
 ]
 LIMITS = [
     "Support values are compared at six random places with positive values of the symbols; one "
-    "that is right there and "
-    "wrong for other signs would pass.",
+    "that is right there and wrong for other signs would pass.",
     "A polygon without a corner, a point at infinity, has no support values and is refused.",
     "Whether bounds have a common point is decided for positive values of their symbols.",
 ]

@@ -69,6 +69,5 @@ CASES = [
 ]
 LIMITS = [
     "Agreement is tried at eight places between the nodes; two polynomials of these degrees that "
-    "agree there are "
-    "taken for equal."
+    "agree there are taken for equal."
 ]

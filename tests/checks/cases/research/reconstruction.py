@@ -308,16 +308,12 @@ CASES = [
 ]
 LIMITS = [
     "Expressions are compared at six random places with positive values of all symbols except "
-    "lambda and w; one that "
-    "is right there and wrong "
-    "for other signs would pass.",
+    "lambda and w; one that is right there and wrong for other signs would pass.",
     "The middle sample of three is taken for the place of the greatest acceleration; longer "
     "records are not judged.",
     "The least misfit under a bound is found with accelerations that are constant on sixteen "
-    "pieces of each interval. "
-    "For three samples the best "
-    "acceleration is constant, so that nothing is lost.",
-    "The answer on the unit circle may not contain the imaginary unit; that its sign can really be "
-    "read off is not "
-    "tested.",
+    "pieces of each interval. For three samples the best acceleration is constant, so that "
+    "nothing is lost.",
+    "The answer on the unit circle may not contain the imaginary unit; that its sign can really "
+    "be read off is not tested.",
 ]

@@ -252,11 +252,9 @@ CASES = [
     Case("fooling_error", ..., (M,), "missing", "the untouched stub"),
 ]
 LIMITS = [
-    "Motions are compared at six random places with positive values of all symbols; an expression "
-    "that is right there "
-    "and wrong for other "
-    "signs would pass. Times reach a few units, so that a difference that shows much later is not "
-    "seen.",
+    "Motions are compared at six random places with positive values of all symbols; an "
+    "expression that is right there and wrong for other signs would pass. Times reach a few "
+    "units, so that a difference that shows much later is not seen.",
     "What bearings do not see is tried at twelve moments.",
     "The greatest error of three measurements is judged for tau between 0.4 and 2.8 divided by the "
     "fastest frequency.",

@@ -238,12 +238,10 @@ CASES = [
     Case("conserved_form", sp.Eq(v**2 + w**2 * x**2, 1), SWING, "invalid", "an equation"),
 ]
 LIMITS = [
-    "Multiplicities and the verdict are judged at six sets of values of the parameters: a special "
-    "value at which "
-    "eigenvalues meet by "
-    "chance is not looked at, and the answer is to hold for the others.",
+    "Multiplicities and the verdict are judged at six sets of values of the parameters: a "
+    "special value at which eigenvalues meet by chance is not looked at, and the answer is to "
+    "hold for the others.",
     "Eigenvalues closer together than 2e-5 of the size of the matrix count as one.",
     "A motion that grows slower than by a factor of 1000 between t = 10 and t = 1000000 (such as "
-    "log t) is taken not "
-    "to grow.",
+    "log t) is taken not to grow.",
 ]

@@ -193,13 +193,10 @@ CASES = [
     Case("return_slope", "one", SEMI, "invalid", "a word"),
 ]
 LIMITS = [
-    "Cycles are looked for among the circles around zero with radii between 0.013 and 20. A cycle "
-    "of another form is "
-    "not seen.",
+    "Cycles are looked for among the circles around zero with radii between 0.013 and 20. A "
+    "cycle of another form is not seen.",
     "Two cycles whose radii differ by less than two per cent may be taken for one.",
     "The time law of a motion is judged at twenty places (five starts, up to two units of time): "
-    "one that is right "
-    "there and "
-    "wrong later would pass.",
+    "one that is right there and wrong later would pass.",
     "Polar rates are judged at twenty random points of the ring 0.2 < r < 2.5.",
 ]

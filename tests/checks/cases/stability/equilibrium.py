@@ -158,16 +158,11 @@ CASES = [
     Case("stable_equilibria", "the lower one", PARABOLA, "invalid", "words"),
 ]
 LIMITS = [
-    "Equilibria are looked for from 240 random starts, spread over some twenty units around zero: "
-    "one that lies far "
-    "outside, or "
-    "where the matrix of the first approximation is singular, may not be found, and a list that "
-    "leaves it out would "
-    "pass.",
-    "Points and eigenvalues count to three significant digits; a coordinate or part that is small "
-    "beside the others is "
-    "measured by the size of the whole.",
+    "Equilibria are looked for from 240 random starts, spread over some twenty units around "
+    "zero: one that lies far outside, or where the matrix of the first approximation is "
+    "singular, may not be found, and a list that leaves it out would pass.",
+    "Points and eigenvalues count to three significant digits; a coordinate or part that is "
+    "small beside the others is measured by the size of the whole.",
     "An equilibrium whose first approximation has an eigenvalue on the imaginary axis leaves the "
-    "list of stable ones "
-    "unchecked.",
+    "list of stable ones unchecked.",
 ]

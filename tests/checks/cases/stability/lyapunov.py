@@ -198,16 +198,13 @@ CASES = [
     Case("basin_estimate", 0.5, POL, "invalid", "the level alone"),
 ]
 LIMITS = [
-    "The derivative is judged at 24 random states and parameters: an expression that agrees there "
-    "and differs "
-    "elsewhere "
-    "would pass (none that a derivation gives does).",
+    "The derivative is judged at 24 random states and parameters: an expression that agrees "
+    "there and differs elsewhere would pass (none that a derivation gives does).",
     "A basin estimate is followed along 240 rays from zero, so the set has to be star-shaped "
     "around zero.",
     "The set is judged for two samples of the parameters at which the first approximation is "
-    "asymptotically stable; "
-    "that the level "
-    "line itself belongs to the set, or does not, is told apart only at other equilibria.",
+    "asymptotically stable; that the level line itself belongs to the set, or does not, is told "
+    "apart only at other equilibria.",
     "That no motion stays where the derivative vanishes is not tested: the problem has to be such.",
     "Stability in the large is judged on circles of radius 0.01 to 10000.",
 ]

@@ -297,7 +297,6 @@ LIMITS = [
     "What a program leaves open has to be constant along it for the equations in deviations to be "
     "judged.",
     "Stationary angles are sought from the signs on a grid of one degree: pairs closer together "
-    "than this are "
-    "overlooked.",
+    "than this are overlooked.",
     "A condition that names an angle beside its sines and cosines is compared at sample angles.",
 ]

@@ -421,15 +421,12 @@ CASES = [
 ]
 LIMITS = [
     "Stationary points are searched by Newton's method from 48 starts for up to 30 sample values "
-    "of the parameters: a "
-    "point "
-    "that attracts none of them would not be missed in an answer.",
+    "of the parameters: a point that attracts none of them would not be missed in an answer.",
     "A condition with other terms than polynomials, roots, absolute values, sines and cosines is "
     "compared at points.",
     "The border between focus and node, where the roots are equal, is not judged.",
-    "A multiplier is tried at 300 points of the domain: a divergence whose sign changes in a small "
-    "part of it only "
-    "may pass.",
+    "A multiplier is tried at 300 points of the domain: a divergence whose sign changes in a "
+    "small part of it only may pass.",
     "The region of the test of Dulac has to be simply connected; that it is one is for the data "
     "cell to see to.",
 ]

@@ -127,6 +127,5 @@ CASES = [
 ]
 LIMITS = [
     "With parameters the matrices are judged at six rational values in general position; decimals "
-    "count to "
-    "three digits."
+    "count to three digits."
 ]

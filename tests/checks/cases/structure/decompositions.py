@@ -361,9 +361,8 @@ LIMITS = [
     "wherever they are "
     "undefined or without an inverse; those that are very long at the eight values alone.",
     "A system given by rounded decimals is compared with the given one to about three digits; "
-    "where eigenvalues lie "
-    "close together, "
-    "rounding may turn it into another system, and it is refused.",
+    "where eigenvalues lie close together, rounding may turn it into another system, and it is "
+    "refused.",
     "A decomposition by components has its parts in the order in which the data name the outputs "
     "or the controls.",
 ]

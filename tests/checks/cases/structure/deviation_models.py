@@ -78,8 +78,7 @@ CASES = [
 ]
 LIMITS = [
     "what keeps the equations as they are (another unit, all deviations at another moment) is "
-    "right in a change of "
-    "variables",
+    "right in a change of variables",
     "quantities whose deviations satisfy the same equation of lowest order cannot be told apart; a "
     "problem offers none",
 ]

@@ -61,9 +61,7 @@ CASES = [
 ]
 LIMITS = [
     "To first order: where the Jacobian loses rank, terms of higher order may still tell the "
-    "unknowns apart, as "
-    "a range tells a place on the line of two stations from its neighbours.",
-    "The entries of a row of the Jacobian may have one root in common, as those of a range or of a "
-    "bearing, not "
-    "several.",
+    "unknowns apart, as a range tells a place on the line of two stations from its neighbours.",
+    "The entries of a row of the Jacobian may have one root in common, as those of a range or of "
+    "a bearing, not several.",
 ]

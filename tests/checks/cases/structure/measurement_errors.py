@@ -318,6 +318,5 @@ CASES = [
 ]
 LIMITS = [
     "The start of the error for C = 1 has to be rational, and so have the exceptional values of a "
-    "parameter: "
-    "matters of the problem."
+    "parameter: matters of the problem."
 ]

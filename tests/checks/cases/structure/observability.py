@@ -359,11 +359,9 @@ CASES = [
     Case("lost_eigenvalues", "none", CHAIN, "invalid", "a word"),
 ]
 LIMITS = [
-    "A condition with other terms than rational functions, roots and absolute values (a logarithm, "
-    "say) is compared at "
-    "points; the verdict says at how many.",
+    "A condition with other terms than rational functions, roots and absolute values (a "
+    "logarithm, say) is compared at points; the verdict says at how many.",
     "Matrices, vectors and eigenvalues with parameters are judged at six rational values in "
-    "general position; a basis "
-    "has to be one at all values at which as much is unseen as there.",
+    "general position; a basis has to be one at all values at which as much is unseen as there.",
     "The numbers of the data have to be rational.",
 ]

@@ -217,8 +217,7 @@ CASES = [
 ]
 LIMITS = [
     "A factor of the equation has to be constant in time; with parameters it is judged at six "
-    "rational values "
-    "in general position.",
+    "rational values in general position.",
     "The control is a function of time; a plain symbol u is refused, since its derivative would be "
     "zero.",
 ]

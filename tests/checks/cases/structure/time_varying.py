@@ -284,7 +284,6 @@ CASES = [
     Case("unseen_where_lost", ..., (*BEAT, w), "missing", "the untouched stub"),
 ]
 LIMITS = [
-    "H(t) has to consist of sines, cosines, exponentials and powers of t, and be rational with its "
-    "derivatives "
-    "at t = 0."
+    "H(t) has to consist of sines, cosines, exponentials and powers of t, and be rational with "
+    "its derivatives at t = 0."
 ]

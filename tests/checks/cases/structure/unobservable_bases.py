@@ -134,7 +134,6 @@ CASES = [
     Case("unseen_where_lost", {2: "x1", half: FLAT.T}, AXES, "invalid", "text"),
 ]
 LIMITS = [
-    "The values at which observability is lost have to be rational, and finitely many: a matter of "
-    "the problem, "
-    "not of the answer."
+    "The values at which observability is lost have to be rational, and finitely many: a matter "
+    "of the problem, not of the answer."
 ]
