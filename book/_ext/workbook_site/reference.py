@@ -1,9 +1,8 @@
-"""The pages of the library: a module's public names with their docstrings, and where the book uses
-each.
+"""Reference pages of the library: public names with their docstrings and the pages that use them.
 
-Docstrings are plain text, as `help` prints it, and are set without reading markup into them:
-paragraphs, lists, indented formulas and examples that run. What uses a name is found in the code
-cells of the edition that is being built.
+numpydoc reads the sections of a docstring. Their text is plain, as `help` prints it; here formulas
+are typeset, and no markup is read into them. What uses a name is found in the code cells of the
+edition that is being built.
 """
 
 import ast
@@ -17,6 +16,7 @@ from pathlib import Path
 from textwrap import dedent, fill
 
 from docutils import nodes
+from numpydoc.docscrape import NumpyDocString
 from sphinx.util.docutils import SphinxDirective
 
 from trajlib.typesetting import typeset
@@ -28,14 +28,16 @@ from workbook_site.pages import to_label, to_page
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(?P<code>.*?)^\1[ \t]*$", re.M | re.S)
 OPTION = re.compile(r"^:[\w-]+:.*$", re.M)
 PAGES = "book/library/"
+#: Sections of a docstring in the order in which they are shown: lists of names, and texts.
+LISTS = ("Parameters", "Attributes", "Methods", "Returns", "Yields", "Raises")
+TEXTS = ("Notes", "Examples")
 #: Pages of the library about modules of the workbook; all others are about themes of trajlib.
 OF_WORKBOOK = ("display", "systems")
 CHAPTER = re.compile(r"book/(?:errata/)?ch(\d+)")
 
 
 class Library(SphinxDirective):
-    """A section for each public name of a module, what is called first: signature, docstring, pages
-    that use it."""
+    """A summary of a module's public names, then a section for each, functions before classes."""
 
     required_arguments = 1
 
@@ -47,8 +49,21 @@ class Library(SphinxDirective):
         )
         return [
             *described(inspect.getdoc(module)),
+            self._summary(module, names),
             *(self._section(module, name) for name in names),
         ]
+
+    def _summary(self, module, names):
+        """Return a table with the first sentence about each name, as autosummary has it."""
+        rows = []
+        for name in names:
+            link = to_label(self.env.docname, label_of(module.__name__, name), name)
+            summary = " ".join(NumpyDocString(inspect.getdoc(getattr(module, name)))["Summary"])
+            cells = (nodes.paragraph("", "", link), nodes.paragraph("", "", *spans(summary)))
+            rows.append(nodes.row("", *(nodes.entry("", cell) for cell in cells)))
+        columns = [nodes.colspec(colwidth=width) for width in (30, 70)]
+        group = nodes.tgroup("", *columns, nodes.tbody("", *rows), cols=2)
+        return nodes.table("", group, classes=["library-summary"])
 
     def _section(self, module, name):
         member = getattr(module, name)
@@ -156,15 +171,44 @@ def signature(member, name):
 
 
 def described(docstring):
-    """A docstring as nodes."""
-    blocks = [block for block in re.split(r"\n{2,}", docstring) if block.strip()]
+    """Return the nodes of a docstring with numpydoc sections."""
+    sections = NumpyDocString(docstring)
+    found = text_nodes([*sections["Summary"], "", *sections["Extended Summary"]])
+    for title in LISTS:
+        if sections[title]:
+            found += [_heading(title), _fields(sections[title])]
+    for title in TEXTS:
+        if sections[title]:
+            found += [_heading(title), *text_nodes(sections[title])]
+    return found
+
+
+def _heading(title):
+    return nodes.paragraph("", title, classes=["docstring-section"])
+
+
+def _fields(fields):
+    """Return the entries of a section such as Parameters as a definition list."""
+    entries = nodes.definition_list()
+    for field in fields:
+        name = [nodes.literal("", field.name)] if field.name else []
+        kind = [nodes.Text(" : " if name else ""), *spans(field.type)] if field.type else []
+        entries += nodes.definition_list_item(
+            "", nodes.term("", "", *name, *kind), nodes.definition("", *text_nodes(field.desc))
+        )
+    return entries
+
+
+def text_nodes(lines):
+    """Return the nodes of plain text: paragraphs, lists, indented formulas and examples."""
+    blocks = [block for block in re.split(r"\n{2,}", "\n".join(lines)) if block.strip()]
     found = []
     for block in blocks:
-        lines = block.split("\n")
-        if block.startswith(">>>"):
-            found.append(_code(block, "pycon"))
+        lines = block.strip("\n").split("\n")
+        if lines[0].startswith(">>>"):
+            found.append(_code("\n".join(lines), "pycon"))
         elif all(line.startswith("  ") for line in lines):
-            found.append(_code(dedent(block), "text"))
+            found.append(_code(dedent("\n".join(lines)), "text"))
         else:
             found += _prose(lines)
     return found
@@ -183,7 +227,7 @@ def _prose(lines):
 
 def spans(text):
     """Words, with their formulas set, and the `code` between them."""
-    parts = re.split(r"`([^`]+)`", text)
+    parts = re.split(r"`{1,2}([^`]+)`{1,2}", text)
     return [
         nodes.literal("", part) if k % 2 else _words(part) for k, part in enumerate(parts) if part
     ]
