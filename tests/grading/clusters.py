@@ -88,7 +88,7 @@ class LocalCluster:
         process.terminate()
         process.wait(timeout=30)
 
-    def lanes(self):
+    def grading_processes(self):
         """Processes below the workers that grade, or run notebooks."""
         below = set().union(
             *(descendants(process.pid) for process in self._processes if process.poll() is None)

@@ -27,8 +27,8 @@ from guide import like
 from test_nothing_lost import count, grades, outliving, submit_a_course
 
 from workbook.grading import course, grader
-from workbook.grading.cluster import coordinator, dask_worker
-from workbook.grading.isolation import NoIsolation
+from workbook.grading.cluster import connection, coordinator, dask_worker
+from workbook.grading.isolation import SandboxUnavailableError
 from workbook.grading.judging import Bounds
 from workbook.grading.preloading import ALWAYS
 from workbook.grading.sandbox import Limits
@@ -114,7 +114,7 @@ def our_cluster(dask, **options):
     )
 
 
-def a_unit(key, problem="1.15", answers=RIGHT_1_15):
+def a_task(key, problem="1.15", answers=RIGHT_1_15):
     exercise = exercises.find(problem)
     sources = [source for _, source in exercise.code("data")] + [
         f"{name} = {text}" for name, text in answers.items()
@@ -130,7 +130,7 @@ def a_unit(key, problem="1.15", answers=RIGHT_1_15):
 # As on one machine
 
 
-def test_the_guide_grades_as_one_machine_does(dask, submitted, expected):
+def test_the_commands_of_the_guide_grade_as_one_machine_does(dask, submitted, expected):
     (command, shown) = COMMANDS[-1]
     assert (
         command.startswith("workbook grade")
@@ -149,11 +149,11 @@ def test_the_guide_grades_as_one_machine_does(dask, submitted, expected):
     )
     assert done.returncode == 0 and like(shown, done.stdout), done.stdout
     assert len(expected) == 12 and grades(dask.here / "graded") == expected
-    assert not outliving(dask.lanes()), "lanes are left on the workers"
+    assert not outliving(dask.grading_processes()), "lanes are left on the workers"
 
 
 @pytest.mark.slow
-def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
+def test_processes_that_are_killed_cost_nothing(dask, expected, tmp_path):
     # The grader is killed,
     process = start(dask, tmp_path)
     wait_for_results(process, tmp_path, 3)
@@ -181,15 +181,19 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
     assert grades(tmp_path) == expected and victim not in dask.workers()
 
 
-def test_nothing_runs_on_after_the_grader_has_stopped(dask):
+def test_all_processes_end_with_the_grader(dask):
     def begun():
-        return {one for one in dask.lanes() - before if b"forkserver.main" in command_of(one[0])}
+        return {
+            one
+            for one in dask.grading_processes() - before
+            if b"forkserver.main" in command_of(one[0])
+        }
 
-    before = dask.lanes()  # a killed grader's lanes end by themselves, a little later
-    endless = a_unit(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
+    before = dask.grading_processes()  # a killed grader's lanes end by themselves, a little later
+    endless = a_task(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
     with closing(
         coordinator.grade_all(
-            [a_unit(0), endless], grader.settings(Limits(), Bounds()), our_cluster(dask)
+            [a_task(0), endless], grader.to_settings(Limits(), Bounds()), our_cluster(dask)
         )
     ) as results:
         key, result = next(results)
@@ -197,7 +201,7 @@ def test_nothing_runs_on_after_the_grader_has_stopped(dask):
             "right"
         }
         assert begun()
-    assert not outliving(dask.lanes() - before)
+    assert not outliving(dask.grading_processes() - before)
 
 
 # Workers that are not fit
@@ -245,11 +249,11 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
         (bare / name).symlink_to(Path(sys.executable).parent / name)
     worker = dask.add_worker(PATH=str(bare))
     with pytest.raises(
-        NoIsolation, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"
+        SandboxUnavailableError, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"
     ):
         next(
             coordinator.grade_all(
-                [a_unit(0)], grader.settings(Limits(), Bounds()), our_cluster(dask)
+                [a_task(0)], grader.to_settings(Limits(), Bounds()), our_cluster(dask)
             )
         )
     dask.remove(worker)
@@ -265,12 +269,12 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
         ({"problem 99.1": "0"}, "its problem 99.1 is another one than here"),
     ],
 )
-def test_what_differs_is_said(changes, said, monkeypatch):
-    known = dask_worker.library(["1.15"])
-    monkeypatch.setattr(dask_worker, "_library_now", dask_worker.library)
-    dask_worker._compare(known)
-    with pytest.raises(dask_worker.Unfit, match=said):
-        dask_worker._compare(known | changes)
+def test_the_part_of_the_library_that_differs_is_named(changes, said, monkeypatch):
+    known = dask_worker.library_versions(["1.15"])
+    monkeypatch.setattr(dask_worker, "_library_versions_now", dask_worker.library_versions)
+    dask_worker._require_same_library(known)
+    with pytest.raises(dask_worker.UnfitWorkerError, match=said):
+        dask_worker._require_same_library(known | changes)
 
 
 def test_the_library_that_counts_is_all_that_grades():
@@ -286,16 +290,19 @@ def test_the_library_that_counts_is_all_that_grades():
             "notebooks.exercises",
             "checks.contract.encoding",
             "checks.contract.verdict",
-            "grading.cluster_lanes",
+            "grading.cluster.dask_worker",
+            "grading.forked_worker",
+            "grading.forkserver",
             "grading.framing",
+            "grading.grader",
             "grading.isolation",
             "grading.judging",
-            "grading.lanes",
+            "grading.notebook_worker",
             "grading.sandbox",
+            "grading.seccomp",
             "grading.system_calls",
-            "grading.bench",
-            "grading.watching",
-            "grading.worker",
+            "grading.watchdog",
+            "grading.worker_pool",
         )
     } <= closure.keys()
 
@@ -382,11 +389,12 @@ def test_a_key_that_notebooks_could_read_is_refused(monkeypatch, tmp_path):
 
     monkeypatch.setattr(distributed, "get_worker", Worker)
     with pytest.raises(
-        dask_worker.Unfit, match="it keeps /usr/bin/env in /usr, which every notebook can read"
+        dask_worker.UnfitWorkerError,
+        match="it keeps /usr/bin/env in /usr, which every notebook can read",
     ):
-        dask_worker._look_around()
+        dask_worker._require_hidden_files()
     Worker.security.tls_worker_key = str(tmp_path / "key.pem")
-    dask_worker._look_around()
+    dask_worker._require_hidden_files()
 
 
 def addresses(dask):
@@ -407,7 +415,7 @@ def addresses(dask):
 # Without certificates, and what cannot be used
 
 
-def test_plain_tcp_is_said_and_works(tmp_path):
+def test_plain_tcp_works_with_a_warning(tmp_path):
     with a_cluster(tmp_path, "tcp") as plain:
         plain.start(f"dask scheduler --host 127.0.0.1 --port {plain.port} --no-dashboard")
         plain.add_worker("--no-nanny --nthreads 1")
@@ -440,24 +448,24 @@ def test_plain_tcp_is_said_and_works(tmp_path):
         ("tls://host:8786", "needs certificates; --tls-ca-file names a file of them"),
     ],
 )
-def test_an_address_that_cannot_be_is_refused(address, said):
-    with pytest.raises(coordinator.ClusterError, match=re.escape(said)):
-        coordinator.check(coordinator.Cluster(address))
+def test_an_invalid_address_is_refused(address, said):
+    with pytest.raises(connection.ClusterError, match=re.escape(said)):
+        coordinator.Cluster(address).check()
 
 
 def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
     def files(ca="ca.pem", cert="grader.pem", key="grader-key.pem"):
         return coordinator.Cluster(dask.address, dask.here / ca, dask.here / cert, dask.here / key)
 
-    coordinator.check(files())
+    files().check()
     with pytest.raises(
-        coordinator.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"
+        connection.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"
     ):
-        coordinator.check(files(key="nowhere.pem"))
+        files(key="nowhere.pem").check()
     with pytest.raises(
-        coordinator.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"
+        connection.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"
     ):
-        coordinator.check(files(cert="worker.pem"))
+        files(cert="worker.pem").check()
     subprocess.run(
         [
             "openssl",
@@ -479,41 +487,41 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
         timeout=60,
     )
     with pytest.raises(
-        coordinator.ClusterError,
+        connection.ClusterError,
         match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA",
     ):
         next(
             coordinator.grade_all(
-                [a_unit(0)],
-                grader.settings(Limits(), Bounds()),
+                [a_task(0)],
+                grader.to_settings(Limits(), Bounds()),
                 files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem"),
             )
         )
 
 
 @pytest.mark.parametrize("seconds", [0.2, 1.5])
-def test_nobody_at_the_address(monkeypatch, seconds):
+def test_no_server_at_the_address(monkeypatch, seconds):
     """However Dask's last try before the time is up ended."""
-    monkeypatch.setattr(coordinator, "TO_CONNECT", seconds)
+    monkeypatch.setattr(connection, "CONNECT_SECONDS", seconds)
     with pytest.raises(
-        coordinator.ClusterError,
+        connection.ClusterError,
         match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused",
     ):
         next(
             coordinator.grade_all(
-                [a_unit(0)],
-                grader.settings(Limits(), Bounds()),
+                [a_task(0)],
+                grader.to_settings(Limits(), Bounds()),
                 coordinator.Cluster("tcp://127.0.0.1:1"),
             )
         )
 
 
-def test_somebody_else_at_the_address(tmp_path):
+def test_another_server_at_the_address(tmp_path):
     """The command ends, though Dask would wait for ever for the first word."""
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     shorter = (
-        "from workbook import cli\nfrom workbook.grading.cluster import coordinator\n"
-        "coordinator.TO_CONNECT = 1\ncli.main()"
+        "from workbook import cli\nfrom workbook.grading.cluster import connection\n"
+        "connection.CONNECT_SECONDS = 1\ncli.main()"
     )
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
@@ -542,13 +550,13 @@ def test_somebody_else_at_the_address(tmp_path):
     )
 
 
-def test_without_dask_one_line(monkeypatch):
+def test_without_dask_the_error_is_one_line(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(
-        coordinator.ClusterError,
+        connection.ClusterError,
         match="needs Dask, which is not installed here: pip install distributed",
     ):
-        coordinator.check(coordinator.Cluster("tls://host:8786"))
+        coordinator.Cluster("tls://host:8786").check()
 
 
 @pytest.mark.parametrize(
@@ -588,19 +596,19 @@ def test_grading_on_one_machine_loads_nothing_of_dask():
 # Inside a worker
 
 
-def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
+def test_a_worker_process_ends_with_its_thread_and_not_with_others(monkeypatch):
     """The kernel's signal at a parent's death is one at the death of the thread that started the
     child."""
-    monkeypatch.setattr(dask_worker, "_compare", lambda expected: None)
-    monkeypatch.setattr(dask_worker, "_look_around", lambda: None)
+    monkeypatch.setattr(dask_worker, "_require_same_library", lambda expected: None)
+    monkeypatch.setattr(dask_worker, "_require_hidden_files", lambda: None)
     given = json.dumps(
-        grader.settings(Limits(), Bounds())
-        | {"run": "x", "library": {}, "lanes": 1, "modules": {"notebooks": ALWAYS, "checks": []}}
+        grader.to_settings(Limits(), Bounds())
+        | {"run": "x", "library": {}, "workers": 1, "modules": {"notebooks": ALWAYS, "checks": []}}
     ).encode()
     with concurrent.futures.ThreadPoolExecutor(1) as lasting:
-        assert lasting.submit(dask_worker.ready, given).result() == b"{}"
+        assert lasting.submit(dask_worker.prepare, given).result() == b"{}"
         (lane,) = dask_worker._all
-        passing = threading.Thread(target=dask_worker.ready, args=(given,))
+        passing = threading.Thread(target=dask_worker.prepare, args=(given,))
         passing.start()
         passing.join(timeout=60)
         (other,) = dask_worker._all - {lane}
@@ -611,17 +619,17 @@ def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
         # What comes in is bytes, and so is what goes out; the lane is the same one, and its limits
         # are told.
         told = json.loads(
-            lasting.submit(dask_worker.grade, given, json.dumps(a_unit(0)).encode()).result()
+            lasting.submit(dask_worker.grade, given, json.dumps(a_task(0)).encode()).result()
         )
         assert (
             told["result"]["final"] == "yes"
             and told["limits"]["memory_megabytes"] <= Limits().memory_megabytes
         )
         assert lane.alive() and dask_worker._all == {lane, other}
-        dask_worker._end("x")
+        dask_worker._end_run("x")
         assert not lane.alive() and not dask_worker._all
         # A worker that was slow to get ready hears of the end first.
         assert (
-            b"the run has ended" in lasting.submit(dask_worker.ready, given).result()
+            b"the run has ended" in lasting.submit(dask_worker.prepare, given).result()
             and not dask_worker._all
         )

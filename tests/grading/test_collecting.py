@@ -14,9 +14,9 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import notebook
 
 from workbook.cli import app
-from workbook.grading.assignment import BadInput
+from workbook.grading.assignment import InputError
 from workbook.grading.collecting import collect
-from workbook.grading.submissions import Aside, Submission, find
+from workbook.grading.submissions import LeftAside, Submission, find
 
 MOODLE = {
     "Ann Able_101_assignsubmission_file/ch1-p15.ipynb": 1,
@@ -91,12 +91,12 @@ def test_a_download(tmp_path, files, expected, archive):
     assert sum(isinstance(one, Submission) and one.problem == "1.15" for one in find(into)) == len(
         [name for name in expected if name.endswith(".ipynb")]
     )
-    assert [one.student for one in find(into) if isinstance(one, Aside)] == ["Cid_104"] * (
+    assert [one.student for one in find(into) if isinstance(one, LeftAside)] == ["Cid_104"] * (
         files is MOODLE
     )
 
 
-def test_accents_in_an_archive_that_does_not_say_how_it_writes_them(tmp_path):
+def test_accents_in_an_archive_without_the_utf_8_flag(tmp_path):
     """As a Mac packs it: names in UTF-8 whose flag is not set."""
     given = download(tmp_path, MOODLE, True)
     packed, header = given.read_bytes(), rb"(PK(?:\x03\x04..|\x01\x02....))\x00\x08"
@@ -112,7 +112,7 @@ def test_accents_in_an_archive_that_does_not_say_how_it_writes_them(tmp_path):
         "Ann Able_101_assignsubmission_onlinetext_.html",
     ],
 )
-def test_text_typed_in_is_told_as_that(tmp_path, place):
+def test_online_text_is_reported_as_such(tmp_path, place):
     given = download(tmp_path, {place: 1, "Bob_102_assignsubmission_file_/ch1-p15.ipynb": 2}, True)
     collected, aside = collect(given, "hw1", tmp_path / "submitted")
     assert list(collected) == ["Bob_102"] and [
@@ -120,7 +120,7 @@ def test_text_typed_in_is_told_as_that(tmp_path, place):
     ] == [(place, True)]
 
 
-def test_a_later_download_keeps_what_was_there(tmp_path):
+def test_a_later_download_overwrites_nothing(tmp_path):
     collect(
         download(tmp_path, {"ableann_101_9001_ch1-p15.ipynb": 1}, True),
         "hw1",
@@ -156,7 +156,7 @@ def test_addresses_from_the_worksheet(tmp_path):
 
 
 @pytest.mark.parametrize("archive", [True, False])
-def test_names_that_lead_nowhere(tmp_path, archive):
+def test_names_that_lead_out_of_the_folder(tmp_path, archive):
     """Nothing is written but below STUDENT/HOMEWORK, whatever an archive says; what is left aside
     is named."""
     odd = {
@@ -188,15 +188,15 @@ def test_names_that_lead_nowhere(tmp_path, archive):
 @pytest.mark.parametrize(
     "content, said", [(b"no archive", "neither a folder nor a .zip"), (None, "No such file")]
 )
-def test_what_is_no_download(tmp_path, content, said):
+def test_files_that_are_no_download(tmp_path, content, said):
     path = tmp_path / "all.zip"
     if content is not None:
         path.write_bytes(content)
-    with pytest.raises(BadInput, match=said):
+    with pytest.raises(InputError, match=said):
         collect(path, "hw1", tmp_path / "submitted")
-    with pytest.raises(BadInput, match="cannot be the name of a homework"):
+    with pytest.raises(InputError, match="cannot be the name of a homework"):
         collect(path, "../hw1", tmp_path / "submitted")
-    with pytest.raises(BadInput, match="no file that is named as Moodle or Canvas"):
+    with pytest.raises(InputError, match="no file that is named as Moodle or Canvas"):
         collect(download(tmp_path, {"ch1-p15.ipynb": 1}, False), "hw1", tmp_path / "submitted")
 
 

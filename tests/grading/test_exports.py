@@ -14,7 +14,7 @@ from classroom import graded
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading import canvas, exporting
-from workbook.grading.assignment import BadInput
+from workbook.grading.assignment import InputError
 from workbook.grading.canvas import Roster
 from workbook.grading.record import Change
 from workbook.grading.scores import scores
@@ -94,7 +94,7 @@ def test_moodle_csv(small, homework):
     )
 
 
-def test_moodle_knows_students_by_their_addresses(store, homework):
+def test_moodle_csv_with_addresses(store, homework):
     for name in ("ann@uni.example", "bob@uni.example"):
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": WRONG})
     assert rows(exporting.moodle_csv(homework, scores(store, homework)))[0][0] == "Email address"
@@ -167,14 +167,14 @@ def test_canvas_csv_makes_a_new_column(small, homework):
     "column, names",
     [("ID", ["101", "102"]), ("SIS User ID", ["u1", "u2"]), ("SIS Login ID", ["ann", "bob"])],
 )
-def test_canvas_students_are_known_by_whichever_id_fits(store, homework, column, names):
+def test_canvas_students_are_matched_by_the_id_that_fits_most(store, homework, column, names):
     for name in names:
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
     text, strangers = canvas.canvas_csv(homework, scores(store, homework), Roster(ROSTER))
     assert [row[5] for row in rows(text)][2:4] == ["5.00", "5.00"] and strangers == []
 
 
-def test_an_id_of_one_kind_is_not_taken_for_another(store, homework):
+def test_ids_of_different_kinds_are_not_mixed(store, homework):
     """102 is Bob's number in Canvas and, in the university, Ann's: the whole class goes by one of
     the two."""
     roster = ROSTER.replace("101,u1", "101,102").replace("102,u2", "102,103")
@@ -186,30 +186,30 @@ def test_an_id_of_one_kind_is_not_taken_for_another(store, homework):
     assert [row[5] for row in rows(text)][2:5] == ["5.00", "5.00", "EX"]
 
 
-def test_canvas_roster_with_semicolons_stays_so(small, homework):
+def test_a_canvas_roster_with_semicolons_keeps_them(small, homework):
     roster = 'Student;ID;Section\n    Points Possible;;\n"Able; Ann";ann;A\n'
     text, _ = canvas.canvas_csv(homework, small, Roster(roster))
     assert rows(text, ";")[2] == ["Able; Ann", "ann", "A", "7.00"]
 
 
 @pytest.mark.parametrize("text", ["", "name,grade\nann,1\n", "Student,ID\n", "Student\n", "{}"])
-def test_what_is_no_roster(text):
-    with pytest.raises(BadInput, match="not a gradebook exported from Canvas"):
+def test_files_that_are_no_roster(text):
+    with pytest.raises(InputError, match="not a gradebook exported from Canvas"):
         Roster(text)
 
 
 def test_a_roster_that_cannot_be_read(tmp_path):
-    with pytest.raises(BadInput, match="No such file"):
+    with pytest.raises(InputError, match="No such file"):
         canvas.read_roster(tmp_path / "canvas.csv")
     (tmp_path / "canvas.csv").write_bytes(b"Student,ID,Section\nZo\xeb,1,A\n")
-    with pytest.raises(BadInput, match="not CSV in UTF-8"):
+    with pytest.raises(InputError, match="not CSV in UTF-8"):
         canvas.read_roster(tmp_path / "canvas.csv")
 
 
 # Awkward names
 
 
-def test_identifiers_go_back_to_other_systems_as_they_came(store, homework):
+def test_identifiers_are_unchanged_for_other_systems(store, homework):
     found = awkward(store, homework)
     assert sorted(row[0] for row in rows(exporting.moodle_csv(homework, found))[1:]) == sorted(
         AWKWARD
@@ -231,7 +231,7 @@ def test_identifiers_go_back_to_other_systems_as_they_came(store, homework):
     assert {row[4] for row in rows(text)[2:]} == {"2.50"}
 
 
-def test_no_table_for_people_begins_a_cell_like_a_formula(store, homework):
+def test_no_cell_for_people_is_a_formula(store, homework):
     found = awkward(store, homework)
     change = [
         Change("now", name, "1.17", "a_region", "wrong", "right", 0.0, 1.0, "graded again")

@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook
 
 from workbook.grading import submissions
-from workbook.grading.grader import Bench, _lacking
+from workbook.grading.grader import Grader, _missing_data_cells
 from workbook.grading.preloading import ALWAYS
 from workbook.grading.sandbox import Limits
 from workbook.notebooks import exercises
@@ -25,8 +25,8 @@ NAMES = list(EXERCISE.about["answers"])
 
 
 @pytest.fixture(scope="module")
-def bench():
-    with Bench(Limits(cpu_seconds=20, wall_seconds=200)) as ready:
+def grader():
+    with Grader(Limits(cpu_seconds=20, wall_seconds=200)) as ready:
         yield ready
 
 
@@ -49,14 +49,14 @@ def by_tag(given, tag):
     return [cell for cell in given["cells"] if cell["metadata"].get("tags") == [tag]]
 
 
-def graded(bench, given, folder, name="ch1-p15.ipynb"):
+def graded(grader, given, folder, name="ch1-p15.ipynb"):
     """Judgement on a notebook, by way of a file as it is submitted; `given` may be bytes."""
     path = folder / "submitted" / "ada" / "hw" / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(given if isinstance(given, bytes) else json.dumps(given).encode())
     (found,) = submissions.find(folder / "submitted")
     assert found.trouble == "" and found.problem == "1.15"
-    return bench.grade({"problem": "1.15", "sources": EXERCISE.to_run(found.cells)})
+    return grader.grade({"problem": "1.15", "sources": EXERCISE.to_run(found.cells)})
 
 
 def full_marks(result):
@@ -291,10 +291,10 @@ CHANGES = [
 @pytest.mark.parametrize(
     "change", CHANGES, ids=lambda change: change.__name__.replace("\n", "; ")[:60]
 )
-def test_costs_nothing(bench, tmp_path, change):
+def test_harmless_edits_of_a_notebook_cost_nothing(grader, tmp_path, change):
     given = answered()
     change(given)
-    result = graded(bench, given, tmp_path)
+    result = graded(grader, given, tmp_path)
     assert full_marks(result), result
     assert all(remark.startswith("notebook: ") for remark in result["remarks"])
 
@@ -302,14 +302,14 @@ def test_costs_nothing(bench, tmp_path, change):
 @pytest.mark.parametrize(
     "name", ["1.15.ipynb", "ch1-p15 (copy 2).ipynb", "1_15-final.ipynb", "ch1-p15.IPYNB"]
 )
-def test_names_cost_nothing(bench, tmp_path, name):
+def test_names_of_files_cost_nothing(grader, tmp_path, name):
     given = answered()
     tags_and_metadata_lost(given)
-    assert full_marks(graded(bench, given, tmp_path, name))
+    assert full_marks(graded(grader, given, tmp_path, name))
 
 
-def test_a_byte_order_mark_costs_nothing(bench, tmp_path):
-    assert full_marks(graded(bench, b"\xef\xbb\xbf" + json.dumps(answered()).encode(), tmp_path))
+def test_a_byte_order_mark_costs_nothing(grader, tmp_path):
+    assert full_marks(graded(grader, b"\xef\xbb\xbf" + json.dumps(answered()).encode(), tmp_path))
 
 
 FORMS = {
@@ -326,14 +326,14 @@ FORMS = {
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_other_forms_cost_nothing(bench, tmp_path, form):
-    result = graded(bench, notebook("1.15", RIGHT_1_15 | {"a_region": FORMS[form]}), tmp_path)
+def test_other_forms_cost_nothing(grader, tmp_path, form):
+    result = graded(grader, notebook("1.15", RIGHT_1_15 | {"a_region": FORMS[form]}), tmp_path)
     assert full_marks(result), result["verdicts"]["a_region"]
 
 
-def test_one_bad_answer_costs_itself(bench, tmp_path):
+def test_a_bad_answer_costs_only_itself(grader, tmp_path):
     result = graded(
-        bench, notebook("1.15", RIGHT_1_15 | {"b_region": "1/0", "c_region": "object()"}), tmp_path
+        grader, notebook("1.15", RIGHT_1_15 | {"b_region": "1/0", "c_region": "object()"}), tmp_path
     )
     assert {name: verdict["status"] for name, verdict in result["verdicts"].items()} == {
         "a_region": "right",
@@ -347,20 +347,20 @@ def test_one_bad_answer_costs_itself(bench, tmp_path):
     )
 
 
-def test_a_verdict_in_the_sandbox_is_no_error(bench, tmp_path):
+def test_a_check_cell_that_raises_its_verdict_is_no_error(grader, tmp_path):
     """A check cell that was changed runs with the notebook; that its answers are not right yet is
     said once, by the judge."""
     given = notebook("1.15", {"a_region": "k1 > 0"})
     for cell in by_tag(given, "check"):
         cell["source"] = "".join(cell["source"]) + "  # mine"
-    assert graded(bench, given, tmp_path)["remarks"] == ()
+    assert graded(grader, given, tmp_path)["remarks"] == ()
 
 
-def test_a_later_answer_counts(bench, tmp_path):
+def test_a_later_answer_counts(grader, tmp_path):
     """The last assignment that is no stub."""
     given = notebook("1.15", RIGHT_1_15 | {"a_region": "k1 > 5"})
     given["cells"] += [code(f"a_region = {RIGHT_1_15['a_region']}"), code("a_region = ...")]
-    assert full_marks(graded(bench, given, tmp_path))
+    assert full_marks(graded(grader, given, tmp_path))
 
 
 def _keep_busy():
@@ -383,12 +383,12 @@ def test_a_slow_machine_costs_nothing(tmp_path):
         multiprocessing.get_context("fork").Process(target=_keep_busy, daemon=True)
         for _ in range(6)
     ]
-    with Bench(Limits(cpu_seconds=seconds, wall_seconds=60), modules=ALWAYS) as bench:
+    with Grader(Limits(cpu_seconds=seconds, wall_seconds=60), modules=ALWAYS) as grader:
         for other in others:
             other.start()
         try:
             began = time.monotonic()
-            result = graded(bench, given, tmp_path)
+            result = graded(grader, given, tmp_path)
         finally:
             for other in others:
                 other.kill()
@@ -397,7 +397,7 @@ def test_a_slow_machine_costs_nothing(tmp_path):
     assert time.monotonic() - began > 0.5 * seconds
 
 
-def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_not():
+def test_data_cells_run_first_and_once():
     (data,) = [source for _, source in EXERCISE.code("data")]
     handed_out = [source for _, source in EXERCISE.cells]
     assert handed_out[0] != data, "a cell that says how to get the library stands first"
@@ -408,7 +408,7 @@ def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_
         [data + "\n"],
         [data, data],
     ):
-        assert _lacking(EXERCISE, begins_with_them) == []
+        assert _missing_data_cells(EXERCISE, begins_with_them) == []
     for lacks in (
         [],
         ["a_region = k1 > 0"],
@@ -418,4 +418,4 @@ def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_
         ["pass", data],
         handed_out[:1],
     ):
-        assert _lacking(EXERCISE, lacks) == [data.strip()]
+        assert _missing_data_cells(EXERCISE, lacks) == [data.strip()]

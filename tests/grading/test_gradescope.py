@@ -58,7 +58,7 @@ def archive(tmp_path_factory):
 # The bundle
 
 
-def test_what_the_bundle_holds(archive):
+def test_contents_of_the_bundle(archive):
     with zipfile.ZipFile(archive) as bundled:
         assert sorted(bundled.namelist()) == sorted(
             [
@@ -123,7 +123,7 @@ def test_the_same_homework_makes_the_same_bundle(archive, tmp_path):
     assert (tmp_path / "again.zip").read_bytes() == archive.read_bytes()
 
 
-def test_what_no_bundle_can_be_made_of(archive, tmp_path):
+def test_errors_of_making_a_bundle(archive, tmp_path):
     with pytest.raises(AssignmentError, match="No such file"):
         bundle.make(archive.parent / "assignments", "hw2", tmp_path / "bundle.zip")
     with pytest.raises(AssignmentError, match="takes a .zip"):
@@ -189,7 +189,7 @@ def test_earlier_submissions_are_those_that_were_graded(tmp_path):
     assert autograder._earlier(tmp_path / "nowhere") == []
 
 
-def test_all_notebooks_together_are_done_before_gradescope_loses_patience():
+def test_the_limits_of_all_notebooks_fit_gradescopes_timeout():
     for count in (0, 1, 3, 10):
         limits, bounds = autograder._shares(count)
         # Judging at most: the whole notebook three times its bound on the clock; answers alone are
@@ -468,7 +468,7 @@ def test_an_earlier_better_attempt_counts(container):
     )
 
 
-def test_nothing_that_can_be_graded(container):
+def test_a_submission_without_a_notebook(container):
     container.submit("report.txt", "my report")
     container.submit("ch1-p15.ipynb", "no notebook")
     (container.root / "submission" / "ch1-p17.ipynb").symlink_to(
@@ -486,7 +486,7 @@ def test_nothing_that_can_be_graded(container):
 
 
 @pytest.mark.parametrize("breaks", ["assignment.toml", "wheel", "user"])
-def test_a_crash_of_ours_leaves_a_result_all_the_same(container, breaks):
+def test_a_crash_of_the_grader_leaves_a_result(container, breaks):
     container.submit("ch1-p15.ipynb", notebook("1.15", RIGHT_1_15))
     (container.root / "results" / "results.json").write_text('{"score": 100}')
     if breaks == "assignment.toml":
@@ -562,7 +562,7 @@ def with_cell(problem, answers, source):
     return submitted
 
 
-def test_what_a_notebook_cannot_do(container, port):
+def test_hostile_notebooks_fail(container, port):
     cell = ATTEMPTS.replace("PORT", str(port))
     (container.root / "results" / "results.json").write_text("{}")
     unguarded = container.run(
@@ -602,7 +602,7 @@ def test_a_notebook_that_ends_itself_costs_only_itself(container, cell):
     )
 
 
-def test_what_a_notebook_leaves_running_ends_with_it(container):
+def test_processes_of_a_notebook_end_with_it(container):
     daemon = (
         "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        "
         "time.sleep(600)\n    os._exit(0)\n"

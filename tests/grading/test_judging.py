@@ -55,7 +55,7 @@ def test_right_and_wrong():
     assert found.final == FINAL and found.remarks == () and found.answers["b_region"] == "k1 > 0"
 
 
-def test_a_variable_that_was_renamed_is_told_apart_from_a_stub():
+def test_a_renamed_variable_is_distinguished_from_a_stub():
     found = judged(handed_over({"b_region": ..., "c_region": sp.true}))
     assert statuses(found)["a_region"] == statuses(found)["b_region"] == "missing"
     assert (
@@ -69,7 +69,7 @@ def test_a_variable_that_was_renamed_is_told_apart_from_a_stub():
     )
 
 
-def test_answers_are_known_by_the_whole_of_them():
+def test_hashes_are_of_whole_answers():
     """Their texts are cut; two that differ beyond have other hashes, the same ones have the same,
     also when each is judged alone."""
     long = [sp.And(*(k1 > k for k in range(200)), k2 > last) for last in (1, 2)]
@@ -89,7 +89,7 @@ def test_answers_are_known_by_the_whole_of_them():
 # Only the check's own verdict counts
 
 
-def test_nothing_but_the_named_answers_reaches_the_checks():
+def test_only_the_named_answers_reach_the_checks():
     """Values under the names of the data would make a wrong answer right: the region of another
     polynomial."""
     claim = {"a_region": (k1 > 0) & (k2 > 0)}
@@ -139,7 +139,7 @@ def test_without_a_check_nothing_is_right():
 # Nothing of the student's runs
 
 
-def test_the_watch_sees_what_it_looks_for():
+def test_the_audit_hook_detects_forbidden_calls():
     assert in_child(_what_a_watch_sees, timeout=60) == [
         "compile of foreign text",
         "open",
@@ -272,7 +272,7 @@ def _fuzz(count):
     watch = Watch()
     for k, message in enumerate(_mutations(count)):
         try:
-            encoded, unreadable, remarks, stopped = judging._read(message, NAMES)
+            encoded, unreadable, remarks, stopped = judging._parse(message, NAMES)
             # Those of one answer suffice: checks are slow, bytes are many.
             chosen = [name for name in NAMES if name in encoded or name in unreadable][:1] or NAMES[
                 :1
@@ -281,7 +281,7 @@ def _fuzz(count):
                 [cells[0], cells[1 + NAMES.index(chosen[0])]], encoded, unreadable, chosen
             )
             given = decoded(encoded, unreadable, NAMES)
-            described = {name: judging._described(given[name]) for name in encoded}
+            described = {name: judging._short_text(given[name]) for name in encoded}
             json.dumps([verdicts, described, remarks, stopped], ensure_ascii=False).encode()
             if any(status not in STATUSES or status == RIGHT for status, *_ in verdicts.values()):
                 found.append(f"{k}: {verdicts} for {message[:300]!r}")
@@ -311,7 +311,7 @@ def _fuzz(count):
         ("failed", b"gone \xff\x1b", UNCHECKED, "grader", NOT_FINAL),
     ],
 )
-def test_without_answers(ended, message, status, whose, final):
+def test_remarks_on_a_notebook_without_answers(ended, message, status, whose, final):
     found = judge(EXERCISE, Outcome(ended, message))
     assert statuses(found) == dict.fromkeys(NAMES, status) and found.final == final
     (remark,) = found.remarks
@@ -347,10 +347,10 @@ def _tower(value):
 @pytest.mark.parametrize(
     "huge", [_tower(k1**99), sp.sin(_tower(k1**99)), 2 ** (3 ** (5 ** (7**k1)))], ids=str
 )
-def test_a_tower_is_refused_by_its_size_before_anything_is_computed_with_it(huge):
+def test_a_tower_of_powers_is_refused_before_it_is_computed(huge):
     """A condition, and an expression in another exercise."""
     fuel = exercises.find("5.25")
-    before = judging._computed_by_children()
+    before = judging._cpu_seconds_of_children()
     for exercise, answers in (
         (EXERCISE, dict.fromkeys(NAMES, huge > k2)),
         (fuel, {"cost": huge.subs(k1, sp.Symbol("a"))}),
@@ -362,18 +362,18 @@ def test_a_tower_is_refused_by_its_size_before_anything_is_computed_with_it(huge
         assert all(
             "grows too fast to be computed with" in found.verdicts[name].message for name in answers
         )
-    assert judging._computed_by_children() - before < 6
+    assert judging._cpu_seconds_of_children() - before < 6
 
 
-def test_a_notebook_full_of_them_costs_no_more_than_its_time():
-    before = judging._computed_by_children()
+def test_a_notebook_full_of_exploding_answers_is_bounded_in_time():
+    before = judging._cpu_seconds_of_children()
     found = judged(
         handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=8, answer_seconds=6)
     )
     assert statuses(found) == dict.fromkeys(NAMES, UNCHECKED) and found.final == WITHIN_LIMITS
     assert all("took longer than" in verdict.message for verdict in found.verdicts.values())
     # The kernel counts in whole seconds, once for all answers and once for each alone.
-    assert judging._computed_by_children() - before < 8 + 2 * (1 + len(NAMES))
+    assert judging._cpu_seconds_of_children() - before < 8 + 2 * (1 + len(NAMES))
     # Where less than a second is left for the answers one by one, none of them is begun.
     found = judged(handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=1.5))
     assert {verdict.message.partition(";")[0] for verdict in found.verdicts.values()} == {
@@ -386,7 +386,7 @@ def test_memory_of_the_judge_is_limited():
     assert found in (["MemoryError"], ["RuntimeError"])
 
 
-def test_what_is_loaded_takes_nothing_from_the_judges_memory():
+def test_loaded_libraries_do_not_count_as_the_judges_memory():
     """On a small machine with many cores little is allowed, and all of it is there for the
     answers."""
     assert in_child(_with_little_memory, 200, 256, timeout=60) == ["nothing"]
@@ -407,22 +407,22 @@ def _with_little_memory(taken, allowed):
 LEFT_ALONE = """
 import os, sys, time
 from workbook.notebooks import exercises
-from workbook.grading import isolation, judging
-real, grader = isolation.system_call, os.getpid()
-def late(*given):
+from workbook.grading import judging, system_calls
+system_call, grader = system_calls.system_call, os.getpid()
+def late_system_call(*arguments):
     # The parent ends before this process can ask to end with it.
     while os.getppid() == grader:
         time.sleep(0.01)
-    real(*given)
-isolation.system_call = late
-judging.Judge().get_ready(exercises.find("1.15"))
+    system_call(*arguments)
+system_calls.system_call = late_system_call
+judging.Judge().prepare(exercises.find("1.15"))
 (child,) = judging.multiprocessing.active_children()
 print(child.pid, flush=True)
 os._exit(0)
 """
 
 
-def test_a_judge_whose_grader_dies_at_once_ends_too():
+def test_a_judge_ends_when_its_grader_dies_at_once():
     done = subprocess.run(
         [sys.executable, "-c", LEFT_ALONE],
         stdout=subprocess.PIPE,
@@ -438,9 +438,9 @@ def test_a_judge_whose_grader_dies_at_once_ends_too():
         raise AssertionError("it waits for ever")
 
 
-def test_a_judge_sees_that_nothing_will_come():
+def test_a_judge_ends_when_its_pipe_closes():
     """It holds no end of its own pipe by which something could."""
-    process = judging._Process(EXERCISE.code("data", "check"))
+    process = judging._JudgingProcess(EXERCISE.code("data", "check"))
     try:
         process._sender.close()
         with pytest.raises(RuntimeError):
@@ -477,7 +477,7 @@ def like(text):
     return exercises.Exercise(EXERCISE.path, EXERCISE.about, tuple(cells))
 
 
-def test_no_verdict_depends_on_what_was_judged_before(same):
+def test_no_verdict_depends_on_earlier_ones(same):
     """Of several problems, right and wrong, odd and hostile, in both orders: each as by a judge
     that has judged nothing."""
     five = exercises.find("5.22")
@@ -503,34 +503,34 @@ def test_no_verdict_depends_on_what_was_judged_before(same):
     for order in (notebooks, notebooks[::-1]):
         found = {}
         for exercise, message in order:
-            same.get_ready(exercise)
-            found[exercise.number, message] = same.of(exercise, Outcome("done", message))
+            same.prepare(exercise)
+            found[exercise.number, message] = same.judge(exercise, Outcome("done", message))
         assert [found[exercise.number, message] for exercise, message in notebooks] == alone
 
 
-def test_one_process_judges_many_and_none_after_something_unusual(same):
-    same.get_ready(EXERCISE)
+def test_one_process_judges_many_until_something_unusual(same):
+    same.prepare(EXERCISE)
     first = process_of(same)
     for answers in (RIGHT_ANSWERS, WRONG_ANSWERS, {}):
-        same.of(EXERCISE, Outcome("done", handed_over(answers)))
+        same.judge(EXERCISE, Outcome("done", handed_over(answers)))
         assert process_of(same) == first
-    assert statuses(same.of(EXERCISE, Outcome("time", b""))) == dict.fromkeys(NAMES, MISSING)
+    assert statuses(same.judge(EXERCISE, Outcome("time", b""))) == dict.fromkeys(NAMES, MISSING)
     assert process_of(same) == first
-    same.of(EXERCISE, Outcome("done", handed_over({"a_region": EXPLOSIVE})))
+    same.judge(EXERCISE, Outcome("done", handed_over({"a_region": EXPLOSIVE})))
     assert process_of(same) is None
-    same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
     assert process_of(same) not in (first, None)
 
 
 def test_a_judge_that_was_killed_meanwhile_harms_no_notebook(same):
-    same.get_ready(EXERCISE)
-    same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    same.prepare(EXERCISE)
+    same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
     os.kill(process_of(same), 9)
-    found = same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    found = same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
     assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
 
 
-def test_what_a_process_fails_on_after_others_is_judged_by_a_fresh_one(same):
+def test_a_failure_is_judged_again_by_a_fresh_process(same):
     """If our own check fails there for what the process has become, nobody is told to wait for a
     lecturer."""
     for text in (
@@ -539,11 +539,11 @@ def test_what_a_process_fails_on_after_others_is_judged_by_a_fresh_one(same):
     ):
         once_a_process = like(text)
         for _ in range(3):
-            found = same.of(once_a_process, Outcome("done", handed_over(RIGHT_ANSWERS)))
+            found = same.judge(once_a_process, Outcome("done", handed_over(RIGHT_ANSWERS)))
             assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
 
 
-def test_bounds_are_each_notebooks_own():
+def test_bounds_apply_to_each_notebook_by_itself():
     """What was computed and held for others takes nothing from them; a process that holds too much
     judges no more."""
     slow = like(
@@ -551,16 +551,16 @@ def test_bounds_are_each_notebooks_own():
     )
     same, processes = Judge(Bounds(seconds=4, answer_seconds=2)), set()
     for _ in range(16):
-        found = same.of(slow, Outcome("done", handed_over(RIGHT_ANSWERS)))
+        found = same.judge(slow, Outcome("done", handed_over(RIGHT_ANSWERS)))
         assert statuses(found) == dict.fromkeys(NAMES, RIGHT)
         processes.add(process_of(same))
     assert len(processes) == 1, "four seconds in one process, two for each notebook"
-    holding = like(f"import builtins\nbuiltins.held = bytearray({judging.WORN})")
-    same.of(holding, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    holding = like(f"import builtins\nbuiltins.held = bytearray({judging.MAX_GROWTH})")
+    same.judge(holding, Outcome("done", handed_over(RIGHT_ANSWERS)))
     assert process_of(same) is None
 
 
-def test_chance_is_the_same_for_all(same):
+def test_random_numbers_are_the_same_for_all(same):
     """Of whatever library: an answer that is tried at random places is tried at the same ones."""
     lucky = like(
         "import random, sympy.core.random\nimport numpy as np\nfirst = random.Random(0).random()\n"
@@ -569,12 +569,12 @@ def test_chance_is_the_same_for_all(same):
     )
     for _ in range(3):
         assert statuses(
-            same.of(lucky, Outcome("done", handed_over(RIGHT_ANSWERS)))
+            same.judge(lucky, Outcome("done", handed_over(RIGHT_ANSWERS)))
         ) == dict.fromkeys(NAMES, RIGHT)
         assert not same._process.fresh
 
 
-def test_formulas_that_sympy_knows_are_forgotten():
+def test_sympys_cache_is_cleared():
     assert in_child(_remembered, timeout=60) == [True, False]
 
 
@@ -586,30 +586,30 @@ def _remembered():
 
     sp.expand((k1 + k2) ** 3)
     before = known()
-    judging._forget()
+    judging._reset()
     return [before, known()]
 
 
-HOW_A_BENCH_ENDS = """
-from workbook.grading.grader import Bench
+HOW_A_GRADER_ENDS = """
+from workbook.grading.grader import Grader
 from workbook.grading.preloading import ALWAYS
-with Bench(modules=ALWAYS) as bench:
-    graded = bench.grade({"problem": "1.15", "sources": ["a_region = 1"]})
-    worker = bench._sandbox._worker
+with Grader(modules=ALWAYS) as grader:
+    graded = grader.grade({"problem": "1.15", "sources": ["a_region = 1"]})
+    worker = grader._sandbox._worker
 print(graded["verdicts"]["a_region"]["status"], worker.returncode >= 0)
 """
 
 
-def test_nothing_waits_for_the_judge_to_end():
-    """It was forked with all that its parent held, also with that by which the sandbox's process is
-    told to end: this ends by itself, and is not killed after a second."""
+def test_a_grader_does_not_wait_for_the_judge_to_end():
+    """It inherited the sandbox's control socket, at whose closing the notebook worker exits: this
+    one exits by itself, and is not killed after a second."""
     done = subprocess.run(
-        [sys.executable, "-c", HOW_A_BENCH_ENDS], capture_output=True, text=True, timeout=120
+        [sys.executable, "-c", HOW_A_GRADER_ENDS], capture_output=True, text=True, timeout=120
     )
     assert done.stdout == f"{INVALID} True\n", done.stdout + done.stderr
 
 
-def test_a_failing_check_is_the_graders_affair(monkeypatch):
+def test_a_failing_check_gives_unchecked(monkeypatch):
     """Nothing of ours that fails makes an answer wrong."""
     broken = exercises.Exercise(
         EXERCISE.path,
@@ -637,7 +637,7 @@ def test_a_matrix_is_shown_in_one_line():
     assert found.answers["c_region"] == "'a\\nb'"
 
 
-def test_foreign_words_are_fit_to_be_shown():
+def test_texts_of_a_notebook_are_sanitised():
     found = judged(
         handed_over(
             {},

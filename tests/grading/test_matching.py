@@ -48,7 +48,7 @@ def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
         answer == meant
         if meant
         else answer
-        == submissions.Aside(
+        == submissions.LeftAside(
             one.path,
             "it is for problem 1.17, which this homework does not ask for",
             "ann",
@@ -58,7 +58,7 @@ def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
     )
 
 
-def test_on_gradescope_too(tmp_path):
+def test_a_homework_of_one_problem_on_gradescope(tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
     stray = hand_in(tmp_path, "ann", "1.17", {})
     (tmp_path / "scratch").mkdir()
@@ -70,7 +70,7 @@ def test_on_gradescope_too(tmp_path):
     )
 
 
-def test_a_file_that_gradescope_cannot_read_is_named(tmp_path, monkeypatch):
+def test_a_file_that_cannot_be_read_on_gradescope_is_reported(tmp_path, monkeypatch):
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
     path = hand_in(tmp_path, "ann", "1.15", {})
     (tmp_path / "scratch").mkdir()
@@ -127,9 +127,9 @@ def hands_in(folder, **problems):
         ({"ann": ["1.4"], "bob": ["1.15"], "cid": ["1.17"]}, ("1.4", "1.15", "1.17"), []),
     ],
 )
-def test_a_stray_in_a_homework_without_a_file(tmp_path, problems, asked, alone):
+def test_a_problem_of_one_student_in_a_homework_without_a_file(tmp_path, problems, asked, alone):
     hands_in(tmp_path, **problems)
-    homework, whys = matching.unwritten("hw1", found(tmp_path))
+    homework, whys = matching.infer_homework("hw1", found(tmp_path))
     assert homework.problems == asked and list(whys) == alone
     for why in whys.values():
         assert why == (

@@ -126,7 +126,7 @@ def outliving(processes, patience=5):
 
 
 @pytest.mark.slow
-def test_killed_and_started_again(tmp_path):
+def test_a_killed_run_continues(tmp_path):
     submit_a_course(tmp_path)
     whole = tmp_path / "whole"
     began = time.monotonic()
@@ -179,7 +179,7 @@ def wait_for_a_moment(process, out, before, lasted, chance):
     time.sleep(chance.uniform(0, 0.05))
 
 
-def test_interrupted(tmp_path):
+def test_an_interrupted_run_continues(tmp_path):
     submit_a_course(tmp_path)
     out = tmp_path / "graded"
     process = start(tmp_path, out)

@@ -24,7 +24,7 @@ from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED,
 from workbook.grading import assignment as assignments
 from workbook.grading import judging
 from workbook.grading.feedback import feedback
-from workbook.grading.grader import as_plain, from_plain
+from workbook.grading.grader import to_plain, from_plain
 from workbook.grading.sandbox import Outcome
 from workbook.grading.scores import of_student, scores
 from workbook.grading.store import Attempt
@@ -61,7 +61,7 @@ def section(page, answer):
 # Feedback
 
 
-def test_feedback_says_what_held_and_what_did_not(store, homework):
+def test_feedback_has_all_verdicts(store, homework):
     graded(
         store,
         "ann",
@@ -84,7 +84,7 @@ def test_feedback_says_what_held_and_what_did_not(store, homework):
     assert "Nothing was submitted for this problem." in page.split("1.17")[1]
 
 
-def test_hints_are_folded_to_what_is_not_right_yet_and_the_same_as_in_the_notebook(store, homework):
+def test_hints_are_those_of_the_notebook_and_folded(store, homework):
     hints = exercises.find("1.15").about["hints"]["a_region"]
     assert len(hints) == 2
     graded(store, "ann", "1.15", FIVE | {"a_region": WRONG})
@@ -117,7 +117,7 @@ def test_feedback_links_to_the_theory_and_never_to_a_solution(store, homework):
     )
 
 
-def test_feedback_says_late_and_how_often(store, homework):
+def test_feedback_has_lateness_and_number_of_attempts(store, homework):
     graded(store, "ann", "1.15", FIVE, submitted=DUE + 1)
     assert "Handed in after the due date." in shown(feedback(homework, scores(store, homework)[0]))
     graded(store, "ann", "1.15", FIVE, submitted=DUE - 1)
@@ -128,7 +128,7 @@ def test_feedback_says_late_and_how_often(store, homework):
     )
 
 
-def test_whose_fault_it_was_is_said(store, homework):
+def test_remarks_name_whose_fault_it_was(store, homework):
     attempt = store.note_attempt("ann", "hw1", "1.17", "x", 0.0)
     remark = "limits: the notebook was still running when its time was up"
     store.record(
@@ -139,7 +139,7 @@ def test_whose_fault_it_was_is_said(store, homework):
     )
 
 
-def test_nothing_foreign_becomes_markup(store, homework):
+def test_foreign_text_is_escaped(store, homework):
     for name in (HOSTILE, HOSTILE + "2"):
         attempt = store.note_attempt(name, "hw1", "1.17", name, DUE + 9)
         store.record(
@@ -218,7 +218,7 @@ def page_of(number, verdicts, texts=None):
 
 
 @pytest.mark.parametrize("number", [exercise.number for exercise in exercises.read_all()])
-def test_no_line_of_the_solution_stands_on_a_page_with_all_hints(number):
+def test_no_line_of_a_solution_is_on_a_page_with_all_hints(number):
     master = read(ROOT / "solutions" / master_file(number))
     page = page_of(number, {name: Verdict(MISSING, "not answered yet") for name in master.answers})
     assert all(
@@ -241,7 +241,7 @@ def at_the_ends():
 
 
 @pytest.mark.parametrize("number", at_the_ends())
-def test_what_the_checks_say_of_wrong_answers_gives_nothing_away(number):
+def test_messages_on_wrong_answers_give_nothing_away(number):
     master, exercise = read(ROOT / "solutions" / master_file(number)), exercises.find(number)
     reference = run_notebook(master.code("data", "answer"), master.answers)
     wrong = [trial.source for trial in master.trials["wrong"]]
@@ -316,7 +316,7 @@ def test_summary(store, homework):
     )
 
 
-def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(store, homework):
+def test_named_mistakes_are_on_both_pages(store, homework):
     for student, answers in {
         "ann": {"a_region": [K2 > 0, K1 > 0]},
         "bob": {"a_region": (K2 > 0) & (0 < K1)},
@@ -335,7 +335,7 @@ def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(sto
         store.record(
             attempt,
             "e",
-            from_plain(json.loads(json.dumps(as_plain(judged)))).verdicts,
+            from_plain(json.loads(json.dumps(to_plain(judged)))).verdicts,
             judged.answers,
             [],
         )
@@ -362,7 +362,7 @@ def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(sto
     assert divided.split("\n")[0] in shown(second) and "dan" in second
 
 
-def test_answers_that_only_look_alike_are_not_identical(store, homework):
+def test_answers_with_equal_short_texts_are_not_identical(store, homework):
     """A text is cut, and leaves out the middle of an array: who was charged with copying must have
     given the very same."""
     for k, student in enumerate(["ann", "bob", "cid"]):
@@ -384,7 +384,7 @@ def test_answers_that_only_look_alike_are_not_identical(store, homework):
     )
 
 
-def test_the_distribution_has_everybody_in_it(store, tmp_path):
+def test_the_histogram_has_all_students(store, tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.17"]')
     for k, (a, b) in enumerate([(RIGHT, RIGHT), (RIGHT, WRONG), (WRONG, RIGHT), (WRONG, WRONG)]):
         graded(store, f"s{k}", "1.17", {"a_region": a, "b_region": b})
@@ -395,7 +395,7 @@ def test_the_distribution_has_everybody_in_it(store, tmp_path):
     ) == [("1", ""), ("2", ""), ("", "1")]
 
 
-def test_a_summary_of_nobody_and_of_nothing_worth_points(store, tmp_path):
+def test_a_summary_without_students_or_points(store, tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.17"]\n[points]\n"1.17" = 0')
     assert "0 of 1 student handed something in" in summary(
         homework, scores(store, homework, ["dan"])
@@ -439,7 +439,7 @@ def driver(tmp_path_factory):
 
 @pytest.mark.parametrize("width", [1280, 390])
 @pytest.mark.parametrize("theme, dark", [("light", False), ("dark", True)])
-def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, theme, dark):
+def test_pages_fit_and_are_readable(driver, store, homework, tmp_path, width, theme, dark):
     long = "(0 < k1) & (k1 < 1" + "0" * 280 + ")"
     for student in ("O'Neill, Zoë", "محمد", "x" * 200):
         graded(store, student, "1.15", FIVE, submitted=DUE + 1, texts=dict.fromkeys(FIVE, long))

@@ -23,7 +23,7 @@ from hostile.reading import READING
 from workbook.grading import framing, isolation, watchdog
 from workbook.grading import sandbox as sandbox_module
 from workbook.grading.preloading import ALWAYS
-from workbook.grading.sandbox import Limits, Outcome, Sandbox, Trusting
+from workbook.grading.sandbox import Limits, Outcome, Sandbox, Unsandboxed
 
 ROOT = Path(__file__).resolve().parents[2]
 TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
@@ -35,9 +35,9 @@ PATIENT = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
 lean = partial(Sandbox, modules=ALWAYS)
 
 
-@pytest.fixture(scope="module", params=["nested", "once"])
+@pytest.fixture(scope="module", params=["nested", "single-use"])
 def sandbox(request):
-    with lean(TIGHT, once=request.param == "once") as ready:
+    with lean(TIGHT, single_use=request.param == "single-use") as ready:
         yield ready
 
 
@@ -70,9 +70,9 @@ b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), 
 """
 
 
-@pytest.mark.parametrize("once", [False, True], ids=["nested", "once"])
-def test_sees_both_packages_and_nothing_else_of_ours(once):
-    with lean(PATIENT, once) as sandbox:  # looking through everything takes a while
+@pytest.mark.parametrize("single_use", [False, True], ids=["nested", "single-use"])
+def test_only_the_two_packages_are_visible(single_use):
+    with lean(PATIENT, single_use) as sandbox:  # looking through everything takes a while
         found = answers(run(sandbox, LOOK, names=("a", "b")))
     assert found["a"] and all(
         path.startswith((f"{isolation.PACKAGE}/", f"{isolation.LIBRARY}/"))
@@ -97,7 +97,7 @@ def test_sees_both_packages_and_nothing_else_of_ours(once):
 
 
 @pytest.mark.parametrize("layout", ["wheel", "checkout among packages"])
-def test_sees_no_exercise_whatever_the_installation(layout):
+def test_no_exercise_is_visible_in_any_installation(layout):
     """From a wheel the exercises lie inside the package; a checkout may lie in a folder that is
     visible as a whole."""
     folder = Path(tempfile.mkdtemp(prefix="installed-"))
@@ -144,21 +144,21 @@ def test_sees_no_exercise_whatever_the_installation(layout):
         shutil.rmtree(folder)
 
 
-def test_refuses_a_course_that_every_notebook_could_read(tmp_path):
+def test_a_course_in_a_visible_folder_is_refused(tmp_path):
     from workbook.grading import course
 
     submitted = Path(sys.base_prefix).resolve() / "submitted"
     with pytest.raises(course.CourseError, match="every notebook can read"):
         course.grade(submitted, tmp_path)
-    assert isolation.shown_through(tmp_path) is None and isolation.shown_through(
+    assert isolation.visible_parent(tmp_path) is None and isolation.visible_parent(
         "/usr/share"
     ) == Path("/usr")
-    assert isolation.shown_through(ROOT / "submitted") is None, (
+    assert isolation.visible_parent(ROOT / "submitted") is None, (
         "beside the package, which alone is visible"
     )
 
 
-def test_holds_nothing_of_other_notebooks(sandbox):
+def test_memory_has_nothing_of_other_notebooks(sandbox):
     run(sandbox, "a_region = sp.And(k1 > 0, k1*k2 > 1)")
     (search,) = [attack for attack in READING if "raw memory" in attack.name]
     outcome = run(
@@ -222,11 +222,11 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
         ),
     ],
 )
-def test_how_it_ended_is_told(sandbox, source, ended, message):
+def test_outcome_of_a_notebook_that_is_ended(sandbox, source, ended, message):
     assert run(sandbox, source) == Outcome(ended, message)
 
 
-def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
+def test_a_cell_that_exceeds_a_limit_costs_the_others_nothing(sandbox):
     outcome = run(
         sandbox,
         "a = 1",
@@ -245,12 +245,12 @@ def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
     assert found["stopped"] == [3]
 
 
-def test_getting_ready_is_not_the_notebooks_time():
-    with Sandbox(Limits(cpu_seconds=0.4, wall_seconds=60), once=True) as sandbox:
+def test_preparation_is_not_the_notebooks_time():
+    with Sandbox(Limits(cpu_seconds=0.4, wall_seconds=60), single_use=True) as sandbox:
         assert answers(run(sandbox, "import time\ntime.sleep(0.2)\na = 1")) == {"a": 1}
 
 
-def test_a_sleeper_holds_its_place_no_longer_than_one_that_computes():
+def test_sleeping_counts_as_computing():
     with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
         start = time.monotonic()
         outcome = run(sandbox, "a = 1", "import time\ntime.sleep(500)", "b = 2", names=("a", "b"))
@@ -264,7 +264,7 @@ def test_a_sleeper_holds_its_place_no_longer_than_one_that_computes():
         assert time.monotonic() - start < 60
 
 
-def test_who_seems_to_wait_for_a_disk_holds_its_place_little_longer():
+def test_a_pretended_wait_for_a_disk_is_bounded():
     """Between `vfork` and the end of the child a process counts as waiting for a disk."""
     clone_as_vfork = "ctypes.CDLL(None).syscall(56, 0x4000 | signal.SIGCHLD, 0, 0, 0, 0)"
     with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
@@ -295,14 +295,14 @@ def test_who_seems_to_wait_for_a_disk_holds_its_place_little_longer():
         ),
     ],
 )
-def test_who_wants_to_compute(source, wants):
+def test_states_of_threads(source, wants):
     with subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE) as process:
         try:
             process.stdout.readline()
             time.sleep(0.5)
             proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
             below = [
-                one for one in watchdog._descendants(os.getpid(), proc) if one.number == process.pid
+                one for one in watchdog._descendants(os.getpid(), proc) if one.pid == process.pid
             ]
             assert (b"R" in watchdog._states(below, proc)) == wants
         finally:
@@ -324,10 +324,10 @@ except OSError:
 """
 
 
-@pytest.mark.parametrize("once", [False, True])
-def test_limits_on_all_processes_together(once):
+@pytest.mark.parametrize("single_use", [False, True])
+def test_limits_on_all_processes_together(single_use):
     """None of them reaches a limit alone."""
-    with lean(PATIENT, once) as sandbox:
+    with lean(PATIENT, single_use) as sandbox:
         assert 20 < answers(run(sandbox, COUNT))["a"] < PATIENT.processes
         computing = "import os, time\nfor _ in range(3): os.fork()\nwhile time.process_time() < 3: pass\ntime.sleep(99)"
         assert run(sandbox, computing) == Outcome("time", b"")
@@ -338,8 +338,8 @@ def test_limits_on_all_processes_together(once):
         assert run(sandbox, filling) == Outcome("memory", b"")
 
 
-@pytest.mark.parametrize("once", [False, True])
-def test_the_same_for_an_ordinary_user(once):
+@pytest.mark.parametrize("single_use", [False, True])
+def test_limits_for_an_ordinary_user(single_use):
     """Limits on processes do not bind root, so root drops to another user; an ordinary user must be
     bound as he is."""
     folder = Path(tempfile.mkdtemp())
@@ -349,8 +349,9 @@ def test_the_same_for_an_ordinary_user(once):
             import os
             from workbook.grading.sandbox import Sandbox, Limits
             assert os.getuid() != 0
-            with Sandbox(Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600), once={once}) as sandbox:
-                print(sandbox._once)
+            limits = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
+            with Sandbox(limits, single_use={single_use}) as sandbox:
+                print(sandbox._single_use)
                 for source in ({COUNT!r}, "import os; a = os.path.exists({str(ROOT / "exercises")!r})",
                                "import os, time\\nfor _ in range(5):\\n"
                                "    if os.fork() == 0: a = bytearray(200 * 2**20); time.sleep(9)\\ntime.sleep(9)"):
@@ -360,7 +361,7 @@ def test_the_same_for_an_ordinary_user(once):
             folder,
         )
         lines = done.stdout.split("\n")
-        assert done.returncode == 0 and lines[0] == str(once), done.stderr
+        assert done.returncode == 0 and lines[0] == str(single_use), done.stderr
         assert 20 < json.loads(json.loads(lines[1].removeprefix("done "))["encoded"]["a"]) < 32
         assert json.loads(lines[2].removeprefix("done "))["encoded"]["a"] == "false"
         assert lines[3] == "memory "
@@ -407,19 +408,19 @@ def test_a_worker_that_is_killed_costs_nothing():
         assert answers(run(sandbox, "a = 2")) == {"a": 2} and sandbox._worker.pid == started
 
 
-def test_a_worker_that_is_killed_in_the_midst_costs_nothing():
+def test_a_worker_that_is_killed_during_a_notebook_costs_nothing():
     with lean(TIGHT) as sandbox:
-        sandbox.hand_in(["import time\ntime.sleep(1)\na = 1"], ["a"])
+        sandbox.start_run(["import time\ntime.sleep(1)\na = 1"], ["a"])
         os.killpg(sandbox._worker.pid, signal.SIGKILL)
-        assert answers(sandbox.outcome()) == {"a": 1}
+        assert answers(sandbox.finish_run()) == {"a": 1}
 
 
 def test_the_grader_is_free_while_a_notebook_runs():
     """One that would go on until it is stopped, which is by what it computes, not by the clock."""
     with lean(PATIENT) as sandbox:
-        sandbox.hand_in(["while True: pass", "a = 1"], ["a"])
-        assert not framing.readable([sandbox._place.results], 0)
-        outcome = sandbox.outcome()
+        sandbox.start_run(["while True: pass", "a = 1"], ["a"])
+        assert not framing.readable([sandbox._process.results], 0)
+        outcome = sandbox.finish_run()
         assert answers(outcome) == {"a": 1} and json.loads(outcome.handed_over)["stopped"] == [1]
 
 
@@ -439,8 +440,8 @@ def one_busy_processor():
     os.sched_setaffinity(0, before)
 
 
-@pytest.mark.parametrize("kind", [Sandbox, Trusting])
-def test_what_a_busy_machine_withholds_is_no_time_of_the_notebook(one_busy_processor, kind):
+@pytest.mark.parametrize("kind", [Sandbox, Unsandboxed])
+def test_waiting_for_busy_processors_is_not_the_notebooks_time(one_busy_processor, kind):
     computing = "import time\nstart = time.process_time()\nwhile time.process_time() < start + 1.5: pass\na = 1"
     limits = Limits(cpu_seconds=8, wall_seconds=2)
     with kind(limits, modules=ALWAYS) as sandbox:
@@ -451,12 +452,12 @@ def test_what_a_busy_machine_withholds_is_no_time_of_the_notebook(one_busy_proce
         )
 
 
-def test_on_the_clock_there_is_a_bound_all_the_same():
+def test_wall_time_is_bounded():
     with lean(Limits(cpu_seconds=30, wall_seconds=1)) as sandbox:
         assert run(sandbox, "import time\ntime.sleep(500)") == Outcome("time", b"")
 
 
-def test_the_wait_for_a_notebook_is_no_time_of_the_notebook():
+def test_waiting_for_a_notebook_is_not_its_time():
     """Its process is there before it comes."""
     with lean(Limits(cpu_seconds=2, wall_seconds=4)) as sandbox:
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
@@ -464,22 +465,22 @@ def test_the_wait_for_a_notebook_is_no_time_of_the_notebook():
         assert answers(run(sandbox, "import time\ntime.sleep(0.5)\na = 2")) == {"a": 2}
 
 
-def test_a_sandbox_that_always_fails_says_so(monkeypatch):
+def test_a_sandbox_that_always_fails_gives_a_failure(monkeypatch):
     with lean(TIGHT) as sandbox:
         os.killpg(sandbox._worker.pid, signal.SIGKILL)
-        monkeypatch.setattr(Sandbox, "_spawn", _no_sandbox)
+        monkeypatch.setattr(Sandbox, "_start_worker", _no_sandbox)
         outcome = run(sandbox, "a = 1")
     assert outcome.ended == "failed" and b"gone" in outcome.handed_over
 
 
 def _no_sandbox(*given):
-    raise isolation.NoIsolation("gone")
+    raise isolation.SandboxUnavailableError("gone")
 
 
-def test_a_killed_notebook_is_the_machines_affair():
+def test_a_killed_notebook_is_a_failure_of_the_grader():
     """SIGKILL for the first process of a namespace comes from outside, as when the machine runs out
     of memory."""
-    outcome = lean(TIGHT)._told(b"died", b"signal 9")
+    outcome = lean(TIGHT)._outcome(b"died", b"signal 9")
     assert outcome.ended == "failed"
 
 
@@ -501,14 +502,14 @@ def open_folder():
     shutil.rmtree(folder)
 
 
-def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, monkeypatch):
+def test_single_use_sandboxes_where_namespaces_cannot_be_nested(open_folder, monkeypatch):
     real = shutil.which("bwrap")
     monkeypatch.setenv(
         "PATH",
         bubblewrap_that(open_folder / "bin", f'exec {real} --unshare-user --disable-userns "$@"'),
     )
     with lean(TIGHT) as sandbox:
-        assert sandbox._once
+        assert sandbox._single_use
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
         assert run(sandbox, "import os\nos._exit(3)") == Outcome("died", b"exit 3")
         assert answers(run(sandbox, "a = 2")) == {"a": 2}
@@ -525,7 +526,7 @@ def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, m
         ("exit 1", "without a word"),
     ],
 )
-def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
+def test_without_a_sandbox_the_error_is_one_line(open_folder, does, says):
     submitted = open_folder / "submitted" / "ada" / "hw"
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
@@ -586,15 +587,15 @@ def test_a_worker_that_is_killed_while_it_starts_is_started_again(open_folder, m
         (f"{NOISE} exec sleep 60", "was not ready within 0.5 s, 3 times"),
     ],
 )
-def test_one_that_always_is_says_what_happened(open_folder, monkeypatch, does, says):
+def test_a_worker_that_never_starts_is_an_error(open_folder, monkeypatch, does, says):
     monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', does)}:/usr/bin:/bin")
-    monkeypatch.setattr(sandbox_module, "STARTING", 0.5 if "sleep" in does else 60)
-    with pytest.raises(isolation.NotStarted) as told:
+    monkeypatch.setattr(sandbox_module, "START_SECONDS", 0.5 if "sleep" in does else 60)
+    with pytest.raises(isolation.ProcessStartError) as told:
         lean(TIGHT).__enter__()
     assert says in str(told.value) and "Fontconfig" not in str(told.value)
 
 
-def test_nobody_is_led_to_drop_the_sandbox_for_it(open_folder):
+def test_an_error_at_start_does_not_suggest_to_drop_the_sandbox(open_folder):
     submitted = open_folder / "submitted" / "ada" / "hw"
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
@@ -619,12 +620,12 @@ def test_nobody_is_led_to_drop_the_sandbox_for_it(open_folder):
     assert "trust" not in line
 
 
-# Trusting
+# Unsandboxed
 
 
 @pytest.fixture(scope="module")
 def trusting():
-    with Trusting(TIGHT, modules=ALWAYS) as ready:
+    with Unsandboxed(TIGHT, modules=ALWAYS) as ready:
         yield ready
 
 
@@ -669,8 +670,8 @@ def test_nothing_outlives_a_notebook_without_a_sandbox(trusting):
     assert _ends(token)
 
 
-def test_leaves_no_folder_behind():
-    with Trusting(TIGHT, modules=ALWAYS) as trusting:
+def test_unsandboxed_leaves_no_folder_behind():
+    with Unsandboxed(TIGHT, modules=ALWAYS) as trusting:
         folder = trusting._folder.name
         run(trusting, "import matplotlib.pyplot as plt\nplt.plot([1, 2])")
     assert not os.path.exists(folder)

@@ -13,11 +13,11 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import hand_in, notebook
 
 from workbook.grading import submissions, submitted_file
-from workbook.grading.sanitising import printable, printable_name
-from workbook.grading.submissions import Aside, Submission, find, students
+from workbook.grading.sanitising import sanitise, sanitise_name
+from workbook.grading.submissions import LeftAside, Submission, find, students
 
 
-def test_in_order_with_what_was_left_aside(tmp_path):
+def test_order_and_what_was_left_aside(tmp_path):
     hand_in(tmp_path, "bela", "1.15", {})
     hand_in(tmp_path, "ada", "1.4", {}, at=5.0)
     root = tmp_path / "submitted"
@@ -33,7 +33,7 @@ def test_in_order_with_what_was_left_aside(tmp_path):
     asides = {
         Path(one.path).relative_to(root).as_posix(): one.why
         for one in found
-        if isinstance(one, Aside)
+        if isinstance(one, LeftAside)
     }
     assert asides == {
         "cyd": "this is a symbolic link",
@@ -49,7 +49,7 @@ def test_in_order_with_what_was_left_aside(tmp_path):
     assert read[0].submitted == 5.0 and read[2].cells == ()
 
 
-def test_notebooks_in_the_wrong_place_are_named(tmp_path):
+def test_misplaced_notebooks_are_reported(tmp_path):
     """A whole class handed in one folder too high or too low is not a class that handed in
     nothing."""
     real = hand_in(tmp_path, "ada", "1.15", {})
@@ -66,10 +66,10 @@ def test_notebooks_in_the_wrong_place_are_named(tmp_path):
     (root / "ada" / "hw1" / "pictures").mkdir()
     found = list(find(root))
     asides = {
-        Path(one.path).relative_to(root).as_posix() for one in found if isinstance(one, Aside)
+        Path(one.path).relative_to(root).as_posix() for one in found if isinstance(one, LeftAside)
     }
     assert asides == {"ch1-p15.ipynb", "bela/ch1-p15.ipynb", "ada/hw1/inner/ch1-p15.ipynb"}
-    whys = {one.why for one in found if isinstance(one, Aside)}
+    whys = {one.why for one in found if isinstance(one, LeftAside)}
     assert whys == {"it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read"}
     assert [one.path for one in found if isinstance(one, Submission)] == [str(real)]
 
@@ -83,7 +83,7 @@ def test_notebooks_in_the_wrong_place_are_named(tmp_path):
     ],
 )
 @pytest.mark.parametrize("call", ["open", "fstat"])
-def test_a_file_that_we_cannot_read_is_no_attempt(tmp_path, monkeypatch, trouble, call):
+def test_a_file_without_read_permission_is_no_attempt(tmp_path, monkeypatch, trouble, call):
     """It is not the student's fault, so it must not count as the one attempt that a student has."""
     hand_in(tmp_path, "ada", "1.15", {})
     real = getattr(os, call)
@@ -97,7 +97,8 @@ def test_a_file_that_we_cannot_read_is_no_attempt(tmp_path, monkeypatch, trouble
         broken.setattr(os, call, fail)
         (aside,) = find(tmp_path / "submitted")
     assert (
-        isinstance(aside, Aside) and aside.why == f"this file cannot be read ({trouble.strerror})"
+        isinstance(aside, LeftAside)
+        and aside.why == f"this file cannot be read ({trouble.strerror})"
     )
     assert isinstance(next(find(tmp_path / "submitted")), Submission)
 
@@ -109,7 +110,7 @@ def test_a_folder_that_cannot_be_opened(tmp_path, monkeypatch):
     monkeypatch.setattr(os, "access", lambda path, mode: Path(path).name != "ada")
     found = list(find(tmp_path / "submitted"))
     assert (
-        isinstance(found[0], Aside)
+        isinstance(found[0], LeftAside)
         and found[0].why == "this folder cannot be opened"
         and found[1].student == "bela"
     )
@@ -143,7 +144,7 @@ def test_odd_names(tmp_path, name):
         assert text.encode() and text.isprintable()
 
 
-def test_accents_in_either_spelling_are_one_student(tmp_path):
+def test_both_unicode_forms_of_a_name_are_one_student(tmp_path):
     """A Mac writes é as e and an accent, other systems as one letter."""
     for k, spelling in enumerate(("NFC", "NFD")):
         hand_in(
@@ -162,7 +163,7 @@ def test_accents_in_either_spelling_are_one_student(tmp_path):
 
 
 @pytest.mark.parametrize("gone", ["ada", "ada/hw1", "ada/hw1/ch1-p15.ipynb"])
-def test_what_is_renamed_meanwhile_is_named(tmp_path, monkeypatch, gone):
+def test_what_is_renamed_meanwhile_is_reported(tmp_path, monkeypatch, gone):
     hand_in(tmp_path, "ada", "1.15", {})
     hand_in(tmp_path, "ada", "1.15", {}, assignment="hw1/inner")
     hand_in(tmp_path, "bela", "1.15", {})
@@ -177,7 +178,7 @@ def test_what_is_renamed_meanwhile_is_named(tmp_path, monkeypatch, gone):
     monkeypatch.setattr(submissions, "_listed", then_renamed)
     found = list(find(root))
     assert any(isinstance(one, Submission) and one.student == "bela" for one in found)
-    asides = [one for one in found if isinstance(one, Aside)]
+    asides = [one for one in found if isinstance(one, LeftAside)]
     assert any(Path(one.path) == root / gone and one.student == "ada" for one in asides), asides
     whys = ("renamed or removed", "cannot be read", "does not lie")
     assert all(any(words in one.why for words in whys) for one in asides)
@@ -195,17 +196,17 @@ def test_different_names_stay_different():
         b"\\u202e",
         b"ada",
     ]
-    assert len({printable_name(name) for name in names}) == len(names)
+    assert len({sanitise_name(name) for name in names}) == len(names)
     assert (
-        printable_name("ada") == "ada"
-        and printable_name("Łódź") == "Łódź"
-        and printable_name("محمد علی") == "محمد علی"
+        sanitise_name("ada") == "ada"
+        and sanitise_name("Łódź") == "Łódź"
+        and sanitise_name("محمد علی") == "محمد علی"
     )
 
 
-def test_printable():
-    assert printable("a\x1b[2J\ud800\u2028b\n") == "a\\x1b[2J\\ud800\\u2028b\\n"
-    assert printable("a\nb", keep="\n") == "a\nb"
+def test_sanitise():
+    assert sanitise("a\x1b[2J\ud800\u2028b\n") == "a\\x1b[2J\\ud800\\u2028b\\n"
+    assert sanitise("a\nb", keep="\n") == "a\nb"
 
 
 @pytest.mark.parametrize(
@@ -231,7 +232,7 @@ def test_names_that_no_homework_can_have(tmp_path, name, said):
     )
 
 
-def test_folders_of_systems_are_nobodys(tmp_path):
+def test_system_folders_are_ignored(tmp_path):
     real = hand_in(tmp_path, "ada", "1.15", {})
     for place in (
         "__MACOSX/ada/hw1/ch1-p15.ipynb",
@@ -274,7 +275,7 @@ def test_pictures_cost_nothing(tmp_path, megabytes):
     [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"), (b"{" * 12 * 2**20, "no JSON in UTF-8")],
 )
 def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch):
-    monkeypatch.setattr(submitted_file, "LARGE", 2**20)
+    monkeypatch.setattr(submitted_file, "LARGE_FILE", 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
     (found,) = find(tmp_path / "submitted")
     assert said in found.trouble and found.submitted > 0
@@ -283,7 +284,7 @@ def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch)
 @pytest.mark.parametrize(
     "content, said", [(b"", "empty"), (b" \r\n", "empty"), (b"PK\x03\x04rest", ".zip archive")]
 )
-def test_files_that_came_in_a_wrong_wrapping(tmp_path, content, said):
+def test_files_of_other_formats_with_the_name_of_a_notebook(tmp_path, content, said):
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
     (found,) = find(tmp_path / "submitted")
     assert said in found.trouble and found.problem == "1.15" and found.cells == ()
@@ -300,20 +301,20 @@ def test_reading_has_limits(tmp_path, monkeypatch):
 
 
 def test_the_time_of_a_file_that_is_not_read(tmp_path, monkeypatch):
-    monkeypatch.setattr(submitted_file, "LARGEST", 100)
+    monkeypatch.setattr(submitted_file, "MAX_FILE", 100)
     hand_in(tmp_path, "ada", "1.15", {}, at=5.0)
     (found,) = find(tmp_path / "submitted")
     assert found.submitted == 5.0 and "notebooks up to" in found.trouble
 
 
-def test_no_calendar_has_such_a_time(tmp_path, monkeypatch):
+def test_times_beyond_datetime(tmp_path, monkeypatch):
     path = hand_in(tmp_path, "ada", "1.15", {})
     monkeypatch.setattr(Path, "lstat", lambda path: os.stat_result((0,) * 8 + (10**15, 0)))
     found = submissions._read("ada", "hw1", path)
     assert datetime.fromtimestamp(found.submitted, UTC).year == 9999
 
 
-def test_format_3(tmp_path):
+def test_notebooks_of_format_3(tmp_path):
     given = notebook("1.15", {"a_region": "k1 > 0"})
     cells = [dict(cell) for cell in given["cells"]]
     for cell in cells:

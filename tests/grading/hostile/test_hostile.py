@@ -20,13 +20,13 @@ HONEST = ("a-honest", "z-honest")
 APART = 8
 
 
-def test_at_least_forty_kinds():
+def test_at_least_forty_attacks():
     assert len({attack.name for attack in ATTACKS}) == len(ATTACKS) >= 40
     assert all(attack.attempts and attack.unguarded and attack.after for attack in ATTACKS)
 
 
 @pytest.mark.parametrize("attack", ATTACKS, ids=lambda attack: attack.name.replace(" ", "-"))
-def test_succeeds_unguarded(attack):
+def test_attack_succeeds_unguarded(attack):
     with a_course() as course:
         for student in HONEST:
             course.hand_in_honestly(student)
@@ -41,7 +41,7 @@ def test_succeeds_unguarded(attack):
 
 
 @pytest.mark.slow
-def test_none_succeeds_guarded():
+def test_no_attack_succeeds_guarded():
     """All of them in one run, with honest students before, between and after."""
     with a_course() as course:
         honest = {}
