@@ -147,7 +147,7 @@ def compare(nbgrader_run, workbook_run):
 
 
 def hand_in(course, students, problems):
-    """Make a source for nbgrader, and each student's notebooks with the answers of the solutions."""
+    """Make nbgrader's source, and each student's notebooks with right answers."""
     for problem in problems:
         exercise = exercises.find(problem)
         name = f"ch{problem.replace('.', '-p')}.ipynb"

@@ -1,4 +1,4 @@
-"""Judge an answered notebook in a forked process, and execute the same notebook with nbclient.
+"""Judge an answered notebook in a forked process, and execute it with nbclient.
 
 nbclient executes data, answer and check cells in a fresh kernel, as nbgrader and most course tools
 do.

@@ -24,7 +24,7 @@ from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED,
 from workbook.grading import assignment as assignments
 from workbook.grading import judging
 from workbook.grading.feedback import feedback
-from workbook.grading.grader import to_plain, from_plain
+from workbook.grading.grader import from_plain, to_plain
 from workbook.grading.sandbox import Outcome
 from workbook.grading.scores import of_student, scores
 from workbook.grading.store import Attempt

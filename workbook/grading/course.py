@@ -1,4 +1,4 @@
-"""Grade everything submitted for a course: find it, run what has no result, store each result."""
+"""Grade a course: find what was submitted, run what has no result, store each result."""
 
 import fcntl
 import os
@@ -18,7 +18,7 @@ from workbook.notebooks import exercises
 
 
 class CourseError(assignments.InputError):
-    """The folders cannot be graded, or not now; the message says why."""
+    """The folders cannot be graded, or not now; the message gives the reason."""
 
 
 @dataclass(frozen=True)

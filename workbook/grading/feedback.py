@@ -1,4 +1,4 @@
-"""Feedback: the page for a student, with each answer, its verdict, hints and a link to the theory.
+"""Feedback: the page for a student, with verdicts, hints and links to the theory.
 
 It never has a solution.
 """

@@ -14,9 +14,10 @@ JUDGES = "import workbook.notebooks.cells, workbook.grading.judging"
 
 
 def fingerprint(exercise):
-    """Return the hash of an exercise's data and check cells, its named mistakes, and the library.
+    """Return the hash of what judges the answers of an exercise.
 
-    Of the library it has all modules that the cells import or that judge.
+    This is its data and check cells, its named mistakes, and all modules of ours that these cells
+    import or that run and judge a notebook.
     """
     cells, mistakes = exercise.code("data", "check"), file_beside(exercise.path)
     closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))

@@ -11,9 +11,9 @@ from workbook.grading.notebook_worker import NOTEBOOK
 
 
 class NotebookProcess:
-    """A process for the next notebook, forked by a notebook worker, and the pipes to and from it.
+    """A process for the next notebook, and the pipes to and from it.
 
-    Its pid is known when the fork is finished.
+    A notebook worker forks it; its pid is known when the fork is finished.
     """
 
     def __init__(self, children):
@@ -26,6 +26,7 @@ class NotebookProcess:
             os.close(results_end)
 
     def close(self):
+        """Close the pipes."""
         os.close(self.requests)
         os.close(self.results)
 

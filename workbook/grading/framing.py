@@ -51,10 +51,11 @@ def receive(descriptor, timeout=math.inf, check=None, interval=math.inf):
 
 
 def readable(channels, timeout=None):
-    """Return those of `channels` that can be read or have ended, after at most `timeout` seconds.
+    """Return the channels that can be read or have ended, as soon as there are any.
 
-    Channels are descriptors or have a `fileno`. `select` would take only the first 1024
-    descriptors, and a grader may be part of a program with any number of open files.
+    After `timeout` seconds there may be none. Channels are descriptors or have a `fileno`. `select`
+    would take only the first 1024 descriptors, and a grader may be part of a program with any
+    number of open files.
     """
     with selectors.PollSelector() as selector:
         for channel in channels:

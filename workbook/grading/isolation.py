@@ -55,7 +55,7 @@ NOBODY = 65534
 
 
 class SandboxUnavailableError(RuntimeError):
-    """This machine offers no sandbox; the message says what is missing."""
+    """This machine offers no sandbox; the message names what is missing."""
 
 
 class ProcessStartError(SandboxUnavailableError):
@@ -221,7 +221,7 @@ def enter_pid_namespace():
 
 
 def _continue_in_child():
-    """Return in a child whose namespace does not show this process, which exits as the child does."""
+    """Return in a child whose namespace does not show its parent, which exits as it does."""
     child = os.fork()
     if child == 0:
         die_with_parent(0)
@@ -318,7 +318,7 @@ def _sandbox_command(bwrap, limits, options, inside):
 
 
 def python_command(code):
-    """Return the command that runs `code` in a fresh interpreter, isolated from its surroundings.
+    """Return the command that runs `code` in a fresh, isolated interpreter.
 
     It ignores variables, the user's folders and the current one, and finds libraries where the
     grader itself found them.

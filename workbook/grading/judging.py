@@ -1,4 +1,4 @@
-"""Judging: decode what a notebook handed over, and run data and check cells of the exercise on it.
+"""Judging: decode what a notebook handed over, and run the exercise's check cells on it.
 
 A forked child judges, within bounds on time and memory, since an answer can be an expression built
 to explode. It runs nothing of a student's, only our own cells on data, as a kernel does in which

@@ -1,4 +1,4 @@
-"""Matching: which problem a notebook is for, and which problems a homework without a file has."""
+"""Matching: which problem a notebook is for, and which problems a homework has."""
 
 from workbook.grading import assignment as assignments
 from workbook.grading.submissions import LeftAside, Submission

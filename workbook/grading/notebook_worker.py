@@ -160,9 +160,9 @@ def _clean_up(folder, proc):
 
 
 def run_notebook(limits, mode, folder, in_scratch):
-    """Drop all privileges, run the notebook requested on descriptor 0, send its answers on 1, exit.
+    """Drop all privileges, run one notebook, hand over its answers, and exit.
 
-    It never returns.
+    The request comes on descriptor 0, the answers leave on 1.
     """
     pid = os.getpid()
     try:

@@ -96,18 +96,18 @@ def modules_for(problems, sources):
 
 
 def _with_libraries(cells, sources=()):
-    """Return the modules of ours that cells import, and the libraries that they or `sources` use."""
-    ours = module_closure("\n".join(cells))
+    """Return our modules that cells import, and the libraries that they or `sources` use."""
+    modules = module_closure("\n".join(cells))
     imports = [
         line
-        for module in ours
+        for module in modules
         for line in _IMPORT.findall(path_of(module).read_text(encoding="utf-8"))
     ]
     return [
         name
         for name in LIBRARIES
         if _uses(name, sources) or (_is_for_computing(name) and _uses(name, imports))
-    ] + [*ours]
+    ] + [*modules]
 
 
 #: A line that imports, also inside a function.

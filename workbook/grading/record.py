@@ -1,9 +1,10 @@
-"""Record: the grades last written, and every change of them, in graded/<assignment>/grades.json.
+"""Record: the grades last written, and every change of them.
 
-A regrade, a resubmission, points given by hand or a changed assignment file can change a grade that
-students have seen. Each run compares its grades with those written before, and lists which answers
-changed and why. The file is replaced as a whole, after all others, so the changes of a run that is
-killed are either listed or listed by the next run.
+It is the file graded/<assignment>/grades.json. A regrade, a resubmission, points given by hand or a
+changed assignment file can change a grade that students have seen. Each run compares its grades
+with those written before, and lists which answers changed and why. The file is replaced as a whole,
+after all others, so the changes of a run that is killed are either listed already or listed by the
+next run.
 """
 
 import json

@@ -346,6 +346,7 @@ class Unsandboxed(Sandbox):
     _folder, _own_network = None, False
 
     def start(self):
+        """Start the notebook worker, with a temporary folder for notebooks."""
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(
                 prefix="workbook-", ignore_cleanup_errors=True

@@ -1,4 +1,4 @@
-"""Scores: partial credit by answer, which attempt counts, and manual points over automatic ones.
+"""Scores: partial credit by answer, the attempt that counts, and points given by hand.
 
 An answer that no check could judge has no points yet, but is not wrong: while it may still raise
 the grade, the score needs a lecturer's look (`StudentScore.needs_review`), which all tables and
@@ -238,6 +238,7 @@ class _GradedAttempt:
 
     @property
     def unjudged(self):
+        """The answers that no check could judge, and no lecturer has."""
         return [
             answer
             for answer in self.answers

@@ -1,6 +1,6 @@
-"""Seccomp: a filter of system calls that a notebook's process installs before its first cell.
+"""Seccomp: a filter of system calls.
 
-Denied are:
+A notebook's process installs it before the first cell. Denied are:
 
 - new namespaces, since in one of its own a process is root and may mount file systems of any size;
 - memory that belongs to no process and so escapes every limit;

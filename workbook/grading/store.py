@@ -243,7 +243,7 @@ class Store:
         )
 
     def take_back(self, student, assignment, problem, answer):
-        """Remove a lecturer's points, so that the automatic ones count; return whether there were any."""
+        """Remove a lecturer's points for an answer; return whether there were any."""
         cursor = self._database.execute(
             "DELETE FROM manual WHERE student = ? AND assignment = ? AND problem = ?"
             " AND answer = ?",

@@ -1,7 +1,8 @@
-"""Find what was submitted: submitted/<student>/<assignment>/<notebook>.ipynb, as in nbgrader.
+"""Find what was submitted.
 
-Symbolic links are reported and not followed. A file that cannot be read as a notebook is still a
-submission, with the reason why it earns nothing.
+Notebooks are submitted/<student>/<assignment>/<notebook>.ipynb, as in nbgrader. Symbolic links are
+reported and not followed. A file that cannot be read as a notebook is still a submission, with the
+reason why it earns nothing.
 """
 
 import hashlib
@@ -85,7 +86,7 @@ def students(root):
 
 
 def find(root):
-    """Yield each `Submission` below `root`, and each `LeftAside`, by student, assignment and file."""
+    """Yield each `Submission` and `LeftAside` below `root`, by student, assignment and file."""
     for student in _folders(Path(root)):
         if isinstance(student, LeftAside):
             yield student

@@ -32,7 +32,7 @@ SHORT_NAME = re.compile(r"0*([0-9]{1,3})[._-]p?0*([0-9]{1,3})(?:[^0-9].*)?", re.
 
 
 class UnreadableFileError(Exception):
-    """The file is not a notebook that can be run; the message says why."""
+    """The file is not a notebook that can be run; the message gives the reason."""
 
 
 def content(path):

@@ -57,7 +57,7 @@ def die_with_parent(parent):
 
 
 def address_space_bytes():
-    """Return the bytes of address space that this process has: limits on memory are on top of it."""
+    """Return the bytes of address space that this process has."""
     try:
         with open("/proc/self/statm") as file:
             return int(file.read().split()[0]) * os.sysconf("SC_PAGE_SIZE")

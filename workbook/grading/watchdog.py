@@ -1,4 +1,4 @@
-"""Watchdog: wait for what a notebook hands over, and enforce limits on all its processes together.
+"""Watchdog: enforce limits on all processes of a notebook together.
 
 The kernel's own limits bind each process by itself. What a notebook's whole tree of processes uses
 is summed up ten times a second: memory with shared pages counted once (PSS), processor time,

@@ -17,7 +17,7 @@ CONNECT_SECONDS = 10
 
 
 class ClusterError(InputError):
-    """The cluster cannot be used, or not any more; the message is one line that says why."""
+    """The cluster cannot be used, or not any more; the message is one line with the reason."""
 
 
 @contextmanager

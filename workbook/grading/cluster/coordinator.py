@@ -1,4 +1,4 @@
-"""Coordinator: sends whole notebooks to the workers of a Dask cluster and collects the verdicts.
+"""Coordinator: send notebooks to the workers of a Dask cluster and collect the verdicts.
 
 Both are bytes of JSON. Dask transports them and knows which workers there are; the coordinator
 decides which worker grades what. So only few notebooks are on their way at a time, a worker is
@@ -82,7 +82,7 @@ class Cluster:
 
 @dataclass
 class _Call:
-    """A call on its way to a worker: of a task, or with None of the question whether it is ready."""
+    """A call on its way to a worker, to grade a task, or with None to prepare."""
 
     future: object
     address: str

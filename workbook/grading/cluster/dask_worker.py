@@ -37,7 +37,7 @@ PRINT_VERSIONS = (
 
 
 class UnfitWorkerError(RuntimeError):
-    """This Dask worker cannot grade for that coordinator; the message says why."""
+    """This Dask worker cannot grade for that coordinator; the message gives the reason."""
 
 
 # Called by the coordinator
@@ -180,6 +180,7 @@ class _ThreadWorker:
             raise
 
     def alive(self):
+        """Return whether the worker process runs."""
         return self._worker.alive()
 
     def graded(self, task):
@@ -191,6 +192,7 @@ class _ThreadWorker:
             return self._worker.receive_result()
 
     def stop(self):
+        """End the worker process and its forkserver."""
         # A thread that waits for a result is woken first, since a pipe must not be closed under a
         # thread that reads from it.
         self._worker.terminate()
