@@ -1,4 +1,4 @@
-"""assignment.toml: what it says, and one clear line for everything that is wrong in it."""
+"""assignment.toml: its fields, and an error of one line for everything wrong in it."""
 
 import datetime
 import json

@@ -1,5 +1,7 @@
-"""Grading on a Dask cluster of several processes: the same grades as on one machine, whatever ends
-in the midst, and nothing less safe."""
+"""Grading on a Dask cluster: the same grades as on one machine, and no less safe.
+
+The cluster has several processes, which the tests also kill.
+"""
 
 import concurrent.futures
 import json
@@ -66,7 +68,7 @@ def submitted(dask):
 
 @pytest.fixture(scope="module")
 def expected(submitted, tmp_path_factory):
-    """What one machine makes of it."""
+    """The grades of one machine."""
     out = tmp_path_factory.mktemp("alone")
     course.grade(submitted, out, count=2)
     return grades(out)
@@ -100,7 +102,10 @@ def start(dask, out):
 
 
 def wait_for_results(process, out, number):
-    """Until so many are stored. The first two need no worker: they are no notebooks."""
+    """Wait until so many are stored.
+
+    The first two need no worker: they are not notebooks.
+    """
     give_up = time.monotonic() + 60
     while count(out) < number and process.poll() is None and time.monotonic() < give_up:
         time.sleep(0.005)
@@ -149,7 +154,7 @@ def test_the_commands_of_the_guide_grade_as_one_machine_does(dask, submitted, ex
     )
     assert done.returncode == 0 and like(shown, done.stdout), done.stdout
     assert len(expected) == 12 and grades(dask.here / "graded") == expected
-    assert not outliving(dask.grading_processes()), "lanes are left on the workers"
+    assert not outliving(dask.grading_processes()), "grading processes are left on the workers"
 
 
 @pytest.mark.slow
@@ -189,12 +194,12 @@ def test_all_processes_end_with_the_grader(dask):
             if b"forkserver.main" in command_of(one[0])
         }
 
-    before = dask.grading_processes()  # a killed grader's lanes end by themselves, a little later
+    before = (
+        dask.grading_processes()
+    )  # a killed grader's processes end by themselves, a little later
     endless = a_task(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
     with closing(
-        coordinator.grade_all(
-            [a_task(0), endless], grader.to_settings(Limits(), Bounds()), our_cluster(dask)
-        )
+        our_cluster(dask).grade_all([a_task(0), endless], grader.to_settings(Limits(), Bounds()))
     ) as results:
         key, result = next(results)
         assert key == 0 and {verdict["status"] for verdict in result["verdicts"].values()} == {
@@ -208,7 +213,7 @@ def test_all_processes_end_with_the_grader(dask):
 
 
 def copied_library(folder, path, old, new):
-    """A copy of both packages and of the exercises with one text changed."""
+    """Copy both packages and the exercises with one text changed; return the folder."""
     for package in ("trajlib", "workbook"):
         shutil.copytree(
             ROOT / package, folder / package, ignore=shutil.ignore_patterns("__pycache__")
@@ -251,11 +256,7 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
     with pytest.raises(
         SandboxUnavailableError, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"
     ):
-        next(
-            coordinator.grade_all(
-                [a_task(0)], grader.to_settings(Limits(), Bounds()), our_cluster(dask)
-            )
-        )
+        next(our_cluster(dask).grade_all([a_task(0)], grader.to_settings(Limits(), Bounds())))
     dask.remove(worker)
 
 
@@ -278,7 +279,7 @@ def test_the_part_of_the_library_that_differs_is_named(changes, said, monkeypatc
 
 
 def test_the_library_that_counts_is_all_that_grades():
-    """Both what runs and judges a notebook and what is below its checks."""
+    """It has all modules that run and judge a notebook, and those below its checks."""
     from workbook.notebooks.dependencies import module_closure
 
     closure = module_closure("import workbook.grading.cluster.dask_worker")
@@ -340,8 +341,7 @@ for number in WORKERS:
 
 @pytest.mark.parametrize("trusting", [True, False], ids=["unguarded", "guarded"])
 def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
-    """With no sandbox it reaches the scheduler, the workers and their key, so that this tests
-    something; in the sandbox nothing."""
+    """Without a sandbox it reaches the scheduler, the workers and their key; inside, nothing."""
     ports = [dask.port, *(int(address.rpartition(":")[2]) for address in addresses(dask))]
     facts = f"PORTS, FILES, WORKERS = {ports}, {[str(dask.here / 'worker-key.pem')]}, {dask.workers()}\n"
     path = hand_in(
@@ -491,33 +491,29 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
         match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA",
     ):
         next(
-            coordinator.grade_all(
-                [a_task(0)],
-                grader.to_settings(Limits(), Bounds()),
-                files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem"),
+            files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem").grade_all(
+                [a_task(0)], grader.to_settings(Limits(), Bounds())
             )
         )
 
 
 @pytest.mark.parametrize("seconds", [0.2, 1.5])
 def test_no_server_at_the_address(monkeypatch, seconds):
-    """However Dask's last try before the time is up ended."""
+    """However Dask's last attempt ended before the time was up."""
     monkeypatch.setattr(connection, "CONNECT_SECONDS", seconds)
     with pytest.raises(
         connection.ClusterError,
         match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused",
     ):
         next(
-            coordinator.grade_all(
-                [a_task(0)],
-                grader.to_settings(Limits(), Bounds()),
-                coordinator.Cluster("tcp://127.0.0.1:1"),
+            coordinator.Cluster("tcp://127.0.0.1:1").grade_all(
+                [a_task(0)], grader.to_settings(Limits(), Bounds())
             )
         )
 
 
 def test_another_server_at_the_address(tmp_path):
-    """The command ends, though Dask would wait for ever for the first word."""
+    """The command ends, although Dask would wait for ever for a reply."""
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     shorter = (
         "from workbook import cli\nfrom workbook.grading.cluster import connection\n"
@@ -597,39 +593,38 @@ def test_grading_on_one_machine_loads_nothing_of_dask():
 
 
 def test_a_worker_process_ends_with_its_thread_and_not_with_others(monkeypatch):
-    """The kernel's signal at a parent's death is one at the death of the thread that started the
-    child."""
+    """The kernel's death signal comes when the thread that started the child ends."""
     monkeypatch.setattr(dask_worker, "_require_same_library", lambda expected: None)
     monkeypatch.setattr(dask_worker, "_require_hidden_files", lambda: None)
-    given = json.dumps(
+    settings = json.dumps(
         grader.to_settings(Limits(), Bounds())
         | {"run": "x", "library": {}, "workers": 1, "modules": {"notebooks": ALWAYS, "checks": []}}
     ).encode()
     with concurrent.futures.ThreadPoolExecutor(1) as lasting:
-        assert lasting.submit(dask_worker.prepare, given).result() == b"{}"
-        (lane,) = dask_worker._all
-        passing = threading.Thread(target=dask_worker.prepare, args=(given,))
+        assert lasting.submit(dask_worker.prepare, settings).result() == b"{}"
+        (worker,) = dask_worker._all
+        passing = threading.Thread(target=dask_worker.prepare, args=(settings,))
         passing.start()
         passing.join(timeout=60)
-        (other,) = dask_worker._all - {lane}
+        (other,) = dask_worker._all - {worker}
         give_up = time.monotonic() + 60
         while other.alive() and time.monotonic() < give_up:
             time.sleep(0.01)
-        assert lane.alive() and not other.alive()
-        # What comes in is bytes, and so is what goes out; the lane is the same one, and its limits
-        # are told.
-        told = json.loads(
-            lasting.submit(dask_worker.grade, given, json.dumps(a_task(0)).encode()).result()
+        assert worker.alive() and not other.alive()
+        # Arguments and results are bytes; the worker process is the same one, and the result has
+        # its limits.
+        reply = json.loads(
+            lasting.submit(dask_worker.grade, settings, json.dumps(a_task(0)).encode()).result()
         )
         assert (
-            told["result"]["final"] == "yes"
-            and told["limits"]["memory_megabytes"] <= Limits().memory_megabytes
+            reply["result"]["final"] == "yes"
+            and reply["limits"]["memory_megabytes"] <= Limits().memory_megabytes
         )
-        assert lane.alive() and dask_worker._all == {lane, other}
+        assert worker.alive() and dask_worker._all == {worker, other}
         dask_worker._end_run("x")
-        assert not lane.alive() and not dask_worker._all
-        # A worker that was slow to get ready hears of the end first.
+        assert not worker.alive() and not dask_worker._all
+        # A worker that was slow to start finds that the run has ended.
         assert (
-            b"the run has ended" in lasting.submit(dask_worker.prepare, given).result()
+            b"the run has ended" in lasting.submit(dask_worker.prepare, settings).result()
             and not dask_worker._all
         )

@@ -91,7 +91,10 @@ def make_run(dask, number, lines=None):
 
 
 def results_of(dask, run, reply):
-    """All results of a run, while `reply(call)` replies to each call; None for a worker that left."""
+    """Return all results of a run, while `reply(call)` replies to each call.
+
+    None is for a worker that has left.
+    """
 
     def finish_calls():
         for call in [call for call in dask.calls if call.is_open()]:

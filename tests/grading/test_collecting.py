@@ -1,5 +1,4 @@
-"""A download from Moodle or Canvas becomes folders that `workbook grade` reads, whatever names are
-in it."""
+"""Downloads from Moodle or Canvas become folders that `workbook grade` reads."""
 
 import json
 import re
@@ -34,7 +33,7 @@ WHEN = (2026, 9, 30, 12, 0, 0)
 
 
 def download(folder, files, archive):
-    """The files, whose contents differ, in a folder or archive."""
+    """Make a folder or archive of the files, whose contents differ."""
     contents = {
         name: json.dumps(notebook("1.15", {"a_region": f"k1 > {k}"})) for name, k in files.items()
     }
@@ -97,7 +96,7 @@ def test_a_download(tmp_path, files, expected, archive):
 
 
 def test_accents_in_an_archive_without_the_utf_8_flag(tmp_path):
-    """As a Mac packs it: names in UTF-8 whose flag is not set."""
+    """macOS writes names in UTF-8 without setting the flag."""
     given = download(tmp_path, MOODLE, True)
     packed, header = given.read_bytes(), rb"(PK(?:\x03\x04..|\x01\x02....))\x00\x08"
     assert len(re.findall(header, packed, re.DOTALL)) == 2, "one name has an accent"
@@ -157,8 +156,7 @@ def test_addresses_from_the_worksheet(tmp_path):
 
 @pytest.mark.parametrize("archive", [True, False])
 def test_names_that_lead_out_of_the_folder(tmp_path, archive):
-    """Nothing is written but below STUDENT/HOMEWORK, whatever an archive says; what is left aside
-    is named."""
+    """Nothing is written outside STUDENT/HOMEWORK, and what is left aside is reported."""
     odd = {
         "ableann_101_9001_ch1-p15.ipynb": 1,
         "README.txt": 2,

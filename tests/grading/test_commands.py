@@ -1,5 +1,4 @@
-"""`workbook grade`, `workbook score`, `workbook assignment new`: what they write, say and
-refuse."""
+"""`workbook grade`, `workbook score`, `workbook assignment`: files, output and errors."""
 
 import csv
 import io
@@ -47,8 +46,7 @@ def table(path):
 
 @pytest.fixture
 def here(monkeypatch):
-    """Notebooks of ours run without lanes and sandbox: these tests are about what is made of the
-    verdicts."""
+    """Run notebooks without worker processes and sandbox, for tests of what follows."""
 
     def grade_all(waiting, count, settings, forkserver=None):
         for task in waiting:
@@ -79,8 +77,7 @@ def grade(folder, **options):
 
 @pytest.fixture
 def course(tmp_path):
-    """Ann has all of 1.15, Bob two wrong answers and late, Cid handed in 1.17 without answers, Dan
-    nothing."""
+    """Ann has all of 1.15, Bob two wrong answers and late, Cid no answers in 1.17, Dan nothing."""
     write_assignment(tmp_path, HOMEWORK)
     hand_in(tmp_path, "ann", "1.15", RIGHT_1_15, at=DUE - 60)
     hand_in(
@@ -219,8 +216,7 @@ def test_an_invalid_score_is_refused_in_one_line(course, here, arguments, said):
 
 @pytest.fixture
 def changed_workbook(tmp_path, monkeypatch):
-    """The exercises in a copy whose check cells can be changed; `change(problem, old, new)`
-    does."""
+    """Exercises in a copy whose check cells `change(problem, old, new)` changes."""
     copy = tmp_path / "workbook"
     shutil.copytree(exercises.home(), copy)
     monkeypatch.setattr(exercises, "home", lambda: copy)
@@ -286,7 +282,7 @@ def test_a_changed_problem_regrades_and_lists_changes(course, here, changed_work
 
 
 def test_a_change_of_a_problem_that_is_undone(course, here, changed_workbook):
-    """What counts is judged by the problem as it is, not by the version that judged last."""
+    """The result that counts is by the problem as it is, not by the version that judged last."""
     right = "a_region=checks.stability_region(a_region, a_poly"
     mistaken = "a_region=checks.stability_region(a_region, b_poly"
     for old, new, points in (
@@ -438,7 +434,7 @@ def test_without_a_file_a_problem_of_one_student_is_not_asked_for(course, here, 
 
 
 def test_a_misspelt_homework_is_reported(course, here, capsys):
-    """Where files say which homeworks there are, nothing makes one of its own."""
+    """Where there are assignment files, no folder makes a homework of its own."""
     for student, name in (("dan", "HW1"), ("hw1", "eva"), ("fay", "stuff")):
         hand_in(course, student, "1.15", RIGHT_1_15, assignment=name)
     summary = grade(course, quiet=False)

@@ -1,4 +1,4 @@
-"""A run over a course: what is graded, what is graded again, and what is not."""
+"""A run over a course: which notebooks are graded, and graded again."""
 
 import os
 import sqlite3
@@ -301,7 +301,7 @@ def test_a_changed_judge_grades_again(tmp_path, failing_workers, monkeypatch):
 
 
 def test_an_exercise_is_read_again_when_its_file_has_changed(tmp_path, monkeypatch):
-    """And not with each notebook while it has not."""
+    """While it has not changed, it is not read again for each notebook."""
     place = tmp_path / "ch1" / "p15.ipynb"
     place.parent.mkdir()
     text = exercises.find("1.15").path.read_text(encoding="utf-8")

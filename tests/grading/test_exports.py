@@ -1,4 +1,4 @@
-"""What other systems read: each format as a golden text, and names that try a parser's patience."""
+"""Tables for other systems: each format as a golden text, and unusual names."""
 
 import csv
 import io
@@ -49,7 +49,7 @@ AWKWARD = [
 
 @pytest.fixture
 def small(store, homework):
-    """Ann has all, Bob some of it and late, Cid an answer to be looked at, Dan nothing."""
+    """Ann has all, Bob some of it and late, Cid an answer that needs review, Dan nothing."""
     graded(store, "ann", "1.17", {"a_region": RIGHT, "b_region": RIGHT}, BEFORE)
     graded(store, "ann", "1.18", {"a_region": RIGHT, "b_region": RIGHT}, BEFORE)
     graded(store, "bob", "1.17", {"a_region": RIGHT, "b_region": WRONG}, AFTER)
@@ -83,7 +83,7 @@ def test_grades_csv(small, homework):
 
 
 def test_moodle_csv(small, homework):
-    """Who has no grade yet has no row: a feedback without a grade would wipe one."""
+    """A student without a grade has no row: feedback without a grade would delete one."""
     assert exporting.moodle_csv(homework, small) == (
         '"ID number","Homework 1, stability","Homework 1, stability (feedback)"\r\n'
         '"ann","7.00","1.17 a_region: right; 1.17 b_region: right; 1.18 a_region: right; 1.18 '
@@ -175,8 +175,7 @@ def test_canvas_students_are_matched_by_the_id_that_fits_most(store, homework, c
 
 
 def test_ids_of_different_kinds_are_not_mixed(store, homework):
-    """102 is Bob's number in Canvas and, in the university, Ann's: the whole class goes by one of
-    the two."""
+    """102 is Bob's ID in Canvas and Ann's of the university: one kind is used for all."""
     roster = ROSTER.replace("101,u1", "101,102").replace("102,u2", "102,103")
     for name in ("102", "103"):
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})

@@ -1,5 +1,4 @@
-"""What students do to notebooks in good faith costs them nothing, and what is not their fault is
-never laid to them."""
+"""Edits of notebooks in good faith cost nothing, and students are not blamed for others' faults."""
 
 import copy
 import json
@@ -41,7 +40,7 @@ def code(source, **metadata):
 
 
 def answered():
-    """The notebook as handed out, rightly answered: cells by role in a dict, and the notebook."""
+    """Return the notebook as handed out with right answers."""
     return notebook("1.15", RIGHT_1_15)
 
 
@@ -50,7 +49,10 @@ def by_tag(given, tag):
 
 
 def graded(grader, given, folder, name="ch1-p15.ipynb"):
-    """Judgement on a notebook, by way of a file as it is submitted; `given` may be bytes."""
+    """Return the judgement on a notebook, read from a file as it is submitted.
+
+    `given` may be bytes.
+    """
     path = folder / "submitted" / "ada" / "hw" / name
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_bytes(given if isinstance(given, bytes) else json.dumps(given).encode())
@@ -182,7 +184,7 @@ def module_written_by_a_cell(given):
 
 
 def first(source):
-    """A change: one more cell on top."""
+    """Return a change: one more cell at the top."""
 
     def change(given):
         given["cells"].insert(0, code(source))
@@ -192,7 +194,7 @@ def first(source):
 
 
 def in_the_answer_cell(source):
-    """A change: lines above the answer, in its own cell."""
+    """Return a change: lines above the answer, in its own cell."""
 
     def change(given):
         cell = by_tag(given, "answer")[0]
@@ -348,8 +350,7 @@ def test_a_bad_answer_costs_only_itself(grader, tmp_path):
 
 
 def test_a_check_cell_that_raises_its_verdict_is_no_error(grader, tmp_path):
-    """A check cell that was changed runs with the notebook; that its answers are not right yet is
-    said once, by the judge."""
+    """A changed check cell runs with the notebook; only the judge reports answers not right."""
     given = notebook("1.15", {"a_region": "k1 > 0"})
     for cell in by_tag(given, "check"):
         cell["source"] = "".join(cell["source"]) + "  # mine"
@@ -357,7 +358,7 @@ def test_a_check_cell_that_raises_its_verdict_is_no_error(grader, tmp_path):
 
 
 def test_a_later_answer_counts(grader, tmp_path):
-    """The last assignment that is no stub."""
+    """The last assignment counts that is not a stub."""
     given = notebook("1.15", RIGHT_1_15 | {"a_region": "k1 > 5"})
     given["cells"] += [code(f"a_region = {RIGHT_1_15['a_region']}"), code("a_region = ...")]
     assert full_marks(graded(grader, given, tmp_path))
@@ -373,8 +374,7 @@ def _keep_busy():
 
 
 def test_a_slow_machine_costs_nothing(tmp_path):
-    """Time is what the notebook computes, not what the clock says while others keep the machine
-    busy."""
+    """Time is what the notebook computes, not wall time while the machine is busy."""
     seconds = 2.0
     given = answered()
     # A cell may take half of the time that is left.

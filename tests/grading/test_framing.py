@@ -1,4 +1,4 @@
-"""Messages over pipes: whole, or broken in a known way, and always in time."""
+"""Messages over pipes arrive whole, or fail in a known way, always in time."""
 
 import contextlib
 import os
@@ -49,7 +49,7 @@ def test_a_broken_message_raises(pipe, written, why):
 
 
 def test_any_number_of_files_may_be_open(pipe):
-    """A course's store, notebooks, a program around the grader: descriptors have any number."""
+    """Descriptors can be large in a program with many open files."""
     some, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     high = 2000
     resource.setrlimit(resource.RLIMIT_NOFILE, (max(some, high + 1), most))

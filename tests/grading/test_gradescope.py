@@ -1,9 +1,8 @@
-"""The Gradescope bundle, in a container like Gradescope's: its /autograder is a folder of the
-test's, root is root.
+"""The Gradescope bundle, in a container like Gradescope's.
 
-setup.sh runs there as it would at Gradescope, but that pip finds the libraries as wheels made of
-those installed here, not on the network, and that the system's own programs (apt-get, useradd) only
-write down what they are told.
+Its /autograder is a folder of the test's, root is root. setup.sh runs there as it would at
+Gradescope, except that pip finds the libraries as wheels made of those installed here, not on the
+network, and that the system's own programs (apt-get, useradd) only record their arguments.
 """
 
 import base64
@@ -201,7 +200,7 @@ def test_the_limits_of_all_notebooks_fit_gradescopes_timeout():
 
 
 def as_root():
-    """What runs a command as root: nothing, or sudo that asks for no password."""
+    """Return the prefix that runs a command as root: nothing, or sudo without a password."""
     if os.getuid() == 0:
         return []
     if (
@@ -214,8 +213,7 @@ def as_root():
 
 @pytest.fixture(scope="module")
 def installed(archive, tmp_path_factory):
-    """/opt/workbook as setup.sh makes it, with the wheel of the bundle and the libraries of this
-    environment."""
+    """/opt/workbook as setup.sh makes it, with the bundle's wheel and the libraries of here."""
     if shutil.which("bwrap") is None or as_root() is None:
         (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)(
             "the mock container needs bubblewrap and root"
@@ -245,7 +243,7 @@ def installed(archive, tmp_path_factory):
 
 
 def stands_on(name):
-    """A distribution and all that it needs, without extras."""
+    """Return a distribution and all its requirements, without extras."""
     found, waiting = set(), [name]
     while waiting:
         name = canonicalize_name(waiting.pop())
@@ -261,8 +259,11 @@ def stands_on(name):
 
 
 def put_into_wheel(distribution, folder):
-    """What is installed here as a wheel again, without its scripts, what lies beside the packages,
-    and its own tests, which it would take longest to compile."""
+    """Write an installed distribution as a wheel again.
+
+    It lacks scripts, files beside the packages, and its own tests, which would take longest to
+    compile.
+    """
     about = distribution.read_text("WHEEL")
     tags = [line.removeprefix("Tag: ") for line in about.split("\n") if line.startswith("Tag: ")]
     name = canonicalize_name(distribution.name).replace("-", "_")
@@ -281,7 +282,7 @@ def put_into_wheel(distribution, folder):
 
 
 class Container:
-    """Gradescope's file system as far as an autograder knows it, with `/autograder` at `root`."""
+    """Gradescope's file system as an autograder sees it, with `/autograder` at `root`."""
 
     def __init__(self, root, installed, archive):
         self.root, self._installed = root, installed
@@ -316,9 +317,10 @@ class Container:
     def run(
         self, *command, writable=False, shown=(), environment={"PATH": "/usr/bin:/bin:/usr/sbin"}
     ):
-        """Run a command in the container; the finished process. While it is set up, its
-        /opt/workbook is `writable`, and more folders are `shown`, these to be written to as
-        well."""
+        """Run a command in the container and return the process.
+
+        During setup its /opt/workbook is `writable`; more folders are `shown`, writable too.
+        """
         writing, shown = (
             shown,
             {Path(sys.base_prefix), Path(os.path.realpath(sys.base_prefix)), *shown},
@@ -402,7 +404,7 @@ class Container:
         )
 
     def grade(self):
-        """Run the autograder; its results and what it said."""
+        """Run the autograder; return its results and output."""
         done = self.run("/autograder/run_autograder")
         assert done.returncode == 0, done.stderr
         return self.results(), done
@@ -634,7 +636,7 @@ def test_processes_of_a_notebook_end_with_it(container):
     ],
 )
 def test_setup(tmp_path, archive, has, said):
-    """What setup.sh asks of the system, and where that has no Python it can use."""
+    """setup.sh asks the right things of the system, and ends if it has no suitable Python."""
     log = programs(tmp_path, f"python{has}", "python3.12", "python3.11")
     with zipfile.ZipFile(archive) as bundled:
         script = bundled.read("setup.sh").decode().replace("/opt/workbook/bin/pip", "echo")
@@ -657,8 +659,7 @@ def test_setup(tmp_path, archive, has, said):
 
 
 def programs(folder, has, *others):
-    """The system's programs, which only write down what they are told; apt-get knows one Python,
-    which it `has`."""
+    """Make programs that only record their arguments; apt-get has one Python, `has`."""
     apt = f'[[ "$1" == update || "$*" == *"{has} "* ]] || exit 100\n'
     for name, body in {"apt-get": apt, "useradd": "", **dict.fromkeys((has, *others), "")}.items():
         (folder / name).write_text(f'#!/bin/bash\necho "${{0##*/}} $*" >> {folder}/log\n{body}')

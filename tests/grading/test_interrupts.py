@@ -1,4 +1,4 @@
-"""Ctrl-C that arrives while Python finalizes something stops the grader all the same."""
+"""Ctrl-C stops the grader also when it arrives during a finalizer."""
 
 import signal
 import sys
@@ -12,7 +12,7 @@ from workbook.grading.interrupts import repeat_lost_interrupts
 
 
 class Disturbed:
-    """Ctrl-C arrives in the midst of its finalizer."""
+    """An object during whose finalizer Ctrl-C arrives."""
 
     def __del__(self):
         signal.raise_signal(signal.SIGINT)
@@ -41,7 +41,7 @@ def heeding():
 
 @pytest.fixture
 def ignored(monkeypatch):
-    """What Python tells that it ignores."""
+    """The types of errors that Python reports as ignored."""
     told = []
     monkeypatch.setattr(sys, "unraisablehook", lambda one: told.append(one.exc_type))
     return told

@@ -1,5 +1,4 @@
-"""The judge: it cannot be fooled by what was handed over, it runs nothing of the student's, and it
-says whose fault what is."""
+"""The judge: it is not deceived, runs nothing of the student's, and names whose fault it was."""
 
 import json
 import os
@@ -32,7 +31,7 @@ WRONG_ANSWERS = dict.fromkeys(NAMES, (k1 > 3) & (k2 > 3))
 
 
 def handed_over(answers=None, **more):
-    """What a worker would send for these values."""
+    """Return what a notebook's process would send for these values."""
     encoded = {name: encode(value).decode() for name, value in (answers or {}).items()}
     return json.dumps(
         {"encoded": encoded, "unreadable": {}, "errors": [], "stopped": []} | more
@@ -70,8 +69,7 @@ def test_a_renamed_variable_is_distinguished_from_a_stub():
 
 
 def test_hashes_are_of_whole_answers():
-    """Their texts are cut; two that differ beyond have other hashes, the same ones have the same,
-    also when each is judged alone."""
+    """Texts are cut; answers that differ beyond that have different hashes, equal ones the same."""
     long = [sp.And(*(k1 > k for k in range(200)), k2 > last) for last in (1, 2)]
     found = [judged(handed_over({"a_region": first, "b_region": long[1]})) for first in long]
     assert found[0].answers["a_region"] == found[1].answers["a_region"]
@@ -90,8 +88,7 @@ def test_hashes_are_of_whole_answers():
 
 
 def test_only_the_named_answers_reach_the_checks():
-    """Values under the names of the data would make a wrong answer right: the region of another
-    polynomial."""
+    """Values under the names of the data would make a wrong answer right."""
     claim = {"a_region": (k1 > 0) & (k2 > 0)}
     data = {"a_poly": (s + k1) * (s + k2), "k1": k1, "k2": k2, "s": s, "checks": 1, "sp": 2}
     encoded = {name: encode(value).decode() for name, value in (data | claim).items()}
@@ -164,8 +161,7 @@ def _what_a_watch_sees():
 
 
 def _mutations(count):
-    """Valid messages with wrong answers, mutated: bytes changed, cut out, doubled, and JSON values
-    exchanged."""
+    """Yield mutated messages with wrong answers: bytes changed, cut, doubled, values exchanged."""
     chance = random.Random(2026)
     valid = [
         handed_over(WRONG_ANSWERS),
@@ -257,8 +253,7 @@ def pickle_of_code():
 
 
 def test_any_bytes_are_judged():
-    """A judgement always comes, quickly, without points, fit to be stored and printed, and blames
-    the notebook if anybody."""
+    """There is always a judgement: quick, without points, printable, and blaming the notebook."""
     found = in_child(_fuzz, 1500, timeout=400)
     assert found == []
 
@@ -348,7 +343,7 @@ def _tower(value):
     "huge", [_tower(k1**99), sp.sin(_tower(k1**99)), 2 ** (3 ** (5 ** (7**k1)))], ids=str
 )
 def test_a_tower_of_powers_is_refused_before_it_is_computed(huge):
-    """A condition, and an expression in another exercise."""
+    """As a condition, and as an expression in another exercise."""
     fuel = exercises.find("5.25")
     before = judging._cpu_seconds_of_children()
     for exercise, answers in (
@@ -387,8 +382,7 @@ def test_memory_of_the_judge_is_limited():
 
 
 def test_loaded_libraries_do_not_count_as_the_judges_memory():
-    """On a small machine with many cores little is allowed, and all of it is there for the
-    answers."""
+    """On a small machine little is allowed, and all of it is for the answers."""
     assert in_child(_with_little_memory, 200, 256, timeout=60) == ["nothing"]
 
 
@@ -439,7 +433,7 @@ def test_a_judge_ends_when_its_grader_dies_at_once():
 
 
 def test_a_judge_ends_when_its_pipe_closes():
-    """It holds no end of its own pipe by which something could."""
+    """It does not hold the other end of its own pipe."""
     process = judging._JudgingProcess(EXERCISE.code("data", "check"))
     try:
         process._sender.close()
@@ -467,7 +461,7 @@ def process_of(judge):
 
 
 def like(text):
-    """An exercise like 1.15 with this check cell in the place of its first."""
+    """Return an exercise like 1.15 with this check cell in place of its first."""
     cells = list(EXERCISE.cells)
     first = next(k for k, (role, _) in enumerate(cells) if role == "check")
     cells[first] = (
@@ -478,8 +472,7 @@ def like(text):
 
 
 def test_no_verdict_depends_on_earlier_ones(same):
-    """Of several problems, right and wrong, odd and hostile, in both orders: each as by a judge
-    that has judged nothing."""
+    """For several problems and answers of all kinds, in both orders: as by a fresh judge."""
     five = exercises.find("5.22")
     a, b = sp.symbols("xi1 xi2")
     energy = 12 * a**2 - 12 * a * b + 4 * b**2
@@ -531,8 +524,7 @@ def test_a_judge_that_was_killed_meanwhile_harms_no_notebook(same):
 
 
 def test_a_failure_is_judged_again_by_a_fresh_process(same):
-    """If our own check fails there for what the process has become, nobody is told to wait for a
-    lecturer."""
+    """If a check fails only because of the state of the process, no lecturer has to look."""
     for text in (
         "import builtins\nassert not hasattr(builtins, 'seen')\nbuiltins.seen = True",
         "import os, builtins\nif hasattr(builtins, 'seen'): os._exit(1)\nbuiltins.seen = True",
@@ -544,8 +536,7 @@ def test_a_failure_is_judged_again_by_a_fresh_process(same):
 
 
 def test_bounds_apply_to_each_notebook_by_itself():
-    """What was computed and held for others takes nothing from them; a process that holds too much
-    judges no more."""
+    """Time and memory of others do not count; a process that has grown too much is replaced."""
     slow = like(
         "import time\nend = time.process_time() + 0.25\nwhile time.process_time() < end: pass"
     )
@@ -561,7 +552,7 @@ def test_bounds_apply_to_each_notebook_by_itself():
 
 
 def test_random_numbers_are_the_same_for_all(same):
-    """Of whatever library: an answer that is tried at random places is tried at the same ones."""
+    """In every library: an answer is tried at the same random points."""
     lucky = like(
         "import random, sympy.core.random\nimport numpy as np\nfirst = random.Random(0).random()\n"
         "assert random.random() == sympy.core.random.rng.random() == first\n"
@@ -601,8 +592,10 @@ print(graded["verdicts"]["a_region"]["status"], worker.returncode >= 0)
 
 
 def test_a_grader_does_not_wait_for_the_judge_to_end():
-    """It inherited the sandbox's control socket, at whose closing the notebook worker exits: this
-    one exits by itself, and is not killed after a second."""
+    """The judge inherited the sandbox's control socket, at whose closing the worker exits.
+
+    So the worker exits by itself, and is not killed after a second.
+    """
     done = subprocess.run(
         [sys.executable, "-c", HOW_A_GRADER_ENDS], capture_output=True, text=True, timeout=120
     )
@@ -610,7 +603,7 @@ def test_a_grader_does_not_wait_for_the_judge_to_end():
 
 
 def test_a_failing_check_gives_unchecked(monkeypatch):
-    """Nothing of ours that fails makes an answer wrong."""
+    """No failure of ours makes an answer wrong."""
     broken = exercises.Exercise(
         EXERCISE.path,
         EXERCISE.about,
@@ -623,7 +616,7 @@ def test_a_failing_check_gives_unchecked(monkeypatch):
 
 
 def test_a_matrix_is_shown_in_one_line():
-    """The line breaks that SymPy and NumPy print are no characters of the answer."""
+    """The line breaks that SymPy and NumPy print are not part of the answer."""
     found = judged(
         handed_over(
             {"a_region": sp.Matrix([[1, 2], [3, k1]]), "b_region": np.eye(3), "c_region": "a\nb"}

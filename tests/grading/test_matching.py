@@ -1,5 +1,4 @@
-"""For which problem of a homework a notebook counts, and what a homework without a file asks
-for."""
+"""The problem that a notebook is for, and the problems of a homework without a file."""
 
 import json
 import sys
@@ -36,8 +35,7 @@ def found(folder):
     ],
 )
 def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
-    """What names another problem of the workbook is not taken for an attempt at the only one that
-    is asked for."""
+    """A notebook that names another problem of the workbook is not an attempt at this one."""
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
     path = hand_in(tmp_path, "ann", problem, {}, name=name)
     if not named:

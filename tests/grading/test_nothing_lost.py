@@ -1,4 +1,4 @@
-"""However often the grader is killed, and wherever: started again, it ends in the same grades."""
+"""A grader that is killed, at any point and any number of times, ends in the same grades."""
 
 import os
 import random
@@ -20,8 +20,7 @@ KILLS = 15
 
 
 def submit_a_course(folder):
-    """Twelve submissions of all sorts: right, wrong, half done, failing, broken, not a notebook,
-    handed in twice."""
+    """Submit twelve files: right, wrong, incomplete, failing, broken, no notebook, twice the same."""
     for k, student in enumerate(("ada", "bela", "cyd", "dora", "ellen")):
         some = dict(list(RIGHT_1_15.items())[: k + 1])
         hand_in(
@@ -48,7 +47,7 @@ def submit_a_course(folder):
 
 
 def start(folder, out):
-    """`workbook grade` in a process group of its own."""
+    """Start `workbook grade` in a process group of its own."""
     # What a shell starts in the background ignores Ctrl-C, and so would all that these tests start.
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
     return subprocess.Popen(
@@ -71,8 +70,7 @@ def start(folder, out):
 
 
 def grades(out):
-    """Everything that was found, without when and by whom: each row of the store, to be compared
-    whole."""
+    """Return each row of the store without times and ids, to be compared."""
     with closing(sqlite3.connect(out / "grades.sqlite")) as database:
         return sorted(
             database.execute(
@@ -83,7 +81,7 @@ def grades(out):
 
 
 def count(out):
-    """How many results are stored; a reader waits for nobody and disturbs nobody."""
+    """Return how many results are stored; reading does not disturb the grader."""
     try:
         with closing(
             sqlite3.connect(f"file:{out / 'grades.sqlite'}?mode=ro", uri=True, timeout=10)
@@ -94,7 +92,7 @@ def count(out):
 
 
 def _stat(number):
-    """(parent, start time) of a living process; None of one that is gone or waits to be reaped."""
+    """Return (parent, start time) of a process; None if it has ended."""
     try:
         fields = Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()
     except OSError:
@@ -103,7 +101,7 @@ def _stat(number):
 
 
 def descendants(ancestor):
-    """{(number, start time)} of all processes below one."""
+    """Return {(pid, start time)} of all descendants of a process."""
     living = {
         int(path.name): found
         for path in Path("/proc").glob("[0-9]*")
@@ -116,7 +114,7 @@ def descendants(ancestor):
 
 
 def outliving(processes, patience=5):
-    """Those of `processes` that are still there after a moment."""
+    """Return those of `processes` that still run after a while."""
     give_up = time.monotonic() + patience
     while (
         left := {one for one in processes if (found := _stat(one[0])) and found[1] == one[1]}
@@ -169,7 +167,7 @@ def test_a_killed_run_continues(tmp_path):
 
 
 def wait_for_a_moment(process, out, before, lasted, chance):
-    """A random one, often before anything is graded; or one right after something was stored."""
+    """Wait a random time, often until before anything is graded; or until a result was stored."""
     if chance.random() < 0.6:
         time.sleep(chance.uniform(0.1, 0.5 * lasted))
         return
@@ -205,7 +203,7 @@ def test_one_grader_at_a_time(tmp_path):
     from workbook.grading import course
 
     (tmp_path / "submitted").mkdir()
-    with course._alone(tmp_path):
+    with course._locked(tmp_path):
         done = start(tmp_path, tmp_path)
         _, said = done.communicate(timeout=60)
         assert (

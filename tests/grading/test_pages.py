@@ -1,5 +1,4 @@
-"""The pages that students and lecturers read: what stands on them, what never does, and how they
-look."""
+"""The pages for students and lecturers: their content, their limits, and their layout."""
 
 import json
 import os
@@ -48,7 +47,7 @@ FIVE = {
 
 
 def shown(page):
-    """The text of a page, as a reader sees it, with everything unfolded."""
+    """Return the text of a page with everything unfolded."""
     return unescape(re.sub(r"<[^>]+>", " ", re.sub(r"(?s)<style>.*?</style>", "", page)))
 
 
@@ -198,8 +197,7 @@ ALLOWED = {
 
 
 def give_away(page, master):
-    """Lines of the master's answer cells that stand on a page, but for those that the student's
-    notebook holds."""
+    """Return the lines of the master's answer cells on a page that the student's notebook lacks."""
     own = {
         line.strip()
         for _, source in exercises.find(master.number).cells
@@ -211,7 +209,7 @@ def give_away(page, master):
 
 
 def page_of(number, verdicts, texts=None):
-    """The page of a student with these verdicts."""
+    """Return the page of a student with these verdicts."""
     homework = assignments.of_problems("hw1", [number])
     attempts = [Attempt(0, "ann", "hw1", number, "", 0.0, "e", verdicts, texts or {}, ())]
     return feedback(homework, of_student("ann", homework, attempts, {}))
@@ -233,7 +231,7 @@ def test_no_line_of_a_solution_is_on_a_page_with_all_hints(number):
 
 
 def at_the_ends():
-    """The first and the last problem of each chapter."""
+    """Return the first and the last problem of each chapter."""
     chapters = {}
     for exercise in exercises.read_all():
         chapters.setdefault(exercise.number.split(".")[0], []).append(exercise.number)
@@ -363,8 +361,7 @@ def test_named_mistakes_are_on_both_pages(store, homework):
 
 
 def test_answers_with_equal_short_texts_are_not_identical(store, homework):
-    """A text is cut, and leaves out the middle of an array: who was charged with copying must have
-    given the very same."""
+    """A text is cut, and omits the middle of an array: only equal whole answers are identical."""
     for k, student in enumerate(["ann", "bob", "cid"]):
         attempt = store.note_attempt(student, "hw1", "1.15", student, DUE - 1)
         store.record(

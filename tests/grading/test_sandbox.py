@@ -1,5 +1,7 @@
-"""The sandbox: what is seen in it, what it limits, how it ends, and where none can be had. As root
-and as an ordinary user."""
+"""The sandbox: what is visible in it, its limits, how notebooks end, and where there is none.
+
+As root and as an ordinary user.
+"""
 
 import json
 import os
@@ -42,7 +44,7 @@ def sandbox(request):
 
 
 def answers(outcome):
-    """The answers handed over, as Python values of plain types."""
+    """Return the answers handed over, as Python values of plain types."""
     assert outcome.ended == "done", outcome
     return {
         name: json.loads(text) for name, text in json.loads(outcome.handed_over)["encoded"].items()
@@ -98,8 +100,7 @@ def test_only_the_two_packages_are_visible(single_use):
 
 @pytest.mark.parametrize("layout", ["wheel", "checkout among packages"])
 def test_no_exercise_is_visible_in_any_installation(layout):
-    """From a wheel the exercises lie inside the package; a checkout may lie in a folder that is
-    visible as a whole."""
+    """A wheel has the exercises inside the package; a checkout may be in a visible folder."""
     folder = Path(tempfile.mkdtemp(prefix="installed-"))
     try:
         packages = folder / "lib" / "site-packages"
@@ -265,7 +266,7 @@ def test_sleeping_counts_as_computing():
 
 
 def test_a_pretended_wait_for_a_disk_is_bounded():
-    """Between `vfork` and the end of the child a process counts as waiting for a disk."""
+    """Between `vfork` and the end of the child a process seems to wait for a disk."""
     clone_as_vfork = "ctypes.CDLL(None).syscall(56, 0x4000 | signal.SIGCHLD, 0, 0, 0, 0)"
     with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
         start = time.monotonic()
@@ -326,7 +327,7 @@ except OSError:
 
 @pytest.mark.parametrize("single_use", [False, True])
 def test_limits_on_all_processes_together(single_use):
-    """None of them reaches a limit alone."""
+    """No process alone reaches a limit."""
     with lean(PATIENT, single_use) as sandbox:
         assert 20 < answers(run(sandbox, COUNT))["a"] < PATIENT.processes
         computing = "import os, time\nfor _ in range(3): os.fork()\nwhile time.process_time() < 3: pass\ntime.sleep(99)"
@@ -340,8 +341,7 @@ def test_limits_on_all_processes_together(single_use):
 
 @pytest.mark.parametrize("single_use", [False, True])
 def test_limits_for_an_ordinary_user(single_use):
-    """Limits on processes do not bind root, so root drops to another user; an ordinary user must be
-    bound as he is."""
+    """Limits on processes do not bind root, so root drops to another user; others are bound."""
     folder = Path(tempfile.mkdtemp())
     try:
         done = ordinary.run(
@@ -380,8 +380,10 @@ def test_nothing_outlives_a_notebook(sandbox):
 
 
 def _ends(token, seconds=5):
-    """Whether no process has the token in its command line, or none soon: a notebook's processes
-    are put away while its answers are judged already."""
+    """Return whether soon no process has the token in its command line.
+
+    A notebook's processes end while its answers are judged already.
+    """
     late = time.monotonic() + seconds
     while [path for path in Path("/proc").glob("[0-9]*/cmdline") if token.encode() in _bytes(path)]:
         if time.monotonic() > late:
@@ -416,7 +418,7 @@ def test_a_worker_that_is_killed_during_a_notebook_costs_nothing():
 
 
 def test_the_grader_is_free_while_a_notebook_runs():
-    """One that would go on until it is stopped, which is by what it computes, not by the clock."""
+    """The notebook runs until it is stopped, by what it computes, not by wall time."""
     with lean(PATIENT) as sandbox:
         sandbox.start_run(["while True: pass", "a = 1"], ["a"])
         assert not framing.readable([sandbox._process.results], 0)
@@ -426,7 +428,7 @@ def test_the_grader_is_free_while_a_notebook_runs():
 
 @pytest.fixture
 def one_busy_processor():
-    """All that is started from here on has one processor, which two others use as well."""
+    """Leave one processor to all processes started from here on, with two others that use it."""
     before = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {min(before)})
     endless = [
@@ -458,7 +460,7 @@ def test_wall_time_is_bounded():
 
 
 def test_waiting_for_a_notebook_is_not_its_time():
-    """Its process is there before it comes."""
+    """Its process exists before its request comes."""
     with lean(Limits(cpu_seconds=2, wall_seconds=4)) as sandbox:
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
         time.sleep(5)
@@ -478,14 +480,13 @@ def _no_sandbox(*given):
 
 
 def test_a_killed_notebook_is_a_failure_of_the_grader():
-    """SIGKILL for the first process of a namespace comes from outside, as when the machine runs out
-    of memory."""
+    """SIGKILL for the first process of a namespace comes from outside, as when memory is full."""
     outcome = lean(TIGHT)._outcome(b"died", b"signal 9")
     assert outcome.ended == "failed"
 
 
 def bubblewrap_that(folder, does):
-    """A folder for PATH with a `bwrap` of ours in it, which anybody may run."""
+    """Return a folder for PATH with a `bwrap` that runs this shell command."""
     folder.mkdir()
     folder.chmod(0o755)
     path = folder / "bwrap"
@@ -678,7 +679,7 @@ def test_unsandboxed_leaves_no_folder_behind():
 
 
 def test_shared_memory_is_counted_once():
-    """Eight processes with the same two hundred megabytes use two hundred, not eighteen hundred."""
+    """Eight processes with the same 200 MB use 200 MB, not 1800."""
     with lean(PATIENT) as sandbox:
         outcome = run(
             sandbox,

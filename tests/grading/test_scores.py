@@ -1,4 +1,4 @@
-"""From verdicts to points, on attempts recorded by hand: nothing is run here."""
+"""From verdicts to points, on attempts recorded by hand."""
 
 import sys
 from pathlib import Path

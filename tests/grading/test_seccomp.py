@@ -1,5 +1,4 @@
-"""The filter of system calls: what it denies, in a process of its own, and that computing goes on
-as before."""
+"""The filter of system calls: what it denies, and that ordinary computing is allowed."""
 
 import ctypes
 import errno
@@ -23,7 +22,7 @@ def _under_the_filter(function):
 
 
 def _denied():
-    """Each denied call, tried with arguments of zero: the number of its error."""
+    """Return the result of each denied call with arguments of zero."""
     libc = ctypes.CDLL(None, use_errno=True)
     column = seccomp.ARCHITECTURES[platform.machine()][1]
     found = {}
@@ -40,7 +39,7 @@ def test_denied_system_calls():
 
 
 def _settings():
-    """What a process may ask about itself, and what it may not set: the error's number."""
+    """Return the results of reading and of setting limits and signal actions."""
     libc = ctypes.CDLL(None, use_errno=True)
     column = seccomp.ARCHITECTURES[platform.machine()][1]
     limit, action = ctypes.create_string_buffer(16), ctypes.create_string_buffer(152)

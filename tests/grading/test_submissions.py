@@ -1,4 +1,4 @@
-"""Finding submissions: whatever lies there, nothing stops the search, and all of it is named."""
+"""Finding submissions: no file stops the search, and every one is reported."""
 
 import json
 import os
@@ -50,8 +50,7 @@ def test_order_and_what_was_left_aside(tmp_path):
 
 
 def test_misplaced_notebooks_are_reported(tmp_path):
-    """A whole class handed in one folder too high or too low is not a class that handed in
-    nothing."""
+    """A class whose notebooks are one folder too high or low has not handed in nothing."""
     real = hand_in(tmp_path, "ada", "1.15", {})
     root = tmp_path / "submitted"
     for place in (
@@ -84,7 +83,7 @@ def test_misplaced_notebooks_are_reported(tmp_path):
 )
 @pytest.mark.parametrize("call", ["open", "fstat"])
 def test_a_file_without_read_permission_is_no_attempt(tmp_path, monkeypatch, trouble, call):
-    """It is not the student's fault, so it must not count as the one attempt that a student has."""
+    """It is not the student's fault, so it must not count as the only attempt."""
     hand_in(tmp_path, "ada", "1.15", {})
     real = getattr(os, call)
 
@@ -145,7 +144,7 @@ def test_odd_names(tmp_path, name):
 
 
 def test_both_unicode_forms_of_a_name_are_one_student(tmp_path):
-    """A Mac writes é as e and an accent, other systems as one letter."""
+    """macOS writes é as e and an accent, other systems as one letter."""
     for k, spelling in enumerate(("NFC", "NFD")):
         hand_in(
             tmp_path,

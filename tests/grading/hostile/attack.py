@@ -1,4 +1,4 @@
-"""What one hostile submission is, and what is seen of it, in an unguarded grader as in ours."""
+"""A hostile submission, and what is observed after it in an unguarded grader and in ours."""
 
 import json
 import sys
@@ -20,7 +20,7 @@ WRONG = "a_region = sp.And(k1 > 0, k2 > 0)"
 
 @dataclass(frozen=True)
 class Seen:
-    """What became of a submission and of the world around it."""
+    """What became of a submission and of its surroundings."""
 
     points: int  # right answers
     text: str  # the answers as they were recorded
@@ -70,7 +70,7 @@ def flooded(seen):
 
 
 def reached(number):
-    """True if the attack says that it came as far as this number."""
+    """Return a test of whether the attack reports at least this number."""
     return lambda seen: any(
         int(word) >= number for word in seen.text.replace(",", " ").split() if word.isdigit()
     )
@@ -78,11 +78,12 @@ def reached(number):
 
 @dataclass(frozen=True)
 class Attack:
-    """`cells` stand in the place of the first stub; or `files(folder)` makes the whole submission.
+    """A hostile submission.
 
-    `success` looks at what was `Seen`: it must be true of the unguarded grader (`naive`), and false
-    of ours. There, in general, no point is gained, no other's grade is harmed, and the run goes on;
-    `after` says what else is true.
+    `cells` are in the place of the first stub; or `files(folder)` makes the whole submission.
+    `success` is a function of what was `Seen`: it must be true for the unguarded grader (`naive`),
+    and false for ours. There no point is gained, no other's grade is harmed, and the run goes on;
+    `after` describes what else holds.
     """
 
     name: str
@@ -111,12 +112,12 @@ class Attack:
 
 
 def lines(*parts):
-    """Pieces of code one after the other, each without its margin."""
+    """Join pieces of code, each without its margin."""
     return "\n".join(dedent(part).strip() for part in parts)
 
 
 def with_cells(sources):
-    """The notebook of problem 1.15 with code cells in the place of its first stub."""
+    """Return the notebook of problem 1.15 with code cells in the place of its first stub."""
     notebook = handed_out("1.15", {})
     place = next(
         k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"]

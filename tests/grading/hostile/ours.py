@@ -1,5 +1,4 @@
-"""Grade the course in the current folder with our grader, and its results as plain data (`python
-ours.py`)."""
+"""Grade the course in the current folder with our grader (`python ours.py`)."""
 
 import json
 import os
@@ -19,7 +18,7 @@ BOUNDS = Bounds(seconds=8, answer_seconds=3)
 
 
 def run(here, environment, once=False, timeout=400):
-    """Grade in a process of its own; True if it comes to its end."""
+    """Grade in a process of its own; return whether it came to its end."""
     with open(here / "output.txt", "wb") as output:
         # The password file stays open and is inherited, as careless programs do.
         with open(here / "solutions/secret.txt") as secret:
@@ -36,7 +35,7 @@ def run(here, environment, once=False, timeout=400):
 
 
 def results(here):
-    """{student: [{"verdicts", "answers", "remarks"}]} as stored."""
+    """Return {student: [{"verdicts", "answers", "remarks"}]} as stored."""
     found = {}
     with closing(sqlite3.connect(here / "graded/grades.sqlite")) as database:
         rows = database.execute(

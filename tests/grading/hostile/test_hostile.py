@@ -1,5 +1,7 @@
-"""Hostile submissions gain nothing, harm nobody and stop nothing; and each succeeds where nothing
-guards."""
+"""Each hostile submission succeeds in an unguarded grader and fails in ours.
+
+In ours it gains nothing, harms no other student and stops nothing.
+"""
 
 import sys
 from pathlib import Path
@@ -42,7 +44,7 @@ def test_attack_succeeds_unguarded(attack):
 
 @pytest.mark.slow
 def test_no_attack_succeeds_guarded():
-    """All of them in one run, with honest students before, between and after."""
+    """All attacks in one run, with honest students before, between and after."""
     with a_course() as course:
         honest = {}
         for k, attack in enumerate(ATTACKS):
@@ -82,7 +84,7 @@ def test_no_attack_succeeds_guarded():
 
 
 def _failures(attack, results, seen):
-    """What is not as it must be after an attack."""
+    """Return what is not as it must be after an attack."""
     found = []
     if attack.success(seen):
         found.append(f"succeeded: {seen}")
@@ -103,7 +105,7 @@ def _failures(attack, results, seen):
 
 
 def _told(results):
-    """True if a verdict other than `missing` says what is wrong with an answer."""
+    """Return whether a verdict other than `missing` says what is wrong with an answer."""
     return any(
         status in ("wrong", "invalid")
         for result in results
@@ -120,7 +122,7 @@ def _full(results):
 
 
 def _files(here):
-    """Everything in the course's folder with its content, but for what is too large to compare."""
+    """Return everything in the course's folder with its content, if that is not too large."""
     return {
         path.relative_to(here): path.read_bytes()
         if path.is_file() and path.stat().st_size < 10**7
