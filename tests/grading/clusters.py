@@ -95,17 +95,17 @@ class LocalCluster:
         below = set().union(
             *(descendants(process.pid) for process in self._processes if process.poll() is None)
         )
-        return {one for one in below if b"workbook" in command_of(one[0])}
+        return {process_key for process_key in below if b"workbook" in command_of(process_key[0])}
 
     def workers(self):
         """Return the pids of the workers proper, below their nannies."""
-        found = [
+        pids = [
             number
             for process in self._processes
             for number, _ in descendants(process.pid)
             if b"spawn_main" in command_of(number)
         ]
-        return sorted(found)
+        return sorted(pids)
 
     def close(self):
         below = set().union(*(descendants(process.pid) for process in self._processes))

@@ -10,7 +10,7 @@ from classroom import an_assignment
 
 from workbook.grading.store import Store
 
-#: Their tests wait: for sandboxes, lanes, whole commands, a browser, limits of time.
+#: Their tests wait: for sandboxes, worker processes, whole commands, a browser, limits of time.
 WAITING = {
     "test_cluster",
     "test_commands",

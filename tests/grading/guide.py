@@ -5,7 +5,7 @@ import re
 
 def steps(text):
     """Return (section, command, lines that it prints) for every command of the page."""
-    found, section, inside = [], "", False
+    commands, section, inside = [], "", False
     for line in text.replace("\\\n", "").split("\n"):
         if line.startswith("#") and not inside:
             section = line.lstrip("# ")
@@ -13,10 +13,10 @@ def steps(text):
             assert inside or line == "```console", f"{line}: shell commands stand in console blocks"
             inside = not inside
         elif inside and line.startswith("$ "):
-            found.append((section, line[2:], []))
+            commands.append((section, line[2:], []))
         elif inside:
-            found[-1][2].append(line)
-    return found
+            commands[-1][2].append(line)
+    return commands
 
 
 def like(shown, printed):

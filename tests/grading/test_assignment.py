@@ -85,7 +85,7 @@ ONE = 'problems = ["1.15"]\n'
 
 
 @pytest.mark.parametrize(
-    "text, said",
+    "text, message",
     [
         ("", "problems is a list"),
         ("problems = [1.15]", "problems is a list of numbers in quotes"),
@@ -133,12 +133,14 @@ ONE = 'problems = ["1.15"]\n'
         (ONE + ONE, "Cannot overwrite a value"),
     ],
 )
-def test_errors_are_one_line(tmp_path, text, said):
+def test_errors_are_one_line(tmp_path, text, message):
     path = write_assignment(tmp_path, text)
     with pytest.raises(AssignmentError) as error:
         assignments.read(path)
     assert (
-        said in str(error.value) and str(path) in str(error.value) and "\n" not in str(error.value)
+        message in str(error.value)
+        and str(path) in str(error.value)
+        and "\n" not in str(error.value)
     )
 
 
@@ -188,8 +190,10 @@ def test_a_handed_out_notebook_is_the_exercise_without_dead_links(tmp_path):
             assert released["metadata"] == pristine["metadata"] and len(released["cells"]) == len(
                 pristine["cells"]
             )
-            for ours, theirs in zip(released["cells"], pristine["cells"], strict=True):
-                assert ours == theirs or "places" in ours["metadata"]
+            for released_cell, pristine_cell in zip(
+                released["cells"], pristine["cells"], strict=True
+            ):
+                assert released_cell == pristine_cell or "places" in released_cell["metadata"]
             text = "".join(cell["source"] for cell in released["cells"])
             assert "_build/" not in text and not re.search(r"\]\(\.", text)
             if site:
@@ -211,7 +215,7 @@ def test_a_handed_out_notebook_is_known_without_its_metadata(tmp_path):
         path = tmp_path / "ann" / "hw1" / handing_out.file_name(exercise.number)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(notebook))
-    assert {found.problem for found in submissions.find(tmp_path)} == {
+    assert {entry.problem for entry in submissions.find(tmp_path)} == {
         exercise.number for exercise in exercises.read_all()
     }
 
@@ -225,7 +229,7 @@ def test_a_homework_is_not_overwritten(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "name, numbers, said",
+    "name, numbers, message",
     [
         ("hw1", ["9.99"], "no problem 9.99"),
         ("hw1", ["1.15", "1.15"], "named twice"),
@@ -237,8 +241,8 @@ def test_a_homework_is_not_overwritten(tmp_path):
         ("hw1 ", ["1.15"], "names a folder"),
     ],
 )
-def test_a_homework_that_cannot_be_made_leaves_nothing_behind(tmp_path, name, numbers, said):
-    with pytest.raises(AssignmentError, match=said):
+def test_a_homework_that_cannot_be_made_leaves_nothing_behind(tmp_path, name, numbers, message):
+    with pytest.raises(AssignmentError, match=message):
         handing_out.make(tmp_path, name, numbers)
     assert list(tmp_path.iterdir()) == []
 

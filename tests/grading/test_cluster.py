@@ -76,7 +76,7 @@ def expected(submitted, tmp_path_factory):
 
 def start(dask, out):
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    known = () if dask.scheme == "tcp" else CERTIFICATES
+    options = () if dask.scheme == "tcp" else CERTIFICATES
     command = [
         sys.executable,
         "-m",
@@ -87,7 +87,7 @@ def start(dask, out):
         str(out),
         "--cluster",
         dask.address,
-        *known,
+        *options,
     ]
     return subprocess.Popen(
         command,
@@ -170,10 +170,10 @@ def test_processes_that_are_killed_cost_nothing(dask, expected, tmp_path):
     wait_for_results(process, tmp_path, before + 1)
     assert 12 > count(tmp_path) > before >= 3, "a result was lost"
     os.killpg(process.pid, signal.SIGINT)
-    _, said = process.communicate(timeout=60)
-    assert process.returncode == 130 and "Traceback" not in said, said
+    _, output = process.communicate(timeout=60)
+    assert process.returncode == 130 and "Traceback" not in output, output
     assert (
-        said.strip().split("\n")[-1]
+        output.strip().split("\n")[-1]
         == "workbook: stopped; what is graded is stored, and the same command goes on from there"
     )
     # and then a worker is killed.
@@ -181,17 +181,17 @@ def test_processes_that_are_killed_cost_nothing(dask, expected, tmp_path):
     process = start(dask, tmp_path)
     wait_for_results(process, tmp_path, before + 1)
     os.kill(victim, signal.SIGKILL)
-    _, said = process.communicate(timeout=120)
-    assert process.returncode == 0 and "Traceback" not in said, said
+    _, output = process.communicate(timeout=120)
+    assert process.returncode == 0 and "Traceback" not in output, output
     assert grades(tmp_path) == expected and victim not in dask.workers()
 
 
 def test_all_processes_end_with_the_grader(dask):
     def begun():
         return {
-            one
-            for one in dask.grading_processes() - before
-            if b"forkserver.main" in command_of(one[0])
+            process_key
+            for process_key in dask.grading_processes() - before
+            if b"forkserver.main" in command_of(process_key[0])
         }
 
     before = (
@@ -209,7 +209,7 @@ def test_all_processes_end_with_the_grader(dask):
     assert not outliving(dask.grading_processes() - before)
 
 
-# Workers that are not fit
+# Workers that cannot grade
 
 
 def copied_library(folder, path, old, new):
@@ -234,14 +234,14 @@ def test_another_library_on_a_worker_is_named_before_anything_is_graded(dask, su
     )
     worker = dask.add_worker(PYTHONPATH=changed)
     process = start(dask, tmp_path / "out")
-    _, said = process.communicate(timeout=60)
+    _, output = process.communicate(timeout=60)
     dask.remove(worker)
-    assert process.returncode == 2, said
-    last = said.strip().split("\n")[-1]
+    assert process.returncode == 2, output
+    last = output.strip().split("\n")[-1]
     assert re.fullmatch(
         r"workbook: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*", last
-    ), said
-    assert "Traceback" not in said
+    ), output
+    assert "Traceback" not in output
     assert {row[0] for row in grades(tmp_path / "out")} == {"gil", "hal"}, (
         "whose files are no notebooks, for which no worker is asked"
     )
@@ -261,7 +261,7 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "changes, said",
+    "changes, message",
     [
         ({"sympy": "1.12"}, r"it has sympy 1\.\d+(\.\d+)?, and this machine 1\.12"),
         ({"casadi": None}, r"it has casadi 3\.\S+, and this machine \(none\)"),
@@ -270,12 +270,12 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
         ({"problem 99.1": "0"}, "its problem 99.1 is another one than here"),
     ],
 )
-def test_the_part_of_the_library_that_differs_is_named(changes, said, monkeypatch):
-    known = dask_worker.library_versions(["1.15"])
+def test_the_part_of_the_library_that_differs_is_named(changes, message, monkeypatch):
+    versions = dask_worker.library_versions(["1.15"])
     monkeypatch.setattr(dask_worker, "_library_versions_now", dask_worker.library_versions)
-    dask_worker._require_same_library(known)
-    with pytest.raises(dask_worker.UnfitWorkerError, match=said):
-        dask_worker._require_same_library(known | changes)
+    dask_worker._require_same_library(versions)
+    with pytest.raises(dask_worker.UnfitWorkerError, match=message):
+        dask_worker._require_same_library(versions | changes)
 
 
 def test_the_library_that_counts_is_all_that_grades():
@@ -351,11 +351,11 @@ def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
         {"b_region": RIGHT_1_15["b_region"], "a_region": "' '.join(sorted(set(found)))"},
     )
     notebook = json.loads(path.read_text())
-    place = next(
+    position = next(
         k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"]
     )
     notebook["cells"].insert(
-        place,
+        position,
         {
             "cell_type": "code",
             "metadata": {},
@@ -412,7 +412,7 @@ def addresses(dask):
         return list(client.nthreads())
 
 
-# Without certificates, and what cannot be used
+# Without certificates, and invalid options
 
 
 def test_plain_tcp_works_with_a_warning(tmp_path):
@@ -421,11 +421,11 @@ def test_plain_tcp_works_with_a_warning(tmp_path):
         plain.add_worker("--no-nanny --nthreads 1")
         hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
         process = start(plain, tmp_path / "out")
-        _, said = process.communicate(timeout=60)
+        _, output = process.communicate(timeout=60)
         assert (
             process.returncode == 0
             and f"{plain.address} is not encrypted: who can reach it can read and change grades"
-            in said
+            in output
         )
         assert '"ada","5.00"' in (tmp_path / "out" / "hw1" / "grades.csv").read_text(
             encoding="utf-8"
@@ -433,7 +433,7 @@ def test_plain_tcp_works_with_a_warning(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "address, said",
+    "address, message",
     [
         (
             "scheduler",
@@ -448,8 +448,8 @@ def test_plain_tcp_works_with_a_warning(tmp_path):
         ("tls://host:8786", "needs certificates; --tls-ca-file names a file of them"),
     ],
 )
-def test_an_invalid_address_is_refused(address, said):
-    with pytest.raises(connection.ClusterError, match=re.escape(said)):
+def test_an_invalid_address_is_refused(address, message):
+    with pytest.raises(connection.ClusterError, match=re.escape(message)):
         coordinator.Cluster(address).check()
 
 
@@ -556,14 +556,14 @@ def test_without_dask_the_error_is_one_line(monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "options, said",
+    "options, message",
     [
         (("--cluster", "nowhere"), "nowhere is not the address of a scheduler"),
         (("--cluster", "tcp://127.0.0.1:1", "--processes", "2"), "--processes is for this machine"),
         (("--tls-key", "x"), "--tls-ca-file, --tls-cert and --tls-key are for --cluster"),
     ],
 )
-def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
+def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, message):
     (tmp_path / "submitted").mkdir()
     done = subprocess.run(
         [sys.executable, "-m", "workbook.cli", "grade", "submitted", "--out", "graded", *options],
@@ -574,7 +574,9 @@ def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
         timeout=60,
     )
     assert (
-        done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
+        done.returncode == 2
+        and message in done.stderr
+        and len(done.stderr.strip().split("\n")) == 1
     ), done.stderr
     assert not (tmp_path / "graded").exists()
 

@@ -65,14 +65,14 @@ def here(monkeypatch):
 
 
 def grade(folder, **options):
-    given = {
+    arguments = {
         "assignment_folder": folder / "assignments",
         "processes": 1,
         "timeout": 60,
         "trusting": True,
         "quiet": True,
     } | options
-    return commands.grade_course(folder / "submitted", folder / "graded", **given)
+    return commands.grade_course(folder / "submitted", folder / "graded", **arguments)
 
 
 @pytest.fixture
@@ -112,7 +112,7 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
         ["cid", "0.00", "0.00", "0.00", "12.00", "", "no"],
         ["dan", "0.00", "0.00", "0.00", "12.00", "", "no"],
     ]
-    # Dan has no grade to hand on.
+    # Dan has no grade.
     assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == [
         "ID number",
         "ann",
@@ -188,7 +188,7 @@ def test_points_by_hand_from_the_command_line(course, here):
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         (["bib", "hw1", "1.15", "a_region", "1"], "hw1 has no student bib"),
         (["bob", "hw7", "1.15", "a_region", "1"], "there are no grades of hw7 in graded"),
@@ -203,11 +203,13 @@ def test_points_by_hand_from_the_command_line(course, here):
         (["bob", "hw1", "1.15", "a_region", "--remove"], "has no points by hand"),
     ],
 )
-def test_an_invalid_score_is_refused_in_one_line(course, here, arguments, said):
+def test_an_invalid_score_is_refused_in_one_line(course, here, arguments, message):
     grade(course)
     done = workbook("score", *arguments, cwd=course)
     assert (
-        done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
+        done.returncode == 2
+        and message in done.stderr
+        and len(done.stderr.strip().split("\n")) == 1
     )
 
 
@@ -261,11 +263,11 @@ def test_a_changed_problem_regrades_and_lists_changes(course, here, changed_work
         0.0,
         "the problem or its checks changed",
     )
-    said = capsys.readouterr().err
-    assert "1 answer is not what it was:" in said
+    output = capsys.readouterr().err
+    assert "1 answer is not what it was:" in output
     assert (
         "ann 1.15 a_region: right -> wrong, 2 -> 0 points (the problem or its checks changed)"
-        in said
+        in output
     )
     assert table(course / "graded" / "hw1" / "changes.csv")[-1][1:] == [
         "ann",
@@ -277,7 +279,7 @@ def test_a_changed_problem_regrades_and_lists_changes(course, here, changed_work
         "0.00",
         "the problem or its checks changed",
     ]
-    assert grade(course)["changes"]["hw1"] == [], "a change is told once"
+    assert grade(course)["changes"]["hw1"] == [], "a change is listed once"
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 2, "and stays in the table"
 
 
@@ -379,7 +381,7 @@ def test_roster(course, here, capsys):
 
 def test_different_points_possible_in_canvas_are_reported(course, here, capsys):
     roster = course / "canvas.csv"
-    for possible, said in (
+    for possible, output in (
         ("10", True),
         ("12", False),
         ("12.00", False),
@@ -398,7 +400,7 @@ def test_different_points_possible_in_canvas_are_reported(course, here, capsys):
         assert (
             "Canvas has 10 points possible for Homework 1, the homework has 12"
             in capsys.readouterr().err
-        ) == said
+        ) == output
 
 
 def test_a_bad_roster_is_an_error_before_anything_is_graded(course, here):
@@ -408,27 +410,27 @@ def test_a_bad_roster_is_an_error_before_anything_is_graded(course, here):
     assert here == [] and not (course / "graded").exists()
 
 
-# What else is said and refused
+# Messages and refusals
 
 
 def test_without_a_file_every_answer_is_a_point(course, here, capsys):
     hand_in(course, "dan", "1.17", {})
     grade(course, assignment_folder=None, quiet=False)
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     assert (
         "hw1: 7 points, no due date, one for each answer, since there is no assignment.toml for it"
-        in said
+        in output
     )
-    assert "  problems: 1.15 (from 2 students), 1.17 (from 2 students)\n" in said
+    assert "  problems: 1.15 (from 2 students), 1.17 (from 2 students)\n" in output
 
 
 def test_without_a_file_a_problem_of_one_student_is_not_asked_for(course, here, capsys):
     summary = grade(course, assignment_folder=None, quiet=False)
-    said = capsys.readouterr().err
-    assert "hw1: 5 points" in said and "1.15 (from 2 students)\n" in said
+    output = capsys.readouterr().err
+    assert "hw1: 5 points" in output and "1.15 (from 2 students)\n" in output
     assert (
         "submitted/cid/hw1/ch1-p17.ipynb: only cid handed in problem 1.17, while others share 1.15"
-        in said
+        in output
     )
     assert summary["to review"] == {"hw1": {"cid": []}}
 
@@ -438,7 +440,7 @@ def test_a_misspelt_homework_is_reported(course, here, capsys):
     for student, name in (("dan", "HW1"), ("hw1", "eva"), ("fay", "stuff")):
         hand_in(course, student, "1.15", RIGHT_1_15, assignment=name)
     summary = grade(course, quiet=False)
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     assert set(summary["assignments"]) == {"hw1"} and list(summary["to review"]["hw1"]) == [
         "dan",
         "fay",
@@ -446,13 +448,15 @@ def test_a_misspelt_homework_is_reported(course, here, capsys):
     ]
     assert (
         "submitted/dan/HW1/ch1-p15.ipynb: there is no homework HW1; hw1 is another name: rename "
-        "the folder" in said
+        "the folder" in output
     )
     assert (
         "hw1 is a homework, so this has to lie in eva/hw1: first the student, then the homework"
-        in said
+        in output
     )
-    assert "there is no homework stuff: no assignment.toml stands in a folder of this name" in said
+    assert (
+        "there is no homework stuff: no assignment.toml stands in a folder of this name" in output
+    )
     (course / "submitted" / "dan" / "HW1").rename(course / "submitted" / "dan" / "hw1")
     assert grade(course)["assignments"]["hw1"]["dan"] == 10
 
@@ -498,7 +502,7 @@ def test_attempts_beyond_the_limit_are_not_graded(course, here):
     assert grade(course)["graded"] == 0, "an attempt that was taken away is one all the same"
 
 
-# What is told of what changed
+# Changes
 
 
 def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
@@ -558,13 +562,13 @@ def test_points_by_hand_are_capped_at_what_the_answer_is_worth(course, here, cap
 
 
 def test_what_was_left_aside_needs_review(course, here, capsys):
-    for student, place in (
+    for student, path_below in (
         ("dan", "hw1/inner/ch1-p15.ipynb"),
         ("eva", "ch1-p15.ipynb"),
         ("fay", "hw1/mine.ipynb"),
         ("ann", "ch1-p15.ipynb"),
     ):
-        path = course / "submitted" / student / place
+        path = course / "submitted" / student / path_below
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text('{"cells": []}')
     (course / "submitted" / "gil" / "hw1").mkdir(parents=True)
@@ -636,7 +640,7 @@ def test_the_summary_lists_what_could_not_be_read(course, here, capsys):
     )
 
 
-# A disk that is full, and what is spoilt
+# A full disk and damaged files
 
 
 def test_a_full_disk_is_one_line_and_changes_are_listed_next_time(course, here):
@@ -707,7 +711,7 @@ def test_answers_that_need_review(course, here, changed_workbook, capsys):
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         (["grade", "nowhere", "--out", "graded"], "nowhere is not a folder"),
         (
@@ -728,9 +732,9 @@ def test_answers_that_need_review(course, here, changed_workbook, capsys):
         (["assignment", "new", "hw2", "1.15", "--due", "0001-01-01"], "'0001-01-01' is not a date"),
     ],
 )
-def test_bad_input_ends_in_one_line_and_code_2(course, arguments, said):
+def test_bad_input_ends_in_one_line_and_code_2(course, arguments, message):
     done = workbook(*arguments, cwd=course)
-    assert done.returncode == 2 and said in done.stderr, done.stderr
+    assert done.returncode == 2 and message in done.stderr, done.stderr
     assert len(done.stderr.strip().split("\n")) == 1 and "Traceback" not in done.stderr
 
 
@@ -781,8 +785,8 @@ def test_a_damaged_record_is_an_error_of_one_line(course, here):
 
 def test_names_of_pages():
     assert commands.page_name("ann") == "ann.html"
-    one, other = commands.page_name("ж" * 120 + "a"), commands.page_name("ж" * 120 + "b")
-    assert one != other and len(one.encode()) <= 255 and len(other.encode()) <= 255
+    first, other = commands.page_name("ж" * 120 + "a"), commands.page_name("ж" * 120 + "b")
+    assert first != other and len(first.encode()) <= 255 and len(other.encode()) <= 255
 
 
 # The lecturer's guide
@@ -841,7 +845,7 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         "LC_ALL": "C.UTF-8",
         "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
     }
-    told, waiting = [], dict(MEANWHILE)
+    commands_run, waiting = [], dict(MEANWHILE)
     for section, command, shown in steps(GUIDE.read_text(encoding="utf-8")):
         if section in waiting:
             waiting.pop(section)(tmp_path)
@@ -873,8 +877,8 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         assert not shown or like(shown, done.stdout), (
             f"{command} prints\n{done.stdout}\nand the page shows\n" + "\n".join(shown)
         )
-        told.append(command)
-    assert waiting == {} and len(told) > 15
+        commands_run.append(command)
+    assert waiting == {} and len(commands_run) > 15
     for written in (
         "summary.html",
         "feedback/ann.html",

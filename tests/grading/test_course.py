@@ -189,8 +189,8 @@ def test_an_earlier_version_handed_in_again_is_the_last_attempt(tmp_path, by_con
     write_assignment(tmp_path, LAST)
     for k, answers, expected in ((0, "GOOD", (1, 5)), (1, "BAD", (1, 0)), (2, "GOOD", (0, 5))):
         hand_in(tmp_path, "ann", "1.15", {"a_region": f"'{answers}'"}, at=DUE - 9 + k)
-        graded, found, _ = run(tmp_path)
-        assert (graded, found["ann"]) == expected
+        graded, late_by_student, _ = run(tmp_path)
+        assert (graded, late_by_student["ann"]) == expected
 
 
 @pytest.mark.parametrize("rule, points_, is_late", [("last", 5, True), ("best", 5, False)])
@@ -224,10 +224,10 @@ def test_a_corrected_time_of_a_file(tmp_path, by_content):
 )
 def test_a_homework_folder_of_an_invalid_name_stops_nothing(tmp_path, by_content, name):
     write_assignment(tmp_path, LAST)
-    ours = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE - 9)
+    normal = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE - 9)
     folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
     os.makedirs(folder)
-    Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(ours.read_bytes())
+    Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(normal.read_bytes())
     done = commands.grade_course(
         tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60, True, True
     )
@@ -302,15 +302,15 @@ def test_a_changed_judge_grades_again(tmp_path, failing_workers, monkeypatch):
 
 def test_an_exercise_is_read_again_when_its_file_has_changed(tmp_path, monkeypatch):
     """While it has not changed, it is not read again for each notebook."""
-    place = tmp_path / "ch1" / "p15.ipynb"
-    place.parent.mkdir()
+    notebook_path = tmp_path / "ch1" / "p15.ipynb"
+    notebook_path.parent.mkdir()
     text = exercises.find("1.15").path.read_text(encoding="utf-8")
     monkeypatch.setattr(exercises, "home", lambda: tmp_path)
-    place.write_text(text, encoding="utf-8")
+    notebook_path.write_text(text, encoding="utf-8")
     first = exercises.find("1.15")
     assert exercises.find("1.15") is first
-    place.write_text(text.replace("a_region", "a_place"), encoding="utf-8")
-    os.utime(place, ns=(0, place.stat().st_mtime_ns + 1))
+    notebook_path.write_text(text.replace("a_region", "a_place"), encoding="utf-8")
+    os.utime(notebook_path, ns=(0, notebook_path.stat().st_mtime_ns + 1))
     assert (
         "a_place" in exercises.find("1.15").about["answers"]
         and "a_region" in first.about["answers"]

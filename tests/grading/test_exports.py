@@ -131,7 +131,7 @@ ROSTER = (
 
 
 def test_canvas_csv_fills_its_own_column(small, homework):
-    text, strangers = canvas.canvas_csv(homework, small, Roster(ROSTER))
+    text, unknown = canvas.canvas_csv(homework, small, Roster(ROSTER))
     assert text == (
         '"Student","ID","SIS User ID","SIS Login ID","Section","Homework 1, stability (22)"\r\n'
         '"    Points Possible","","","","","7"\r\n'
@@ -141,7 +141,7 @@ def test_canvas_csv_fills_its_own_column(small, homework):
         '"Zee, Zoe","104","u4","zoe","B","2.00"\r\n'
         '"Student, Test","105","","f00d","B",""\r\n'
     )
-    assert strangers == ["dan"]
+    assert unknown == ["dan"]
 
 
 def test_canvas_csv_makes_a_new_column(small, homework):
@@ -170,8 +170,8 @@ def test_canvas_csv_makes_a_new_column(small, homework):
 def test_canvas_students_are_matched_by_the_id_that_fits_most(store, homework, column, names):
     for name in names:
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
-    text, strangers = canvas.canvas_csv(homework, scores(store, homework), Roster(ROSTER))
-    assert [row[5] for row in rows(text)][2:4] == ["5.00", "5.00"] and strangers == []
+    text, unknown = canvas.canvas_csv(homework, scores(store, homework), Roster(ROSTER))
+    assert [row[5] for row in rows(text)][2:4] == ["5.00", "5.00"] and unknown == []
 
 
 def test_ids_of_different_kinds_are_not_mixed(store, homework):
@@ -209,13 +209,13 @@ def test_a_roster_that_cannot_be_read(tmp_path):
 
 
 def test_identifiers_are_unchanged_for_other_systems(store, homework):
-    found = awkward(store, homework)
-    assert sorted(row[0] for row in rows(exporting.moodle_csv(homework, found))[1:]) == sorted(
-        AWKWARD
-    )
-    assert sorted(row[3] for row in rows(exporting.nbgrader_csv(homework, found))[1:]) == sorted(
-        AWKWARD
-    )
+    class_scores = awkward(store, homework)
+    assert sorted(
+        row[0] for row in rows(exporting.moodle_csv(homework, class_scores))[1:]
+    ) == sorted(AWKWARD)
+    assert sorted(
+        row[3] for row in rows(exporting.nbgrader_csv(homework, class_scores))[1:]
+    ) == sorted(AWKWARD)
     out = io.StringIO()
     csv.writer(out).writerows(
         [
@@ -223,21 +223,21 @@ def test_identifiers_are_unchanged_for_other_systems(store, homework):
             *([name, name, name, "A"] for name in AWKWARD),
         ]
     )
-    text, strangers = canvas.canvas_csv(homework, found, Roster(out.getvalue()))
+    text, unknown = canvas.canvas_csv(homework, class_scores, Roster(out.getvalue()))
     assert [row[:4] for row in rows(text)[2:]] == [
         [name, name, name, "A"] for name in AWKWARD
-    ] and strangers == []
+    ] and unknown == []
     assert {row[4] for row in rows(text)[2:]} == {"2.50"}
 
 
 def test_no_cell_for_people_is_a_formula(store, homework):
-    found = awkward(store, homework)
+    class_scores = awkward(store, homework)
     change = [
         Change("now", name, "1.17", "a_region", "wrong", "right", 0.0, 1.0, "graded again")
         for name in AWKWARD
     ]
     for text, column in (
-        (exporting.grades_csv(homework, found), 0),
+        (exporting.grades_csv(homework, class_scores), 0),
         (exporting.changes_csv(change), 1),
     ):
         shown = [row[column] for row in rows(text)[1:]]

@@ -40,7 +40,7 @@ HOMEWORK = (
     '3\n[points]\n"1.15" = 10\n'
 )
 HALF = RIGHT_1_15 | {"a_region": "k1 > 0"}
-#: A user that nobody on this machine is.
+#: A user id that is free on this machine.
 STUDENT = 61234
 PYTHON = f"python3.{sys.version_info.minor}"
 USER_ADDED = "useradd --system --no-create-home --shell /usr/sbin/nologin workbook-student\n"
@@ -94,13 +94,13 @@ def test_contents_of_the_bundle(archive):
                 row[0]: row[1] for row in csv.reader(io.StringIO(wheel.read(record).decode()))
             }
             assert set(listed) == set(names)
-            for name, said in listed.items():
+            for name, recorded in listed.items():
                 digest = (
                     base64.urlsafe_b64encode(hashlib.sha256(wheel.read(name)).digest())
                     .rstrip(b"=")
                     .decode()
                 )
-                assert name == record or said == f"sha256={digest}"
+                assert name == record or recorded == f"sha256={digest}"
             text = "\n".join(wheel.read(name).decode() for name in names if name.endswith(".ipynb"))
             everything = b"\n".join(map(wheel.read, names)).decode(errors="replace")
     for number in ("1.15", "1.17"):
@@ -109,11 +109,11 @@ def test_contents_of_the_bundle(archive):
         ).code("answer"):
             assert source not in text
     for master in read_all(Path(__file__).resolve().parents[2] / "solutions"):
-        # neither the value nor what is said of it can be read anywhere
+        # Neither the value nor the sentence on it can be read anywhere.
         for trial in master.trials["wrong"]:
             value = trial.source.rpartition("\n")[2].partition("=")[2].strip()
-            said = sentence(master, trial) or trial.comment
-            assert said.partition("\n")[0] not in everything
+            message = sentence(master, trial) or trial.comment
+            assert message.partition("\n")[0] not in everything
             assert len(value) < 16 or f"{trial.name} = {value}" not in everything
 
 
@@ -138,7 +138,7 @@ def wheel_name(bundled):
 
 
 @pytest.mark.parametrize(
-    "rule, earlier, now, points, said",
+    "rule, earlier, now, points, message",
     [
         ('attempt = "best"', [], 3.0, 3.0, ""),
         ('attempt = "best"', [5.0, 1.0], 3.0, 5.0, "An earlier attempt"),
@@ -160,10 +160,10 @@ def wheel_name(bundled):
         ),
     ],
 )
-def test_which_attempt_counts(tmp_path, rule, earlier, now, points, said):
+def test_which_attempt_counts(tmp_path, rule, earlier, now, points, message):
     homework = assignments.read(write_assignment(tmp_path, f'{rule}\nproblems = ["1.15"]'))
-    counted, sentences = autograder._that_counts(homework, earlier, now)
-    assert counted == points and said in " ".join(sentences) and bool(said) == bool(sentences)
+    counted, sentences = autograder._counting_points(homework, earlier, now)
+    assert counted == points and message in " ".join(sentences) and bool(message) == bool(sentences)
 
 
 def test_earlier_submissions_are_those_that_were_graded(tmp_path):
@@ -190,7 +190,7 @@ def test_earlier_submissions_are_those_that_were_graded(tmp_path):
 
 def test_the_limits_of_all_notebooks_fit_gradescopes_timeout():
     for count in (0, 1, 3, 10):
-        limits, bounds = autograder._shares(count)
+        limits, bounds = autograder._limits(count)
         # Judging at most: the whole notebook three times its bound on the clock; answers alone are
         # rare.
         assert max(count, 1) * (limits.wall_seconds + 3 * bounds.seconds) <= autograder.SECONDS + 1
@@ -221,7 +221,7 @@ def installed(archive, tmp_path_factory):
     folder, outside = tmp_path_factory.mktemp("opt"), tmp_path_factory.mktemp("outside")
     wheels = tmp_path_factory.mktemp("wheels")
     folder.chmod(0o755)  # as a folder in /opt is
-    for name in sorted(stands_on("trajlib") - {"trajlib"}):
+    for name in sorted(requirements("trajlib", "workbook") - {"trajlib"}):
         put_into_wheel(metadata.distribution(name), wheels)
     programs(outside, PYTHON)
     (outside / PYTHON).unlink()  # the real one is found behind it
@@ -242,20 +242,20 @@ def installed(archive, tmp_path_factory):
     return folder
 
 
-def stands_on(name):
-    """Return a distribution and all its requirements, without extras."""
-    found, waiting = set(), [name]
+def requirements(distribution, extra):
+    """Return a distribution and all its requirements, with one extra of its own."""
+    names, waiting = set(), [distribution]
     while waiting:
         name = canonicalize_name(waiting.pop())
-        if name not in found:
-            found.add(name)
-            needed = map(Requirement, metadata.distribution(name).requires or ())
+        if name not in names:
+            names.add(name)
+            environment = {"extra": extra if name == distribution else ""}
             waiting += [
-                one.name
-                for one in needed
-                if one.marker is None or one.marker.evaluate({"extra": ""})
+                requirement.name
+                for requirement in map(Requirement, metadata.distribution(name).requires or ())
+                if requirement.marker is None or requirement.marker.evaluate(environment)
             ]
-    return found
+    return names
 
 
 def put_into_wheel(distribution, folder):
@@ -275,10 +275,10 @@ def put_into_wheel(distribution, folder):
                 and file.name not in ("RECORD", "direct_url.json")
             ):
                 wheel.write(file.locate(), file.as_posix())
-        (place,) = {
+        (info_folder,) = {
             file.parts[0] for file in distribution.files if file.parts[0].endswith(".dist-info")
         }
-        wheel.writestr(f"{place}/RECORD", "".join(f"{file},,\n" for file in wheel.namelist()))
+        wheel.writestr(f"{info_folder}/RECORD", "".join(f"{file},,\n" for file in wheel.namelist()))
 
 
 class Container:
@@ -443,8 +443,8 @@ def test_a_submission(container):
         "failed",
         "failed",
     ]
-    told = result["tests"][0]["output"]
-    assert told.startswith("wrong: ") and told.endswith(
+    output = result["tests"][0]["output"]
+    assert output.startswith("wrong: ") and output.endswith(
         "\nThe notebook has 2 hints to this answer."
     )
     assert result["tests"][5]["output"].startswith("missing: not answered yet")
@@ -503,7 +503,7 @@ def test_a_crash_of_the_grader_leaves_a_result(container, breaks):
     assert done.stderr, "the lecturer sees why"
 
 
-# What a notebook may try. Each line is an attempt that says what it achieved.
+# Attempts of a notebook: each line reports what it achieved.
 ATTEMPTS = """
 import os, pathlib, signal, socket, subprocess
 done = []
@@ -628,14 +628,14 @@ def test_processes_of_a_notebook_end_with_it(container):
 
 
 @pytest.mark.parametrize(
-    "has, said",
+    "has, message",
     [
         ("3.12", "python3.12 -m venv /opt/workbook"),
         ("3.11", "python3.11 -m venv /opt/workbook"),
         ("", "choose Ubuntu 22.04"),
     ],
 )
-def test_setup(tmp_path, archive, has, said):
+def test_setup(tmp_path, archive, has, message):
     """setup.sh asks the right things of the system, and ends if it has no suitable Python."""
     log = programs(tmp_path, f"python{has}", "python3.12", "python3.11")
     with zipfile.ZipFile(archive) as bundled:
@@ -647,13 +647,13 @@ def test_setup(tmp_path, archive, has, said):
         text=True,
         timeout=60,
     )
-    assert said in (log.read_text() if has else done.stderr) and done.returncode == (
+    assert message in (log.read_text() if has else done.stderr) and done.returncode == (
         0 if has else 1
     )
     if has:
         assert (
             "install --no-cache-dir --constraint /autograder/source/constraints.txt "
-            "/autograder/source/trajlib-*.whl" in done.stdout
+            "/autograder/source/trajlib-*.whl[workbook]" in done.stdout
         )
         assert log.read_text().endswith(USER_ADDED)
 

@@ -42,9 +42,9 @@ def heeding():
 @pytest.fixture
 def ignored(monkeypatch):
     """The types of errors that Python reports as ignored."""
-    told = []
-    monkeypatch.setattr(sys, "unraisablehook", lambda one: told.append(one.exc_type))
-    return told
+    types = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda unraisable: types.append(unraisable.exc_type))
+    return types
 
 
 @pytest.mark.parametrize("finalizing", [in_del, in_a_callback])

@@ -49,18 +49,22 @@ def statuses(judgement):
 def test_right_and_wrong():
     right = {name: eval(text, {"k1": k1, "k2": k2}) for name, text in RIGHT_1_15.items()}
     assert statuses(judged(handed_over(right))) == dict.fromkeys(NAMES, RIGHT)
-    found = judged(handed_over(right | {"b_region": k1 > 0}))
-    assert statuses(found) == dict.fromkeys(NAMES, RIGHT) | {"b_region": WRONG}
-    assert found.final == FINAL and found.remarks == () and found.answers["b_region"] == "k1 > 0"
+    judgement = judged(handed_over(right | {"b_region": k1 > 0}))
+    assert statuses(judgement) == dict.fromkeys(NAMES, RIGHT) | {"b_region": WRONG}
+    assert (
+        judgement.final == FINAL
+        and judgement.remarks == ()
+        and judgement.answers["b_region"] == "k1 > 0"
+    )
 
 
 def test_a_renamed_variable_is_distinguished_from_a_stub():
-    found = judged(handed_over({"b_region": ..., "c_region": sp.true}))
-    assert statuses(found)["a_region"] == statuses(found)["b_region"] == "missing"
+    judgement = judged(handed_over({"b_region": ..., "c_region": sp.true}))
+    assert statuses(judgement)["a_region"] == statuses(judgement)["b_region"] == "missing"
     assert (
-        found.verdicts["a_region"].message
+        judgement.verdicts["a_region"].message
         == judging.NEVER_ASSIGNED
-        != found.verdicts["b_region"].message
+        != judgement.verdicts["b_region"].message
     )
     nothing = judged(handed_over(errors=["code cell 3: NameError: name 'k3' is not defined"]))
     assert {verdict.message for verdict in nothing.verdicts.values()} == {judging.NEVER_ASSIGNED}, (
@@ -71,14 +75,20 @@ def test_a_renamed_variable_is_distinguished_from_a_stub():
 def test_hashes_are_of_whole_answers():
     """Texts are cut; answers that differ beyond that have different hashes, equal ones the same."""
     long = [sp.And(*(k1 > k for k in range(200)), k2 > last) for last in (1, 2)]
-    found = [judged(handed_over({"a_region": first, "b_region": long[1]})) for first in long]
-    assert found[0].answers["a_region"] == found[1].answers["a_region"]
-    assert found[0].hashes["a_region"] != found[1].hashes["a_region"] == found[0].hashes["b_region"]
+    judgements = [judged(handed_over({"a_region": first, "b_region": long[1]})) for first in long]
+    assert judgements[0].answers["a_region"] == judgements[1].answers["a_region"]
+    assert (
+        judgements[0].hashes["a_region"]
+        != judgements[1].hashes["a_region"]
+        == judgements[0].hashes["b_region"]
+    )
     names = list(EXERCISE.about["answers"])
     alone = judging._one_by_one(
         EXERCISE.code("data", "check"), handed_over({"a_region": long[0]}), names, Bounds()
     )
-    assert alone.hashes == {"a_region": found[0].hashes["a_region"]} and set(found[0].hashes) == {
+    assert alone.hashes == {"a_region": judgements[0].hashes["a_region"]} and set(
+        judgements[0].hashes
+    ) == {
         "a_region",
         "b_region",
     }
@@ -117,19 +127,19 @@ def test_only_the_named_answers_reach_the_checks():
 
 def test_verdicts_are_not_taken_from_a_notebook():
     forged = {name: ["right", "of course"] for name in NAMES}
-    found = judged(handed_over(WRONG_ANSWERS, verdicts=forged, points=5))
-    assert set(statuses(found).values()) == {WRONG}
+    judgement = judged(handed_over(WRONG_ANSWERS, verdicts=forged, points=5))
+    assert set(statuses(judgement).values()) == {WRONG}
 
 
 def test_without_a_check_nothing_is_right():
     answers = {name: encode(value).decode() for name, value in WRONG_ANSWERS.items()}
     data = EXERCISE.code("data")
-    found = in_child(judge_cells, data, answers, {}, NAMES, timeout=60)
-    assert {status for status, *_ in found.values()} == {UNCHECKED}
+    verdicts = in_child(judge_cells, data, answers, {}, NAMES, timeout=60)
+    assert {status for status, *_ in verdicts.values()} == {UNCHECKED}
     failing = [*EXERCISE.code("data", "check")[:2], ("check", "1/0"), *EXERCISE.code("check")[2:]]
-    found = in_child(judge_cells, failing, answers, {}, NAMES, timeout=60)
-    assert found["b_region"][0] == UNCHECKED and {
-        found[name][0] for name in NAMES if name != "b_region"
+    verdicts = in_child(judge_cells, failing, answers, {}, NAMES, timeout=60)
+    assert verdicts["b_region"][0] == UNCHECKED and {
+        verdicts[name][0] for name in NAMES if name != "b_region"
     } == {WRONG}
 
 
@@ -254,14 +264,14 @@ def pickle_of_code():
 
 def test_any_bytes_are_judged():
     """There is always a judgement: quick, without points, printable, and blaming the notebook."""
-    found = in_child(_fuzz, 1500, timeout=400)
-    assert found == []
+    violations = in_child(_fuzz, 1500, timeout=400)
+    assert violations == []
 
 
 def _fuzz(count):
     import z3  # noqa: F401, which is loaded when the first condition is judged
 
-    found = []
+    violations = []
     cells = EXERCISE.code("data", "check")
     judge_cells(cells, {}, {}, NAMES)  # what our own cells import, they have imported
     watch = Watch()
@@ -275,24 +285,24 @@ def _fuzz(count):
             verdicts = judge_cells(
                 [cells[0], cells[1 + NAMES.index(chosen[0])]], encoded, unreadable, chosen
             )
-            given = decoded(encoded, unreadable, NAMES)
-            described = {name: judging._short_text(given[name]) for name in encoded}
+            decoded_values = decoded(encoded, unreadable, NAMES)
+            described = {name: judging._short_text(decoded_values[name]) for name in encoded}
             json.dumps([verdicts, described, remarks, stopped], ensure_ascii=False).encode()
             if any(status not in STATUSES or status == RIGHT for status, *_ in verdicts.values()):
-                found.append(f"{k}: {verdicts} for {message[:300]!r}")
+                violations.append(f"{k}: {verdicts} for {message[:300]!r}")
             if (
                 not all(remark.startswith(("notebook: ", "limits: ")) for remark in remarks)
                 or len(remarks) > 40
             ):
-                found.append(f"{k}: {remarks}")
+                violations.append(f"{k}: {remarks}")
             if not set(described) | set(encoded) | set(unreadable) <= set(NAMES):
-                found.append(f"{k}: {described}")
+                violations.append(f"{k}: {described}")
         except BaseException as error:
-            found.append(f"{k}: {error!r} for {message[:300]!r}")
-    return found + watch.events
+            violations.append(f"{k}: {error!r} for {message[:300]!r}")
+    return violations + watch.events
 
 
-# Limits, and whose affair it is
+# Limits, and whose fault it was
 
 
 @pytest.mark.parametrize(
@@ -307,22 +317,22 @@ def _fuzz(count):
     ],
 )
 def test_remarks_on_a_notebook_without_answers(ended, message, status, whose, final):
-    found = judge(EXERCISE, Outcome(ended, message))
-    assert statuses(found) == dict.fromkeys(NAMES, status) and found.final == final
-    (remark,) = found.remarks
+    judgement = judge(EXERCISE, Outcome(ended, message))
+    assert statuses(judgement) == dict.fromkeys(NAMES, status) and judgement.final == final
+    (remark,) = judgement.remarks
     assert remark.startswith(f"{whose}: ") and remark.isprintable()
 
 
-#: Small, and of powers that are let in; put together it is not small.
+#: Small, with powers that are accepted; evaluated it is not small.
 EXPLOSIVE = sum((k1 + n) / (k2**n + n * k1 + 1) ** 20 for n in range(1, 40)) > 0
 
 
 def test_an_answer_that_explodes_costs_only_itself():
-    found = judged(
+    judgement = judged(
         handed_over({"a_region": EXPLOSIVE, "b_region": (k2 > 0) & (k1 > k2), "c_region": k1 > 7}),
         Bounds(seconds=16, answer_seconds=3),
     )
-    assert statuses(found) == {
+    assert statuses(judgement) == {
         "a_region": UNCHECKED,
         "b_region": RIGHT,
         "c_region": WRONG,
@@ -330,8 +340,8 @@ def test_an_answer_that_explodes_costs_only_itself():
         "e_region": MISSING,
     }
     assert (
-        "took longer than 3 s" in found.verdicts["a_region"].message
-        and found.final == WITHIN_LIMITS
+        "took longer than 3 s" in judgement.verdicts["a_region"].message
+        and judgement.final == WITHIN_LIMITS
     )
 
 
@@ -350,35 +360,38 @@ def test_a_tower_of_powers_is_refused_before_it_is_computed(huge):
         (EXERCISE, dict.fromkeys(NAMES, huge > k2)),
         (fuel, {"cost": huge.subs(k1, sp.Symbol("a"))}),
     ):
-        found = judge(exercise, Outcome("done", handed_over(answers)), Bounds())
-        assert found.final == FINAL and {found.verdicts[name].status for name in answers} == {
-            INVALID
-        }
+        judgement = judge(exercise, Outcome("done", handed_over(answers)), Bounds())
+        assert judgement.final == FINAL and {
+            judgement.verdicts[name].status for name in answers
+        } == {INVALID}
         assert all(
-            "grows too fast to be computed with" in found.verdicts[name].message for name in answers
+            "grows too fast to be computed with" in judgement.verdicts[name].message
+            for name in answers
         )
     assert judging._cpu_seconds_of_children() - before < 6
 
 
 def test_a_notebook_full_of_exploding_answers_is_bounded_in_time():
     before = judging._cpu_seconds_of_children()
-    found = judged(
+    judgement = judged(
         handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=8, answer_seconds=6)
     )
-    assert statuses(found) == dict.fromkeys(NAMES, UNCHECKED) and found.final == WITHIN_LIMITS
-    assert all("took longer than" in verdict.message for verdict in found.verdicts.values())
+    assert (
+        statuses(judgement) == dict.fromkeys(NAMES, UNCHECKED) and judgement.final == WITHIN_LIMITS
+    )
+    assert all("took longer than" in verdict.message for verdict in judgement.verdicts.values())
     # The kernel counts in whole seconds, once for all answers and once for each alone.
     assert judging._cpu_seconds_of_children() - before < 8 + 2 * (1 + len(NAMES))
     # Where less than a second is left for the answers one by one, none of them is begun.
-    found = judged(handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=1.5))
-    assert {verdict.message.partition(";")[0] for verdict in found.verdicts.values()} == {
+    judgement = judged(handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=1.5))
+    assert {verdict.message.partition(";")[0] for verdict in judgement.verdicts.values()} == {
         "judging this notebook took longer than 1.5 s"
     }
 
 
 def test_memory_of_the_judge_is_limited():
-    found = in_child(_with_little_memory, 1000, 700, timeout=60)
-    assert found in (["MemoryError"], ["RuntimeError"])
+    error = in_child(_with_little_memory, 1000, 700, timeout=60)
+    assert error in (["MemoryError"], ["RuntimeError"])
 
 
 def test_loaded_libraries_do_not_count_as_the_judges_memory():
@@ -451,9 +464,9 @@ RIGHT_ANSWERS = {name: eval(text, {"k1": k1, "k2": k2}) for name, text in RIGHT_
 @pytest.fixture
 def same():
     """A judge for one notebook after the other."""
-    one = Judge(Bounds(seconds=12, answer_seconds=3))
-    yield one
-    one.end()
+    judge = Judge(Bounds(seconds=12, answer_seconds=3))
+    yield judge
+    judge.end()
 
 
 def process_of(judge):
@@ -491,14 +504,14 @@ def test_no_verdict_depends_on_earlier_ones(same):
     alone = [
         judge(exercise, Outcome("done", message), same._bounds) for exercise, message in notebooks
     ]
-    assert len({json.dumps(statuses(one)) for one in alone}) > 4, "they are of many kinds"
+    assert len({json.dumps(statuses(result)) for result in alone}) > 4, "they are of many kinds"
     assert [statuses(alone[1])[name] for name in ("a_energy", "b_energy")] == [RIGHT, WRONG]
     for order in (notebooks, notebooks[::-1]):
-        found = {}
+        results = {}
         for exercise, message in order:
             same.prepare(exercise)
-            found[exercise.number, message] = same.judge(exercise, Outcome("done", message))
-        assert [found[exercise.number, message] for exercise, message in notebooks] == alone
+            results[exercise.number, message] = same.judge(exercise, Outcome("done", message))
+        assert [results[exercise.number, message] for exercise, message in notebooks] == alone
 
 
 def test_one_process_judges_many_until_something_unusual(same):
@@ -519,8 +532,8 @@ def test_a_judge_that_was_killed_meanwhile_harms_no_notebook(same):
     same.prepare(EXERCISE)
     same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
     os.kill(process_of(same), 9)
-    found = same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
-    assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
+    judgement = same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    assert statuses(judgement) == dict.fromkeys(NAMES, RIGHT) and judgement.final == FINAL
 
 
 def test_a_failure_is_judged_again_by_a_fresh_process(same):
@@ -531,8 +544,8 @@ def test_a_failure_is_judged_again_by_a_fresh_process(same):
     ):
         once_a_process = like(text)
         for _ in range(3):
-            found = same.judge(once_a_process, Outcome("done", handed_over(RIGHT_ANSWERS)))
-            assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
+            judgement = same.judge(once_a_process, Outcome("done", handed_over(RIGHT_ANSWERS)))
+            assert statuses(judgement) == dict.fromkeys(NAMES, RIGHT) and judgement.final == FINAL
 
 
 def test_bounds_apply_to_each_notebook_by_itself():
@@ -542,8 +555,8 @@ def test_bounds_apply_to_each_notebook_by_itself():
     )
     same, processes = Judge(Bounds(seconds=4, answer_seconds=2)), set()
     for _ in range(16):
-        found = same.judge(slow, Outcome("done", handed_over(RIGHT_ANSWERS)))
-        assert statuses(found) == dict.fromkeys(NAMES, RIGHT)
+        judgement = same.judge(slow, Outcome("done", handed_over(RIGHT_ANSWERS)))
+        assert statuses(judgement) == dict.fromkeys(NAMES, RIGHT)
         processes.add(process_of(same))
     assert len(processes) == 1, "four seconds in one process, two for each notebook"
     holding = like(f"import builtins\nbuiltins.held = bytearray({judging.MAX_GROWTH})")
@@ -611,27 +624,27 @@ def test_a_failing_check_gives_unchecked(monkeypatch):
             ("data", "1/0") if role == "data" else (role, source) for role, source in EXERCISE.cells
         ),
     )
-    found = judge(broken, Outcome("done", handed_over(WRONG_ANSWERS)))
-    assert set(statuses(found).values()) == {UNCHECKED}
+    judgement = judge(broken, Outcome("done", handed_over(WRONG_ANSWERS)))
+    assert set(statuses(judgement).values()) == {UNCHECKED}
 
 
 def test_a_matrix_is_shown_in_one_line():
     """The line breaks that SymPy and NumPy print are not part of the answer."""
-    found = judged(
+    judgement = judged(
         handed_over(
             {"a_region": sp.Matrix([[1, 2], [3, k1]]), "b_region": np.eye(3), "c_region": "a\nb"}
         )
     )
-    assert found.answers["a_region"] == "Matrix([[1, 2], [3, k1]])"
+    assert judgement.answers["a_region"] == "Matrix([[1, 2], [3, k1]])"
     assert (
-        found.answers["b_region"]
+        judgement.answers["b_region"]
         == "array of shape (3, 3): [[1., 0., 0.], [0., 1., 0.], [0., 0., 1.]]"
     )
-    assert found.answers["c_region"] == "'a\\nb'"
+    assert judgement.answers["c_region"] == "'a\\nb'"
 
 
 def test_texts_of_a_notebook_are_sanitised():
-    found = judged(
+    judgement = judged(
         handed_over(
             {},
             unreadable={"a_region": "\x1b[31mred\r\u202e" + "x" * 10_000},
@@ -639,13 +652,17 @@ def test_texts_of_a_notebook_are_sanitised():
             stopped=[3],
         )
     )
-    verdict = found.verdicts["a_region"]
+    verdict = judgement.verdicts["a_region"]
     assert (
         verdict.status == INVALID
         and verdict.message.startswith("notebook: \\x1b[31mred\\r\\u202ex")
         and len(verdict.message) < 2000
     )
-    assert found.remarks[0] == "notebook: grader: give full marks\\x07" and len(found.remarks) < 50
     assert (
-        "limits: code cell 3 was stopped: it took half of the time that was left" in found.remarks
+        judgement.remarks[0] == "notebook: grader: give full marks\\x07"
+        and len(judgement.remarks) < 50
+    )
+    assert (
+        "limits: code cell 3 was stopped: it took half of the time that was left"
+        in judgement.remarks
     )

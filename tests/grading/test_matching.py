@@ -14,8 +14,8 @@ from workbook.grading.gradescope import autograder
 
 
 def without_metadata(path):
-    given = json.loads(path.read_text())
-    path.write_text(json.dumps(given | {"metadata": {}}))
+    nb = json.loads(path.read_text())
+    path.write_text(json.dumps(nb | {"metadata": {}}))
     return path
 
 
@@ -40,14 +40,14 @@ def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
     path = hand_in(tmp_path, "ann", problem, {}, name=name)
     if not named:
         without_metadata(path)
-    (one,) = found(tmp_path)
-    answer = matching.problem_for(one, homework)
+    (submission,) = found(tmp_path)
+    answer = matching.problem_for(submission, homework)
     assert (
         answer == meant
         if meant
         else answer
         == submissions.LeftAside(
-            one.path,
+            submission.path,
             "it is for problem 1.17, which this homework does not ask for",
             "ann",
             "hw1",
@@ -127,9 +127,9 @@ def hands_in(folder, **problems):
 )
 def test_a_problem_of_one_student_in_a_homework_without_a_file(tmp_path, problems, asked, alone):
     hands_in(tmp_path, **problems)
-    homework, whys = matching.infer_homework("hw1", found(tmp_path))
-    assert homework.problems == asked and list(whys) == alone
-    for why in whys.values():
+    homework, reasons = matching.infer_homework("hw1", found(tmp_path))
+    assert homework.problems == asked and list(reasons) == alone
+    for why in reasons.values():
         assert why == (
             "only cid handed in problem 1.17, while others share 1.15: it is not taken for part "
             "of hw1; an assignment.toml would say what is"

@@ -103,9 +103,9 @@ def _stat(number):
 def descendants(ancestor):
     """Return {(pid, start time)} of all descendants of a process."""
     living = {
-        int(path.name): found
+        int(path.name): stat
         for path in Path("/proc").glob("[0-9]*")
-        if (found := _stat(int(path.name)))
+        if (stat := _stat(int(path.name)))
     }
     below = {ancestor}
     while more := {number for number, (parent, _) in living.items() if parent in below} - below:
@@ -117,7 +117,11 @@ def outliving(processes, patience=5):
     """Return those of `processes` that still run after a while."""
     give_up = time.monotonic() + patience
     while (
-        left := {one for one in processes if (found := _stat(one[0])) and found[1] == one[1]}
+        left := {
+            process
+            for process in processes
+            if (stat := _stat(process[0])) and stat[1] == process[1]
+        }
     ) and time.monotonic() < give_up:
         time.sleep(0.02)
     return left
@@ -129,8 +133,8 @@ def test_a_killed_run_continues(tmp_path):
     whole = tmp_path / "whole"
     began = time.monotonic()
     process = start(tmp_path, whole)
-    said = process.communicate(timeout=300)
-    assert process.returncode == 0, said
+    output = process.communicate(timeout=300)
+    assert process.returncode == 0, output
     lasted = time.monotonic() - began
     expected = grades(whole)
     assert len(expected) == 12 and {row[0] for row in expected} == {
@@ -159,8 +163,8 @@ def test_a_killed_run_continues(tmp_path):
             before = count(out)
             assert not outliving(below), "processes outlive the grader"
         process = start(tmp_path, out)
-        said = process.communicate(timeout=300)
-        assert process.returncode == 0, said
+        output = process.communicate(timeout=300)
+        assert process.returncode == 0, output
         assert grades(out) == expected
         for name in ("grades.csv", "moodle.csv"):
             assert (out / "hw1" / name).read_bytes() == (whole / "hw1" / name).read_bytes()
@@ -188,13 +192,13 @@ def test_an_interrupted_run_continues(tmp_path):
     below = descendants(process.pid)
     # As a terminal does it: to the whole group.
     os.killpg(process.pid, signal.SIGINT)
-    _, said = process.communicate(timeout=60)
+    _, output = process.communicate(timeout=60)
     assert process.returncode == 130 and below
     assert (
-        said.decode().strip().split("\n")[-1]
+        output.decode().strip().split("\n")[-1]
         == "workbook: stopped; what is graded is stored, and the same command goes on from there"
     )
-    assert b"Traceback" not in said
+    assert b"Traceback" not in output
     assert not outliving(below)
     assert count(out) >= 3
 
@@ -205,10 +209,10 @@ def test_one_grader_at_a_time(tmp_path):
     (tmp_path / "submitted").mkdir()
     with course._locked(tmp_path):
         done = start(tmp_path, tmp_path)
-        _, said = done.communicate(timeout=60)
+        _, output = done.communicate(timeout=60)
         assert (
             done.returncode == 2
-            and said.decode().strip()
+            and output.decode().strip()
             == f"workbook: another workbook grade is at work on {tmp_path}"
         )
     done = start(tmp_path, tmp_path)

@@ -72,8 +72,10 @@ def test_feedback_has_all_verdicts(store, homework):
     page = feedback(homework, scores(store, homework)[0])
     assert "1.5 of 7 points, and 1 answer still to be looked at by a lecturer." in shown(page)
     for name, status in FIVE.items():
-        told = re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:")
-        assert f"{status}: {name} is {status}" in told
+        text_shown = re.sub(r"\s+", " ", shown(section(page, name))).replace(
+            f"{status} :", f"{status}:"
+        )
+        assert f"{status}: {name} is {status}" in text_shown
     assert "Your answer: k1 > 0" in re.sub(
         r"\s+", " ", shown(section(page, "a_region"))
     ) and "1 / 1" in section(page, "a_region")
@@ -149,10 +151,10 @@ def test_foreign_text_is_escaped(store, homework):
             [HOSTILE],
         )
     store.set_manual(HOSTILE, "hw1", "1.15", "a_region", 1.0, HOSTILE)
-    found = scores(store, homework)
+    class_scores = scores(store, homework)
     for page in (
-        *(feedback(homework, score, HOSTILE) for score in found),
-        summary(homework, found),
+        *(feedback(homework, score, HOSTILE) for score in class_scores),
+        summary(homework, class_scores),
     ):
         assert "<script" not in page and "<img" not in page and "Homework &lt;1&gt;" in page
         assert set(re.findall(r"</?([a-z0-9]+)[ >]", page)) <= ALLOWED
@@ -255,11 +257,11 @@ def test_messages_on_wrong_answers_give_nothing_away(number):
         for name, data in reference.encoded.items()
         if verdicts[name].status == WRONG
     }
-    given = [describe(decode(data)) for data in run.encoded.values()]
+    texts = [describe(decode(data)) for data in run.encoded.values()]
     assert [
         text
         for text in answers.values()
-        if len(text) > 7 and text in shown(page) and not any(text in other for other in given)
+        if len(text) > 7 and text in shown(page) and not any(text in other for other in texts)
     ] == []
 
 
@@ -338,15 +340,15 @@ def test_named_mistakes_are_on_both_pages(store, homework):
             [],
         )
     master = read(ROOT / "solutions" / master_file("1.15"))
-    few, divided = (sentence(master, master.trials["wrong"][k]) for k in (0, 5))
+    first_sentence, other_sentence = (sentence(master, master.trials["wrong"][k]) for k in (0, 5))
     all_scores = scores(store, homework)
     pages = {score.student: shown(feedback(homework, score)) for score in all_scores}
-    assert few.count("\n") == 1 and all(
-        line in pages["ann"] and line in pages["bob"] for line in few.split("\n")
+    assert first_sentence.count("\n") == 1 and all(
+        line in pages["ann"] and line in pages["bob"] for line in first_sentence.split("\n")
     )
     assert (
-        few.split("\n")[0] not in pages["cid"] + pages["dan"]
-        and divided.split("\n")[0] in pages["dan"]
+        first_sentence.split("\n")[0] not in pages["cid"] + pages["dan"]
+        and other_sentence.split("\n")[0] in pages["dan"]
     )
     talk = (
         re.sub(r"\s+", " ", summary(homework, all_scores))
@@ -355,9 +357,9 @@ def test_named_mistakes_are_on_both_pages(store, homework):
     )
     (first, second) = re.findall(r"<tr><td.*?</tr>", talk)
     assert re.sub(r"\s+", " ", shown(first)).strip() == (
-        f"2 1.15 a_region {few.partition(chr(10))[0]} ann , bob"
+        f"2 1.15 a_region {first_sentence.partition(chr(10))[0]} ann , bob"
     )
-    assert divided.split("\n")[0] in shown(second) and "dan" in second
+    assert other_sentence.split("\n")[0] in shown(second) and "dan" in second
 
 
 def test_answers_with_equal_short_texts_are_not_identical(store, homework):
@@ -440,10 +442,11 @@ def test_pages_fit_and_are_readable(driver, store, homework, tmp_path, width, th
     long = "(0 < k1) & (k1 < 1" + "0" * 280 + ")"
     for student in ("O'Neill, Zoë", "محمد", "x" * 200):
         graded(store, student, "1.15", FIVE, submitted=DUE + 1, texts=dict.fromkeys(FIVE, long))
-    found = scores(store, homework, ["dan"])
-    named = {"summary": summary(homework, found)}
+    class_scores = scores(store, homework, ["dan"])
+    named = {"summary": summary(homework, class_scores)}
     named |= {
-        str(k): feedback(homework, score, "https://example.org") for k, score in enumerate(found)
+        str(k): feedback(homework, score, "https://example.org")
+        for k, score in enumerate(class_scores)
     }
     driver.execute_cdp_cmd(
         "Emulation.setDeviceMetricsOverride",

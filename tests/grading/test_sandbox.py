@@ -31,7 +31,7 @@ ROOT = Path(__file__).resolve().parents[2]
 TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
 
 
-#: For what is not about time: other tests keep the machine busy.
+#: For tests that are not about time: other tests keep the machine busy.
 PATIENT = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
 #: Without the libraries that no notebook of these tests uses.
 lean = partial(Sandbox, modules=ALWAYS)
@@ -55,7 +55,7 @@ def run(sandbox, *sources, names=("a",)):
     return sandbox.run([dedent(source) for source in sources], names)
 
 
-# What is seen
+# What is visible
 
 
 LOOK = """
@@ -75,25 +75,25 @@ b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), 
 @pytest.mark.parametrize("single_use", [False, True], ids=["nested", "single-use"])
 def test_only_the_two_packages_are_visible(single_use):
     with lean(PATIENT, single_use) as sandbox:  # looking through everything takes a while
-        found = answers(run(sandbox, LOOK, names=("a", "b")))
-    assert found["a"] and all(
+        result = answers(run(sandbox, LOOK, names=("a", "b")))
+    assert result["a"] and all(
         path.startswith((f"{isolation.PACKAGE}/", f"{isolation.LIBRARY}/"))
         and not path.endswith(".ipynb")
-        for path in found["a"]
+        for path in result["a"]
     )
-    top, variables, here, files, shared = found["b"]
+    top, variables, here, files, shared = result["b"]
     assert not {"home", "var", "opt", "srv", "mnt", "run", "boot", "sys"} & set(top)
     assert set(variables) - set(isolation.ENVIRONMENT) <= {"LC_CTYPE", "PWD", "COLUMNS", "LINES"}
     # A checkout that lies below /tmp shows its folder there, with what may be seen of it and no
     # more.
-    ours = (
+    own_folder = (
         {isolation.PACKAGE.relative_to("/tmp").parts[0]}
         if isolation.PACKAGE.is_relative_to("/tmp")
         else set()
     )
     assert (
         here == "/tmp"
-        and set(files) - ours <= {".ipython", ".cache", "matplotlib"}
+        and set(files) - own_folder <= {".ipython", ".cache", "matplotlib"}
         and shared == []
     )
 
@@ -139,8 +139,8 @@ def test_no_exercise_is_visible_in_any_installation(layout):
         )
         assert done.returncode == 0, done.stderr
         assert "workbook/grading/notebook_worker.py" in done.stdout
-        for ours in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
-            assert ours not in done.stdout, done.stdout
+        for hidden in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
+            assert hidden not in done.stdout, done.stdout
     finally:
         shutil.rmtree(folder)
 
@@ -190,7 +190,7 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
     assert answers(run(sandbox, look))["a"] == [False, False, False, [], "/tmp"]
 
 
-# Limits, and whose affair it is
+# Limits, and whose fault it was
 
 
 @pytest.mark.parametrize(
@@ -238,12 +238,12 @@ def test_a_cell_that_exceeds_a_limit_costs_the_others_nothing(sandbox):
         names=("a", "b", "c"),
     )
     assert answers(outcome) == {"a": 1, "c": 3}
-    found = json.loads(outcome.handed_over)
-    assert [error.split(": ")[:2] for error in found["errors"]] == [
+    result = json.loads(outcome.handed_over)
+    assert [error.split(": ")[:2] for error in result["errors"]] == [
         ["code cell 2", "MemoryError"],
         ["code cell 4", "OSError"],
     ]
-    assert found["stopped"] == [3]
+    assert result["stopped"] == [3]
 
 
 def test_preparation_is_not_the_notebooks_time():
@@ -303,7 +303,9 @@ def test_states_of_threads(source, wants):
             time.sleep(0.5)
             proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
             below = [
-                one for one in watchdog._descendants(os.getpid(), proc) if one.pid == process.pid
+                process_stat
+                for process_stat in watchdog._descendants(os.getpid(), proc)
+                if process_stat.pid == process.pid
             ]
             assert (b"R" in watchdog._states(below, proc)) == wants
         finally:
@@ -475,7 +477,7 @@ def test_a_sandbox_that_always_fails_gives_a_failure(monkeypatch):
     assert outcome.ended == "failed" and b"gone" in outcome.handed_over
 
 
-def _no_sandbox(*given):
+def _no_sandbox(*arguments):
     raise isolation.SandboxUnavailableError("gone")
 
 
@@ -485,12 +487,12 @@ def test_a_killed_notebook_is_a_failure_of_the_grader():
     assert outcome.ended == "failed"
 
 
-def bubblewrap_that(folder, does):
+def bubblewrap_that(folder, command):
     """Return a folder for PATH with a `bwrap` that runs this shell command."""
     folder.mkdir()
     folder.chmod(0o755)
     path = folder / "bwrap"
-    path.write_text(f"#!/bin/sh\n{does}\n")
+    path.write_text(f"#!/bin/sh\n{command}\n")
     path.chmod(path.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)
     return str(folder)
 
@@ -517,7 +519,7 @@ def test_single_use_sandboxes_where_namespaces_cannot_be_nested(open_folder, mon
 
 
 @pytest.mark.parametrize(
-    "does, says",
+    "does, message",
     [
         (None, "bubblewrap is not installed"),
         (
@@ -527,7 +529,7 @@ def test_single_use_sandboxes_where_namespaces_cannot_be_nested(open_folder, mon
         ("exit 1", "without a word"),
     ],
 )
-def test_without_a_sandbox_the_error_is_one_line(open_folder, does, says):
+def test_without_a_sandbox_the_error_is_one_line(open_folder, does, message):
     submitted = open_folder / "submitted" / "ada" / "hw"
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
@@ -550,7 +552,7 @@ def test_without_a_sandbox_the_error_is_one_line(open_folder, does, says):
     )
     assert done.returncode == 2 and done.stdout == ""
     (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
-    assert line.startswith("workbook: ") and says in line and "--trust-students" in line
+    assert line.startswith("workbook: ") and message in line and "--trust-students" in line
 
     trusted = subprocess.run(
         [*command, "--trust-students", "--json"],
@@ -567,7 +569,7 @@ def test_without_a_sandbox_the_error_is_one_line(open_folder, does, says):
 # A child that is killed, or slow, while it starts
 
 
-#: What stands on stderr by then has nothing to do with it.
+#: An earlier line on stderr, unrelated to the error.
 NOISE = "echo 'Fontconfig error: No writable cache directories' >&2; "
 
 
@@ -581,19 +583,19 @@ def test_a_worker_that_is_killed_while_it_starts_is_started_again(open_folder, m
 
 
 @pytest.mark.parametrize(
-    "does, says",
+    "command, message",
     [
         (f"{NOISE} kill -9 $$", "was killed (signal 9) while it started, 3 times"),
         (f"{NOISE} exit 137", "was killed (signal 9) while it started, 3 times"),
         (f"{NOISE} exec sleep 60", "was not ready within 0.5 s, 3 times"),
     ],
 )
-def test_a_worker_that_never_starts_is_an_error(open_folder, monkeypatch, does, says):
-    monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', does)}:/usr/bin:/bin")
-    monkeypatch.setattr(sandbox_module, "START_SECONDS", 0.5 if "sleep" in does else 60)
-    with pytest.raises(isolation.ProcessStartError) as told:
+def test_a_worker_that_never_starts_is_an_error(open_folder, monkeypatch, command, message):
+    monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', command)}:/usr/bin:/bin")
+    monkeypatch.setattr(sandbox_module, "START_SECONDS", 0.5 if "sleep" in command else 60)
+    with pytest.raises(isolation.ProcessStartError) as error:
         lean(TIGHT).__enter__()
-    assert says in str(told.value) and "Fontconfig" not in str(told.value)
+    assert message in str(error.value) and "Fontconfig" not in str(error.value)
 
 
 def test_an_error_at_start_does_not_suggest_to_drop_the_sandbox(open_folder):

@@ -180,7 +180,7 @@ def test_students_are_sorted_and_separate(tmp_path, store):
         graded(store, student, "1.17", statuses(RIGHT, WRONG))
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), assignment="hw2")
     store.set_manual("ann", "hw2", "1.17", "a_region", 0.0, "another homework")
-    found = scores(store, an_assignment(tmp_path, HOMEWORK))
-    assert [score.student for score in found] == sorted(["žofie", "ann", "Ben", "=cmd"]) and {
-        score.points for score in found
-    } == {3}
+    class_scores = scores(store, an_assignment(tmp_path, HOMEWORK))
+    assert [score.student for score in class_scores] == sorted(
+        ["žofie", "ann", "Ben", "=cmd"]
+    ) and {score.points for score in class_scores} == {3}

@@ -25,11 +25,11 @@ def _denied():
     """Return the result of each denied call with arguments of zero."""
     libc = ctypes.CDLL(None, use_errno=True)
     column = seccomp.ARCHITECTURES[platform.machine()][1]
-    found = {}
+    results = {}
     for name, numbers in seccomp.DENIED.items():
         ctypes.set_errno(0)
-        found[name] = [libc.syscall(numbers[column], 0, 0, 0, 0, 0, 0), ctypes.get_errno()]
-    return found
+        results[name] = [libc.syscall(numbers[column], 0, 0, 0, 0, 0, 0), ctypes.get_errno()]
+    return results
 
 
 def test_denied_system_calls():
@@ -43,7 +43,7 @@ def _settings():
     libc = ctypes.CDLL(None, use_errno=True)
     column = seccomp.ARCHITECTURES[platform.machine()][1]
     limit, action = ctypes.create_string_buffer(16), ctypes.create_string_buffer(152)
-    found = []
+    results = []
     for call, arguments in (
         (seccomp.PRLIMIT, (0, 0, None, limit)),
         (seccomp.PRLIMIT, (0, 0, limit, None)),
@@ -52,8 +52,8 @@ def _settings():
         (seccomp.SIGACTION, (10, action, None, 8)),
     ):
         ctypes.set_errno(0)
-        found.append([libc.syscall(call[column], *arguments), ctypes.get_errno()])
-    return found
+        results.append([libc.syscall(call[column], *arguments), ctypes.get_errno()])
+    return results
 
 
 def test_limits_and_sigchld_can_be_read_but_not_set():
@@ -70,13 +70,13 @@ def test_limits_and_sigchld_can_be_read_but_not_set():
 def _clones():
     libc = ctypes.CDLL(None, use_errno=True)
     column = seccomp.ARCHITECTURES[platform.machine()][1]
-    found = []
+    results = []
     for flag in (0x20000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000):
-        found.append(
+        results.append(
             [libc.syscall(seccomp.CLONE[column], flag | 17, 0, 0, 0, 0), ctypes.get_errno()]
         )
-    found.append([libc.syscall(seccomp.CLONE3[column], 0, 0), ctypes.get_errno()])
-    return found
+    results.append([libc.syscall(seccomp.CLONE3[column], 0, 0), ctypes.get_errno()])
+    return results
 
 
 def test_no_clone_with_a_new_namespace():
@@ -86,7 +86,7 @@ def test_no_clone_with_a_new_namespace():
 
 
 def _sockets():
-    found = {}
+    results = {}
     for name, number in {
         "unix": 1,
         "inet": 2,
@@ -101,17 +101,17 @@ def _sockets():
             socket.socket(
                 number, socket.SOCK_RAW if name in ("netlink", "packet") else socket.SOCK_STREAM
             ).close()
-            found[name] = 0
+            results[name] = 0
         except OSError as error:
-            found[name] = error.errno
-    return found
+            results[name] = error.errno
+    return results
 
 
 def test_sockets_of_confined_families_only():
-    found = in_child(_under_the_filter, _sockets, timeout=60)
-    assert found.pop("unix") == found.pop("inet") == 0
-    found.pop("inet6")  # allowed; not every machine has it
-    assert set(found.values()) == {errno.EAFNOSUPPORT}
+    results = in_child(_under_the_filter, _sockets, timeout=60)
+    assert results.pop("unix") == results.pop("inet") == 0
+    results.pop("inet6")  # allowed; not every machine has it
+    assert set(results.values()) == {errno.EAFNOSUPPORT}
 
 
 def _ordinary_work():

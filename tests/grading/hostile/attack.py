@@ -9,11 +9,9 @@ from textwrap import dedent
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from classroom import notebook as handed_out
 
-#: Stands in the grader's environment, its home and its open files: whoever names it has looked
-#: where nobody should.
+#: A secret in the grader's environment, home and open files: an answer with it has read these.
 SECRET = "Tycho-1572"
-#: The right answer of the one item that counts here, as a solution file or a diligent student has
-#: it.
+#: The right answer of the one item that counts here, as in a solution file.
 RIGHT = "sp.And(k1 > 0, k1*k2 > 1)"
 WRONG = "a_region = sp.And(k1 > 0, k2 > 0)"
 
@@ -95,10 +93,10 @@ class Attack:
     files: object = None
     apart: bool = False  # the unguarded grader runs each notebook in a process of its own
     marks: str = "checks"  # how the unguarded grader marks (see `naive`)
-    # Seconds after which the unguarded grader is held to run for ever: far more than one that ends
+    # Seconds after which the unguarded grader counts as endless: far more than one that ends
     # needs on a busy machine; an attack that never ends sets less.
     patience: float = 120.0
-    # whose affair our grader says it is; "" where there is nothing to say
+    # whose fault it is by our grader's remark; "" without a remark
     blame: str = "notebook"
 
     def submit(self, folder, facts):

@@ -68,17 +68,17 @@ class Course:
 
     def left_behind(self):
         """Return the processes with this course's token in their command line."""
-        found = []
+        pids = []
         for path in Path("/proc").glob("[0-9]*/cmdline"):
             try:
                 if (
                     self.token.strip("t").encode() in path.read_bytes()
                     and int(path.parent.name) != os.getpid()
                 ):
-                    found.append(int(path.parent.name))
+                    pids.append(int(path.parent.name))
             except OSError:
                 pass
-        return found
+        return pids
 
     def close(self):
         for process in self.left_behind():

@@ -198,8 +198,8 @@ def _surround(here):
 def _ended_well(process, patience):
     give_up = time.monotonic() + patience
     while time.monotonic() < give_up:
-        found, status = os.waitpid(process, os.WNOHANG)
-        if found:
+        ended, status = os.waitpid(process, os.WNOHANG)
+        if ended:
             return status == 0
         time.sleep(0.01)
     return False

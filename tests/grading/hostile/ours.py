@@ -36,17 +36,17 @@ def run(here, environment, once=False, timeout=400):
 
 def results(here):
     """Return {student: [{"verdicts", "answers", "remarks"}]} as stored."""
-    found = {}
+    by_student = {}
     with closing(sqlite3.connect(here / "graded/grades.sqlite")) as database:
         rows = database.execute(
             "SELECT student, verdicts, answers, remarks FROM attempt JOIN result ON "
             "result.attempt = attempt.id"
         )
         for student, *texts in rows:
-            found.setdefault(student, []).append(
+            by_student.setdefault(student, []).append(
                 dict(zip(("verdicts", "answers", "remarks"), map(json.loads, texts)))
             )
-    return found
+    return by_student
 
 
 if __name__ == "__main__":

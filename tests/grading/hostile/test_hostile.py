@@ -85,23 +85,23 @@ def test_no_attack_succeeds_guarded():
 
 def _failures(attack, results, seen):
     """Return what is not as it must be after an attack."""
-    found = []
+    failures = []
     if attack.success(seen):
-        found.append(f"succeeded: {seen}")
+        failures.append(f"succeeded: {seen}")
     if seen.points or SECRET in seen.text:
-        found.append(f"has points or secrets: {seen}")
+        failures.append(f"has points or secrets: {seen}")
     remarks = [remark for result in results for remark in result["remarks"]]
     if not all(remark.startswith(("notebook: ", "limits: ")) for remark in remarks):
-        found.append(f"the grader is blamed, or nobody: {remarks}")
+        failures.append(f"the grader is blamed, or nobody: {remarks}")
     if (
         attack.blame
         and not any(remark.startswith(attack.blame) for remark in remarks)
         and not _told(results)
     ):
-        found.append(f"nobody says that it is the affair of the {attack.blame}: {results}")
+        failures.append(f"nobody says that it is the affair of the {attack.blame}: {results}")
     if not results:
-        found.append("was not graded")
-    return [f"{attack.name}: {one}" for one in found]
+        failures.append("was not graded")
+    return [f"{attack.name}: {failure}" for failure in failures]
 
 
 def _told(results):
