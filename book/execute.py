@@ -37,7 +37,7 @@ from nbformat import NotebookNode
 from settings import CORES
 from sphinx_external_toc.parsing import parse_toc_yaml
 
-from workbook.grading.preloading import SYMPY, warm_up_matplotlib, preload
+from workbook.grading.preloading import SYMPY, preload, warm_up_matplotlib
 from workbook.notebooks.dependencies import HOME, OURS, module_closure
 
 ROOT = Path(__file__).resolve().parent.parent

@@ -1,4 +1,4 @@
-"""Edits of notebooks in good faith cost nothing, and students are not blamed for others' faults."""
+"""Edits in good faith cost nothing, and students are not blamed for others' faults."""
 
 import copy
 import json
@@ -51,7 +51,7 @@ def by_tag(nb, tag):
 def graded(grader, nb, folder, name="ch1-p15.ipynb"):
     """Return the judgement on a notebook, read from a file as it is submitted.
 
-    `given` may be bytes.
+    `nb` may be bytes.
     """
     path = folder / "submitted" / "ada" / "hw" / name
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -156,7 +156,7 @@ def sources_as_lists_and_windows_lines(nb):
 
 def saved_by_another_editor(nb):
     nb.update(nbformat=4, nbformat_minor=2)
-    for _k, cell in enumerate(nb["cells"]):
+    for cell in nb["cells"]:
         cell.pop("id", None)
         cell["metadata"] = {"collapsed": False, "scrolled": True, "trusted": "x"}
     nb["metadata"]["kernelspec"] = {"name": "sagemath", "language": "sage"}

@@ -1,4 +1,4 @@
-"""The judge: it is not deceived, runs nothing of the student's, and names whose fault it was."""
+"""The judge: not deceived, running nothing of the student's, naming whose fault it was."""
 
 import json
 import os

@@ -20,7 +20,7 @@ KILLS = 15
 
 
 def submit_a_course(folder):
-    """Submit twelve files: right, wrong, incomplete, failing, broken, no notebook, twice the same."""
+    """Submit twelve files: right, wrong, incomplete, failing, broken, no notebook, twice."""
     for k, student in enumerate(("ada", "bela", "cyd", "dora", "ellen")):
         some = dict(list(RIGHT_1_15.items())[: k + 1])
         hand_in(

@@ -1,4 +1,4 @@
-"""The sandbox: what is visible in it, its limits, how notebooks end, and where there is none.
+"""The sandbox: what is visible, its limits, how notebooks end, and where there is none.
 
 As root and as an ordinary user.
 """
