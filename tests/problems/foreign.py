@@ -150,7 +150,7 @@ def _right(bench, encoded):
 def _judged(bench, encoded):
     """Verdicts on encoded answers that came as a message of a student's process."""
     message = json.dumps({"encoded": encoded, "unreadable": {}, "errors": [], "stopped": []})
-    read, unreadable, *_ = judging._read(message.encode(), list(bench.master.answers))
+    read, unreadable, *_ = judging._parse(message.encode(), list(bench.master.answers))
     return bench.judge(decoded(read, unreadable, list(bench.master.answers)))
 
 

@@ -19,7 +19,7 @@ offline     nothing is loaded from another host
 
 import gc
 
-from workbook.grading.preloading import CONTAINERS
+from workbook.grading.preloading import GC_THRESHOLD
 from workbook_site import (
     boxes,
     cases,
@@ -41,7 +41,7 @@ from workbook_site import (
 
 def setup(app):
     # trees of pages live on: to look for garbage in them takes a seventh of a build
-    gc.set_threshold(CONTAINERS)
+    gc.set_threshold(GC_THRESHOLD)
     for part in (
         catalogue,
         pages,
