@@ -27,19 +27,13 @@ def test_problems_4_5_to_4_9():
     )
     assert y.mean.T == sp.Matrix([[17, 3]]) and y.covariance[0, 1] == -1
     assert y.correlation[0, 1] == -1 / sp.sqrt(137 * 2)
-    x = estimation.moments_of_values([[0, 0], [1, 1], [-1, 1]], [third, half, sp.Rational(1, 6)])
-    assert x.covariance == sp.Matrix(
-        [[sp.Rational(5, 9), sp.Rational(1, 9)], [sp.Rational(1, 9), sp.Rational(2, 9)]]
-    )
 
 
-def test_moments_of_a_sample_are_those_of_numpy():
+def test_correlation_of_floats_is_that_of_numpy():
     sample = np.random.default_rng(4).normal(size=(50, 3))
-    found = estimation.moments_of_values(sample)
-    assert np.allclose(found.mean, sample.mean(axis=0), atol=1e-15)
-    assert np.allclose(found.covariance, np.cov(sample.T), atol=1e-15)
-    assert np.allclose(found.correlation, np.corrcoef(sample.T)) and found.deviations.shape == (3,)
-    assert estimation.moments_of_values([1, 2, 6]).covariance == sp.Matrix([[7]])
+    moments = estimation.Moments(sample.mean(axis=0), np.cov(sample.T))
+    assert np.allclose(moments.correlation, np.corrcoef(sample.T))
+    assert np.allclose(moments.deviations, sample.std(axis=0, ddof=1))
 
 
 @pytest.mark.parametrize(
@@ -75,12 +69,6 @@ def test_a_singular_covariance_is_one():
         estimation.Moments(np.zeros(2), [[1e-18, 2e-3], [2e-3, 1e12]])
     with pytest.raises(ValueError, match="without variance"):
         estimation.Moments([0, 0], sp.diag(1, 0)).correlation
-    with pytest.raises(ValueError, match="sum 1"):
-        estimation.moments_of_values([0, 1], [half, third])
-    with pytest.raises(ValueError, match="not negative"):
-        estimation.moments_of_values([0, 1], [-half, 1 + half])
-    with pytest.raises(ValueError, match="no sample"):
-        estimation.moments_of_values([3])
 
 
 def test_moments_show_themselves_and_take_values():

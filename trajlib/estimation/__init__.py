@@ -14,7 +14,7 @@ from trajlib._lazy import lazy_names
 # No module is called like a name it exports: importing it would put the module in the place of the
 # function.
 _EXPORTS = {
-    "covariances": ["Moments", "moments_of_values"],
+    "covariances": ["Moments"],
     "linear_fit": ["LeastSquares", "least_squares"],
     "nonlinear_fit": ["GaussNewton", "gauss_newton"],
     "fixes": [
@@ -27,7 +27,7 @@ _EXPORTS = {
         "satellite_observability",
     ],
     "markov": ["DiscreteModel", "continuous_moments", "discrete_moments", "discretised"],
-    "stationary_covariance": [
+    "stationary_covariances": [
         "StationaryCovariance",
         "discrete_stationary_covariance",
         "stationary_covariance",
@@ -37,14 +37,13 @@ _EXPORTS = {
     "continuous_filter": ["ContinuousFilter", "ContinuousRun"],
     "mixed_time": ["Measurement", "MixedRun", "filter_measurements"],
     "stationary_filters": ["StationaryFilter", "discrete_stationary_filter", "stationary_filter"],
-    "fixed_gain": ["LeastGain", "discrete_error_covariance", "error_covariance", "least_gain"],
+    "fixed_gain": ["LeastGain", "error_covariance", "least_gain"],
     "shaping": ["ShapedProcess", "ShapingFilter", "shaping_filter", "with_shaping"],
     "interpolation": ["OptimalWeights", "optimal_weights"],
     "simulation": [
         "Consistency",
         "Paths",
         "covariance_consistency",
-        "error_consistency",
         "innovation_consistency",
         "simulate_continuous",
         "simulate_discrete",

@@ -13,11 +13,8 @@ import numpy as np
 import sympy as sp
 
 from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
-from trajlib.estimation.exact_or_float import identity_like, latex, symmetric
-from trajlib.estimation.stationary_covariance import (
-    discrete_stationary_covariance,
-    stationary_covariance,
-)
+from trajlib.estimation.exact_or_float import latex, symmetric
+from trajlib.estimation.stationary_covariances import stationary_covariance
 from trajlib.stability.systems import read_symbols
 
 
@@ -35,28 +32,13 @@ def error_covariance(A, H, Q, R, K):
     >>> found.covariance[0], found.where
     ((K**2 + 2)/(2*(K + 1)), K > -1)
     """
-    A, H, Q, R, K = _read(A, H, Q, R, K, "A")
+    A, H, Q, R, K = _read(A, H, Q, R, K)
     return stationary_covariance(A - K @ H, symmetric(Q + K @ R @ K.T))
 
 
-def discrete_error_covariance(Phi, H, Q, R, K):
-    """The stationary covariance of the errors before a correction with the gain `K`, whatever it
-    is.
-
-    The process is x(i + 1) = Phi x(i) + q(i). Arguments, result and errors as for
-    `error_covariance`, with covariances `Q` and `R` instead of intensities.
-
-    >>> discrete_error_covariance(1, 1, 1, 1, 1).covariance[0]    # trust the measurement: P^+ = R
-    2
-    """
-    Phi, H, Q, R, K = _read(Phi, H, Q, R, K, "Phi")
-    kept = Phi @ (identity_like(Phi) - K @ H)
-    return discrete_stationary_covariance(kept, symmetric(Q + Phi @ K @ R @ K.T @ Phi.T))
-
-
-def _read(A, H, Q, R, K, name):
+def _read(A, H, Q, R, K):
     floats = in_floats(A, H, Q, R, K)
-    A = read_square(A, name, floats)
+    A = read_square(A, "A", floats)
     n = A.shape[0]
     H = read_matrix(H, "H", None, n, floats)
     m = H.shape[0]

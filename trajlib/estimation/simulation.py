@@ -144,25 +144,6 @@ def innovation_consistency(run, level=0.999):
     )
 
 
-def error_consistency(run, states, level=0.999):
-    """Are the errors of a `FilterRun` as large as its covariances say? (NEES test, over independent
-    paths.)
-
-    `run`: of S series; `states`: S x N x n, the true ones. Errors of one path depend on one
-    another, so the last step alone is judged. Returns `Consistency` for the mean a path. Raises
-    ValueError if there is one series.
-    """
-    states = np.asarray(states, dtype=float)
-    if run.estimates.ndim != 3 or states.shape != run.estimates.shape:
-        raise ValueError(
-            f"states: expected several series and the shape {run.estimates.shape}, got "
-            f"{states.shape}"
-        )
-    return covariance_consistency(
-        (run.estimates - states)[:, -1], run._steps[1][run.kinds[:, -1]], level
-    )
-
-
 def covariance_consistency(errors, covariance, level=0.999):
     """Are independent errors as large as a covariance says? (NEES test.)
 
