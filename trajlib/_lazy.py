@@ -47,4 +47,6 @@ def _lazy(package: str, home: Mapping[str, str | None]) -> Attributes:
         setattr(sys.modules[package], name, value)
         return value
 
-    return __getattr__, lambda: sorted(home), sorted(home)
+    # Pages of reference list functions and classes; constants are not among them.
+    public = [name for name in sorted(home) if not name.isupper()]
+    return __getattr__, lambda: sorted(home), public

@@ -55,12 +55,12 @@ def test_functions_of_ours_that_a_notebook_names():
     )
 
 
-def test_functions_of_a_theme_that_is_a_single_module():
+def test_functions_of_two_themes():
     cells = [
         "from trajlib.reconstruction import reconstruct",
         "from trajlib import invariant\ninvariant.value(0)",
     ]
-    assert {"trajlib.reconstruction", "trajlib.invariant"} <= set(
+    assert {"trajlib.reconstruction.fitting", "trajlib.invariant.functionals"} <= set(
         needed(["6.2"], cells)["notebooks"]
     )
 

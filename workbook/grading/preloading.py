@@ -113,10 +113,9 @@ def _uses(name, sources):
 def _functions(sources):
     """The modules that hold the functions of trajlib which cells name."""
     words = {word for source in sources for word in re.findall(r"\w+", source)}
-    # a theme of a single module is the home of all its names
     return sorted(
         {
-            home_of(package, name) or package
+            home_of(package, name)
             for package in THEMES
             if package.split(".")[1] in words
             for name in dir(importlib.import_module(package))

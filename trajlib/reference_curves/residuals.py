@@ -1,0 +1,50 @@
+"""Errors of the formula against integration, as a table."""
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True, repr=False)
+class Residual:
+    """Errors of reference curves on a grid; what `residual` returns.
+
+    `errors`, `exact`: shape (components, times, ...) over `axes`; `greatest`: for each component
+    its largest error, where it is, as (t, x_0..., p...), and how many per cent of the exact value
+    there.
+    """
+
+    names: tuple
+    axes: tuple
+    _n: int = field(repr=False)
+    errors: np.ndarray
+    exact: np.ndarray
+
+    @property
+    def greatest(self):
+        found = []
+        for errors, exact in zip(self.errors, self.exact):
+            at = np.unravel_index(errors.argmax(), errors.shape)
+            place = tuple(float(axis[k]) for axis, k in zip(self.axes, at))
+            percent = 100 * errors[at] / abs(exact[at]) if exact[at] else np.inf
+            found.append((float(errors[at]), place, float(percent)))
+        return tuple(found)
+
+    def _rows(self):
+        for name, (error, place, percent) in zip(self.names, self.greatest):
+            at = f"t = {place[0]:.5g}, x0 = {', '.join(f'{value:.5g}' for value in place[1 : 1 + self._n])}"
+            if place[1 + self._n :]:
+                at += f", p = {', '.join(f'{value:.5g}' for value in place[1 + self._n :])}"
+            yield [name, f"{error:.4g}", f"{percent:.4g}", at]
+
+    def __repr__(self):
+        rows = [["component", "greatest error", "% there", "at"], *self._rows()]
+        widths = [max(map(len, column)) for column in zip(*rows)]
+        return "\n".join(
+            "  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows
+        )
+
+    def _repr_markdown_(self):
+        heads = ["component", "greatest error", "% there", "at"]
+        lines = [heads, [":---", "---:", "---:", ":---"], *self._rows()]
+        return "\n".join(f"| {' | '.join(line)} |" for line in lines)
