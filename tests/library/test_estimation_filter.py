@@ -116,7 +116,7 @@ def test_a_kept_gain_gives_the_numbers_of_the_whole_recursion(radius):
     missing = np.zeros(700, dtype=bool)
     missing[[300, 301, 450]] = True
     run = KalmanFilter(*model).run(z, start, missing)
-    assert len(set(run.kinds)) < 400  # it was kept
+    assert len(set(run.matrix_index)) < 400  # it was kept
     peers = plain_loop(*model, z, start, missing)
     for mine, peer in zip(
         (run.predicted, run.predicted_covariances, run.estimates, run.covariances), peers
@@ -131,7 +131,7 @@ def test_a_gain_that_still_creeps_is_not_kept():
     start = Moments(np.zeros(1), np.eye(1))
     run = KalmanFilter(*model).run(np.ones(4000), start)
     peer = plain_loop(*model, np.ones((4000, 1)), start)
-    assert len(set(run.kinds)) == 4000 and np.allclose(run.covariances, peer[3], rtol=1e-11)
+    assert len(set(run.matrix_index)) == 4000 and np.allclose(run.covariances, peer[3], rtol=1e-11)
 
 
 def test_many_series_are_one_after_the_other():
@@ -190,11 +190,11 @@ def test_a_million_steps_leave_the_covariance_symmetric_and_definite():
     Phi = np.eye(4) + np.diag(np.full(3, 1e-2), 1)
     model = KalmanFilter(Phi, np.eye(4)[:1], np.diag([0, 0, 0, 1e-8]), 1e-8)
     run = model.run(np.zeros(1_000_000), Moments(np.zeros(4), 1e6 * np.eye(4)))
-    last = run._steps[1][run.kinds[-1]]
+    last = run._steps[1][run.matrix_index[-1]]
     units = np.sqrt(np.diag(last))
     assert np.array_equal(last, last.T) and np.linalg.eigvalsh(last / np.outer(units, units))[0] > 0
     limit = scipy.linalg.solve_discrete_are(Phi.T, model.H.T, model.Q, model.R)
-    assert np.allclose(run._steps[0][run.kinds[-1]], limit, rtol=1e-6)
+    assert np.allclose(run._steps[0][run.matrix_index[-1]], limit, rtol=1e-6)
 
 
 def test_every_step_of_a_long_varying_run_stays_a_covariance():

@@ -1,14 +1,17 @@
 """Means and covariances of random vectors and of their linear images.
 
-For y = Bx + b the mean is B mu + b and the covariance B P B^T; nothing else of the distribution is
-needed.
+For y = Bx + b the mean is B mu + b and the covariance B P B^T, whatever the distribution of x.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import sympy as sp
 
+from trajlib._typing import Matrix, MatrixLike
 from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_vector
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.stability.regions import latex_condition
@@ -16,13 +19,30 @@ from trajlib.stability.regions import latex_condition
 
 @dataclass(frozen=True)
 class Moments:
-    """The mean (n, a column; for floats a flat array) and the covariance (n x n) of a random
-    vector.
+    """Mean and covariance of a random vector.
 
-    Lists and scalars are read as exact, arrays as floats. `where` is the condition on symbols under
-    which a formula holds. Raises ValueError for shapes that do not fit and a covariance that is not
-    symmetric or has a negative direction. Source: Definitions 4.2 - 4.10 of the problem book.
+    Lists and scalars are read as exact, arrays as floats.
 
+    Parameters
+    ----------
+    mean : matrix_like
+        Mean, n components; kept as a column, for floats as a flat array.
+    covariance : matrix_like, shape (n, n)
+        Covariance matrix, positive semidefinite.
+    where : sympy.Boolean
+        Condition on symbols under which a formula holds.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or the covariance is not symmetric or not positive semidefinite.
+
+    Notes
+    -----
+    Source: Definitions 4.2 - 4.10 of the problem book. MATLAB: ``mean``, ``cov`` for a sample.
+
+    Examples
+    --------
     >>> x = Moments([1, 2], [[5, 1], [1, 3]])
     >>> x.transformed([[1, 1]]).covariance
     Matrix([[10]])
@@ -30,9 +50,9 @@ class Moments:
     sqrt(15)/15
     """
 
-    mean: object
-    covariance: object
-    where: object = sp.true
+    mean: MatrixLike
+    covariance: MatrixLike
+    where: sp.Basic = sp.true
 
     def __post_init__(self):
         floats = in_floats(self.mean, self.covariance)
@@ -43,16 +63,25 @@ class Moments:
         )
 
     @property
-    def deviations(self):
-        """Standard deviations, the roots of the diagonal; shape as the mean."""
+    def deviations(self) -> Matrix:
+        """Standard deviations of the components, of the shape of the mean."""
         if isinstance(self.covariance, np.ndarray):
             return np.sqrt(np.maximum(np.diag(self.covariance), 0))
         return self.covariance.diagonal().T.applyfunc(sp.sqrt)
 
     @property
-    def correlation(self):
-        """Coefficients of correlation, n x n (Definition 4.8). Raises ValueError if a variance is
-        zero."""
+    def correlation(self) -> Matrix:
+        """Matrix of the correlation coefficients, n x n.
+
+        Raises
+        ------
+        ValueError
+            If a variance is zero.
+
+        Notes
+        -----
+        Source: Definition 4.8.
+        """
         sigma, P = self.deviations, self.covariance
         if any(s == 0 for s in sigma):
             raise ValueError(
@@ -64,8 +93,20 @@ class Moments:
             sp.simplify
         )
 
-    def transformed(self, B, b=0):
-        """Moments of y = Bx + b, `B`: k x n, `b`: k components; covariance B P B^T."""
+    def transformed(self, B: MatrixLike, b: MatrixLike = 0) -> Moments:
+        """Return the moments of y = Bx + b, with the covariance B P B^T.
+
+        Parameters
+        ----------
+        B : matrix_like, shape (k, n)
+            Matrix of the linear map.
+        b : matrix_like
+            Shift, k components.
+
+        Returns
+        -------
+        Moments
+        """
         floats = in_floats(B, b, self.covariance)
         n = self.covariance.shape[0]
         B = read_matrix(B, "B", None, n, floats)
@@ -78,8 +119,18 @@ class Moments:
         )
         return trusted_moments(tidy(B @ mean + shift), symmetric(B @ P @ B.T), self.where)
 
-    def subs(self, *values):
-        """The moments with values, or other expressions, for their symbols."""
+    def subs(self, *values: Any) -> Moments:
+        """Return the moments with values, or other expressions, for their symbols.
+
+        Parameters
+        ----------
+        *values : object
+            Arguments of SymPy's ``subs``.
+
+        Returns
+        -------
+        Moments
+        """
         return trusted_moments(
             *(part.subs(*values) for part in (self.mean, self.covariance, self.where))
         )
@@ -91,8 +142,7 @@ class Moments:
 
 
 def trusted_moments(mean, covariance, where=sp.true):
-    """`Moments` of what has been computed here: nothing is read again, which for long formulas
-    takes time."""
+    """Return `Moments` of computed matrices without checking them again, which may be slow."""
     moments = object.__new__(Moments)
     for name, value in (("mean", mean), ("covariance", covariance), ("where", where)):
         object.__setattr__(moments, name, value)
