@@ -262,7 +262,7 @@ def test_moments_anyhow_are_one_conditional_distribution(seed):
 @pytest.mark.parametrize(
     "measurement, message",
     [
-        (Measurement(-1, 1, 1, 1), "before 0, the beginning"),
+        (Measurement(-1, 1, 1, 1), "before 0, the initial time"),
         (Measurement(0, sp.nan, 1, 1), "finite"),
         (Measurement(0, float("nan"), 1, 1), "finite"),
         (Measurement(0, 1, 1, 0), "positive definite"),
@@ -293,7 +293,7 @@ def test_a_moment_may_be_a_symbol():
     assert run.at(T).covariance == run.after[0].covariance
     with pytest.raises(ValueError, match="not known"):
         run.at(5)
-    with pytest.raises(ValueError, match="before 0, the beginning"):
+    with pytest.raises(ValueError, match="before 0, the initial time"):
         estimation.filter_measurements(0, 1, Moments(0, 1), [Measurement(-T, 0, 1, 1)])
 
 

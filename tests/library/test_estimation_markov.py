@@ -105,9 +105,9 @@ def test_three_states_and_a_frequency():
 )
 def test_the_exact_step_is_that_of_floats(A):
     n = A.rows
-    model = estimation.discretised(A, sp.ones(n), h)
+    model = estimation.discretise(A, sp.ones(n), h)
     assert zero(model.Phi.subs(h, 0) - sp.eye(n)) and zero(model.Phi.diff(h) - A * model.Phi)
-    floats = estimation.discretised(np.array(A, dtype=float), np.ones((n, n)), 0.8)
+    floats = estimation.discretise(np.array(A, dtype=float), np.ones((n, n)), 0.8)
     for exact, array in zip(model, floats):
         assert np.allclose(
             np.array(exact.subs(h, sp.Rational(4, 5)).evalf(20), dtype=float), array, atol=1e-13
@@ -137,7 +137,7 @@ def test_floats_against_the_integrator_of_scipy(seed):
 def test_long_steps_of_stiff_processes_stay_covariances():
     """Van Loan's exponential of the whole step would overflow: e^{-Ah} has entries of 1e4342."""
     A, intensity = np.array([[-1e4, 1e3], [0, -1e-3]]), np.diag([1.0, 1.0])
-    model = estimation.discretised(A, intensity, 1.0)
+    model = estimation.discretise(A, intensity, 1.0)
     assert np.linalg.eigvalsh(model.Q)[0] > 0 and np.array_equal(model.Q, model.Q.T)
     exact = estimation.stationary_covariance(A, intensity).covariance
     left = exact - model.Phi @ exact @ model.Phi.T  # what is stationary stays
@@ -216,8 +216,8 @@ def test_many_steps_of_floats_are_steps_one_by_one():
             ),
             "whole number",
         ),
-        (lambda: estimation.discretised(np.eye(2), np.eye(2), -1.0), "not negative"),
-        (lambda: estimation.discretised(np.eye(2), [[1, 2], [0, 1]], 1.0), "symmetric"),
+        (lambda: estimation.discretise(np.eye(2), np.eye(2), -1.0), "not negative"),
+        (lambda: estimation.discretise(np.eye(2), [[1, 2], [0, 1]], 1.0), "symmetric"),
     ],
 )
 def test_bad_input_is_told(call, message):

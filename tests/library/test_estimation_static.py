@@ -134,7 +134,7 @@ def test_measurements_one_after_the_other_give_what_all_at_once_give(seed):
         parts = parts.updated(H[k : k + 4], z[k : k + 4], R[k : k + 4, k : k + 4])
     assert (
         np.allclose(parts.estimate, whole.estimate, atol=1e-12)
-        and parts.excess == whole.excess == 9
+        and parts.degrees_of_freedom == whole.degrees_of_freedom == 9
     )
     assert np.allclose(parts.covariance, whole.covariance, atol=1e-13)
     assert parts.misfit == pytest.approx(whole.misfit, rel=1e-11)
@@ -370,10 +370,10 @@ def test_what_ranges_see_is_decided_by_points_not_by_vectors():
     """The reading of problem 4.1: vectors that span the space, points in one plane."""
     flat = [[1, 0, 1], [0, 1, 1], [-1, 0, 1]]
     test = estimation.satellite_observability([0, 0, 1], flat)
-    assert not test and test.rank == 2 and list(test.unseen) == [0, 0, 1]
+    assert not test and test.rank == 2 and list(test.unobservable) == [0, 0, 1]
     assert sp.Matrix([[0, 0, 1], *flat]).rank() == 3
     floats = estimation.satellite_observability(np.array([0, 0, 1.0]), flat)
-    assert not floats and np.allclose(np.abs(floats.unseen.ravel()), [0, 0, 1])
+    assert not floats and np.allclose(np.abs(floats.unobservable.ravel()), [0, 0, 1])
     assert estimation.satellite_observability(np.array([0, 0, 1.1]), flat)
     assert "plane" in test._repr_markdown_()
 

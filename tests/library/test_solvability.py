@@ -249,11 +249,11 @@ def test_guaranteed_rank_is_never_above_the_rank(seed, log_error):
         true + random.uniform(-1, 1, true.shape) * size, matrix_error=size * np.ones_like(true)
     )
     assert found.rank <= rank < found.m and not found.solvable
-    assert found.unseen.shape == (5 - found.rank, 5)
+    assert found.unobservable.shape == (5 - found.rank, 5)
     if found.rank == rank and log_error < -8:  # what is unseen is (nearly) in the kernel
         assert (
-            np.abs(true @ found.unseen.T).max()
-            < 1e-3 * np.abs(found.unseen * np.abs(true).max(axis=0)).max()
+            np.abs(true @ found.unobservable.T).max()
+            < 1e-3 * np.abs(found.unobservable * np.abs(true).max(axis=0)).max()
         )
 
 
@@ -317,7 +317,7 @@ def test_geostationary_orbit_from_one_and_two_stations(hours):
             [0, 2 / RATE, -2 * b / (RATE * c), 1, 0, -a / c],
         ]
     )
-    both = np.concatenate([one.unseen, kernel]) * one.scaling
+    both = np.concatenate([one.unobservable, kernel]) * one.scaling
     assert np.linalg.matrix_rank(both / np.linalg.norm(both, axis=1, keepdims=True), tol=1e-6) == 2
 
 
@@ -391,7 +391,7 @@ def test_levelled_platform():
         names=["v", "phi", "eps", "b"],
     )
     assert with_bias.rank == 3 and with_bias.undetermined == ("phi", "b")
-    unseen = with_bias.unseen[0]
+    unseen = with_bias.unobservable[0]
     assert unseen[1] * g == pytest.approx(unseen[3], rel=1e-6) and abs(unseen[0]) < 1e-6
     assert analyse(stack([[1, 0, 0]], transition(A[:3, :3], t)), np.full(t.size, 1e-4)).rank == 3
     G, L = sp.symbols("g R", positive=True)
@@ -416,7 +416,7 @@ def test_bearings_need_a_manoeuvre():
     assert straight.rank == 3
     # position and velocity seen from the observer
     relative = np.array([8.0, 6.0, -0.45, 0.05])
-    assert np.allclose(straight.unseen[0] / straight.unseen[0, 0], relative / relative[0])
+    assert np.allclose(straight.unobservable[0] / straight.unobservable[0, 0], relative / relative[0])
     turned = analyse(bearings(lambda t: (0.3 * ca.fmin(t, BREAK), 0.3 * ca.fmax(t - BREAK, 0)), t))
     assert turned.solvable and turned.mu_scaled < 100
 

@@ -26,7 +26,7 @@ _EXPORTS = {
         "satellite_fix",
         "satellite_observability",
     ],
-    "markov": ["DiscreteModel", "continuous_moments", "discrete_moments", "discretised"],
+    "markov": ["DiscreteModel", "continuous_moments", "discrete_moments", "discretise"],
     "stationary_covariances": [
         "StationaryCovariance",
         "discrete_stationary_covariance",
@@ -35,7 +35,7 @@ _EXPORTS = {
     "correction": ["Correction", "corrected"],
     "discrete_filter": ["FilterRun", "KalmanFilter"],
     "continuous_filter": ["ContinuousFilter", "ContinuousRun"],
-    "mixed_time": ["Measurement", "MixedRun", "filter_measurements"],
+    "continuous_discrete": ["ContinuousDiscreteRun", "Measurement", "filter_measurements"],
     "stationary_filters": ["StationaryFilter", "discrete_stationary_filter", "stationary_filter"],
     "fixed_gain": ["LeastGain", "error_covariance", "least_gain"],
     "shaping": ["ShapedProcess", "ShapingFilter", "shaping_filter", "with_shaping"],

@@ -1,4 +1,7 @@
 # Written by `python -m trajlib._stubs`.
+from trajlib.estimation.continuous_discrete import ContinuousDiscreteRun as ContinuousDiscreteRun
+from trajlib.estimation.continuous_discrete import Measurement as Measurement
+from trajlib.estimation.continuous_discrete import filter_measurements as filter_measurements
 from trajlib.estimation.continuous_filter import ContinuousFilter as ContinuousFilter
 from trajlib.estimation.continuous_filter import ContinuousRun as ContinuousRun
 from trajlib.estimation.correction import Correction as Correction
@@ -23,10 +26,7 @@ from trajlib.estimation.linear_fit import least_squares as least_squares
 from trajlib.estimation.markov import DiscreteModel as DiscreteModel
 from trajlib.estimation.markov import continuous_moments as continuous_moments
 from trajlib.estimation.markov import discrete_moments as discrete_moments
-from trajlib.estimation.markov import discretised as discretised
-from trajlib.estimation.mixed_time import Measurement as Measurement
-from trajlib.estimation.mixed_time import MixedRun as MixedRun
-from trajlib.estimation.mixed_time import filter_measurements as filter_measurements
+from trajlib.estimation.markov import discretise as discretise
 from trajlib.estimation.nonlinear_fit import GaussNewton as GaussNewton
 from trajlib.estimation.nonlinear_fit import gauss_newton as gauss_newton
 from trajlib.estimation.shaping import ShapedProcess as ShapedProcess

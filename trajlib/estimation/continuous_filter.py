@@ -191,7 +191,7 @@ class ContinuousFilter:
         )
 
     def simulate(self, start: Moments, times: ArrayLike, paths: int, seed: int) -> Paths:
-        """Draw states at the times and averages of z between them from their exact joint distribution.
+        """Draw states at the times and averages of z between them from their exact distribution.
 
         Parameters
         ----------
