@@ -10,7 +10,7 @@ ROUNDINGS = 10
 
 
 def derivative_of(y, r):
-    """The derivative of order r as a function of arrays."""
+    """Return the derivative of order r as a function of arrays."""
     if hasattr(y, "free_symbols"):
         return _lambdified(y, r)
     if hasattr(y, "deriv"):
@@ -41,10 +41,11 @@ def _lambdified(expression, r):
         )
     t = symbols[0] if symbols else sp.Symbol("t")
     function = sp.lambdify(t, expression.diff(t, r) if r else expression, "numpy")
-    return lambda at: function(np.asarray(at, dtype=float)) + np.zeros(np.shape(at))
+    return lambda times: function(np.asarray(times, dtype=float)) + np.zeros(np.shape(times))
 
 
 def sample_functions(functions, times, name):
+    """Return the samples of functions of time by rows."""
     with np.errstate(all="ignore"):
         rows = [
             np.broadcast_to(np.asarray(derivative_of(y, 0)(times), dtype=float), times.shape)
@@ -59,6 +60,7 @@ def sample_functions(functions, times, name):
 
 
 def read_times(times):
+    """Return finite times that do not decrease."""
     times = np.asarray(times, dtype=float)
     if times.ndim != 1 or times.size == 0 or not np.isfinite(times).all():
         raise ValueError(f"times: expected a list of finite numbers, got shape {times.shape}")
@@ -72,6 +74,7 @@ def read_times(times):
 
 
 def read_samples(h, size):
+    """Return finite samples, shape (N,) or (N, records)."""
     h = np.asarray(h, dtype=float)
     if h.ndim not in (1, 2) or h.shape[0] != size:
         raise ValueError(
@@ -86,7 +89,7 @@ def read_samples(h, size):
 
 
 def read_covariance(covariance, size):
-    """N variances or a matrix (N, N)."""
+    """Return N variances or a positive definite matrix (N, N)."""
     K = np.asarray(covariance, dtype=float)
     if K.shape not in ((), (size,), (size, size)):
         raise ValueError(
@@ -111,6 +114,7 @@ def read_covariance(covariance, size):
 
 
 def read_finite(t, name):
+    """Return a finite number or an array of them."""
     t = np.asarray(t, dtype=float)
     if t.ndim > 1 or not np.isfinite(t).all():
         raise ValueError(f"{name}: expected a finite number or a list of them, got {t.tolist()}")

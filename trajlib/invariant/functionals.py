@@ -1,13 +1,27 @@
 """Linear functionals of a function of time: a value, a derivative, an integral."""
 
+from collections.abc import Callable
+
 import numpy as np
 
+from trajlib._typing import ArrayLike
 from trajlib.invariant.arguments import derivative_of, read_finite
 
 
-def value(t):
-    """The functional y -> y(t); `t` may be an array, for as many functionals.
+def value(t: ArrayLike) -> Callable:
+    """Return the functional y -> y(t).
 
+    Parameters
+    ----------
+    t : array_like
+        Time, or an array for as many functionals.
+
+    Returns
+    -------
+    callable
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> round(float(value(2)(sp.Symbol("t")**3)), 12)
     8.0
@@ -15,9 +29,27 @@ def value(t):
     return derivative(t, 0)
 
 
-def derivative(t, r=1):
-    """The functional y -> the derivative of order r of y at `t`, a number or an array.
+def derivative(t: ArrayLike, r: int = 1) -> Callable:
+    """Return the functional y -> derivative of y at a time.
 
+    Parameters
+    ----------
+    t : array_like
+        Time, or an array for as many functionals.
+    r : int
+        Order of the derivative, from 0 on.
+
+    Returns
+    -------
+    callable
+
+    Raises
+    ------
+    ValueError
+        If the order is no integer from 0 on or the time is not finite.
+
+    Examples
+    --------
     >>> from numpy.polynomial import Polynomial
     >>> float(derivative(2, 2)(Polynomial([0, 0, 0, 1])))
     12.0
@@ -30,9 +62,25 @@ def derivative(t, r=1):
     return lambda y: derivative_of(y, int(r))(t)
 
 
-def integral(a, b):
-    """The functional y -> the integral of y from `a` to `b`, numbers or arrays.
+def integral(a: ArrayLike, b: ArrayLike) -> Callable:
+    """Return the functional y -> integral of y from a to b.
 
+    Parameters
+    ----------
+    a, b : array_like
+        Limits, numbers or arrays for as many functionals.
+
+    Returns
+    -------
+    callable
+
+    Raises
+    ------
+    ValueError
+        If a limit is not finite.
+
+    Examples
+    --------
     >>> from numpy.polynomial import Polynomial
     >>> float(integral(0, 3)(Polynomial([0, 0, 1])))
     9.0
@@ -60,7 +108,7 @@ def _quadrature(function, a, b):
 
 
 def on_basis(functional, basis):
-    """o = omega{psi_k}, shape (K,) or (K, m)."""
+    """Return o = omega{psi_k}, shape (K,) or (K, m)."""
     o = np.array([functional(psi) for psi in basis], dtype=float)
     if o.ndim > 2 or not np.isfinite(o).all():
         raise ValueError(

@@ -19,9 +19,9 @@ REACHED = 1e-9
 
 
 class WeightSolver:
-    """Weights for samples of the functions and one covariance."""
+    """Weights for given samples of the functions and one covariance."""
 
-    def __init__(self, Psi, Theta, covariance):
+    def __init__(self, Psi, Theta, covariance) -> None:
         self.K, self.N = Psi.shape
         if self.N < self.K + len(Theta):
             raise ValueError(
@@ -32,34 +32,34 @@ class WeightSolver:
             np.sqrt(covariance) if covariance.ndim == 1 else np.linalg.cholesky(covariance)
         )
         signal, self.sizes = _unit_columns(self._whitened(Psi.T))
-        taken = _span(_unit_columns(self._whitened(Theta.T))[0])
-        Q, R = np.linalg.qr(np.hstack([taken, signal]))
-        self.Q = Q[:, taken.shape[1] :]
-        self.U, self.s, self.Vt = np.linalg.svd(R[taken.shape[1] :, taken.shape[1] :])
-        self.kept = self.s > ROUNDINGS * self.N * np.finfo(float).eps
+        nuisance = _span(_unit_columns(self._whitened(Theta.T))[0])
+        Q, R = np.linalg.qr(np.hstack([nuisance, signal]))
+        self.Q = Q[:, nuisance.shape[1] :]
+        self.U, self.s, self.Vt = np.linalg.svd(R[nuisance.shape[1] :, nuisance.shape[1] :])
+        self.nonzero = self.s > ROUNDINGS * self.N * np.finfo(float).eps
 
     def solve(self, o):
-        """P, sigma and |P| for o of shape (K,) or (K, m)."""
+        """Return P, sigma and |P| for o of shape (K,) or (K, m)."""
         scaled = (o.T / self.sizes).T
         along = self.Vt @ scaled
-        lost = np.abs(along[~self.kept])
-        if (lost > REACHED * np.linalg.norm(scaled, axis=0)).any():
-            self._refuse(o, lost)
-        w = self.U[:, self.kept] @ (along[self.kept].T / self.s[self.kept]).T
+        undetermined = np.abs(along[~self.nonzero])
+        if (undetermined > REACHED * np.linalg.norm(scaled, axis=0)).any():
+            self._raise_undetermined(o, undetermined)
+        w = self.U[:, self.nonzero] @ (along[self.nonzero].T / self.s[self.nonzero]).T
         P = self._whitened(self.Q @ w, transposed=True)
         return P, np.linalg.norm(w, axis=0), np.linalg.norm(P, axis=0)
 
-    def _refuse(self, o, lost):
-        row = int(np.argmax(lost.reshape(len(lost), -1).max(axis=1)))
-        combination = self.Vt[~self.kept][row] / self.sizes
+    def _raise_undetermined(self, o, undetermined):
+        row = int(np.argmax(undetermined.reshape(len(undetermined), -1).max(axis=1)))
+        combination = self.Vt[~self.nonzero][row] / self.sizes
         combination = combination / combination[np.argmax(np.abs(combination))]
-        words = " + ".join(
+        combination_text = " + ".join(
             f"{c:.4g} basis[{k}]" for k, c in enumerate(combination) if abs(c) > 1e-6
         ).replace("+ -", "- ")
-        on_it = np.abs(combination @ o).max()
+        functional_value = np.abs(combination @ o).max()
         raise ValueError(
-            f"functional: the samples cannot tell it. At all of them {words} is a combination of "
-            f"the nuisance's functions or zero, while the functional is {on_it:.4g} on it. Leave a "
+            f"functional: the samples cannot tell it. At all of them {combination_text} is a combination of "
+            f"the nuisance's functions or zero, while the functional is {functional_value:.4g} on it. Leave a "
             "function out, or sample longer or more densely; count the time from the record, not "
             "from far away"
         )
@@ -79,7 +79,7 @@ def _unit_columns(matrix):
 
 
 def _span(columns):
-    """An orthonormal basis of the span of unit columns, which may depend on each other."""
+    """Return an orthonormal basis of the span of unit columns, which may be dependent."""
     from scipy.linalg import qr
 
     if columns.shape[1] == 0:

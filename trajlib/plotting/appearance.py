@@ -16,8 +16,10 @@ BLACK, BLUE, RED, GREEN, ORANGE, SKY, PURPLE, GREY = (
 
 @contextmanager
 def style():
-    """The look of the workbook for everything drawn inside the `with` block.
+    """Apply the style of the workbook to everything drawn inside the `with` block.
 
+    Examples
+    --------
     >>> import matplotlib
     >>> before = matplotlib.rcParams["font.size"]
     >>> with style():

@@ -1,10 +1,15 @@
 """Roots of polynomials in the complex plane, and estimates over time."""
 
+from __future__ import annotations
+
+from collections.abc import Iterable
 from itertools import cycle
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sp
 
+from trajlib._typing import ArrayLike
 from trajlib.plotting.appearance import (
     BLACK,
     BLUE,
@@ -18,13 +23,36 @@ from trajlib.plotting.appearance import (
     new_axes,
 )
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
-def roots(polys, symbol, ax=None, labels=None):
-    """The roots of one or several polynomials in the complex plane, with the imaginary axis
-    (MATLAB: rlocus, pzmap).
 
-    `polys`: an expression or a list of expressions with numeric coefficients in `symbol`; `labels`:
-    one for each. The half-plane of stability is shaded.
+def roots(
+    polys: sp.Expr | Iterable,
+    symbol: sp.Symbol,
+    ax: Axes | None = None,
+    labels: Iterable | None = None,
+) -> Axes:
+    """Draw the roots of one or several polynomials in the complex plane.
+
+    Parameters
+    ----------
+    polys : sympy.Expr or iterable of sympy.Expr
+        Polynomials with numeric coefficients.
+    symbol : sympy.Symbol
+        Their variable.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; new ones if left out.
+    labels : iterable of str, optional
+        Entry in the legend for each polynomial.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Notes
+    -----
+    The half-plane of stability is shaded. MATLAB: ``rlocus``, ``pzmap``.
     """
     polys = [polys] if isinstance(polys, (sp.Expr, sp.Poly)) else list(polys)
     labels = [None] * len(polys) if labels is None else list(labels)
@@ -32,10 +60,10 @@ def roots(polys, symbol, ax=None, labels=None):
         raise ValueError(
             f"labels: expected one for each of the {len(polys)} polynomials, got {len(labels)}"
         )
-    found = [_roots_of(poly, symbol) for poly in polys]
+    root_sets = [_numeric_roots(poly, symbol) for poly in polys]
     ax = new_axes() if ax is None else ax
     colours = (BLUE, RED, GREEN, PURPLE, ORANGE, BLACK, SKY)
-    for values, label, marker, colour in zip(found, labels, cycle("osD^vP*"), cycle(colours)):
+    for values, label, marker, colour in zip(root_sets, labels, cycle("osD^vP*"), cycle(colours)):
         ax.plot(
             values.real,
             values.imag,
@@ -48,10 +76,10 @@ def roots(polys, symbol, ax=None, labels=None):
             label=label or "_",
             zorder=4,
         )
-    everything = np.concatenate(found)
-    reach = 1.15 * max([1.0, *np.abs(everything.real), *np.abs(everything.imag)])
-    ax.set(xlim=(-reach, reach), ylim=(-reach, reach), aspect="equal")
-    ax.axvspan(-reach, 0, color=SKY, alpha=0.2, linewidth=0, zorder=0)
+    all_roots = np.concatenate(root_sets)
+    extent = 1.15 * max([1.0, *np.abs(all_roots.real), *np.abs(all_roots.imag)])
+    ax.set(xlim=(-extent, extent), ylim=(-extent, extent), aspect="equal")
+    ax.axvspan(-extent, 0, color=SKY, alpha=0.2, linewidth=0, zorder=0)
     ax.axvline(0, color=BLACK, linewidth=1.6, zorder=2)
     ax.axhline(0, color=GREY, linewidth=0.8, zorder=1)
     ax.set_xlabel(rf"$\mathrm{{Re}}\,{sp.latex(symbol)}$")
@@ -61,7 +89,7 @@ def roots(polys, symbol, ax=None, labels=None):
     return ax
 
 
-def _roots_of(poly, symbol):
+def _numeric_roots(poly, symbol):
     try:
         return np.roots([complex(c) for c in sp.Poly(poly, symbol).all_coeffs()])
     except (TypeError, sp.PolynomialError):
@@ -70,10 +98,33 @@ def _roots_of(poly, symbol):
         ) from None
 
 
-def estimate(times, mean, deviation, ax=None, label=None, colour=BLUE, line="-"):
-    """An estimate over time with the band of two standard deviations of its error on either side.
+def estimate(
+    times: ArrayLike,
+    mean: ArrayLike,
+    deviation: ArrayLike,
+    ax: Axes | None = None,
+    label: str | None = None,
+    colour: str = BLUE,
+    line: str = "-",
+) -> Axes:
+    """Draw an estimate over time with the band of two standard deviations of its error.
 
-    `times`, `mean`, `deviation`: arrays of N numbers; a time that stands there twice is a jump.
+    Parameters
+    ----------
+    times, mean, deviation : array_like, shape (N,)
+        Times (a time that occurs twice is a jump), estimates and standard deviations.
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; new ones if left out.
+    label : str, optional
+        Entry in the legend.
+    colour : str
+        Colour of Matplotlib.
+    line : str
+        Line style of Matplotlib.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
     """
     times, mean, deviation = (np.asarray(part, dtype=float) for part in (times, mean, deviation))
     if not times.shape == mean.shape == deviation.shape:

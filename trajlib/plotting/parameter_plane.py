@@ -1,26 +1,63 @@
 """Regions of two parameters, given by a condition."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 import sympy as sp
 
 from trajlib.plotting.appearance import BLUE, GREY
 from trajlib.plotting.plane import hatch, numeric_function, read_two_symbols, window, window_grid
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
-def region(condition, parameters, x_range, y_range, ax=None):
-    """The set of two parameters where a SymPy condition holds: hatched, with its boundary.
 
+def region(
+    condition: sp.Basic,
+    parameters: Sequence,
+    x_range: tuple,
+    y_range: tuple,
+    ax: Axes | None = None,
+) -> Axes:
+    """Hatch the set of two parameters where a condition holds, and draw its boundary.
+
+    Parameters
+    ----------
+    condition : sympy.Boolean
+        Equations and inequalities joined by and/or.
+    parameters : sequence of sympy.Symbol
+        The two parameters.
+    x_range, y_range : tuple of float
+        Intervals (low, high).
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; new ones if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    TypeError
+        If the condition is no SymPy condition.
+    ValueError
+        If it has other symbols.
+
+    Notes
+    -----
     A dashed boundary does not belong to the set (strict inequality), a solid one does.
     """
     condition = sp.sympify(condition)
-    if not isinstance(condition, (sp.logic.boolalg.Boolean, bool)):
+    if not isinstance(condition, sp.logic.boolalg.Boolean):
         raise TypeError(f"condition: expected a SymPy condition, got {condition!r}")
     parameters = read_two_symbols(parameters, "parameters")
-    strangers = condition.free_symbols - set(parameters)
-    if strangers:
+    others = condition.free_symbols - set(parameters)
+    if others:
         raise ValueError(
-            f"condition: it also has {', '.join(sorted(map(str, strangers)))}, which is no "
-            "parameter"
+            f"condition: it also has {', '.join(sorted(map(str, others)))}, which is no parameter"
         )
     ax = window(parameters, x_range, y_range, ax)
     X, Y = window_grid(ax)
@@ -29,7 +66,7 @@ def region(condition, parameters, x_range, y_range, ax=None):
     if inside.any():
         hatch(ax, X, Y, depth)
     # A line is boundary only where both the region and its complement are near.
-    border = _spread(inside) & _spread(~inside)
+    border = _dilate(inside) & _dilate(~inside)
     for relation in condition.atoms(sp.core.relational.Relational) if border.any() else ():
         margin = np.where(border, _depth(relation, parameters, X, Y), np.nan)
         ax.contour(
@@ -49,15 +86,17 @@ def region(condition, parameters, x_range, y_range, ax=None):
     return ax
 
 
-def _spread(inside):
+def _dilate(inside):
     from scipy import ndimage
 
     return ndimage.binary_dilation(inside, structure=np.ones((3, 3)), iterations=2)
 
 
 def _depth(condition, symbols, X, Y):
-    """A function on the grid that is positive where the condition holds and continuous across its
-    boundary."""
+    """Return a function on the grid that is positive where the condition holds.
+
+    It is continuous across the boundary of the set.
+    """
     if condition is sp.true:
         return np.ones_like(X)
     if condition is sp.false:

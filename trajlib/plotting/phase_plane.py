@@ -1,5 +1,10 @@
 """Phase portraits of planar systems, equilibria, nullclines and level curves."""
 
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 import sympy as sp
 
@@ -13,14 +18,44 @@ from trajlib.plotting.plane import (
     window_grid,
 )
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
-def phase_portrait(field, state, x_range, y_range, ax=None, starts=None, params=None):
-    """Phase portrait of a planar system x' = f(x) (MATLAB: quiver, streamslice).
 
-    `field`: two expressions; `state`: the two symbols; `x_range`, `y_range`: pairs (low, high).
-    `starts`: points whose trajectories are drawn, integrated forwards and backwards until they
-    leave the picture. `params`: a dict that gives numbers to the other symbols. Where the field is
-    not defined nothing is drawn.
+def phase_portrait(
+    field: Sequence,
+    state: Sequence,
+    x_range: tuple,
+    y_range: tuple,
+    ax: Axes | None = None,
+    starts: Iterable | None = None,
+    params: Mapping | None = None,
+) -> Axes:
+    """Draw the phase portrait of a planar system x' = f(x).
+
+    Parameters
+    ----------
+    field : sequence of sympy.Expr
+        The two components of f.
+    state : sequence of sympy.Symbol
+        The two state variables.
+    x_range, y_range : tuple of float
+        Intervals (low, high).
+    ax : matplotlib.axes.Axes, optional
+        Axes to draw on; new ones if left out.
+    starts : iterable of tuple, optional
+        Points whose trajectories are drawn, integrated forwards and backwards until they leave the
+        picture.
+    params : mapping, optional
+        Numbers for the other symbols.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Notes
+    -----
+    Where the field is not defined nothing is drawn. MATLAB: ``quiver``, ``streamslice``.
     """
     from scipy.integrate import solve_ivp
 
@@ -44,22 +79,22 @@ def phase_portrait(field, state, x_range, y_range, ax=None, starts=None, params=
 
     width, height = x_high - x_low, y_high - y_low
 
-    def moving(point):
+    def relative_speed(point):
         velocity = np.array([f(point[0], point[1]) for f in functions])
         return velocity, np.hypot(velocity[0] / width, velocity[1] / height)
 
     def rate(_, point):
         # Arc length in the units of the picture instead of time: equilibria are approached, never
         # overshot.
-        velocity, speed = moving(point)
+        velocity, speed = relative_speed(point)
         return velocity / (speed + 1e-3) if np.isfinite(speed) else np.zeros(2)
 
     def arrived(_, point):
         # So slow is a motion only next to an equilibrium, where following it further shows nothing
         # and takes long.
-        return moving(point)[1] - 1e-3
+        return relative_speed(point)[1] - 1e-3
 
-    arrived.terminal, arrived.direction = True, -1
+    arrived.terminal, arrived.direction = True, -1  # type: ignore[attr-defined]
 
     def inside(_, point):
         return min(
@@ -69,11 +104,11 @@ def phase_portrait(field, state, x_range, y_range, ax=None, starts=None, params=
             y_high - point[1] + 0.02 * height,
         )
 
-    inside.terminal = True
+    inside.terminal = True  # type: ignore[attr-defined]
     for start in () if starts is None else starts:
         start = read_number_pair(start, "starts")
         for direction in (1, -1):
-            found = solve_ivp(
+            path = solve_ivp(
                 lambda s, p: direction * rate(s, p),
                 (0, 12),
                 start,
@@ -82,19 +117,32 @@ def phase_portrait(field, state, x_range, y_range, ax=None, starts=None, params=
                 atol=1e-9,
                 max_step=0.05,
             )
-            ax.plot(*found.y, color=BLUE, linestyle="-", linewidth=1.6, zorder=3)
+            ax.plot(*path.y, color=BLUE, linestyle="-", linewidth=1.6, zorder=3)
             if direction == 1:
-                _arrow(ax, found.y[:, found.t <= 0.4])
+                _arrow(ax, path.y[:, path.t <= 0.4])
         ax.plot(*start, marker="o", markersize=3, color=BLUE, zorder=3)
     return ax
 
 
-def mark_equilibria(points, labels, ax):
-    """Mark points of a phase plane on `ax`, with one legend entry for each kind.
+def mark_equilibria(points: Iterable, labels: Iterable, ax: Axes) -> Axes:
+    """Mark points of a phase plane, with one legend entry for each kind.
 
-    `labels`: the kind of each point, such as "stable focus" or "saddle" (what `classify_planar`
-    returns). A filled circle is stable, an open one unstable, a cross a saddle, a square anything
-    else.
+    Parameters
+    ----------
+    points : iterable of tuple
+        Points of the plane.
+    labels : iterable of str
+        Kind of each point, such as "stable focus" or "saddle" (as `classify_planar` returns).
+    ax : matplotlib.axes.Axes
+        Axes to draw on.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Notes
+    -----
+    A filled circle is stable, an open one unstable, a cross a saddle, a square any other.
     """
     points = [read_number_pair(p, "points") for p in points]
     labels = list(labels)
@@ -138,8 +186,28 @@ def _marker(kind):
     }
 
 
-def level_curve(V, state, level, ax, label=None):
-    """The curve V = level over the window of `ax`."""
+def level_curve(
+    V: sp.Expr, state: Sequence, level: float, ax: Axes, label: str | None = None
+) -> Axes:
+    """Draw the curve V = level over the window of the Axes.
+
+    Parameters
+    ----------
+    V : sympy.Expr
+        Function of the two state variables.
+    state : sequence of sympy.Symbol
+        The two state variables.
+    level : float
+        Level.
+    ax : matplotlib.axes.Axes
+        Axes to draw on.
+    label : str, optional
+        Entry in the legend.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
     value, state = plane_function(V, state, "V")
     X, Y = window_grid(ax)
     drawn = ax.contour(
@@ -158,8 +226,29 @@ def level_curve(V, state, level, ax, label=None):
     return ax
 
 
-def sublevel_component(V, state, level, ax):
-    """Hatch the connected part of {V < level} that contains the origin."""
+def sublevel_component(V: sp.Expr, state: Sequence, level: float, ax: Axes) -> Axes:
+    """Hatch the connected component of {V < level} that contains the origin.
+
+    Parameters
+    ----------
+    V : sympy.Expr
+        Function of the two state variables.
+    state : sequence of sympy.Symbol
+        The two state variables.
+    level : float
+        Level.
+    ax : matplotlib.axes.Axes
+        Axes to draw on.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If the origin is not in the set.
+    """
     from scipy import ndimage
 
     value, state = plane_function(V, state, "V")
@@ -179,8 +268,24 @@ def sublevel_component(V, state, level, ax):
     return ax
 
 
-def nullclines(field, state, ax, params=None):
-    """The curves on which one component of a planar field vanishes, over the window of `ax`."""
+def nullclines(field: Sequence, state: Sequence, ax: Axes, params: Mapping | None = None) -> Axes:
+    """Draw the curves on which one component of a planar field vanishes.
+
+    Parameters
+    ----------
+    field : sequence of sympy.Expr
+        The two components of the field.
+    state : sequence of sympy.Symbol
+        The two state variables.
+    ax : matplotlib.axes.Axes
+        Axes to draw on, whose window is used.
+    params : mapping, optional
+        Numbers for the other symbols.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+    """
     functions, state = planar_functions(field, state, params)
     X, Y = window_grid(ax)
     for f, symbol, colour, line in zip(functions, state, (GREEN, ORANGE), ("--", "-.")):
@@ -200,7 +305,7 @@ def nullclines(field, state, ax, params=None):
 
 
 def _arrow(ax, path):
-    """An arrow in the middle of a piece of a trajectory."""
+    """Draw an arrow in the middle of a piece of a trajectory."""
     middle = path.shape[1] // 2
     if middle and middle + 1 < path.shape[1]:
         ax.annotate(
@@ -213,6 +318,6 @@ def _arrow(ax, path):
 
 
 def _dotted(symbol):
-    """The derivative of a symbol in mathtext, with the dot over its letter alone."""
+    """Return the derivative of a symbol in mathtext, with the dot over its letter alone."""
     letter, _, index = sp.latex(symbol).partition("_")
     return rf"\dot{{{letter}}}" + (f"_{index}" if index else "")

@@ -1,16 +1,40 @@
 """Axes over a plane of two symbols, and functions on the grid of their window."""
 
-from collections.abc import Iterable, Mapping
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 import sympy as sp
 
 from trajlib.plotting.appearance import BLUE, SKY, new_axes
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
-def window(symbols, x_range, y_range, ax=None):
-    """Axes over a rectangle of two symbols, labelled with their names, to draw on with the
-    functions below."""
+
+def window(symbols: Sequence, x_range: tuple, y_range: tuple, ax: Axes | None = None) -> Axes:
+    """Return Axes over a rectangle of two symbols, labelled with their names.
+
+    Parameters
+    ----------
+    symbols : sequence of sympy.Symbol
+        The two symbols.
+    x_range, y_range : tuple of float
+        Intervals (low, high).
+    ax : matplotlib.axes.Axes, optional
+        Axes to use; new ones if left out.
+
+    Returns
+    -------
+    matplotlib.axes.Axes
+
+    Raises
+    ------
+    ValueError
+        If there are not two symbols or an interval is empty.
+    """
     symbols = read_two_symbols(symbols, "symbols")
     x_low, x_high, y_low, y_high = read_ranges(x_range, y_range)
     ax = new_axes() if ax is None else ax
@@ -68,25 +92,25 @@ def planar_functions(field, state, params):
     if params is not None and not isinstance(params, Mapping):
         raise TypeError(f"params: expected a dict from symbols to numbers, got {params!r}")
     field = [sp.sympify(f).subs(params or {}) for f in field]
-    strangers = set().union(*(f.free_symbols for f in field)) - set(state)
-    if strangers:
-        raise ValueError(f"params: no value for {', '.join(sorted(map(str, strangers)))}")
+    others = set().union(*(f.free_symbols for f in field)) - set(state)
+    if others:
+        raise ValueError(f"params: no value for {', '.join(sorted(map(str, others)))}")
     return [numeric_function(f, state) for f in field], state
 
 
 def plane_function(V, state, name):
     state = read_two_symbols(state, "state")
     V = sp.sympify(V)
-    strangers = V.free_symbols - set(state)
-    if strangers:
+    others = V.free_symbols - set(state)
+    if others:
         raise ValueError(
-            f"{name}: substitute numbers for {', '.join(sorted(map(str, strangers)))} first"
+            f"{name}: substitute numbers for {', '.join(sorted(map(str, others)))} first"
         )
     return numeric_function(V, state), state
 
 
 def numeric_function(expression, symbols):
-    """A NumPy function of two arguments; NaN where the expression is not defined."""
+    """Return a NumPy function of two arguments, NaN where the expression is not defined."""
     raw = sp.lambdify(symbols, expression, "numpy")
 
     def value(x, y):

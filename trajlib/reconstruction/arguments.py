@@ -4,6 +4,7 @@ import numpy as np
 
 
 def read_times(t):
+    """Return two or more increasing finite times."""
     t = np.asarray(t, dtype=float)
     if t.ndim != 1 or t.size < 2:
         raise ValueError(
@@ -14,9 +15,9 @@ def read_times(t):
         raise ValueError(
             f"t: the times must be finite, t[{np.flatnonzero(~np.isfinite(t))[0]}] is not"
         )
-    wrong = np.flatnonzero(np.diff(t) <= 0)
-    if wrong.size:
-        k = wrong[0]
+    not_increasing = np.flatnonzero(np.diff(t) <= 0)
+    if not_increasing.size:
+        k = not_increasing[0]
         if t[k] == t[k + 1]:
             raise ValueError(
                 f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one "
@@ -30,6 +31,7 @@ def read_times(t):
 
 
 def read_weights(sigma, size):
+    """Return rho_k = 1/sigma_k^2, zero where nothing was measured."""
     sigma = np.asarray(sigma, dtype=float)
     if sigma.shape not in ((), (size,)):
         raise ValueError(
@@ -56,15 +58,16 @@ def read_weights(sigma, size):
 
 
 def read_samples(h, rho):
+    """Return samples, finite wherever something was measured."""
     h = np.asarray(h, dtype=float)
     if h.ndim == 0 or h.shape[0] != rho.size or 0 in h.shape:
         raise ValueError(
             f"h: expected {rho.size} samples, one a time (several records as columns), got shape "
             f"{h.shape}"
         )
-    lost = ~np.isfinite(h.reshape(rho.size, -1)).all(axis=1) & (rho > 0)
-    if lost.any():
-        k = np.flatnonzero(lost)[0]
+    missing = ~np.isfinite(h.reshape(rho.size, -1)).all(axis=1) & (rho > 0)
+    if missing.any():
+        k = np.flatnonzero(missing)[0]
         raise ValueError(
             f"h: sample {k} is not a finite number; where nothing was measured give sigma[{k}] = "
             "inf"

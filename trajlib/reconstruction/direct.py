@@ -15,32 +15,25 @@ from trajlib.reconstruction.splines import (
     straight_line,
 )
 
-#: Weight of the integral of u^2 in the direct method, in units of rho tau^3: it chooses one of many
-#: best motions.
+#: Weight of the integral of u^2, in units of rho tau^3: it selects one of many optimal motions.
 TIE = 1e-7
 
 
 def bounded_fit(t, h, rho, bound):
-    """Least misfit under |u| <= bound, exactly, as a convex programme in the states x, y at the
-    times.
-
-    With `bound` as the unit of acceleration, dy = y_1 - y_0 and w = x_1 - x_0 - tau (y_0 + y_1)/2,
-    a control |u| <= 1 leads from one state to the next in the time tau if and only if |w| + dy^2/4
-    <= tau^2/4: the extreme w for a given dy belong to u = +1, then -1, and to the reverse.
-    """
+    """Return the motion of least misfit under |u| <= bound, a weight 0 and whether the bound is active."""
     import casadi
 
-    seen = np.flatnonzero(rho)
-    free = spline_accelerations(t[seen], h[seen], rho[seen])(0.0)
-    if np.abs(free).max(initial=0) <= bound:
-        return cubic_spline(*natural_spline(t, h, seen, free)), 0.0, False
+    measured = np.flatnonzero(rho)
+    spline_u = spline_accelerations(t[measured], h[measured], rho[measured])(0.0)
+    if np.abs(spline_u).max(initial=0) <= bound:
+        return cubic_spline(*natural_spline(t, h, measured, spline_u)), 0.0, False
     # Dimensionless: time in mean steps, acceleration in units of the bound, what a straight line
     # leaves of the samples.
     line, slope = (part[:, 0] for part in straight_line(t, rho, h[:, None]))
     unit = np.mean(np.diff(t))
     length = bound * unit**2
     tau = np.diff(t) / unit
-    weight = rho / np.median(rho[seen])
+    weight = rho / np.median(rho[measured])
     target = np.where(rho > 0, (h - line) / length, 0)
 
     x, y = casadi.SX.sym("x", t.size), casadi.SX.sym("y", t.size)
@@ -62,13 +55,13 @@ def bounded_fit(t, h, rho, bound):
         "ipopt.bound_relax_factor": 0.0,
     }
     solver = casadi.nlpsol("direct", "ipopt", problem, options)
-    found = solver(x0=np.zeros(2 * t.size), lbg=-np.inf, ubg=np.tile(tau**2 / 4, 2))
+    solution = solver(x0=np.zeros(2 * t.size), lbg=-np.inf, ubg=np.tile(tau**2 / 4, 2))
     if not solver.stats()["success"]:
         raise ArithmeticError(
             f"the direct method did not converge ({solver.stats()['return_status']}); try "
             f'method="sweep"'
         )
-    x, y = np.asarray(found["x"]).ravel().reshape(2, t.size)
+    x, y = np.asarray(solution["x"]).ravel().reshape(2, t.size)
     lengths, first, last = _least_effort(tau, np.diff(y), np.diff(x) - tau * (y[1:] + y[:-1]) / 2)
     spline = _pieces(
         t,
@@ -82,47 +75,52 @@ def bounded_fit(t, h, rho, bound):
 
 
 def _least_effort(tau, dy, w):
-    """The control |u| <= 1 with the least integral of u^2 for each interval: lengths, first and
-    last values of three pieces, at one bound, linear, at the other; shapes (N, 3).
+    """Return the control |u| <= 1 with the least integral of u^2 for each interval.
 
-    It is a linear function of time, cut off at the bounds. Where w > 0 it falls. For dy >= 0 it
-    reaches the upper bound first; for dy < 0 it is the one for -dy run backwards, with the other
-    sign.
+    Lengths, first and last values of three pieces: at one bound, linear, at the other; shapes (N, 3).
+    The control is a linear function of time, cut off at the bounds. Where w > 0 it decreases. For
+    dy >= 0 it reaches the upper bound first; for dy < 0 it is the one for -dy reversed in time, with
+    the other sign.
     """
-    sign, turned = np.where(w < 0, -1.0, 1.0), w * dy < 0
-    turned |= (w == 0) & (dy < 0)
+    sign, reversed_ = np.where(w < 0, -1.0, 1.0), w * dy < 0
+    reversed_ |= (w == 0) & (dy < 0)
     dy, w = np.minimum(np.abs(dy), tau), np.abs(w)
     mean, half = dy / tau, 6 * w / tau**2
-    rest = np.maximum(tau - dy, np.finfo(float).tiny)
+    slack = np.maximum(tau - dy, np.finfo(float).tiny)
     # upper bound, then linear for this time
-    ramp = 1.5 * tau - 3 * w / rest
-    drop = 2 * rest / np.maximum(ramp, np.finfo(float).tiny)
+    ramp = 1.5 * tau - 3 * w / slack
+    drop = 2 * slack / np.maximum(ramp, np.finfo(float).tiny)
     # linear between both bounds
     half_ramp = np.sqrt(np.maximum(3 * (tau**2 / 4 - dy**2 / 4 - w), 0))
-    unbounded, one = mean + half <= 1, drop <= 2
+    no_bound, one_bound = mean + half <= 1, drop <= 2
     zero = np.zeros_like(tau)
     lengths = np.select(
-        [unbounded[:, None], one[:, None]],
+        [no_bound[:, None], one_bound[:, None]],
         [np.stack([zero, tau, zero], axis=1), np.stack([tau - ramp, ramp, zero], axis=1)],
         np.stack([(tau + dy) / 2 - half_ramp, 2 * half_ramp, (tau - dy) / 2 - half_ramp], axis=1),
     )
     begin, end = (
-        np.where(unbounded, mean + half, 1),
-        np.select([unbounded, one], [mean - half, 1 - drop], -1),
+        np.where(no_bound, mean + half, 1),
+        np.select([no_bound, one_bound], [mean - half, 1 - drop], -1),
     )
     first, last = (
         np.stack([zero + 1, begin, zero - 1], axis=1),
         np.stack([zero + 1, end, zero - 1], axis=1),
     )
-    turned = turned[:, None]
-    lengths = np.where(turned, lengths[:, ::-1], lengths)
-    first, last = np.where(turned, -last[:, ::-1], first), np.where(turned, -first[:, ::-1], last)
+    reversed_ = reversed_[:, None]
+    lengths = np.where(reversed_, lengths[:, ::-1], lengths)
+    first, last = (
+        np.where(reversed_, -last[:, ::-1], first),
+        np.where(reversed_, -first[:, ::-1], last),
+    )
     return np.maximum(lengths, 0), sign[:, None] * first, sign[:, None] * last
 
 
 def _pieces(t, x, y, lengths, first, last):
-    """The piecewise cubic from the states x, y at the begin of each interval, with u linear on its
-    three pieces."""
+    """Return the piecewise cubic from the states x, y at the start of each interval.
+
+    On its three pieces u is linear.
+    """
     from scipy.interpolate import PPoly
 
     jerk = (last - first) / np.where(lengths > 0, lengths, 1)

@@ -1,25 +1,51 @@
 """Reconstruction of a motion from its samples by either method."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from trajlib import plotting
+from trajlib._typing import ArrayLike
 from trajlib.reconstruction.arguments import read_samples, read_times, read_weights
 from trajlib.reconstruction.direct import bounded_fit
 from trajlib.reconstruction.splines import cubic_spline, join_splines
 from trajlib.reconstruction.sweep import SweepGains
 from trajlib.reconstruction.weight import sweep_fit
 
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from scipy.interpolate import PPoly
+
 
 @dataclass(frozen=True)
 class Reconstruction:
-    """A reconstructed motion; what `reconstruct` returns.
+    """Reconstructed motion, the result of `reconstruct`.
 
-    `M`: the weight (0 where the bound is not active, one number a column for several columns).
-    `active`: whether the bound `bound` holds the motion back. `misfit`: sum of ((x_k -
-    h_k)/sigma_k)^2. `max_acceleration`: the greatest |u|. The motion before the first and after the
-    last sample is uniform.
+    Before the first and after the last sample the motion is uniform.
+
+    Attributes
+    ----------
+    t : ndarray, shape (N + 1,)
+        Times of the samples.
+    h : ndarray, shape (N + 1, ...)
+        Samples.
+    sigma : ndarray, shape (N + 1,)
+        Standard errors.
+    method : str
+        "sweep" or "direct".
+    bound : float, ndarray or None
+        Acceleration bound, None if M was given.
+    M : float or ndarray
+        Weight of the acceleration, 0 where the bound is not active; one number a column.
+    active : bool or ndarray
+        Whether the bound is active.
+    misfit : float or ndarray
+        Sum of ((x_k - h_k)/sigma_k)^2.
+    max_acceleration : float or ndarray
+        Greatest |u|.
     """
 
     t: np.ndarray
@@ -31,19 +57,52 @@ class Reconstruction:
     active: bool | np.ndarray
     misfit: float | np.ndarray
     max_acceleration: float | np.ndarray
-    _spline: object = field(repr=False)
+    _spline: PPoly = field(repr=False)
 
-    def position(self, t):
-        """x at the times `t`: an array of the shape of `t` (and of the columns)."""
+    def position(self, t: ArrayLike) -> np.ndarray:
+        """Return the position x.
+
+        Parameters
+        ----------
+        t : array_like
+            Finite times.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `t` (and of the columns).
+        """
         inside, beyond = self._inside(t)
         return self._spline(inside) + beyond * self._spline(inside, 1)
 
-    def velocity(self, t):
-        """y = x' at the times `t`."""
+    def velocity(self, t: ArrayLike) -> np.ndarray:
+        """Return the velocity y = x'.
+
+        Parameters
+        ----------
+        t : array_like
+            Finite times.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `t` (and of the columns).
+        """
         return self._spline(self._inside(t)[0], 1)
 
-    def acceleration(self, t):
-        """u = x'' at the times `t`; zero outside the record."""
+    def acceleration(self, t: ArrayLike) -> np.ndarray:
+        """Return the acceleration u = x'', zero outside the record.
+
+        Parameters
+        ----------
+        t : array_like
+            Finite times.
+
+        Returns
+        -------
+        ndarray
+            Of the shape of `t` (and of the columns).
+        """
         inside, beyond = self._inside(t)
         return np.where(beyond == 0, self._spline(inside, 2), 0.0)
 
@@ -54,9 +113,18 @@ class Reconstruction:
         inside = np.clip(t, self.t[0], self.t[-1])
         return inside, (t - inside).reshape(t.shape + (1,) * (self.h.ndim - 1))
 
-    def plot(self, column=0):
-        """The samples with the motion, and below its acceleration with the bound; returns the two
-        Axes."""
+    def plot(self, column: int = 0) -> tuple[Axes, Axes]:
+        """Draw the samples with the motion, and below its acceleration with the bound.
+
+        Parameters
+        ----------
+        column : int
+            Index of the coordinate or record.
+
+        Returns
+        -------
+        (matplotlib.axes.Axes, matplotlib.axes.Axes)
+        """
         import matplotlib.pyplot as plt
 
         columns = self.h.reshape(self.t.size, -1)
@@ -98,22 +166,54 @@ class Reconstruction:
         return upper, lower
 
 
-def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
-    """The motion that fits noisy samples of its position under an acceleration bound (MATLAB:
-    csaps, spaps).
+def reconstruct(
+    t: ArrayLike,
+    h: ArrayLike,
+    sigma: ArrayLike,
+    *,
+    max_acceleration: ArrayLike | None = None,
+    M: float | None = None,
+    method: str = "sweep",
+) -> Reconstruction:
+    """Return the motion that fits noisy samples of its position under an acceleration bound.
 
-    `t`: N + 1 increasing times; `h`: samples, shape (N + 1,) or (N + 1, ...) with a column for each
-    coordinate or record; `sigma`: standard errors, a number or N + 1 of them (infinity: not
-    measured, `h` may be nan there). Give either `max_acceleration` (a number, or one a column), or
-    the weight `M`, not both.
+    Parameters
+    ----------
+    t : array_like, shape (N + 1,)
+        Increasing times.
+    h : array_like, shape (N + 1, ...)
+        Samples, a column for each coordinate or record; nan is allowed where nothing was measured.
+    sigma : array_like
+        Standard error, or N + 1 standard errors; infinity where nothing was measured.
+    max_acceleration : array_like, optional
+        Acceleration bound, a number or one for each column. Give either it or `M`.
+    M : float, optional
+        Weight of the acceleration.
+    method : {"sweep", "direct"}
+        "sweep" is the method of the paper, "direct" a convex programme.
 
-    `method="sweep"` (the paper): M is found such that max |u| = max_acceleration; `active` is False
-    and M = 0 where already the natural spline through all samples keeps the bound. (max |u| need
-    not fall as M grows: where several M meet the bound, one of them is found.) `method="direct"`:
-    least misfit among all motions with |u| <= max_acceleration, a convex programme that is exact up
-    to the tolerance of its solver (1e-11); of equally good motions one with a small integral of
-    u^2.
+    Returns
+    -------
+    Reconstruction
 
+    Raises
+    ------
+    ValueError
+        If times do not increase, shapes do not fit, or not exactly one of `max_acceleration` and `M`
+        is given.
+    ArithmeticError
+        If no weight is found within the range of floats or the solver does not converge.
+
+    Notes
+    -----
+    "sweep" finds M such that max |u| = max_acceleration; `active` is False and M = 0 where already the
+    natural spline through all samples keeps the bound. Max |u| need not decrease as M grows: where
+    several M meet the bound, one of them is found. "direct" minimises the misfit among all motions with
+    |u| <= max_acceleration, exact up to the tolerance of its solver (1e-11); of equally good motions it
+    returns one with a small integral of u^2. MATLAB: ``csaps``, ``spaps``.
+
+    Examples
+    --------
     >>> import numpy as np
     >>> t = np.arange(9.0)
     >>> motion = reconstruct(t, abs(t - 4), 0.5, max_acceleration=0.5)
@@ -152,27 +252,36 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
             f"{bound.shape}"
         ) from None
     columns = h.reshape(t.size, -1)
-    solve = sweep_fit if method == "sweep" else bounded_fit
-    found = [solve(t, columns[:, k], rho, bounds[k]) for k in range(columns.shape[1])]
-    weight, active = (_as_given(np.array([f[j] for f in found]), h) for j in (1, 2))
-    spline = join_splines([f[0] for f in found], h.shape[1:])
+    fit = sweep_fit if method == "sweep" else bounded_fit
+    fits = [fit(t, columns[:, k], rho, bounds[k]) for k in range(columns.shape[1])]
+    weight, active = (_in_column_shape(np.array([f[j] for f in fits]), h) for j in (1, 2))
+    spline = join_splines([f[0] for f in fits], h.shape[1:])
     return _result(t, h, rho, spline, method, max_acceleration, weight, active)
 
 
 def _result(t, h, rho, spline, method, bound, M, active):
     columns = (1,) * (h.ndim - 1)
-    off = np.where(rho.reshape(-1, *columns) > 0, spline(t) - h, 0)
+    residuals = np.where(rho.reshape(-1, *columns) > 0, spline(t) - h, 0)
     sigma = np.full(rho.shape, np.inf)
     sigma[rho > 0] = rho[rho > 0] ** -0.5
-    misfit = np.sum(rho.reshape(-1, *columns) * off**2, axis=0)
+    misfit = np.sum(rho.reshape(-1, *columns) * residuals**2, axis=0)
     lengths = np.diff(spline.x).reshape(-1, *columns)
-    greatest = np.maximum(
+    max_acceleration = np.maximum(
         np.abs(2 * spline.c[1]), np.abs(2 * spline.c[1] + 6 * spline.c[0] * lengths)
     ).max(axis=0)
     return Reconstruction(
-        t, h, sigma, method, bound, M, active, _as_given(misfit, h), _as_given(greatest, h), spline
+        t,
+        h,
+        sigma,
+        method,
+        bound,
+        M,
+        active,
+        _in_column_shape(misfit, h),
+        _in_column_shape(max_acceleration, h),
+        spline,
     )
 
 
-def _as_given(values, h):
+def _in_column_shape(values, h):
     return values.reshape(h.shape[1:]) if h.ndim > 1 else values.reshape(()).item()

@@ -10,8 +10,7 @@ import numpy as np
 
 
 def spline_accelerations(t, h, rho):
-    """M -> u at the samples, from (R + M G) u = second differences: five diagonals, positive
-    definite (Reinsch)."""
+    """Return the function M -> u at the samples."""
     from scipy.linalg import solveh_banded
 
     tau = np.diff(t)
@@ -43,14 +42,13 @@ def spline_accelerations(t, h, rho):
     return accelerations
 
 
-def natural_spline(t, h, seen, u):
-    """States at all times of the natural cubic spline through the samples seen, straight beyond
-    them."""
-    x, tau = h[seen], np.diff(t[seen])
+def natural_spline(t, h, measured, u):
+    """Return t, x, y, u of the natural cubic spline through the measured samples, linear beyond them."""
+    x, tau = h[measured], np.diff(t[measured])
     y = np.diff(x) / tau - tau * (2 * u[:-1] + u[1:]) / 6
     y = np.append(y, y[-1] + tau[-1] * (u[-2] + u[-1]) / 2)
-    spline = cubic_spline(t[seen], x, y, u)
-    inside = np.clip(t, t[seen[0]], t[seen[-1]])
+    spline = cubic_spline(t[measured], x, y, u)
+    inside = np.clip(t, t[measured[0]], t[measured[-1]])
     slope = spline(inside, 1)
     return (
         t,
@@ -61,7 +59,7 @@ def natural_spline(t, h, seen, u):
 
 
 def cubic_spline(t, x, y, u):
-    """The piecewise cubic with the states x, y and the accelerations u at its knots."""
+    """Return the piecewise cubic with the states x, y and the accelerations u at its knots."""
     from scipy.interpolate import PPoly
 
     tau = np.diff(t).reshape(-1, *(1,) * (x.ndim - 1))
@@ -69,7 +67,7 @@ def cubic_spline(t, x, y, u):
 
 
 def join_splines(splines, shape):
-    """One piecewise cubic of several, with the knots of all of them."""
+    """Return one piecewise cubic of several columns, with the knots of all of them."""
     from scipy.interpolate import PPoly
 
     knots = np.unique(np.concatenate([spline.x for spline in splines]))
@@ -81,7 +79,7 @@ def join_splines(splines, shape):
 
 
 def straight_line(t, rho, records):
-    """The weighted straight-line fit at the times and its slope, for columns of records."""
+    """Return the weighted straight-line fit at the times and its slope, for columns of records."""
     known = np.where(rho[:, None] > 0, records, 0)
     total = rho.sum()
     centre = rho @ t / total

@@ -21,28 +21,53 @@ only: nothing cancels, however small M is.
 
 import numpy as np
 
+from trajlib._typing import ArrayLike
 from trajlib.reconstruction.arguments import read_samples, read_times, read_weights
 from trajlib.reconstruction.splines import straight_line
 
 
 class SweepGains:
-    """Gains of the matrix sweep for times `t`, standard errors `sigma` and a weight `M`, computed
-    ahead of the data.
+    """Gains of the matrix sweep, computed before the samples are known.
 
-    `t`: N + 1 increasing times. `sigma`: a number or N + 1 standard errors in the unit of the
-    samples; infinity says that nothing was measured at this time. `M`: units of time^3/sigma^2.
+    Parameters
+    ----------
+    t : array_like, shape (N + 1,)
+        Increasing times.
+    sigma : array_like
+        Standard error of the samples, in their unit, or N + 1 standard errors; infinity where nothing
+        was measured.
+    M : float
+        Weight of the acceleration, positive, in units of time^3/sigma^2.
+
+    Attributes
+    ----------
+    Q : ndarray, shape (N + 1, 2, 2)
+        Matrices Q_k of the paper.
+    closed_loop : ndarray, shape (N, 2, 2)
+        Matrices E_k.
+
+    Raises
+    ------
+    ValueError
+        If the times do not increase or M or a standard error is not positive.
+
+    Notes
+    -----
     Source: (4.6), (4.7) of the paper.
 
+    Examples
+    --------
     >>> gains = SweepGains([0, 1, 2, 3], sigma=1.0, M=0.5)
     >>> x, y, u = gains.apply([0.0, 2.0, 4.0, 6.0])       # samples on a line: the line itself
     >>> x.round(12).tolist(), y.round(12).tolist(), float(abs(u).max().round(12))
     ([0.0, 2.0, 4.0, 6.0], [2.0, 2.0, 2.0, 2.0], 0.0)
     """
 
-    def __init__(self, t, sigma, M):
+    def __init__(self, t: ArrayLike, sigma: ArrayLike, M: float) -> None:
         self.t = read_times(t)
         self.rho = read_weights(sigma, self.t.size)
-        if not (np.isscalar(M) and np.isfinite(M) and M > 0):
+        is_scalar: bool = np.isscalar(M)
+        if not (is_scalar and np.isfinite(M) and M > 0):
             raise ValueError(
                 f"M: expected a positive finite number, got {M}; max |u| grows as M falls, a "
                 "straight line is M = inf"
@@ -86,23 +111,32 @@ class SweepGains:
 
     @property
     def Q(self):
-        """The matrices Q_k of the paper, shape (N + 1, 2, 2): (psi_2, psi_1)^T = Q_k (x, y)^T + q_k
-        before sample k."""
+        """Matrices Q_k of the paper, (psi_2, psi_1)^T = Q_k (x, y)^T + q_k before sample k."""
         return -np.moveaxis(np.array([[self._p12, self._p22], [self._p11, self._p12]]), -1, 0)
 
-    def apply(self, h):
-        """Position, velocity and acceleration at the samples for records `h` of shape (N + 1, ...),
-        three arrays of this shape."""
+    def apply(self, h: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return position, velocity and acceleration at the samples.
+
+        Parameters
+        ----------
+        h : array_like, shape (N + 1, ...)
+            Samples, a column for each coordinate or record.
+
+        Returns
+        -------
+        (ndarray, ndarray, ndarray)
+            x, y and u, each of the shape of `h`.
+        """
         records = read_samples(h, self.rho)
         shape = records.shape
         records = records.reshape(shape[0], -1)
-        # The motion of h + a + b t is that of h plus a + b t: what is left after a straight line
+        # The motion of h + a + b t is that of h plus a + b t: the remainder after a straight line
         # has smaller rounding errors.
         line, slope = straight_line(self.t, self.rho, records)
-        rest = np.where(self.rho[:, None] > 0, records - line, 0)
+        remainder = np.where(self.rho[:, None] > 0, records - line, 0)
 
-        c = np.zeros((2 * shape[0], rest.shape[1]))
-        c[::2] = self.rho[:, None] * rest
+        c = np.zeros((2 * shape[0], remainder.shape[1]))
+        c[::2] = self.rho[:, None] * remainder
         c = _substitute(self._band, c, transpose=False)
         forced = np.zeros_like(c)
         det = self._det_p[0]
@@ -116,23 +150,44 @@ class SweepGains:
         return (x + line).reshape(shape), (y + slope).reshape(shape), u.reshape(shape)
 
     def _accelerations(self, x, y, c2):
-        """u = psi_2/M, or where that cancels (small M) from the cubic through neighbouring states;
-        zero at both ends."""
+        """Return u, zero at both ends.
+
+        It is psi_2/M, or where that cancels (small M) comes from the cubic through neighbouring states.
+        """
         tau = self._tau[:, None]
         u = (c2 - self._p12[:, None] * x - self._p22[:, None] * y) / self.M
-        by_states = (6 * np.diff(x, axis=0) / tau - 4 * y[:-1] - 2 * y[1:]) / tau
+        from_states = (6 * np.diff(x, axis=0) / tau - 4 * y[:-1] - 2 * y[1:]) / tau
         cancels = self._p12[1:-1] / self.M > 6 / self._tau[1:] ** 2
-        u[1:-1][cancels] = by_states[1:][cancels]
+        u[1:-1][cancels] = from_states[1:][cancels]
         u[[0, -1]] = 0
         return u
 
 
-def sweep_eigenvalues(kappa):
-    """The four eigenvalues of the transition matrix A_k, by growing modulus; `kappa` = rho tau^3/M.
+def sweep_eigenvalues(kappa: float) -> np.ndarray:
+    """Return the four eigenvalues of the transition matrix A_k, by increasing modulus.
 
-    The roots of (3.9), a reciprocal polynomial: with w = lambda + 1/lambda it is w^2 + (kappa/6 -
-    4) w + 2 kappa/3 + 4 = 0.
+    Parameters
+    ----------
+    kappa : float
+        Dimensionless number rho tau^3/M, positive.
 
+    Returns
+    -------
+    ndarray, shape (4,)
+        Complex.
+
+    Raises
+    ------
+    ValueError
+        If kappa is not positive and finite.
+
+    Notes
+    -----
+    They are the roots of (3.9), a reciprocal polynomial: with w = lambda + 1/lambda it is w^2 +
+    (kappa/6 - 4) w + 2 kappa/3 + 4 = 0.
+
+    Examples
+    --------
     >>> sweep_eigenvalues(144).real.round(3).tolist()        # the only kappa > 0 with multiple roots
     [-0.101, -0.101, -9.899, -9.899]
     """
@@ -149,8 +204,10 @@ def sweep_eigenvalues(kappa):
 
 
 def _riccati(tau, rho, M):
-    """p11, p12, p22 and det of P_k for all k, and det(I + S P_{k+1}); a plain loop over floats,
-    nothing is subtracted."""
+    """Return p11, p12, p22 and det of P_k for all k, and det(I + S P_{k+1}).
+
+    A plain loop over floats, without subtractions.
+    """
     a, b, c, d = float(rho[-1]), 0.0, 0.0, 0.0
     rows, steps = [(a, b, c, d)], []
     for step, weight in zip(tau[::-1].tolist(), rho[-2::-1].tolist()):

@@ -4,6 +4,7 @@ import numpy as np
 
 
 def read_axes(lists, name, short):
+    """Return (nodes, name, short name) for each axis."""
     try:
         lists = [np.asarray(nodes, dtype=float) for nodes in lists]
     except (TypeError, ValueError):
@@ -18,6 +19,7 @@ def read_axes(lists, name, short):
 
 
 def read_nodes(nodes, name):
+    """Return distinct increasing finite numbers."""
     nodes = np.asarray(nodes, dtype=float)
     if nodes.ndim != 1 or nodes.size == 0:
         raise ValueError(f"{name}: expected a list of numbers, got shape {nodes.shape}")
@@ -39,6 +41,7 @@ def read_nodes(nodes, name):
 
 
 def read_box(box, nodes, names):
+    """Return the intervals of all axes, which must contain their nodes."""
     if box is None:
         return tuple((float(axis[0]), float(axis[-1])) for axis in nodes)
     box = [tuple(float(end) for end in ends) for ends in box]

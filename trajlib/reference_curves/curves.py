@@ -1,33 +1,69 @@
 """The solution of a differential equation as a formula, by interpolation of its curves."""
 
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from trajlib import plotting
+from trajlib._typing import ArrayLike
 from trajlib.reference_curves.arguments import read_axes, read_box, read_nodes
 from trajlib.reference_curves.integration import SHARPEST, Flow
 from trajlib.reference_curves.interpolation import TensorInterpolant, lebesgue_constant
 from trajlib.reference_curves.residuals import Residual
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 
 #: Share of the curves' size that errors of the table may reach between the nodes.
 SPOILED = 1e-3
 
 
 class ReferenceCurves:
-    """The solution of x' = f(t, x, p) for all initial states and parameters of a box, by
-    interpolation of curves.
+    """Interpolated solution of x' = f(t, x, p) for all initial states and parameters in a box.
 
-    `f(t, x, p)` (without parameters `f(t, x)`) gives the n derivatives as a list; x and p are lists
-    of arrays, one entry a curve, so it computes with NumPy's functions. `t_nodes`: K increasing
-    times. `state_nodes`: n lists of nodes, one for each component of x_0; `param_nodes`: a list for
-    each parameter. A list may hold a single node. `output(t, x, p)` gives what is measured, a list
-    of functions of the state or one of them.
+    Parameters
+    ----------
+    f : callable
+        f(t, x, p), without parameters f(t, x), returns the n derivatives as a list; x and p are lists
+        of arrays, one entry a curve, so f uses NumPy's functions.
+    t_nodes : array_like
+        K increasing times.
+    state_nodes : sequence of array_like
+        Nodes for each of the n components of x_0; a single node is allowed.
+    param_nodes : sequence of array_like
+        Nodes for each parameter.
+    output : callable, optional
+        output(t, x, p) returns the measured functions of the state, a list or a single one.
+    box : sequence of tuple, optional
+        Intervals (low, high) for time, components and parameters in this order, in which the formula
+        is used; the ranges of the nodes if left out (Chebyshev nodes do not reach the ends of theirs).
+        The curves start at its first time.
+    domain : callable, optional
+        domain(t, x, p) is true where f is defined.
+    rtol : float
+        Relative tolerance of the integration.
 
-    `box`: pairs (low, high) for time, components and parameters in this order, in which the formula
-    is to be used; the ranges of the nodes if left out (Chebyshev nodes do not reach the ends of
-    theirs). The curves start at its first time. `domain(t, x, p)` is true where f is defined: a
-    curve that leaves it is an error (ArithmeticError). `rtol`: relative tolerance of the
-    integration; nodes that amplify it to a thousandth are refused (ValueError).
+    Attributes
+    ----------
+    table : ndarray
+        States at all nodes, shape (n, K, nodes of x_0..., nodes of p...).
+    lebesgue : float
+        Product of the Lebesgue constants of the axes.
 
+    Raises
+    ------
+    ArithmeticError
+        If a curve leaves the domain or escapes to infinity.
+    ValueError
+        If arguments do not fit or the nodes amplify `rtol` to a thousandth.
+
+    Examples
+    --------
+    >>> from trajlib.reference_curves import chebyshev_nodes
     >>> decay = ReferenceCurves(lambda t, x, p: [-p[0]*x[0]], chebyshev_nodes(0, 2, 9), [[0, 1]],
     ...                         [chebyshev_nodes(0.5, 1, 6)], box=[(0, 2), (0, 1), (0.5, 1)])
     >>> decay
@@ -39,16 +75,16 @@ class ReferenceCurves:
 
     def __init__(
         self,
-        f,
-        t_nodes,
-        state_nodes,
-        param_nodes=(),
-        output=None,
+        f: Callable,
+        t_nodes: ArrayLike,
+        state_nodes: Sequence,
+        param_nodes: Sequence = (),
+        output: Callable | None = None,
         *,
-        box=None,
-        domain=None,
-        rtol=1e-10,
-    ):
+        box: Sequence | None = None,
+        domain: Callable | None = None,
+        rtol: float = 1e-10,
+    ) -> None:
         lists = [
             (t_nodes, "t_nodes", "t"),
             *read_axes(state_nodes, "state_nodes", "x0"),
@@ -84,69 +120,170 @@ class ReferenceCurves:
         self.table = table.reshape(self.n, self.nodes[0].size, *starts[0].shape)
         self._states = TensorInterpolant(self.nodes, self.box, self._names, self.n, self.table)
 
-    def __call__(self, t, x0, p=(), *, extrapolate=False):
-        """The states at the times `t` on the curves from `x0` with the parameters `p`: shape (n,
-        ...).
+    def __call__(
+        self, t: ArrayLike, x0: Sequence, p: Sequence = (), *, extrapolate: bool = False
+    ) -> np.ndarray:
+        """Return the states at the times `t` on the curves from `x0` with the parameters `p`.
 
-        `t`, the n entries of `x0` and the entries of `p` are numbers or arrays that fit together
-        (are broadcast). Places outside of the box are an error unless `extrapolate=True`.
+        Parameters
+        ----------
+        t : array_like
+            Times.
+        x0 : sequence of array_like
+            n components of the initial state. These, `t` and `p` are numbers or arrays that broadcast.
+        p : sequence of array_like
+            Parameters.
+        extrapolate : bool
+            Whether points outside the box are allowed; otherwise they are an error.
+
+        Returns
+        -------
+        ndarray, shape (n, ...)
         """
         return self._states(t, x0, p, extrapolate=extrapolate)
 
-    def derivative(self, t, x0, p=(), order=1, *, extrapolate=False):
-        """The derivative of this order by time, by differentiating L_k(t): shape (n, ...)."""
+    def derivative(
+        self,
+        t: ArrayLike,
+        x0: Sequence,
+        p: Sequence = (),
+        order: int = 1,
+        *,
+        extrapolate: bool = False,
+    ) -> np.ndarray:
+        """Return a time derivative of the states, by differentiating L_k(t).
+
+        Parameters
+        ----------
+        t, x0, p, extrapolate
+            As in a call of the curves.
+        order : int
+            Order of the derivative.
+
+        Returns
+        -------
+        ndarray, shape (n, ...)
+        """
         return self._states.derivative(t, x0, p, order, extrapolate=extrapolate)
 
-    def on_grid(self, axes, order=0, *, extrapolate=False):
-        """The states, or their derivatives of this order by time, at all places of a grid: lists of
-        times, of values for each component of x_0 and for each parameter; shape (n, times, ...)."""
+    def on_grid(self, axes: Sequence, order: int = 0, *, extrapolate: bool = False) -> np.ndarray:
+        """Return the states, or a time derivative, at all points of a grid.
+
+        Parameters
+        ----------
+        axes : sequence of array_like
+            Times, values for each component of x_0 and for each parameter.
+        order : int
+            Order of the derivative by time.
+        extrapolate : bool
+            Whether points outside the box are allowed.
+
+        Returns
+        -------
+        ndarray, shape (n, times, ...)
+        """
         return self._states.on_grid(axes, order, extrapolate=extrapolate)
 
-    def output(self, t, x0, p=(), *, extrapolate=False):
-        """What is measured, phi of the interpolated states: (3.2) of the paper, shape (outputs,
-        ...)."""
+    def output(
+        self, t: ArrayLike, x0: Sequence, p: Sequence = (), *, extrapolate: bool = False
+    ) -> np.ndarray:
+        """Return the measured functions of the interpolated states.
+
+        Parameters
+        ----------
+        t, x0, p, extrapolate
+            As in a call of the curves.
+
+        Returns
+        -------
+        ndarray, shape (outputs, ...)
+
+        Raises
+        ------
+        ValueError
+            If the curves were made without `output`.
+
+        Notes
+        -----
+        Source: (3.2) of the paper.
+        """
         x = self(t, x0, p, extrapolate=extrapolate)
         return self._measured(
             np.asarray(t, dtype=float), x, [np.asarray(value, dtype=float) for value in p]
         )
 
     @property
-    def tabulated_output(self):
-        """The other way, (3.7) of the paper: what is measured is tabulated and interpolated itself.
-        It is called like the curves and has a `derivative`."""
+    def tabulated_output(self) -> TensorInterpolant:
+        """Interpolant of the measured functions themselves, tabulated at the nodes.
+
+        It is called like the curves and has a `derivative`. Source: (3.7) of the paper.
+        """
         axes = np.meshgrid(*self.nodes, indexing="ij", sparse=True)
         table = self._measured(axes[0], self.table, axes[1 + self.n :])
         return TensorInterpolant(self.nodes, self.box, self._names, self.n, table)
 
-    def defect(self, t, x0, p=(), *, extrapolate=False):
-        """By how much the formula misses the differential equation, dx/dt - f(t, x, p): (1.3) of
-        the paper, shape (n, ...)."""
+    def defect(
+        self, t: ArrayLike, x0: Sequence, p: Sequence = (), *, extrapolate: bool = False
+    ) -> np.ndarray:
+        """Return the defect of the formula in the differential equation, dx/dt - f(t, x, p).
+
+        Parameters
+        ----------
+        t, x0, p, extrapolate
+            As in a call of the curves.
+
+        Returns
+        -------
+        ndarray, shape (n, ...)
+
+        Notes
+        -----
+        Source: (1.3) of the paper.
+        """
         x = self(t, x0, p, extrapolate=extrapolate)
         rates = self._flow.rates(
             np.asarray(t, dtype=float), x, [np.asarray(value, dtype=float) for value in p]
         )
         return self.derivative(t, x0, p, extrapolate=extrapolate) - rates
 
-    def integrated(self, t, x0, p=()):
-        """The states at increasing times `t` by integration from `x0`, without interpolation: shape
-        (n, times, ...).
+    def integrated(self, t: ArrayLike, x0: Sequence, p: Sequence = ()) -> np.ndarray:
+        """Return the states by integration, without interpolation.
 
-        The entries of `x0` and `p` are numbers or arrays that fit together; their shape stands
-        behind that of `t`.
+        Parameters
+        ----------
+        t : array_like
+            Increasing times.
+        x0, p : sequence of array_like
+            Initial state and parameters, numbers or arrays that broadcast.
+
+        Returns
+        -------
+        ndarray, shape (n, times, ...)
+            The shape of `x0` and `p` follows that of `t`.
         """
         t = read_nodes(t, "t")
         starts = np.broadcast_arrays(*self._starts(x0, p))
         shape = starts[0].shape
-        found = self._flow.states(t, np.array([start.ravel() for start in starts]))
-        return found.reshape(self.n, t.size, *shape)
+        states = self._flow.states(t, np.array([start.ravel() for start in starts]))
+        return states.reshape(self.n, t.size, *shape)
 
-    def residual(self, grid, *, order=0):
-        """The errors |formula - integration| on a grid: lists of times, of values for each
-        component of x_0 and for each parameter, all in the box. Outputs are among what is compared.
+    def residual(self, grid: Sequence, *, order: int = 0) -> Residual:
+        """Return the errors |formula - integration| on a grid in the box.
 
-        `order=1`: of the derivatives by time instead, which integration gives as f (outputs are
-        left out).
+        Parameters
+        ----------
+        grid : sequence of array_like
+            Times, values for each component of x_0 and for each parameter.
+        order : int
+            0 for states and outputs; 1 for the time derivatives of the states, which integration gives
+            as f.
 
+        Returns
+        -------
+        Residual
+
+        Examples
+        --------
         >>> curves = ReferenceCurves(lambda t, x: [x[1], -x[0]], np.linspace(0, 3, 7), [[0, 1], [0, 1]])
         >>> curves.residual([np.linspace(0, 3, 31), [0.5], [0, 0.25, 0.5]])
         component  greatest error  % there                      at
@@ -168,7 +305,7 @@ class ReferenceCurves:
         exact = self._flow.states(axes[0], np.array([axis.ravel() for axis in mesh])).reshape(
             self.n, *shape
         )
-        found = self.on_grid(axes, order)
+        approximate = self.on_grid(axes, order)
         open_axes = np.meshgrid(*axes, indexing="ij", sparse=True)
         p, names = open_axes[1 + self.n :], [f"x[{i}]" for i in range(self.n)]
         if order == 1:
@@ -177,13 +314,27 @@ class ReferenceCurves:
                 [f"x'[{i}]" for i in range(self.n)],
             )
         elif self._output is not None:
-            measured = [self._measured(open_axes[0], states, p) for states in (exact, found)]
-            exact, found = (np.concatenate(pair) for pair in zip((exact, found), measured))
+            measured = [self._measured(open_axes[0], states, p) for states in (exact, approximate)]
+            exact, approximate = (
+                np.concatenate(pair) for pair in zip((exact, approximate), measured)
+            )
             names += [f"y[{i}]" for i in range(len(measured[0]))]
-        return Residual(tuple(names), tuple(axes), self.n, np.abs(found - exact), exact)
+        return Residual(tuple(names), tuple(axes), self.n, np.abs(approximate - exact), exact)
 
-    def plot(self, component=0, ax=None):
-        """All reference curves of a component over time, with the nodes; returns the Axes."""
+    def plot(self, component: int = 0, ax: Axes | None = None) -> Axes:
+        """Draw all reference curves of a component over time, with the nodes.
+
+        Parameters
+        ----------
+        component : int
+            Index of the component.
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw on; new ones if left out.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
         import matplotlib.pyplot as plt
 
         low, high = self.box[0]
@@ -221,8 +372,10 @@ class ReferenceCurves:
             raise ValueError(
                 "output: these curves were made without one; give ReferenceCurves(..., output=phi)"
             )
-        found = self._output(t, x, p) if self.parameters else self._output(t, x)
-        found = (
-            found if isinstance(found, (list, tuple)) or np.ndim(found) > np.ndim(x[0]) else [found]
+        values = self._output(t, x, p) if self.parameters else self._output(t, x)
+        values = (
+            values
+            if isinstance(values, (list, tuple)) or np.ndim(values) > np.ndim(x[0])
+            else [values]
         )
-        return np.stack([np.broadcast_to(part, np.shape(x[0])) for part in found]).astype(float)
+        return np.stack([np.broadcast_to(part, np.shape(x[0])) for part in values]).astype(float)

@@ -11,9 +11,9 @@ CURVES = 1000
 
 
 class Flow:
-    """The equations and their integration, all curves together."""
+    """Equations of motion and their integration, all curves together."""
 
-    def __init__(self, f, domain, n, parameters, begin, rtol):
+    def __init__(self, f, domain, n, parameters, begin, rtol) -> None:
         self.f, self.domain, self.n, self.parameters, self.begin, self.rtol = (
             f,
             domain,
@@ -24,7 +24,7 @@ class Flow:
         )
 
     def rates(self, t, x, p):
-        """f as one array of the shape of x."""
+        """Return f as one array of the shape of x."""
         try:
             rates = self.f(t, x, p) if self.parameters else self.f(t, x)
         except (TypeError, ValueError, IndexError) as reason:
@@ -41,16 +41,16 @@ class Flow:
         return np.stack([np.broadcast_to(rate, np.shape(x[0])) for rate in rates]).astype(float)
 
     def states(self, times, starts):
-        """Shape (n, times, curves), from starts of shape (n + parameters, curves)."""
+        """Return states of shape (n, times, curves) from starts of shape (n + parameters, curves)."""
         if times[0] < self.begin:
             raise ValueError(f"t: the curves start at {self.begin:g}, {times[0]:g} is before that")
         parts = [
-            self._together(times, starts[:, k : k + CURVES])
+            self._integrate_batch(times, starts[:, k : k + CURVES])
             for k in range(0, starts.shape[1], CURVES)
         ]
         return np.concatenate(parts, axis=2)
 
-    def _together(self, times, starts):
+    def _integrate_batch(self, times, starts):
         from scipy.integrate import DOP853
 
         x0, p = starts[: self.n], starts[self.n :]
@@ -59,58 +59,58 @@ class Flow:
         def rates(t, y):
             x = y.reshape(x0.shape)
             with np.errstate(all="ignore"):
-                found = self.rates(t, x, p)
-                off = ~(np.isfinite(found).all(axis=0) & self._inside(t, x, p))
-            if off.any():
-                # of the last, the shortest trial those are left that are at the border
-                outside[:] = off
-            # A step that meets nan is refused by the solver and tried shorter, until it gives up at
-            # the border.
-            return np.where(off, np.nan, found).ravel()
+                derivatives = self.rates(t, x, p)
+                undefined = ~(np.isfinite(derivatives).all(axis=0) & self._inside(t, x, p))
+            if undefined.any():
+                # after the last, shortest trial these are the curves at the border
+                outside[:] = undefined
+            # The solver refuses a step with nan and tries a shorter one, until it fails at the
+            # border.
+            return np.where(undefined, np.nan, derivatives).ravel()
 
         at_start = rates(self.begin, x0.ravel()).reshape(x0.shape)
         if outside.any():
-            self._refuse(self.begin, starts, outside)
-        found = np.empty((times.size, x0.size))
-        found[times == self.begin] = x0.ravel()
+            self._raise_left_domain(self.begin, starts, outside)
+        states = np.empty((times.size, x0.size))
+        states[times == self.begin] = x0.ravel()
         if length:
-            sizes, moved = np.abs(x0).max(axis=1), np.abs(at_start).max(axis=1) * length
-            sizes = np.where(sizes > 0, sizes, np.where(moved > 0, moved, 1.0))[:, None]
-            # The solver bounds the mean square over all curves; each of them is to keep the
+            sizes, travel = np.abs(x0).max(axis=1), np.abs(at_start).max(axis=1) * length
+            sizes = np.where(sizes > 0, sizes, np.where(travel > 0, travel, 1.0))[:, None]
+            # The solver bounds the mean square over all curves; each of them has to keep the
             # tolerance.
-            share = self.rtol * x0.shape[1] ** -0.5
+            tolerance = self.rtol * x0.shape[1] ** -0.5
             with np.errstate(all="ignore"):
                 solver = DOP853(
                     rates,
                     self.begin,
                     x0.ravel(),
                     times[-1],
-                    rtol=max(share, SHARPEST),
-                    atol=np.repeat(sizes, x0.shape[1]) * share,
+                    rtol=max(tolerance, SHARPEST),
+                    atol=np.repeat(sizes, x0.shape[1]) * tolerance,
                 )
                 while solver.status == "running":
                     outside[:] = False
                     solver.step()
-                    stuck = solver.t < times[-1] and solver.step_size < SHORTEST * length
-                    if stuck or solver.status == "failed":
+                    stalled = solver.t < times[-1] and solver.step_size < SHORTEST * length
+                    if stalled or solver.status == "failed":
                         x, speed = (part.reshape(x0.shape) for part in (solver.y, solver.f))
                         escaping = np.abs(speed / (np.abs(x) + sizes)).max(axis=0)
-                        self._refuse(
+                        self._raise_left_domain(
                             solver.t,
                             starts,
                             outside if outside.any() else escaping == escaping.max(),
                         )
-                    passed = (times > solver.t_old) & (times <= solver.t)
-                    if passed.any():
-                        found[passed] = solver.dense_output()(times[passed]).T
-        return np.moveaxis(found.reshape(times.size, *x0.shape), 1, 0)
+                    now = (times > solver.t_old) & (times <= solver.t)
+                    if now.any():
+                        states[now] = solver.dense_output()(times[now]).T
+        return np.moveaxis(states.reshape(times.size, *x0.shape), 1, 0)
 
     def _inside(self, t, x, p):
         if self.domain is None:
             return True
         return self.domain(t, x, p) if self.parameters else self.domain(t, x)
 
-    def _refuse(self, t, starts, which):
+    def _raise_left_domain(self, t, starts, which):
         start = starts[:, np.flatnonzero(which)[0]]
         names = [f"x0[{j}]" for j in range(self.n)] + [f"p[{j}]" for j in range(self.parameters)]
         at = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names, start))

@@ -8,18 +8,42 @@ the table are multiplied by no more than Lambda. It grows like (2/pi) ln n for n
 and like 2^n/(e n ln n) for n equispaced ones.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from trajlib._typing import ArrayLike
 from trajlib.reference_curves.arguments import read_nodes
 
 #: Points that are evaluated together: what fits into the cache.
 POINTS = 4000
 
 
-def chebyshev_nodes(c, d, n):
-    """The n zeros of the Chebyshev polynomial of degree n, carried to [c, d], increasing: (2.12) of
-    the paper.
+def chebyshev_nodes(c: float, d: float, n: int) -> np.ndarray:
+    """Return the zeros of the Chebyshev polynomial of degree n, mapped to [c, d], increasing.
 
+    Parameters
+    ----------
+    c, d : float
+        Ends of the interval, c < d.
+    n : int
+        Number of nodes.
+
+    Returns
+    -------
+    ndarray, shape (n,)
+
+    Raises
+    ------
+    ValueError
+        If the ends are not finite and increasing or n < 1.
+
+    Notes
+    -----
+    Source: (2.12) of the paper.
+
+    Examples
+    --------
     >>> chebyshev_nodes(-1, 1, 3).round(4).tolist()
     [-0.866, 0.0, 0.866]
     """
@@ -31,12 +55,31 @@ def chebyshev_nodes(c, d, n):
     return (c + d) / 2 + (d - c) / 2 * np.where(np.abs(cosines) < 1e-16, 0, cosines)
 
 
-def lebesgue_constant(nodes, low=None, high=None):
-    """Greatest sum of |L_k(s)| over [low, high], the range of the nodes if left out: how much
-    interpolation amplifies.
+def lebesgue_constant(
+    nodes: ArrayLike, low: float | None = None, high: float | None = None
+) -> float:
+    """Return the Lebesgue constant, the largest sum of |L_k(s)| over an interval.
 
-    Found on 50 places between neighbouring nodes, so it may be a thousandth too small.
+    Parameters
+    ----------
+    nodes : array_like
+        Increasing nodes.
+    low, high : float, optional
+        Interval; the range of the nodes if left out.
 
+    Returns
+    -------
+    float
+        Factor by which interpolation amplifies errors. It is found on 50 points between neighbouring
+        nodes, so it may be too small by a thousandth.
+
+    Raises
+    ------
+    ValueError
+        If the nodes do not increase.
+
+    Examples
+    --------
     >>> round(lebesgue_constant(range(11)), 1), round(lebesgue_constant(chebyshev_nodes(0, 10, 11), 0, 10), 1)
     (29.9, 2.5)
     """
@@ -44,25 +87,78 @@ def lebesgue_constant(nodes, low=None, high=None):
     low, high = nodes[0] if low is None else low, nodes[-1] if high is None else high
     if nodes.size == 1:
         return 1.0
-    stops = np.unique(np.concatenate([[low], nodes[(nodes > low) & (nodes < high)], [high]]))
-    places = (stops[:-1, None] + np.diff(stops)[:, None] * np.arange(51) / 50).ravel()
-    return float(np.abs(_fundamental(nodes)(places)).sum(axis=1).max())
+    ends = np.unique(np.concatenate([[low], nodes[(nodes > low) & (nodes < high)], [high]]))
+    points = (ends[:-1, None] + np.diff(ends)[:, None] * np.arange(51) / 50).ravel()
+    return float(np.abs(_fundamental(nodes)(points)).sum(axis=1).max())
 
 
 class TensorInterpolant:
-    """A table on a grid of nodes, interpolated along every axis by fundamental polynomials; made by
-    ReferenceCurves."""
+    """Table on a grid of nodes, interpolated along every axis by fundamental polynomials.
 
-    def __init__(self, nodes, box, names, n, table):
+    Made by `ReferenceCurves`.
+
+    Parameters
+    ----------
+    nodes : tuple of ndarray
+        Nodes of each axis: time, initial states, parameters.
+    box : tuple of tuple
+        Interval (low, high) of each axis.
+    names : list of str
+        Name of each axis, for messages.
+    n : int
+        Number of components of the initial state.
+    table : ndarray
+        Values, shape (components, nodes of each axis...).
+    """
+
+    def __init__(self, nodes: tuple, box: tuple, names: list, n: int, table: np.ndarray) -> None:
         self.nodes, self.box, self.table, self._names, self._n = nodes, box, table, names, n
         self._bases = [_fundamental(axis) for axis in nodes]
 
-    def __call__(self, t, x0, p=(), *, extrapolate=False):
-        """The values at times, initial states and parameters: shape (components, ...)."""
+    def __call__(
+        self, t: ArrayLike, x0: Sequence, p: Sequence = (), *, extrapolate: bool = False
+    ) -> np.ndarray:
+        """Return the values at times, initial states and parameters.
+
+        Parameters
+        ----------
+        t : array_like
+            Times.
+        x0 : sequence of array_like
+            Components of the initial state. These, `t` and `p` are numbers or arrays that broadcast.
+        p : sequence of array_like
+            Parameters.
+        extrapolate : bool
+            Whether points outside the box are allowed; otherwise they are an error.
+
+        Returns
+        -------
+        ndarray, shape (components, ...)
+        """
         return self.derivative(t, x0, p, 0, extrapolate=extrapolate)
 
-    def derivative(self, t, x0, p=(), order=1, *, extrapolate=False):
-        """Their derivative of this order by time."""
+    def derivative(
+        self,
+        t: ArrayLike,
+        x0: Sequence,
+        p: Sequence = (),
+        order: int = 1,
+        *,
+        extrapolate: bool = False,
+    ) -> np.ndarray:
+        """Return a time derivative of the values.
+
+        Parameters
+        ----------
+        t, x0, p, extrapolate
+            As in a call of the interpolant.
+        order : int
+            Order of the derivative.
+
+        Returns
+        -------
+        ndarray, shape (components, ...)
+        """
         if order != int(order) or order < 0:
             raise ValueError(f"order: expected a whole number, zero or more, got {order}")
         if len(x0) != self._n or len(p) != len(self.nodes) - 1 - self._n:
@@ -70,66 +166,82 @@ class TensorInterpolant:
                 f"x0, p: expected {self._n} components and {len(self.nodes) - 1 - self._n} "
                 f"parameters, got {len(x0)} and {len(p)}"
             )
-        places = np.broadcast_arrays(*(np.asarray(part, dtype=float) for part in (t, *x0, *p)))
-        shape = places[0].shape
-        places = [part.ravel() for part in places]
-        self._look(places, extrapolate)
-        parts = [
-            self._at([part[k : k + POINTS] for part in places], int(order))
-            for k in range(0, max(places[0].size, 1), POINTS)
+        points = list(
+            np.broadcast_arrays(*(np.asarray(part, dtype=float) for part in (t, *x0, *p)))
+        )
+        shape = points[0].shape
+        points = [part.ravel() for part in points]
+        self._check_inside(points, extrapolate)
+        batches = [
+            self._at([part[k : k + POINTS] for part in points], int(order))
+            for k in range(0, max(points[0].size, 1), POINTS)
         ]
-        return np.concatenate(parts, axis=1).reshape(-1, *shape)
+        return np.concatenate(batches, axis=1).reshape(-1, *shape)
 
-    def on_grid(self, axes, order=0, *, extrapolate=False):
-        """The values at all places of a grid, given by its axes: shape (components, times, ...)."""
-        axes = [np.asarray(axis, dtype=float) for axis in axes]
-        if len(axes) != len(self.nodes) or any(axis.ndim != 1 for axis in axes):
+    def on_grid(self, axes: Sequence, order: int = 0, *, extrapolate: bool = False) -> np.ndarray:
+        """Return the values, or a time derivative, at all points of a grid.
+
+        Parameters
+        ----------
+        axes : sequence of array_like
+            Times, values for each component of the initial state and for each parameter.
+        order : int
+            Order of the derivative by time.
+        extrapolate : bool
+            Whether points outside the box are allowed.
+
+        Returns
+        -------
+        ndarray, shape (components, times, ...)
+        """
+        points = [np.asarray(axis, dtype=float) for axis in axes]
+        if len(points) != len(self.nodes) or any(axis.ndim != 1 for axis in points):
             raise ValueError(
                 f"axes: expected {len(self.nodes)} lists, for {', '.join(self._names)}, got "
-                f"{len(axes)}"
+                f"{len(points)}"
             )
-        self._look(axes, extrapolate)
-        found = self.table
-        for row in self._rows(axes, order):
-            found = np.tensordot(found, row, axes=(1, 1))
-        return found
+        self._check_inside(points, extrapolate)
+        values = self.table
+        for row in self._rows(points, order):
+            values = np.tensordot(values, row, axes=(1, 1))
+        return values
 
-    def _rows(self, places, order):
-        """The fundamental polynomials of each axis at the places, shapes (places, nodes)."""
+    def _rows(self, points, order):
+        """Return the fundamental polynomials of each axis at the points, shapes (points, nodes)."""
         return [
-            basis.derivative(place, order) if j == 0 and order else basis(place)
-            for j, (basis, place) in enumerate(zip(self._bases, places))
+            basis.derivative(axis_points, order) if j == 0 and order else basis(axis_points)
+            for j, (basis, axis_points) in enumerate(zip(self._bases, points))
         ]
 
-    def _at(self, places, order):
-        *others, last = self._rows(places, order)
+    def _at(self, points, order):
+        *others, last = self._rows(points, order)
         # from the last axis to the first
-        found = np.tensordot(self.table, last, axes=(-1, 1))
+        values = np.tensordot(self.table, last, axes=(-1, 1))
         for row in others[::-1]:
-            found = np.einsum("...kp,pk->...p", found, row)
-        return found
+            values = np.einsum("...kp,pk->...p", values, row)
+        return values
 
-    def _look(self, places, extrapolate):
-        for place, (low, high), name in zip(places, self.box, self._names):
-            if not np.isfinite(place).all():
+    def _check_inside(self, points, extrapolate):
+        for axis_points, (low, high), name in zip(points, self.box, self._names):
+            if not np.isfinite(axis_points).all():
                 raise ValueError(
-                    f"{name}: expected finite numbers, got {place[~np.isfinite(place)][0]}"
+                    f"{name}: expected finite numbers, got {axis_points[~np.isfinite(axis_points)][0]}"
                 )
             slack = 1e-12 * max(high - low, abs(low), abs(high))
-            outside = (place < low - slack) | (place > high + slack)
+            outside = (axis_points < low - slack) | (axis_points > high + slack)
             if outside.any() and not extrapolate:
                 raise ValueError(
-                    f"{name}: {place[outside][0]:g} lies outside of its interval [{low:g}, "
+                    f"{name}: {axis_points[outside][0]:g} lies outside of its interval [{low:g}, "
                     f"{high:g}]; polynomials go astray quickly there. Give extrapolate=True to "
                     "have it all the same"
                 )
 
 
 def _fundamental(nodes):
-    """All fundamental polynomials of these nodes: places -> (places, nodes)."""
+    """Return all fundamental polynomials of these nodes, points -> (points, nodes)."""
     from scipy.interpolate import BarycentricInterpolator
 
     gaps = np.subtract.outer(nodes, nodes) * (4 / np.ptp(nodes) if nodes.size > 1 else 1)
     np.fill_diagonal(gaps, 1)
-    # Ours are the same in every run; the class would multiply in random order.
+    # Weights that are the same in every run; the class would multiply in random order.
     return BarycentricInterpolator(nodes, np.eye(nodes.size), wi=1 / gaps.prod(axis=1))

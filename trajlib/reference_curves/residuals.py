@@ -7,11 +7,18 @@ import numpy as np
 
 @dataclass(frozen=True, repr=False)
 class Residual:
-    """Errors of reference curves on a grid; what `residual` returns.
+    """Errors of reference curves on a grid, the result of `ReferenceCurves.residual`.
 
-    `errors`, `exact`: shape (components, times, ...) over `axes`; `greatest`: for each component
-    its largest error, where it is, as (t, x_0..., p...), and how many per cent of the exact value
-    there.
+    Attributes
+    ----------
+    names : tuple of str
+        Names of the components.
+    axes : tuple of ndarray
+        Axes of the grid.
+    errors : ndarray, shape (components, times, ...)
+        Absolute errors.
+    exact : ndarray, shape (components, times, ...)
+        Values by integration.
     """
 
     names: tuple
@@ -22,19 +29,20 @@ class Residual:
 
     @property
     def greatest(self):
-        found = []
+        """Largest error of each component, its point (t, x_0..., p...), and its percentage."""
+        rows = []
         for errors, exact in zip(self.errors, self.exact):
             at = np.unravel_index(errors.argmax(), errors.shape)
-            place = tuple(float(axis[k]) for axis, k in zip(self.axes, at))
+            point = tuple(float(axis[k]) for axis, k in zip(self.axes, at))
             percent = 100 * errors[at] / abs(exact[at]) if exact[at] else np.inf
-            found.append((float(errors[at]), place, float(percent)))
-        return tuple(found)
+            rows.append((float(errors[at]), point, float(percent)))
+        return tuple(rows)
 
     def _rows(self):
-        for name, (error, place, percent) in zip(self.names, self.greatest):
-            at = f"t = {place[0]:.5g}, x0 = {', '.join(f'{value:.5g}' for value in place[1 : 1 + self._n])}"
-            if place[1 + self._n :]:
-                at += f", p = {', '.join(f'{value:.5g}' for value in place[1 + self._n :])}"
+        for name, (error, point, percent) in zip(self.names, self.greatest):
+            at = f"t = {point[0]:.5g}, x0 = {', '.join(f'{value:.5g}' for value in point[1 : 1 + self._n])}"
+            if point[1 + self._n :]:
+                at += f", p = {', '.join(f'{value:.5g}' for value in point[1 + self._n :])}"
             yield [name, f"{error:.4g}", f"{percent:.4g}", at]
 
     def __repr__(self):
