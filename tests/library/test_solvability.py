@@ -416,7 +416,9 @@ def test_bearings_need_a_manoeuvre():
     assert straight.rank == 3
     # position and velocity seen from the observer
     relative = np.array([8.0, 6.0, -0.45, 0.05])
-    assert np.allclose(straight.unobservable[0] / straight.unobservable[0, 0], relative / relative[0])
+    assert np.allclose(
+        straight.unobservable[0] / straight.unobservable[0, 0], relative / relative[0]
+    )
     turned = analyse(bearings(lambda t: (0.3 * ca.fmin(t, BREAK), 0.3 * ca.fmax(t - BREAK, 0)), t))
     assert turned.solvable and turned.mu_scaled < 100
 
@@ -510,9 +512,9 @@ def test_intervals_contain_what_they_should(seed):
     ]
     centre, half = random.uniform(-6, 6, 2), 10.0 ** random.uniform(-6, 0.5, 2)
     ends = np.array([centre - half, centre + half])
-    from trajlib.solvability.boxes import _enclosed
+    from trajlib.solvability.boxes import _enclosure
 
-    found = _enclosed([sp.Matrix(forms)], [a, b])(ends[:1], ends[1:])
+    found = _enclosure([sp.Matrix(forms)], [a, b])(ends[:1], ends[1:])
     low, high = found.low.ravel(), found.high.ravel()
     function = sp.lambdify([a, b], forms, "mpmath")
     for point in np.vstack([random.uniform(*ends, (20, 2)), ends, centre]):

@@ -50,7 +50,7 @@ class LeastSquares:
     degrees_of_freedom: int
 
     @property
-    def moments(self):
+    def moments(self) -> Moments:
         """Estimate and covariance as `Moments`, a prior for other functions."""
         return Moments(self.estimate, self.covariance)
 

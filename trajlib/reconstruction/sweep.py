@@ -110,7 +110,7 @@ class SweepGains:
         )
 
     @property
-    def Q(self):
+    def Q(self) -> np.ndarray:
         """Matrices Q_k of the paper, (psi_2, psi_1)^T = Q_k (x, y)^T + q_k before sample k."""
         return -np.moveaxis(np.array([[self._p12, self._p22], [self._p11, self._p12]]), -1, 0)
 

@@ -28,7 +28,7 @@ class Residual:
     exact: np.ndarray
 
     @property
-    def greatest(self):
+    def greatest(self) -> tuple:
         """Largest error of each component, its point (t, x_0..., p...), and its percentage."""
         rows = []
         for errors, exact in zip(self.errors, self.exact):

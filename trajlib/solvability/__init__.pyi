@@ -1,8 +1,10 @@
 # Written by `python -m trajlib._stubs`.
+from trajlib.solvability.analysis import Solvability as Solvability
+from trajlib.solvability.analysis import analyse as analyse
 from trajlib.solvability.boxes import Guarantee as Guarantee
 from trajlib.solvability.boxes import guarantee as guarantee
-from trajlib.solvability.reflections import Estimate as Estimate
-from trajlib.solvability.reflections import solve as solve
+from trajlib.solvability.householder import Estimate as Estimate
+from trajlib.solvability.householder import solve as solve
 from trajlib.solvability.rounding import reflection_constant as reflection_constant
 from trajlib.solvability.rounding import rounding_bound as rounding_bound
 from trajlib.solvability.rounding import threshold as threshold
@@ -11,5 +13,3 @@ from trajlib.solvability.transitions import stack as stack
 from trajlib.solvability.transitions import transition as transition
 from trajlib.solvability.variational import Linearisation as Linearisation
 from trajlib.solvability.variational import linearise as linearise
-from trajlib.solvability.verdicts import Solvability as Solvability
-from trajlib.solvability.verdicts import analyse as analyse

@@ -1,5 +1,4 @@
-"""The verdict: what the measurements determine, judged by singular values that are larger than
-their own errors.
+"""Analysis of solvability by singular values that are larger than their own errors.
 
 Let A = W^{-1/2} Htilde D^{-1} and let the computed A be wrong by an unknown matrix whose norm is at
 most delta. Singular values move by no more than delta, and rounding in their computation moves them
@@ -11,14 +10,24 @@ belongs to a true one that is not zero: their number is a guaranteed rank. With 
 values are above the level if and only if mu < mu*, the condition of the paper.
 """
 
+from __future__ import annotations
+
 import textwrap
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trajlib._typing import ArrayLike
 from trajlib.solvability import rounding
 from trajlib.solvability.arguments import read_matrix, read_names
+from trajlib.solvability.variational import Linearisation
 from trajlib.solvability.weights import Weights
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
 
 #: Components of a direction smaller than this share of its norm are left out of the words.
 MENTIONED = 0.01
@@ -28,15 +37,28 @@ WIDTH = 110
 
 @dataclass(frozen=True, repr=False)
 class Solvability:
-    """What `analyse` finds; `print` it for a verdict in words.
+    """Result of `analyse`; `print` it for a verdict in words.
 
-    `mu`, `mu_scaled`: condition numbers of W^{-1/2} Htilde before and after the columns are scaled
-    to norm 1. `threshold`: mu*. `singular_values`: m of them, falling, of the matrix that is judged
-    (the scaled one unless `scale=False`); `directions`: their right singular vectors by columns, in
-    the scaled unknowns y = D x; `scaling`: the diagonal of D. `matrix_error`: bound on the norm of
-    the error of that matrix; `level`: what a singular value must exceed to be trusted; `rank`: how
-    many do. `solvable`: whether all do. `rounding_bound`: (6) of the paper, for consistent
-    equations, relative to the norm of y.
+    Attributes
+    ----------
+    n, m : int
+        Numbers of scalar measurements and of unknowns.
+    eps : float
+        Relative precision of the floats.
+    mu, mu_scaled : float
+        Condition numbers of W^{-1/2} Htilde before and after the columns are scaled to norm 1.
+    threshold : float
+        Condition number mu* below which full rank is guaranteed.
+    singular_values : ndarray, shape (m,)
+        Decreasing singular values of the matrix under analysis, the scaled one unless `scale=False`.
+    directions : ndarray, shape (m, m)
+        Its right singular vectors by columns, in the scaled unknowns y = D x.
+    scaling : ndarray, shape (m,)
+        Diagonal of D.
+    matrix_error : float
+        Bound on the norm of the error of that matrix.
+    names, units : tuple of str
+        Names and units of the unknowns.
     """
 
     n: int
@@ -49,26 +71,30 @@ class Solvability:
     directions: np.ndarray
     scaling: np.ndarray
     matrix_error: float
-    names: tuple
-    units: tuple
-    _judged: np.ndarray = field(repr=False)
+    names: Sequence[str]
+    units: Sequence[str]
+    _scaled_matrix: np.ndarray = field(repr=False)
     _weights: Weights = field(repr=False)
     _entry_errors: np.ndarray = field(repr=False)
 
     @property
-    def level(self):
+    def level(self) -> float:
+        """Level that a singular value must exceed to be reliable."""
         return self.matrix_error + self.singular_values[0] / self.threshold
 
     @property
-    def rank(self):
+    def rank(self) -> int:
+        """Guaranteed rank, the number of reliable singular values."""
         return int(np.sum(self.singular_values > self.level))
 
     @property
-    def solvable(self):
+    def solvable(self) -> bool:
+        """Whether all singular values are reliable."""
         return self.rank == self.m
 
     @property
-    def rounding_bound(self):
+    def rounding_bound(self) -> float:
+        """Bound (6) of the paper, for consistent equations, relative to the norm of y."""
         greatest, least = self.singular_values[[0, -1]]
         return (
             rounding.rounding_bound(self.m, self.n, greatest / least, self.eps)
@@ -76,49 +102,68 @@ class Solvability:
             else np.inf
         )
 
-    def combination(self, k):
-        """The change of the unknowns, in their units, that belongs to singular value k (0: best
-        determined) and alters the weighted measurements by a vector of length 1."""
+    def combination(self, k: int) -> np.ndarray:
+        """Return the change of the unknowns that belongs to a singular value.
+
+        Parameters
+        ----------
+        k : int
+            Index of the singular value; 0 is the best determined.
+
+        Returns
+        -------
+        ndarray, shape (m,)
+            In the units of the unknowns; it changes the weighted measurements by a vector of length 1.
+        """
         return self.directions[:, k] / self.scaling / self.singular_values[k]
 
     @property
-    def unseen(self):
-        """Changes of the unknowns that cannot be told from no change, m - rank rows.
+    def unobservable(self) -> np.ndarray:
+        """Changes of the unknowns that are not distinguished from zero, m - rank rows.
 
-        They span what is left over by the guaranteed rank, and are chosen such that each changes an
-        unknown of its own by 1.
+        They span the complement of the guaranteed rank, and are chosen such that each changes an unknown of
+        its own by 1.
         """
         from scipy.linalg import qr
 
-        left = self.directions[:, self.rank :]
-        if left.shape[1] == 0:
+        remaining = self.directions[:, self.rank :]
+        if remaining.shape[1] == 0:
             return np.zeros((0, self.m))
-        _, _, order = qr(left.T, pivoting=True, mode="economic")
-        leading = order[: left.shape[1]]
+        _, _, order = qr(remaining.T, pivoting=True, mode="economic")
+        leading = order[: remaining.shape[1]]
         # the unit matrix in the leading unknowns
-        rows = np.linalg.solve(left[leading].T, left.T)
+        rows = np.linalg.solve(remaining[leading].T, remaining.T)
         return rows / self.scaling * self.scaling[leading][:, None]
 
     @property
-    def undetermined(self):
-        """Names of the unknowns that take part in what is unseen."""
+    def undetermined(self) -> tuple[str, ...]:
+        """Names of the unknowns with a part in the unobservable changes."""
         shares = np.linalg.norm(self.directions[:, self.rank :], axis=1)
         return tuple(name for name, share in zip(self.names, shares) if share > MENTIONED)
 
     @property
-    def standard_deviations(self):
-        """Square roots of the diagonal of (Htilde^T W^{-1} Htilde)^{-1}: errors of the unknowns if
-        W is the covariance of e."""
-        self._demand("standard deviations")
+    def standard_deviations(self) -> np.ndarray:
+        """Standard errors of the unknowns if W is the covariance of e.
+
+        They are the roots of the diagonal of (Htilde^T W^{-1} Htilde)^{-1}.
+        """
+        self._require_solvable("standard deviations")
         return np.linalg.norm(self.directions / self.singular_values, axis=1) / self.scaling
 
-    def noise_bound(self, e, state=None):
-        """Greatest errors |dx_j| that errors of the measurements can cause, m numbers: attained,
-        not only a bound.
+    def noise_bound(self, e: ArrayLike, state: ArrayLike | None = None) -> np.ndarray:
+        """Return the largest errors |dx_j| that bounded errors of the measurements can cause.
 
-        `e`: a number or n numbers that |e_i| never exceeds, in the units of the measurements. `state`: x, or bounds on
-        |x_j|; if given, the errors of the matrix are added, which change the measurements by as much as they are
-        multiplied with x.
+        Parameters
+        ----------
+        e : array_like
+            Bounds on |e_i|, a number or n numbers, in the units of the measurements.
+        state : array_like, optional
+            x, or bounds on |x_j|; if given, the errors of the matrix multiplied by it are added to e.
+
+        Returns
+        -------
+        ndarray, shape (m,)
+            Attained for some errors, so the bound is sharp.
         """
         inverse = np.abs(self.estimator)
         e = np.broadcast_to(np.asarray(e, dtype=float), (self.n,))
@@ -130,35 +175,50 @@ class Solvability:
             e if state is None else e + self._entry_errors @ np.abs(np.asarray(state, dtype=float))
         )
 
-    def relative_noise_bound(self, e, state):
-        """mu |e|/|Htilde x|, a bound on |dx|/|x| (norms of weighted e and scaled x): (5) of the
-        paper, corrected."""
+    def relative_noise_bound(self, e: ArrayLike, state: ArrayLike) -> float:
+        """Return mu |e|/|Htilde x|, a bound on |dx|/|x|.
+
+        Parameters
+        ----------
+        e : array_like, shape (n,)
+            Errors of the measurements.
+        state : array_like, shape (m,)
+            Unknowns x.
+
+        Returns
+        -------
+        float
+            In norms of weighted e and scaled x.
+
+        Notes
+        -----
+        Source: (5) of the paper, corrected.
+        """
         e = self._weights.apply(np.asarray(e, dtype=float))
-        seen = self._judged @ (self.scaling * np.asarray(state, dtype=float))
+        predicted = self._scaled_matrix @ (self.scaling * np.asarray(state, dtype=float))
         return float(
             self.singular_values[0]
             / self.singular_values[-1]
             * np.linalg.norm(e)
-            / np.linalg.norm(seen)
+            / np.linalg.norm(predicted)
         )
 
     @property
-    def estimator(self):
-        """The matrix P, shape (m, n), of the estimate x = P Z; computed by orthogonal
-        reflections."""
+    def estimator(self) -> np.ndarray:
+        """Matrix P of the estimate x = P Z, shape (m, n), by orthogonal reflections."""
         from scipy.linalg import qr, solve_triangular
 
-        self._demand("an estimate")
-        Q, R = qr(self._judged, mode="economic")
+        self._require_solvable("an estimate")
+        Q, R = qr(self._scaled_matrix, mode="economic")
         return self._weights.apply_transposed(solve_triangular(R, Q.T).T).T / self.scaling[:, None]
 
-    def _demand(self, what):
+    def _require_solvable(self, what):
         if not self.solvable:
             raise ValueError(f"{what} would have no meaning: {self.verdict}")
 
     @property
-    def verdict(self):
-        """The finding in words."""
+    def verdict(self) -> str:
+        """Verdict in words."""
         values = self.singular_values
         lines = [
             f"{self.m} unknowns, {self.n} scalar measurements; condition number {_short(self.mu)} "
@@ -184,20 +244,22 @@ class Solvability:
             )
         else:
             count = self.m - self.rank
-            others = (
+            rest = (
                 f"smallest is {values[-1]:.2e}"
                 if count == 1
                 else f"other {count} are {values[self.rank]:.2e} and less"
             )
             lines.append(
                 f"Not shown to be solvable: {self.rank} of {self.m} singular values are above "
-                f"{self.level:.2e}, the level of the errors; the {others}."
+                f"{self.level:.2e}, the level of the errors; the {rest}."
             )
-            lines += [f"Cannot be told from zero: {self._in_words(row)}." for row in self.unseen]
-            seen = [name for name in self.names if name not in self.undetermined]
+            lines += [
+                f"Cannot be told from zero: {self._in_words(row)}." for row in self.unobservable
+            ]
+            determined = [name for name in self.names if name not in self.undetermined]
             lines.append(
                 "Determined by themselves: "
-                + (", ".join(seen) if seen else "none of the unknowns")
+                + (", ".join(determined) if determined else "none of the unknowns")
                 + "."
             )
         return "\n".join(textwrap.fill(line, WIDTH, subsequent_indent="  ") for line in lines)
@@ -214,26 +276,32 @@ class Solvability:
     def __repr__(self):
         return self.verdict
 
-    def plot(self):
-        """Singular values with the level of the errors, and the shares of the unknowns in their
-        directions; returns the two Axes."""
+    def plot(self) -> tuple[Axes, Axes]:
+        """Draw the singular values with the level of the errors, and their directions.
+
+        Returns
+        -------
+        (matplotlib.axes.Axes, matplotlib.axes.Axes)
+        """
         import matplotlib.pyplot as plt
 
         from trajlib import plotting
 
         with plotting.style():
-            _, (left, right) = plt.subplots(1, 2, figsize=(8, 3.6), width_ratios=[2, 3])
-            index, floor = np.arange(1, self.m + 1), self.level / 1e3
-            trusted = self.singular_values > self.level
-            kinds = (
-                (trusted, "o", plotting.BLUE, "trusted"),
-                (~trusted, "s", "white", "not told from zero"),
+            _, (values_ax, directions_ax) = plt.subplots(
+                1, 2, figsize=(8, 3.6), width_ratios=[2, 3]
             )
-            for chosen, marker, face, label in kinds:
-                if chosen.any():
-                    heights = np.maximum(self.singular_values[chosen], floor)
-                    left.semilogy(
-                        index[chosen],
+            index, floor = np.arange(1, self.m + 1), self.level / 1e3
+            reliable = self.singular_values > self.level
+            kinds = (
+                (reliable, "o", plotting.BLUE, "trusted"),
+                (~reliable, "s", "white", "not told from zero"),
+            )
+            for group, marker, face, label in kinds:
+                if group.any():
+                    heights = np.maximum(self.singular_values[group], floor)
+                    values_ax.semilogy(
+                        index[group],
                         heights,
                         marker,
                         ls="none",
@@ -242,35 +310,71 @@ class Solvability:
                         ms=7,
                         label=label,
                     )
-            left.axhline(self.level, color=plotting.RED, ls="--", label="level of errors")
-            left.set(
+            values_ax.axhline(self.level, color=plotting.RED, ls="--", label="level of errors")
+            values_ax.set(
                 xlabel="number", ylabel="singular value", xticks=index, xlim=(0.5, self.m + 0.5)
             )
-            left.legend(loc="best")
-            right.imshow(np.abs(self.directions), cmap="Greys", vmin=0, vmax=1.4, aspect="auto")
+            values_ax.legend(loc="best")
+            directions_ax.imshow(
+                np.abs(self.directions), cmap="Greys", vmin=0, vmax=1.4, aspect="auto"
+            )
             for (j, k), share in np.ndenumerate(self.directions):
                 if abs(share) >= MENTIONED:
-                    right.text(k, j, f"{share:.2f}", ha="center", va="center", fontsize=9)
-            right.set(
+                    directions_ax.text(k, j, f"{share:.2f}", ha="center", va="center", fontsize=9)
+            directions_ax.set(
                 xticks=index - 1,
                 xticklabels=index,
                 yticks=index - 1,
                 yticklabels=self.names,
                 xlabel="direction of singular value number",
             )
-        return left, right
+        return values_ax, directions_ax
 
 
-def analyse(matrix, W=None, *, eps=None, scale=True, matrix_error=None, names=None, units=None):
-    """Judge the system Z = Htilde x + e before it is solved (MATLAB: svd, cond, rank).
+def analyse(
+    matrix: ArrayLike | Linearisation,
+    W: ArrayLike | None = None,
+    *,
+    eps: float | None = None,
+    scale: bool = True,
+    matrix_error: ArrayLike | None = None,
+    names: Sequence | None = None,
+    units: Sequence | None = None,
+) -> Solvability:
+    """Return the analysis of the system Z = Htilde x + e before it is solved.
 
-    `matrix`: Htilde, shape (n, m), or a `Linearisation`, whose error estimates, names and units are
-    then used. `W`: covariance of e: n variances, a symmetric positive definite matrix (n, n), or k
-    blocks (k, r, r) of its diagonal; unit variances if left out. `eps`: relative precision of the
-    machine numbers. `matrix_error`: bounds on the errors of the entries, an array like `matrix`, or
-    a number, the errors relative to the greatest entry of their column; nothing, if the matrix is
-    exact. `scale=False`: judge without scaling the columns.
+    Parameters
+    ----------
+    matrix : array_like or Linearisation, shape (n, m)
+        Htilde, or a `Linearisation`, whose error estimates, names and units are then used.
+    W : array_like, optional
+        Covariance of e: n variances, a symmetric positive definite matrix (n, n), or k blocks (k, r, r)
+        of its diagonal; unit variances if left out.
+    eps : float, optional
+        Relative precision of the floats.
+    scale : bool
+        Whether columns are scaled to norm 1.
+    matrix_error : array_like, optional
+        Bounds on the errors of the entries, an array like `matrix`, or a number relative to the largest
+        entry of each column; left out, the matrix is exact.
+    names, units : sequence of str, optional
+        Names and units of the unknowns.
 
+    Returns
+    -------
+    Solvability
+
+    Raises
+    ------
+    ValueError
+        If there are fewer measurements than unknowns, a column is zero, or arguments do not fit.
+
+    Notes
+    -----
+    MATLAB: ``svd``, ``cond``, ``rank``.
+
+    Examples
+    --------
     >>> import numpy as np
     >>> t = np.linspace(0, 1, 20)
     >>> print(analyse(np.stack([np.ones(20), t, 1 + t], axis=1), names=["a", "b", "c"]))      # doctest: +ELLIPSIS
