@@ -13,14 +13,15 @@ LONGEST = 90
 
 
 def public_objects(package):
-    """Names and objects: functions and classes, and the public members that the classes define."""
+    """Names and objects: functions and classes, and the public members of the classes."""
     module = importlib.import_module(f"trajlib.{package}")
     for name in module.__all__:
         value = getattr(module, name)
         if inspect.isroutine(value) or inspect.isclass(value):
             yield name, value
         if inspect.isclass(value):
-            for member in vars(value):
+            ours = [base for base in value.__mro__ if base.__module__.startswith("trajlib.")]
+            for member in {member for base in ours for member in vars(base)}:
                 if not member.startswith("_"):
                     yield f"{name}.{member}", inspect.getattr_static(value, member)
 
