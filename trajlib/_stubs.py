@@ -1,7 +1,7 @@
-"""Type stubs of the packages whose names load lazily: mypy and editors do not run `__getattr__`.
+"""Type stubs of the packages whose names load lazily.
 
-The tables in the `__init__.py` files are the source. `python -m trajlib._stubs` writes an
-`__init__.pyi` beside each; a test holds both equal.
+mypy and editors do not run `__getattr__`. The tables in the `__init__.py` files are the source.
+`python -m trajlib._stubs` writes an `__init__.pyi` beside each; a test holds both equal.
 """
 
 import importlib

@@ -1,6 +1,7 @@
-"""Continuous-discrete Kalman filter: prediction by (4.6), (4.7), correction at each measurement.
+"""Continuous-discrete Kalman filter.
 
-Measurements may come at any times, several at one time, and with missing components.
+Prediction follows (4.6), (4.7), with a correction at each measurement. Measurements may come at any
+times, several at one time, and with missing components.
 """
 
 from collections.abc import Iterable
@@ -74,7 +75,8 @@ class ContinuousDiscreteRun:
         Raises
         ------
         ValueError
-            If the time is before the initial time, or is a number where the measurements have symbols.
+            If the time is before the initial time, or is a number where the measurements have
+            symbols.
         """
         A, Q, start, initial_time = self._process
         t = exact_decimals(sp.sympify(t))
@@ -99,8 +101,8 @@ class ContinuousDiscreteRun:
         Returns
         -------
         tuple of ndarray
-            Times, estimates and standard deviations; each time of a measurement occurs twice, before
-            and after it.
+            Times, estimates and standard deviations; each time of a measurement occurs twice,
+            before and after it.
 
         Notes
         -----
@@ -161,8 +163,8 @@ def filter_measurements(
     Raises
     ------
     ValueError
-        If a measurement is before the initial time, shapes do not fit, Q or R is no covariance, or a
-        measurement is nan, which does not mean "missing" here.
+        If a measurement is before the initial time, shapes do not fit, Q or R is no covariance, or
+        a measurement is nan, which does not mean "missing" here.
 
     Notes
     -----

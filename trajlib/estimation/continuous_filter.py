@@ -1,4 +1,6 @@
-"""Kalman-Bucy filter for continuous measurements (Theorem 4.3), its covariance without integration.
+"""Kalman-Bucy filter for continuous measurements (Theorem 4.3).
+
+The Riccati equation of its covariance is solved without integration:
 
     x~' = A x~ + K (z - H x~),    K = P H^T R^-1,    P' = A P + P A^T + Q - P S P,    S = H^T R^-1 H
 
@@ -169,8 +171,8 @@ class ContinuousFilter:
 
         Notes
         -----
-        In floats only. The covariances are exact; within a step the gain is that of its middle, so the
-        error of the estimates is of second order in the step.
+        In floats only. The covariances are exact; within a step the gain is that of its middle, so
+        the error of the estimates is of second order in the step.
         """
         if not isinstance(self.A, np.ndarray):
             raise ValueError("A: expected arrays; a record is filtered in floats")

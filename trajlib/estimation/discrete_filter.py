@@ -3,8 +3,8 @@
 The covariances do not depend on the data. For constant matrices they converge, and the rest of the
 convergence is known to first order: with the error matrix F = Phi (E - KH) the changes after a
 change D add up to the X with X = F X F^T + D. Once X is below 1e-13 of the variances the gain is
-kept, and the estimates obey x_{k+1} = F x_k + Phi K z_k, which runs in blocks. A missing measurement
-ends that, and the covariances are stepped again.
+kept, and the estimates obey x_{k+1} = F x_k + Phi K z_k, which runs in blocks. A missing
+measurement ends that, and the covariances are stepped again.
 """
 
 from dataclasses import dataclass

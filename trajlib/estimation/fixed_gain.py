@@ -130,8 +130,8 @@ def least_gain(
 
     Notes
     -----
-    Exact: the stationary points inside `covariance.where` are found and compared. Towards its border
-    the variance grows without bound, or the least value is not attained, which is an error.
+    Exact: the stationary points inside `covariance.where` are found and compared. Towards its
+    border the variance grows without bound, or the least value is not attained, which is an error.
     Source: problem 4.42.
 
     Examples

@@ -9,7 +9,8 @@ and x^2 = X becomes v^2 X^2 + (2 u v - 4) X + u^2 = 0: two roots. With three sat
 reproduce the ranges (the position and its mirror image in the plane of the satellites); with more
 they differ in their residuals.
 
-Bearings (example 2): e_s x (x - r_s) = 0 is linear in x, the pseudo-measurement e_s x x = e_s x r_s.
+Bearings (example 2): e_s x (x - r_s) = 0 is linear in x, the pseudo-measurement e_s x x = e_s x
+r_s.
 """
 
 from dataclasses import dataclass
@@ -68,8 +69,8 @@ def satellite_observability(position: MatrixLike, satellites: MatrixLike) -> Fix
 
     Notes
     -----
-    The Jacobian is regular if and only if the points x, r_1, ..., r_S do not lie in one plane. Source:
-    problem 4.1, read for points; the vectors from the origin, as printed, do not decide it.
+    The Jacobian is regular if and only if the points x, r_1, ..., r_S do not lie in one plane.
+    Source: problem 4.1, read for points; the vectors from the origin, as printed, do not decide it.
 
     Examples
     --------
@@ -123,7 +124,7 @@ def bearing_observability(position: MatrixLike, observers: MatrixLike) -> FixTes
     for k in range(directions.shape[0]):
         if not any(directions[k, :]):
             raise ValueError(
-                f"position: it is the place of observer {k + 1}, from where it has no bearing"
+                f"position: it is that of observer {k + 1}, from which it has no bearing"
             )
     cross_products = [_cross(-directions[k, :]) for k in range(directions.shape[0])]
     rows = (
@@ -421,7 +422,7 @@ def bearing_fix(observers: MatrixLike, directions: MatrixLike) -> BearingFix:
     except ValueError:
         raise ValueError(
             "directions: all of them are parallel, so the position is free along them; measure "
-            "from a place off this line"
+            "from a point off this line"
         ) from None
     x = fit.estimate
     residuals = (

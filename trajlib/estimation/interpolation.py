@@ -1,4 +1,4 @@
-"""Optimal interpolation, smoothing and prediction of a stationary process from its correlation.
+"""Optimal interpolation, smoothing and prediction of stationary processes.
 
 The linear estimate of x(t) from z_i = x(t_i) + r_i of least variance has the weights w with (K + R)
 w = k(t), where K_ij = k(t_i - t_j) and k(t)_i = k(t - t_i); its error has the variance k(0) -

@@ -1,4 +1,4 @@
-"""Least squares for z = Hx + r with the weights R^-1, also with measurements that arrive later.
+"""Linear least squares for z = Hx + r with the weights R^-1, also recursively.
 
     x~ = (H^T R^-1 H)^-1 H^T R^-1 z,    P = (H^T R^-1 H)^-1
 
@@ -110,13 +110,14 @@ def least_squares(
     Raises
     ------
     ValueError
-        If the columns of H are dependent (the message has a combination that the measurements do not
-        determine) and there is no prior, if shapes do not fit, or if R is no positive definite
+        If the columns of H are dependent (the message has a combination that the measurements do
+        not determine) and there is no prior, if shapes do not fit, or if R is no positive definite
         covariance.
 
     Notes
     -----
-    MATLAB: ``lscov``, ``H \ z``. Source: (4.1), (4.2) and the formulas below; the book's M[rr^T] = R.
+    MATLAB: ``lscov``, ``H \ z``. Source: (4.1), (4.2) and the formulas below; the book's M[rr^T] =
+    R.
 
     Examples
     --------

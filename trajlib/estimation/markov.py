@@ -132,7 +132,8 @@ def continuous_moments(A: MatrixLike, Q: MatrixLike, start: Moments, t: ScalarLi
 
     Notes
     -----
-    Zero and repeated eigenvalues are included. Source: (4.6), (4.7); problems 4.15 - 4.17, example 5.
+    Zero and repeated eigenvalues are included. Source: (4.6), (4.7); problems 4.15 - 4.17, example
+    5.
 
     Examples
     --------
@@ -184,8 +185,8 @@ def discretise(A: MatrixLike, Q: MatrixLike, step: ScalarLike) -> DiscreteModel:
     Notes
     -----
     Exact for long steps, too. In floats a step for which the series converges at once is doubled
-    repeatedly, so that Q stays positive semidefinite also for long steps of fast decaying processes.
-    MATLAB: ``c2d``, ``lqrd``. Source: (4.4), (4.6), (4.7).
+    repeatedly, so that Q stays positive semidefinite also for long steps of fast decaying
+    processes. MATLAB: ``c2d``, ``lqrd``. Source: (4.4), (4.6), (4.7).
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Solutions of linear equations in closed form, also for zero, repeated or opposite eigenvalues.
+"""Closed-form solutions of linear equations, also for repeated or opposite eigenvalues.
 
 For a linear operator M with the eigenvalues l_1, ..., l_N (with multiplicity) Putzer's resolvent is
 
@@ -37,9 +37,9 @@ def exact_spectrum(A):
         else:
             roots = sp.roots(factor, cubics=False, quartics=False, multiple=True)
             if len(roots) < factor.degree():
-                polynomial_text = factor.as_expr().subs(s, sp.Symbol("lambda"))
+                shown = factor.as_expr().subs(s, sp.Symbol("lambda"))
                 raise NotImplementedError(
-                    f"A: the roots of {polynomial_text} cannot be written with square roots; give the "
+                    f"A: the roots of {shown} cannot be written with square roots; give the "
                     "matrices as arrays of floats"
                 )
         eigenvalues += [sp.radsimp(sp.expand(root)) for root in roots] * multiplicity
@@ -67,8 +67,8 @@ def products(eigenvalues):
 class Modes:
     """Partial fractions of (sE - M)^-1 start.
 
-    `apply`: X -> MX on matrices of the shape of `start`; `eigenvalues`: all of M, with multiplicity;
-    `where`: the condition on symbols under which they hold.
+    `apply`: X -> MX on matrices of the shape of `start`; `eigenvalues`: all of M, with
+    multiplicity; `where`: the condition on symbols under which they hold.
     """
 
     def __init__(self, apply, eigenvalues, start) -> None:
@@ -109,8 +109,8 @@ class Modes:
     def at(self, basis, complex_basis):
         """Return the sum of all terms.
 
-        `basis(l, j)` is the function of a term, `complex_basis(l, j)` its real and imaginary part for a
-        complex l. A pair of conjugate eigenvalues gives twice the real part of one of them.
+        `basis(l, j)` is the function of a term, `complex_basis(l, j)` its real and imaginary part
+        for a complex l. A pair of conjugate eigenvalues gives twice the real part of one of them.
         """
         total, paired = None, set()
         for (i, j), matrix in self.terms.items():

@@ -104,8 +104,8 @@ def gauss_newton(
 
     Notes
     -----
-    MATLAB: ``lsqnonlin``, ``nlinfit``. Source: "Nonlinear least squares", section 4; its remark that
-    the iteration is as fast as Newton's holds for vanishing residuals.
+    MATLAB: ``lsqnonlin``, ``nlinfit``. Source: "Nonlinear least squares", section 4; its remark
+    that the iteration is as fast as Newton's holds for vanishing residuals.
 
     Examples
     --------
@@ -198,11 +198,11 @@ def _iterate(problem, x, tolerance, max_steps):
 
 
 def _shortened(problem, x, residuals, step, descent):
-    """Return the share of a step that lowers the misfit without overshooting, 0 if there is none.
+    """Return the share of a step that lowers the misfit without overshooting, or 0.
 
-    Also returned are the point and the residuals there. Near a minimum the misfit is flat to rounding,
-    but its slope along the step is not: it begins at -descent, and a share is too long if it comes to
-    more than half of that with the other sign.
+    Also returned are the point and the residuals there. Near a minimum the misfit is flat to
+    rounding, but its slope along the step is not: it begins at -descent, and a share is too long if
+    it comes to more than half of that with the other sign.
     """
     share, misfit = 1.0, residuals @ residuals
     for _ in range(HALVINGS):

@@ -66,7 +66,7 @@ class Stabilising:
         self._solve(M, factor)
 
     def _stable_factor(self, M):
-        """Return the coefficients of p, highest power first; None if an eigenvalue lies on the axis."""
+        """Return the coefficients of p, highest first; None for an eigenvalue on the axis."""
         polynomial = M.charpoly()
         s = polynomial.gen
         parts = [
@@ -205,7 +205,7 @@ class Stabilising:
         return None
 
     def _reduced(self, entry):
-        """Return an entry with each auxiliary symbol to at most the first power, in the numerator only."""
+        """Return an entry linear in each auxiliary symbol, with none in the denominator."""
         for k in range(len(self._roots) - 1, -1, -1):
             symbol, square = self._roots[k]
             if entry.has(symbol):

@@ -1,4 +1,4 @@
-"""Shaping filters: a correlated noise as the output of a linear system driven by white noise.
+"""Shaping filters: correlated noise as the output of a linear system driven by white noise.
 
 A process with the correlation D e^{-a |tau|} obeys w' = -aw + q with the intensity 2aD and the
 initial variance D; for a = 0 it is a constant of the variance D. A sum of such correlations belongs

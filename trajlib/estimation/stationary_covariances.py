@@ -1,4 +1,4 @@
-"""Stationary covariances: the limits of P(t) and P_i for every initial covariance, where they exist.
+"""Stationary covariances: the limits of P(t) and P_i, where they exist.
 
 The limit solves A P + P A^T + Q = 0, or P = Phi P Phi^T + Q. These equations also have solutions
 that are no limits (indefinite ones for an unstable A), so stability is decided first.

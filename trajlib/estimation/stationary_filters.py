@@ -148,8 +148,9 @@ def discrete_stationary_filter(
 
     Notes
     -----
-    The gain is that of the correction, x~+ = x~- + K (z - H x~-); the gain of the one-step predictor
-    is Phi K. MATLAB: ``dlqe``; python-control: ``dlqe``. Source: Theorem 4.2, problems 4.22 - 4.25.
+    The gain is that of the correction, x~+ = x~- + K (z - H x~-); the gain of the one-step
+    predictor is Phi K. MATLAB: ``dlqe``; python-control: ``dlqe``. Source: Theorem 4.2, problems
+    4.22 - 4.25.
 
     Examples
     --------

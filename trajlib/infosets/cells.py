@@ -1,8 +1,8 @@
-"""Guaranteed step: each node represents a closed cell of headings and speeds, with outward rounding.
+"""Guaranteed step: each node represents a closed cell of headings and speeds.
 
-The invariant before and after a step: **each state (x, y, psi, V) compatible with the measurements
-has a cell with (psi, V) in it whose section contains (x, y).** Let the cell be |psi - psi_j| <= a,
-|V - V_l| <= b, with a = dpsi/2, b = dV/2, and the step have the length D.
+Rounding is outwards. The invariant before and after a step: **each state (x, y, psi, V) compatible
+with the measurements has a cell with (psi, V) in it whose section contains (x, y).** Let the cell
+be |psi - psi_j| <= a, |V - V_l| <= b, with a = dpsi/2, b = dV/2, and the step have the length D.
 
 - *Speed.* At the time s of the step V(s) lies between V_l - b + mu1 s and V_l + b + mu2 s. The
   nodes move by D (mu1 + mu2)/2, and dV = D (mu2 - mu1)/2, so that V(D) differs from the moved node
@@ -13,7 +13,8 @@ has a cell with (psi, V) in it whose section contains (x, y).** Let the cell be 
   get the section.
 - *Position.* For each normal n = (sin phi, cos phi) and d = |psi_j - phi|
 
-      n (displacement) = integral of V(s) cos(psi(s) - phi) <= integral of V(s) c(s) <= integral of Vmax c+ - Vmin c-,
+      n (displacement) = integral of V(s) cos(psi(s) - phi) <= integral of V(s) c(s) <= integral of
+      Vmax c+ - Vmin c-,
 
   where c(s) = cos(max(d - a - kappa s, 0)) = c+ - c-. The last integrals have a closed form
   (`trajlib.infosets.turning`) if Vmax and Vmin are replaced by their values at the end of each of a
@@ -22,9 +23,9 @@ has a cell with (psi, V) in it whose section contains (x, y).** Let the cell be 
   intersection, which is never made smaller by rounding. Only cells whose intersection is empty are
   dropped.
 
-Nodes and r are computed with rounding: cells are widened by a millionth of their width on each side,
-and no step takes more than 2e-12 of it, so that 1e5 steps are covered. Support values are rounded
-upwards.
+Nodes and r are computed with rounding: cells are widened by a millionth of their width on each
+side, and no step takes more than 2e-12 of it, so that 1e5 steps are covered. Support values are
+rounded upwards.
 """
 
 import numpy as np
@@ -108,8 +109,8 @@ class Cells:
     def _displacements(self, low, rate):
         """Return bounds on n (displacement) for all rows, columns and normals.
 
-        The angles psi_j - phi_i are multiples of 2 pi/lcm(headings, normals) up to a constant: each is
-        computed once.
+        The angles psi_j - phi_i are multiples of 2 pi/lcm(headings, normals) up to a constant: each
+        is computed once.
         """
         shared, (rows, columns, m) = self._divisor, self.values.shape
         angle = (
@@ -150,7 +151,7 @@ class Cells:
         return self.wrapped and self.values.shape[1] == self.circle
 
     def _folded(self, values):
-        """Return sections with columns of the same heading joined, if a circle has fewer columns."""
+        """Join columns of the same heading, if there are more than a circle has."""
         if values.shape[1] <= self.circle:
             return values
         result = values[:, : self.circle].copy()

@@ -1,13 +1,13 @@
-"""Exact reachable set of a vehicle with constant speed (Dubins car), from one point and heading.
+"""Exact reachable set of a vehicle with constant speed (Dubins car).
 
 In units of the turning radius R = V^2/k and of the time R/V the only parameter is the angle T = t
 k/V. The set of the positions reached exactly at the time t has the support function
 
     h(phi) = V times the integral of cos(max(|psi_0 - phi| - k s/V, 0)) from 0 to t
 
-(`trajlib.infosets.turning`): turn towards phi, then go straight. The set itself is not convex. Every
-position in it is reached with at most two switches, turn-straight-turn or turn-turn-turn; for a
-given length a of the first turn the rest has a closed form, so that one equation in one unknown
+(`trajlib.infosets.turning`): turn towards phi, then go straight. The set itself is not convex.
+Every position in it is reached with at most two switches, turn-straight-turn or turn-turn-turn; for
+a given length a of the first turn the rest has a closed form, so that one equation in one unknown
 decides. Its boundary consists of turn-straight motions outside and of turn-turn motions, the second
 turn not shorter than the first, inside.
 """
@@ -111,8 +111,8 @@ class DubinsReachable:
         Returns
         -------
         list of ndarray
-            Arrays of shape (any, 2): the parts of the turn-straight and turn-turn motions with one side
-            that is not reached.
+            Arrays of shape (any, 2): the parts of the turn-straight and turn-turn motions with one
+            side that is not reached.
         """
         T, curves = self.turn, []
         for ends, longest in ((_turn_straight, T), (_turn_turn, T / 2)):
@@ -269,8 +269,8 @@ def _reached(points, T, tolerance):
 def _kinks(points, T):
     """Return first turns to the right after which the last turn has no length, shape (count, 6).
 
-    The point then lies straight ahead, or on the circle of the turn to the left. There the gaps below
-    have kinks, and at the boundary they vanish there.
+    The point then lies straight ahead, or on the circle of the turn to the left. There the gaps
+    below have kinks, and at the boundary they vanish there.
     """
     distance = np.hypot(points[:, 0] - 1, points[:, 1])
     bearing = np.arctan2(points[:, 0] - 1, points[:, 1])
@@ -286,8 +286,8 @@ def _kinks(points, T):
 def _vanishes(gaps, inside, tolerance):
     """Return whether one of two branches has a zero along its last axis.
 
-    Branches are nan where they are not defined. Where the point comes out of reach of the last turn, at
-    the ends of `inside`, the branches meet. Jumps by 2 pi are no zeros.
+    Branches are nan where they are not defined. Where the point comes out of reach of the last
+    turn, at the ends of `inside`, the branches meet. Jumps by 2 pi are no zeros.
     """
     branch_ends = np.zeros_like(inside)
     branch_ends[:, 1:] |= inside[:, 1:] & ~inside[:, :-1]

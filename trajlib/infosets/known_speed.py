@@ -1,10 +1,10 @@
 """Information set of a vehicle with known constant speed: states (x, y, psi).
 
-As published, headings are not bound to a grid: a section of the heading psi is moved along the exact
-arcs of u = -1, 0, 1 to psi + D k u/V, and sections of close headings are replaced by their hull at
-the mean heading. Three controls reach less than all, and no state needs to have the mean heading:
-this is no enclosure. The guaranteed mode uses cells of headings, `trajlib.infosets.cells` with one
-row.
+As published, headings are not bound to a grid: a section of the heading psi is moved along the
+exact arcs of u = -1, 0, 1 to psi + D k u/V, and sections of close headings are replaced by their
+hull at the mean heading. Three controls reach less than all, and no state needs to have the mean
+heading: this is no enclosure. The guaranteed mode uses cells of headings, `trajlib.infosets.cells`
+with one row.
 """
 
 import numpy as np
@@ -39,8 +39,8 @@ class ConstantSpeedInformationSet(Sections):
     normals : int
         Number m of normals of the polygons.
     mode : {"guaranteed", "published"}
-        "guaranteed" encloses all motions with |u| <= 1; "published" is section 6 of the paper and does
-        not.
+        "guaranteed" encloses all motions with |u| <= 1; "published" is section 6 of the paper and
+        does not.
     wrapped : bool
         Whether headings that differ by full turns are identified; otherwise the sets are smaller.
 
@@ -201,7 +201,7 @@ class FloatingHeadings:
         self.headings, self.values = self.headings[possible], self.values[possible]
 
     def sections_at(self, heading):
-        """Return the section of the nearest heading, shape (1, m); none if it is further than the width."""
+        """Return the section of the nearest heading within the width, shape (1, m) or (0, m)."""
         distance = angle_between(self.headings - heading)
         nearest = int(np.argmin(distance))
         return self.values[nearest : nearest + int(distance[nearest] <= self.width)]

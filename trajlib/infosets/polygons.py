@@ -42,9 +42,9 @@ class SupportPolygons:
     Parameters
     ----------
     values : array_like, shape (..., m)
-        Support values in the unit of the plane, m >= 3: n_i p <= values[..., i] on the normals n_i =
-        (sin, cos)(2 pi i/m). They need not be tight, and are made so; polygons without a point become
-        `empty`.
+        Support values in the unit of the plane, m >= 3: n_i p <= values[..., i] on the normals n_i
+        = (sin, cos)(2 pi i/m). They need not be tight, and are made so; polygons without a point
+        become `empty`.
 
     Attributes
     ----------
@@ -58,8 +58,8 @@ class SupportPolygons:
 
     Notes
     -----
-    MATLAB: ``polyshape``, for a single polygon. Source: sections 3.2 to 3.4 of the paper; (3.6) in the
-    form of `trajlib.infosets.polygons`, which has no branches.
+    MATLAB: ``polyshape``, for a single polygon. Source: sections 3.2 to 3.4 of the paper; (3.6) in
+    the form of `trajlib.infosets.polygons`, which has no branches.
 
     Examples
     --------
@@ -150,7 +150,8 @@ class SupportPolygons:
         Parameters
         ----------
         other : SupportPolygons or array_like, optional
-            The other polygons, or their values; left out, one polygon around all of these is returned.
+            The other polygons, or their values; left out, one polygon around all of these is
+            returned.
 
         Returns
         -------
@@ -253,7 +254,7 @@ class SupportPolygons:
 
 
 def tighten(values):
-    """Return tight values of {p: n_i p <= values_i}, all -inf where it is empty, in the same shape."""
+    """Return tight values of {p: n_i p <= values_i}, all -inf where it is empty."""
     m = values.shape[-1]
     flat = values.reshape(-1, m)
     result = np.full_like(flat, -np.inf)
@@ -277,9 +278,9 @@ def tighten(values):
 
 
 def _support_values(values, half):
-    """Return the minimum of alpha rho_j + beta rho_k for the directions of angle (i + half) step.
+    """Return the minimum of alpha rho_j + beta rho_k, rounded upwards.
 
-    Rounded upwards.
+    The directions have the angles (i + half) step.
     """
     m = values.shape[-1]
     step = 2 * np.pi / m

@@ -1,10 +1,11 @@
-"""Published step (Euler): sections move by D V (sin psi, cos psi) and are copied to nine controls.
+"""Published step (Euler), which does not enclose the motion.
 
-In heading (|u| <= 1) the copies go [D k/(V dpsi)] + 1 nodes away, in speed [D |mu|/dV] + 1 nodes,
-[.] the integer part (4.1), (4.2); where several meet, their hull is taken. Since dV is large,
-speeds are moved only every q-th step, q the largest number with [q D |mu|/dV] = [D |mu|/dV] (4.3).
-Between [(N_V + 1)/2] and N_V nodes of speed are kept (section 4.3): too many are thinned by
-deleting every second one, too few are doubled by unions of neighbours.
+Sections move by D V (sin psi, cos psi) and are copied to the nodes of nine controls. In heading
+(|u| <= 1) the copies go [D k/(V dpsi)] + 1 nodes away, in speed [D |mu|/dV] + 1 nodes, [.] the
+integer part (4.1), (4.2); where several meet, their hull is taken. Since dV is large, speeds are
+moved only every q-th step, q the largest number with [q D |mu|/dV] = [D |mu|/dV] (4.3). Between
+[(N_V + 1)/2] and N_V nodes of speed are kept (section 4.3): too many are thinned by deleting every
+second one, too few are doubled by unions of neighbours.
 
 **This is an estimate and no enclosure** of the continuous motion: a true state may lie outside.
 `trajlib.infosets.cells` has a step that encloses.
@@ -106,7 +107,7 @@ class Nodes:
         self._thin()
 
     def sections_at(self, heading, speed):
-        """Return the section of the nearest node, shape (1, m); none if the speed is beyond the nodes."""
+        """Return the section of the nearest node, shape (1, m); (0, m) for a speed beyond them."""
         row = int(np.rint((speed - self.first) / self.speed_step))
         if not 0 <= row < len(self.values):
             return self.values[0, :0]

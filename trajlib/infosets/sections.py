@@ -88,7 +88,8 @@ class Sections:
         Parameters
         ----------
         *regions : Region, SupportPolygons or array_like
-            Sets that contain (x, y): `Region`, points of a convex polygon, or one of SupportPolygons.
+            Sets that contain (x, y): `Region`, points of a convex polygon, or one of
+            SupportPolygons.
 
         Returns
         -------
@@ -137,8 +138,8 @@ class Sections:
         Returns
         -------
         bool
-            Whether the section of a cell that contains psi and V contains (x, y); as published, the section
-            of the nearest node.
+            Whether the section of a cell that contains psi and V contains (x, y); as published, the
+            section of the nearest node.
         """
         state = read_vectors(state, "state", self._state)
         if state.ndim != 1:

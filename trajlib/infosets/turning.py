@@ -6,8 +6,8 @@ most kappa. Then at the time s the difference is at least max(d - kappa s, 0) =:
     cos(psi(s) - phi) <= c(s) = cos x(s),
 
 with equality for all s at once if the vehicle turns towards phi as fast as possible and then goes
-straight. The positive and negative parts c = c+ - c- have integrals in closed form, since x decreases
-at the rate kappa until it is zero.
+straight. The positive and negative parts c = c+ - c- have integrals in closed form, since x
+decreases at the rate kappa until it is zero.
 """
 
 import numpy as np

@@ -44,11 +44,11 @@ class InformationSet(Sections):
 
     Notes
     -----
-    "guaranteed" encloses all motions of the model, with u(t) and w(t) of any kind within their bounds. A
-    node represents a cell around it; in a step a section grows by a bound on the displacement from its
-    whole cell and is given to all cells that can be reached, so that each true state stays in a section
-    of its cell (the proof: `trajlib.infosets.cells`). "published" is the algorithm of the paper, sections
-    3 and 4. It is faster and may lose the true state.
+    "guaranteed" encloses all motions of the model, with u(t) and w(t) of any kind within their
+    bounds. A node represents a cell around it; in a step a section grows by a bound on the
+    displacement from its whole cell and is given to all cells that can be reached, so that each
+    true state stays in a section of its cell (the proof: `trajlib.infosets.cells`). "published" is
+    the algorithm of the paper, sections 3 and 4. It is faster and may lose the true state.
 
     Examples
     --------
@@ -127,8 +127,8 @@ class InformationSet(Sections):
         Parameters
         ----------
         onto : {"xy", "psi-V"}
-            "xy": all sections that are not empty; their union is the projection. "psi-V": their nodes
-            (psi, V), shape (count, 2).
+            "xy": all sections that are not empty; their union is the projection. "psi-V": their
+            nodes (psi, V), shape (count, 2).
 
         Returns
         -------

@@ -29,8 +29,9 @@ class InvariantEstimator:
         Times that do not decrease. Count them from the record: powers of large times are nearly
         dependent in floats.
     basis : iterable
-        Functions psi_k of time that span the signal: SymPy expressions in one symbol, polynomials of
-        `numpy.polynomial`, splines of SciPy, numbers, or Python functions (which have no derivatives).
+        Functions psi_k of time that span the signal: SymPy expressions in one symbol, polynomials
+        of `numpy.polynomial`, splines of SciPy, numbers, or Python functions (which have no
+        derivatives).
     nuisance : iterable
         Functions theta_p of time that span the nuisance, of the same kinds.
     covariance : array_like
@@ -155,8 +156,8 @@ class InvariantEstimator:
         window : int
             Number of samples in the window, odd.
         ends : {"leave", "shorten"}
-            "leave": full windows only. "shorten": near an end the window is cut at the end of the record,
-            and the estimate is no longer in its middle.
+            "leave": full windows only. "shorten": near an end the window is cut at the end of the
+            record, and the estimate is no longer in its middle.
 
         Returns
         -------

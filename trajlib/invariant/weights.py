@@ -53,13 +53,13 @@ class WeightSolver:
         row = int(np.argmax(undetermined.reshape(len(undetermined), -1).max(axis=1)))
         combination = self.Vt[~self.nonzero][row] / self.sizes
         combination = combination / combination[np.argmax(np.abs(combination))]
-        combination_text = " + ".join(
+        text = " + ".join(
             f"{c:.4g} basis[{k}]" for k, c in enumerate(combination) if abs(c) > 1e-6
         ).replace("+ -", "- ")
-        functional_value = np.abs(combination @ o).max()
+        size = np.abs(combination @ o).max()
         raise ValueError(
-            f"functional: the samples cannot tell it. At all of them {combination_text} is a combination of "
-            f"the nuisance's functions or zero, while the functional is {functional_value:.4g} on it. Leave a "
+            f"functional: the samples do not determine it. At all of them {text} is a combination of "
+            f"the nuisance's functions or zero, while the functional is {size:.4g} on it. Leave a "
             "function out, or sample longer or more densely; count the time from the record, not "
             "from far away"
         )

@@ -20,7 +20,7 @@ TIE = 1e-7
 
 
 def bounded_fit(t, h, rho, bound):
-    """Return the motion of least misfit under |u| <= bound, a weight 0 and whether the bound is active."""
+    """Return the motion of least misfit under |u| <= bound, 0, and whether it is active."""
     import casadi
 
     measured = np.flatnonzero(rho)
@@ -77,10 +77,10 @@ def bounded_fit(t, h, rho, bound):
 def _least_effort(tau, dy, w):
     """Return the control |u| <= 1 with the least integral of u^2 for each interval.
 
-    Lengths, first and last values of three pieces: at one bound, linear, at the other; shapes (N, 3).
-    The control is a linear function of time, cut off at the bounds. Where w > 0 it decreases. For
-    dy >= 0 it reaches the upper bound first; for dy < 0 it is the one for -dy reversed in time, with
-    the other sign.
+    Lengths, first and last values of three pieces: at one bound, linear, at the other; shapes (N,
+    3). The control is a linear function of time, cut off at the bounds. Where w > 0 it decreases.
+    For dy >= 0 it reaches the upper bound first; for dy < 0 it is the one for -dy reversed in time,
+    with the other sign.
     """
     sign, reversed_ = np.where(w < 0, -1.0, 1.0), w * dy < 0
     reversed_ |= (w == 0) & (dy < 0)

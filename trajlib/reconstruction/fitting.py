@@ -199,18 +199,18 @@ def reconstruct(
     Raises
     ------
     ValueError
-        If times do not increase, shapes do not fit, or not exactly one of `max_acceleration` and `M`
-        is given.
+        If times do not increase, shapes do not fit, or not exactly one of `max_acceleration` and
+        `M` is given.
     ArithmeticError
         If no weight is found within the range of floats or the solver does not converge.
 
     Notes
     -----
-    "sweep" finds M such that max |u| = max_acceleration; `active` is False and M = 0 where already the
-    natural spline through all samples keeps the bound. Max |u| need not decrease as M grows: where
-    several M meet the bound, one of them is found. "direct" minimises the misfit among all motions with
-    |u| <= max_acceleration, exact up to the tolerance of its solver (1e-11); of equally good motions it
-    returns one with a small integral of u^2. MATLAB: ``csaps``, ``spaps``.
+    "sweep" finds M such that max |u| = max_acceleration; `active` is False and M = 0 where already
+    the natural spline through all samples keeps the bound. Max |u| need not decrease as M grows:
+    where several M meet the bound, one of them is found. "direct" minimises the misfit among all
+    motions with |u| <= max_acceleration, exact up to the tolerance of its solver (1e-11); of
+    equally good motions it returns one with a small integral of u^2. MATLAB: ``csaps``, ``spaps``.
 
     Examples
     --------

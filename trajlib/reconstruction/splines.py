@@ -43,7 +43,7 @@ def spline_accelerations(t, h, rho):
 
 
 def natural_spline(t, h, measured, u):
-    """Return t, x, y, u of the natural cubic spline through the measured samples, linear beyond them."""
+    """Return t, x, y, u of the natural cubic spline, linear beyond the measured samples."""
     x, tau = h[measured], np.diff(t[measured])
     y = np.diff(x) / tau - tau * (2 * u[:-1] + u[1:]) / 6
     y = np.append(y, y[-1] + tau[-1] * (u[-2] + u[-1]) / 2)

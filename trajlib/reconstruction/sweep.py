@@ -34,8 +34,8 @@ class SweepGains:
     t : array_like, shape (N + 1,)
         Increasing times.
     sigma : array_like
-        Standard error of the samples, in their unit, or N + 1 standard errors; infinity where nothing
-        was measured.
+        Standard error of the samples, in their unit, or N + 1 standard errors; infinity where
+        nothing was measured.
     M : float
         Weight of the acceleration, positive, in units of time^3/sigma^2.
 
@@ -152,7 +152,8 @@ class SweepGains:
     def _accelerations(self, x, y, c2):
         """Return u, zero at both ends.
 
-        It is psi_2/M, or where that cancels (small M) comes from the cubic through neighbouring states.
+        It is psi_2/M, or where that cancels (small M) comes from the cubic through neighbouring
+        states.
         """
         tau = self._tau[:, None]
         u = (c2 - self._p12[:, None] * x - self._p22[:, None] * y) / self.M

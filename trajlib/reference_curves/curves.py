@@ -28,8 +28,8 @@ class ReferenceCurves:
     Parameters
     ----------
     f : callable
-        f(t, x, p), without parameters f(t, x), returns the n derivatives as a list; x and p are lists
-        of arrays, one entry a curve, so f uses NumPy's functions.
+        f(t, x, p), without parameters f(t, x), returns the n derivatives as a list; x and p are
+        lists of arrays, one entry a curve, so f uses NumPy's functions.
     t_nodes : array_like
         K increasing times.
     state_nodes : sequence of array_like
@@ -39,9 +39,9 @@ class ReferenceCurves:
     output : callable, optional
         output(t, x, p) returns the measured functions of the state, a list or a single one.
     box : sequence of tuple, optional
-        Intervals (low, high) for time, components and parameters in this order, in which the formula
-        is used; the ranges of the nodes if left out (Chebyshev nodes do not reach the ends of theirs).
-        The curves start at its first time.
+        Intervals (low, high) for time, components and parameters in this order, in which the
+        formula is used; the ranges of the nodes if left out (Chebyshev nodes do not reach the ends
+        of theirs). The curves start at its first time.
     domain : callable, optional
         domain(t, x, p) is true where f is defined.
     rtol : float
@@ -130,7 +130,8 @@ class ReferenceCurves:
         t : array_like
             Times.
         x0 : sequence of array_like
-            n components of the initial state. These, `t` and `p` are numbers or arrays that broadcast.
+            n components of the initial state. These, `t` and `p` are numbers or arrays that
+            broadcast.
         p : sequence of array_like
             Parameters.
         extrapolate : bool
@@ -275,8 +276,8 @@ class ReferenceCurves:
         grid : sequence of array_like
             Times, values for each component of x_0 and for each parameter.
         order : int
-            0 for states and outputs; 1 for the time derivatives of the states, which integration gives
-            as f.
+            0 for states and outputs; 1 for the time derivatives of the states, which integration
+            gives as f.
 
         Returns
         -------

@@ -41,7 +41,7 @@ class Flow:
         return np.stack([np.broadcast_to(rate, np.shape(x[0])) for rate in rates]).astype(float)
 
     def states(self, times, starts):
-        """Return states of shape (n, times, curves) from starts of shape (n + parameters, curves)."""
+        """Return states, shape (n, times, curves), from starts, shape (n + parameters, curves)."""
         if times[0] < self.begin:
             raise ValueError(f"t: the curves start at {self.begin:g}, {times[0]:g} is before that")
         parts = [

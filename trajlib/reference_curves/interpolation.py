@@ -70,8 +70,8 @@ def lebesgue_constant(
     Returns
     -------
     float
-        Factor by which interpolation amplifies errors. It is found on 50 points between neighbouring
-        nodes, so it may be too small by a thousandth.
+        Factor by which interpolation amplifies errors. It is found on 50 points between
+        neighbouring nodes, so it may be too small by a thousandth.
 
     Raises
     ------
@@ -125,7 +125,8 @@ class TensorInterpolant:
         t : array_like
             Times.
         x0 : sequence of array_like
-            Components of the initial state. These, `t` and `p` are numbers or arrays that broadcast.
+            Components of the initial state. These, `t` and `p` are numbers or arrays that
+            broadcast.
         p : sequence of array_like
             Parameters.
         extrapolate : bool
@@ -222,16 +223,16 @@ class TensorInterpolant:
         return values
 
     def _check_inside(self, points, extrapolate):
-        for axis_points, (low, high), name in zip(points, self.box, self._names):
-            if not np.isfinite(axis_points).all():
+        for values, (low, high), name in zip(points, self.box, self._names):
+            if not np.isfinite(values).all():
                 raise ValueError(
-                    f"{name}: expected finite numbers, got {axis_points[~np.isfinite(axis_points)][0]}"
+                    f"{name}: expected finite numbers, got {values[~np.isfinite(values)][0]}"
                 )
             slack = 1e-12 * max(high - low, abs(low), abs(high))
-            outside = (axis_points < low - slack) | (axis_points > high + slack)
+            outside = (values < low - slack) | (values > high + slack)
             if outside.any() and not extrapolate:
                 raise ValueError(
-                    f"{name}: {axis_points[outside][0]:g} lies outside of its interval [{low:g}, "
+                    f"{name}: {values[outside][0]:g} lies outside of its interval [{low:g}, "
                     f"{high:g}]; polynomials go astray quickly there. Give extrapolate=True to "
                     "have it all the same"
                 )

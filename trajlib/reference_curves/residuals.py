@@ -40,7 +40,8 @@ class Residual:
 
     def _rows(self):
         for name, (error, point, percent) in zip(self.names, self.greatest):
-            at = f"t = {point[0]:.5g}, x0 = {', '.join(f'{value:.5g}' for value in point[1 : 1 + self._n])}"
+            x0 = ", ".join(f"{value:.5g}" for value in point[1 : 1 + self._n])
+            at = f"t = {point[0]:.5g}, x0 = {x0}"
             if point[1 + self._n :]:
                 at += f", p = {', '.join(f'{value:.5g}' for value in point[1 + self._n :])}"
             yield [name, f"{error:.4g}", f"{percent:.4g}", at]

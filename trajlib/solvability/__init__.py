@@ -1,4 +1,4 @@
-"""Solvability of inverse trajectory problems: whether, and how well, measurements determine a motion.
+"""Solvability of inverse problems: how well measurements determine a motion.
 
 The motion is linearised about a reference, x' = A x, z = H x + r, and all measurements are stacked
 into one system of linear equations for the state at a reference time t_s,

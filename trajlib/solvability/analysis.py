@@ -50,7 +50,8 @@ class Solvability:
     threshold : float
         Condition number mu* below which full rank is guaranteed.
     singular_values : ndarray, shape (m,)
-        Decreasing singular values of the matrix under analysis, the scaled one unless `scale=False`.
+        Decreasing singular values of the matrix under analysis, the scaled one unless
+        `scale=False`.
     directions : ndarray, shape (m, m)
         Its right singular vectors by columns, in the scaled unknowns y = D x.
     scaling : ndarray, shape (m,)
@@ -113,7 +114,8 @@ class Solvability:
         Returns
         -------
         ndarray, shape (m,)
-            In the units of the unknowns; it changes the weighted measurements by a vector of length 1.
+            In the units of the unknowns; it changes the weighted measurements by a vector of length
+            1.
         """
         return self.directions[:, k] / self.scaling / self.singular_values[k]
 
@@ -121,8 +123,8 @@ class Solvability:
     def unobservable(self) -> np.ndarray:
         """Changes of the unknowns that are not distinguished from zero, m - rank rows.
 
-        They span the complement of the guaranteed rank, and are chosen such that each changes an unknown of
-        its own by 1.
+        They span the complement of the guaranteed rank, and are chosen such that each changes an
+        unknown of its own by 1.
         """
         from scipy.linalg import qr
 
@@ -158,7 +160,8 @@ class Solvability:
         e : array_like
             Bounds on |e_i|, a number or n numbers, in the units of the measurements.
         state : array_like, optional
-            x, or bounds on |x_j|; if given, the errors of the matrix multiplied by it are added to e.
+            x, or bounds on |x_j|; if given, the errors of the matrix multiplied by it are added to
+            e.
 
         Returns
         -------
@@ -348,15 +351,15 @@ def analyse(
     matrix : array_like or Linearisation, shape (n, m)
         Htilde, or a `Linearisation`, whose error estimates, names and units are then used.
     W : array_like, optional
-        Covariance of e: n variances, a symmetric positive definite matrix (n, n), or k blocks (k, r, r)
-        of its diagonal; unit variances if left out.
+        Covariance of e: n variances, a symmetric positive definite matrix (n, n), or k blocks (k,
+        r, r) of its diagonal; unit variances if left out.
     eps : float, optional
         Relative precision of the floats.
     scale : bool
         Whether columns are scaled to norm 1.
     matrix_error : array_like, optional
-        Bounds on the errors of the entries, an array like `matrix`, or a number relative to the largest
-        entry of each column; left out, the matrix is exact.
+        Bounds on the errors of the entries, an array like `matrix`, or a number relative to the
+        largest entry of each column; left out, the matrix is exact.
     names, units : sequence of str, optional
         Names and units of the unknowns.
 

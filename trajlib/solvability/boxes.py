@@ -6,9 +6,9 @@ of the cell, and from |A v| >= |G A v|/|G|
 
     s_min(A(p)) >= (1 - |F|)/|G|,        |G| = 1/s_min(C).
 
-The derivatives are enclosed by intervals rounded outwards, and bounds on the rounding errors of G C,
-of the products and of |G| are added. Cells whose bound is not sufficient are halved. The result is a
-proof by computer, provided that the libraries round as documented.
+The derivatives are enclosed by intervals rounded outwards, and bounds on the rounding errors of G
+C, of the products and of |G| are added. Cells whose bound is not sufficient are halved. The result
+is a proof by computer, provided that the libraries round as documented.
 """
 
 from collections.abc import Mapping

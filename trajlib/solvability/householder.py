@@ -1,7 +1,7 @@
 """Weighted least squares by Householder reflections instead of normal equations.
 
-Normal equations have the square of the condition number. With y = D x, the weighted residual r and s
-the smallest singular value, a computation that is exact for a matrix wrong by A_e (norm) and a
+Normal equations have the square of the condition number. With y = D x, the weighted residual r and
+s the smallest singular value, a computation that is exact for a matrix wrong by A_e (norm) and a
 right-hand side wrong by b_e gives, from Aplus(b + b_e) with the perturbed pseudo-inverse,
 
     |dy| <= (A_e |y| + b_e)/(s - A_e) + A_e |r|/(s - A_e)^2.
@@ -87,7 +87,8 @@ def solve(
     Raises
     ------
     ValueError
-        If the system is not shown to be solvable (the message is the verdict), or arguments do not fit.
+        If the system is not shown to be solvable (the message is the verdict), or arguments do not
+        fit.
 
     Notes
     -----

@@ -1,9 +1,9 @@
-"""Interval arithmetic on NumPy arrays, rounded outwards, so that results contain all true values.
+"""Interval arithmetic on NumPy arrays, rounded outwards.
 
-Sums, products, quotients and square roots of floats are correctly rounded, so one step to the
-neighbouring number is sufficient. NumPy's sin, cos, exp, log and powers are accurate to four units
-in the last place, so six steps are taken. Where an expression may not be defined the ends become
-infinite or nan, so that nothing is concluded from it.
+Results contain all true values. Sums, products, quotients and square roots of floats are correctly
+rounded, so one step to the neighbouring number is sufficient. NumPy's sin, cos, exp, log and powers
+are accurate to four units in the last place, so six steps are taken. Where an expression may not be
+defined the ends become infinite or nan, so that nothing is concluded from it.
 """
 
 import numpy as np

@@ -71,8 +71,8 @@ def clohessy_wiltshire(rate: float, times: ArrayLike, reference: float | None = 
 
     Notes
     -----
-    Unknowns: x outwards, y forwards, z along the axis of the orbit, then their velocities. The equations
-    are x'' = 3 w^2 x + 2 w y', y'' = -2 w x', z'' = -w^2 z.
+    Unknowns: x outwards, y forwards, z along the axis of the orbit, then their velocities. The
+    equations are x'' = 3 w^2 x + 2 w y', y'' = -2 w x', z'' = -w^2 z.
 
     Examples
     --------

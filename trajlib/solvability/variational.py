@@ -85,8 +85,8 @@ def linearise(
     ----------
     f, h : callable
         Functions of the time and of a list of m components that return lists. They are called once,
-        with CasADi symbols, so they may use NumPy and CasADi functions and operators, but no `if` on
-        their arguments (use `casadi.if_else`).
+        with CasADi symbols, so they may use NumPy and CasADi functions and operators, but no `if`
+        on their arguments (use `casadi.if_else`).
     state : array_like, shape (m,)
         State of the motion at the time `reference`.
     times : array_like, shape (k,)
@@ -108,8 +108,8 @@ def linearise(
     Raises
     ------
     ValueError
-        If f or h is not finite or cannot be called with CasADi symbols, the motion cannot be continued,
-        or arguments do not fit.
+        If f or h is not finite or cannot be called with CasADi symbols, the motion cannot be
+        continued, or arguments do not fit.
 
     Examples
     --------
@@ -216,7 +216,7 @@ def _stacked(measured, times, values, m):
 
 
 def _integrated(rates, start, reference, times, breaks, rtol, atol):
-    """Return states with variations at all times, forwards and backwards from the reference time.
+    """Return states with variations at all times, in both directions from the reference time.
 
     The integration goes from break to break.
     """

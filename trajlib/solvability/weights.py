@@ -40,9 +40,9 @@ class Weights:
         self._check_size(W.shape[0] * W.shape[1], W.shape)
         if np.abs(W - W.transpose(0, 2, 1)).max() > 1e-10 * np.abs(W).max():
             raise ValueError("W: a covariance matrix is symmetric, this one is not")
-        eigenvalues = np.linalg.eigvalsh(W)
-        if (eigenvalues[:, 0] <= 1e-15 * W.shape[1] * np.abs(eigenvalues).max(axis=1)).any():
-            k = int(np.argmin(eigenvalues[:, 0]))
+        spectra = np.linalg.eigvalsh(W)
+        if (spectra[:, 0] <= 1e-15 * W.shape[1] * np.abs(spectra).max(axis=1)).any():
+            k = int(np.argmin(spectra[:, 0]))
             where = f"block {k} of W" if W.shape[0] > 1 else "W"
             if not W[k].any():
                 raise ValueError(
@@ -50,7 +50,7 @@ class Weights:
                     "weigh; leave W out"
                 )
             raise ValueError(
-                f"{where} is not positive definite: its smallest eigenvalue is {eigenvalues[k, 0]:.3g}. "
+                f"{where} is not positive definite: its smallest eigenvalue is {spectra[k, 0]:.3g}. "
                 "Some combination of the measurements would have no error or a negative variance"
             )
         self.factor = np.linalg.cholesky(W)
