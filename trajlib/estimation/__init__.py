@@ -17,15 +17,9 @@ _EXPORTS = {
     "covariances": ["Moments"],
     "linear_fit": ["LeastSquares", "least_squares"],
     "nonlinear_fit": ["GaussNewton", "gauss_newton"],
-    "fixes": [
-        "BearingFix",
-        "FixTest",
-        "SatelliteFix",
-        "bearing_fix",
-        "bearing_observability",
-        "satellite_fix",
-        "satellite_observability",
-    ],
+    "fix_observability": ["FixTest", "bearing_observability", "satellite_observability"],
+    "satellite_fixes": ["SatelliteFix", "satellite_fix"],
+    "bearing_fixes": ["BearingFix", "bearing_fix"],
     "markov": ["DiscreteModel", "continuous_moments", "discrete_moments", "discretise"],
     "stationary_covariances": [
         "StationaryCovariance",

@@ -1,4 +1,6 @@
 # Written by `python -m trajlib._stubs`.
+from trajlib.estimation.bearing_fixes import BearingFix as BearingFix
+from trajlib.estimation.bearing_fixes import bearing_fix as bearing_fix
 from trajlib.estimation.continuous_discrete import ContinuousDiscreteRun as ContinuousDiscreteRun
 from trajlib.estimation.continuous_discrete import Measurement as Measurement
 from trajlib.estimation.continuous_discrete import filter_measurements as filter_measurements
@@ -9,16 +11,12 @@ from trajlib.estimation.correction import corrected as corrected
 from trajlib.estimation.covariances import Moments as Moments
 from trajlib.estimation.discrete_filter import FilterRun as FilterRun
 from trajlib.estimation.discrete_filter import KalmanFilter as KalmanFilter
+from trajlib.estimation.fix_observability import FixTest as FixTest
+from trajlib.estimation.fix_observability import bearing_observability as bearing_observability
+from trajlib.estimation.fix_observability import satellite_observability as satellite_observability
 from trajlib.estimation.fixed_gain import LeastGain as LeastGain
 from trajlib.estimation.fixed_gain import error_covariance as error_covariance
 from trajlib.estimation.fixed_gain import least_gain as least_gain
-from trajlib.estimation.fixes import BearingFix as BearingFix
-from trajlib.estimation.fixes import FixTest as FixTest
-from trajlib.estimation.fixes import SatelliteFix as SatelliteFix
-from trajlib.estimation.fixes import bearing_fix as bearing_fix
-from trajlib.estimation.fixes import bearing_observability as bearing_observability
-from trajlib.estimation.fixes import satellite_fix as satellite_fix
-from trajlib.estimation.fixes import satellite_observability as satellite_observability
 from trajlib.estimation.interpolation import OptimalWeights as OptimalWeights
 from trajlib.estimation.interpolation import optimal_weights as optimal_weights
 from trajlib.estimation.linear_fit import LeastSquares as LeastSquares
@@ -29,6 +27,8 @@ from trajlib.estimation.markov import discrete_moments as discrete_moments
 from trajlib.estimation.markov import discretise as discretise
 from trajlib.estimation.nonlinear_fit import GaussNewton as GaussNewton
 from trajlib.estimation.nonlinear_fit import gauss_newton as gauss_newton
+from trajlib.estimation.satellite_fixes import SatelliteFix as SatelliteFix
+from trajlib.estimation.satellite_fixes import satellite_fix as satellite_fix
 from trajlib.estimation.shaping import ShapedProcess as ShapedProcess
 from trajlib.estimation.shaping import ShapingFilter as ShapingFilter
 from trajlib.estimation.shaping import shaping_filter as shaping_filter

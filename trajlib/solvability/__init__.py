@@ -23,7 +23,8 @@ _EXPORTS = {
     "variational": ["Linearisation", "linearise"],
     "transitions": ["clohessy_wiltshire", "stack", "transition"],
     "rounding": ["reflection_constant", "rounding_bound", "threshold"],
-    "analysis": ["Solvability", "analyse"],
+    "analysis": ["analyse"],
+    "result": ["Solvability"],
     "householder": ["Estimate", "solve"],
     "boxes": ["Guarantee", "guarantee"],
 }

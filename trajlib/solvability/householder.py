@@ -17,7 +17,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib._typing import ArrayLike
-from trajlib.solvability.analysis import Solvability, analyse
+from trajlib.solvability.analysis import analyse
+from trajlib.solvability.result import Solvability
 from trajlib.solvability.rounding import backward_errors
 from trajlib.solvability.variational import Linearisation
 
