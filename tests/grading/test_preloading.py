@@ -63,12 +63,12 @@ def test_modules_of_functions_that_a_notebook_names_are_preloaded():
     )
 
 
-def test_a_theme_that_is_a_single_module_is_preloaded():
+def test_functions_of_two_themes():
     cells = [
         "from trajlib.reconstruction import reconstruct",
         "from trajlib import invariant\ninvariant.value(0)",
     ]
-    assert {"trajlib.reconstruction", "trajlib.invariant"} <= set(
+    assert {"trajlib.reconstruction.fitting", "trajlib.invariant.functionals"} <= set(
         modules_for(["6.2"], cells)["notebooks"]
     )
 

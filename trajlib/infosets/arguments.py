@@ -1,20 +1,20 @@
-"""Reading what callers give, with errors that name the cause."""
+"""Reading of numbers, intervals and points, with errors that name the argument."""
 
 import operator
 
 import numpy as np
 
 
-def positive(value, name, unit):
-    """A positive finite number."""
-    value = number(value, name)
+def read_positive(value, name, unit):
+    """Return a positive finite number."""
+    value = read_number(value, name)
     if value <= 0:
         raise ValueError(f"{name}: expected a positive number ({unit}), got {value:g}")
     return value
 
 
-def number(value, name):
-    """A finite number."""
+def read_number(value, name):
+    """Return a finite number."""
     try:
         value = float(value)
     except (TypeError, ValueError):
@@ -24,8 +24,8 @@ def number(value, name):
     return value
 
 
-def count(value, name, least):
-    """A whole number that is not below `least`."""
+def read_count(value, name, least):
+    """Return an integer that is not below `least`."""
     try:
         value = operator.index(value)
     except TypeError:
@@ -35,16 +35,16 @@ def count(value, name, least):
     return value
 
 
-def pair(value, name, meaning="(low, high)"):
-    """Two finite numbers, the first not above the second."""
+def read_pair(value, name, meaning="(low, high)"):
+    """Return two finite numbers, the first not above the second."""
     ends = _floats(value, name, meaning)
     if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] > ends[1]:
         raise ValueError(f"{name}: expected {meaning} with low <= high, got {value!r}")
     return float(ends[0]), float(ends[1])
 
 
-def vectors(value, name, length=2):
-    """Finite numbers in an array of shape (..., length)."""
+def read_vectors(value, name, length=2):
+    """Return finite numbers in an array of shape (..., length)."""
     value = _floats(value, name, f"numbers of shape (..., {length})")
     if value.ndim == 0 or value.shape[-1] != length:
         raise ValueError(f"{name}: expected shape (..., {length}), got {value.shape}")
@@ -53,9 +53,11 @@ def vectors(value, name, length=2):
     return value
 
 
-def arc(value, name):
-    """(low, width) of an arc of headings in radians; the full circle if None, one heading if a
-    number."""
+def read_arc(value, name):
+    """Return (low, width) of an arc of headings in radians.
+
+    The full circle if None, a single heading if a number.
+    """
     if value is None:
         return 0.0, 2 * np.pi
     ends = np.atleast_1d(_floats(value, name, "a heading or (low, high)"))
@@ -79,8 +81,8 @@ def _floats(value, name, expected):
         raise TypeError(f"{name}: expected {expected}, got {value!r}") from None
 
 
-def mode(value):
-    """One of the two modes."""
+def read_mode(value):
+    """Return one of the two modes."""
     if value not in ("guaranteed", "published"):
         raise ValueError(f'mode: expected "guaranteed" or "published", got {value!r}')
     return value

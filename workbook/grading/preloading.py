@@ -124,10 +124,9 @@ def _uses(name, sources):
 def _modules_of_names(sources):
     """Return the modules of trajlib that define the public names which cells use."""
     words = {word for source in sources for word in re.findall(r"\w+", source)}
-    # A theme that is a single module defines all its names itself.
     return sorted(
         {
-            home_of(package, name) or package
+            home_of(package, name)
             for package in THEMES
             if package.split(".")[1] in words
             for name in dir(importlib.import_module(package))

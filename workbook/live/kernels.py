@@ -37,7 +37,9 @@ LIBRARIES = (
     "workbook.authoring.student_notebook",
     "workbook.live.catching_up",
     "workbook.display.results",
-    "trajlib.plotting",
+    "trajlib.plotting.curves",
+    "trajlib.plotting.parameter_plane",
+    "trajlib.plotting.phase_plane",
 )
 
 

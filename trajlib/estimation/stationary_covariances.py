@@ -1,8 +1,7 @@
-"""Stationary covariances: what P(t) and P_i tend to from every P(0), and "none" where there is no
-such limit.
+"""Stationary covariances: the limits of P(t) and P_i, where they exist.
 
-The limit solves A P + P A^T + Q = 0, or P = Phi P Phi^T + Q. These equations have solutions without
-a limit too (for an unstable A even indefinite ones); so stability is decided first.
+The limit solves A P + P A^T + Q = 0, or P = Phi P Phi^T + Q. These equations also have solutions
+that are no limits (indefinite ones for an unstable A), so stability is decided first.
 """
 
 from dataclasses import dataclass
@@ -10,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._typing import Matrix, MatrixLike
 from trajlib.estimation.arguments import in_floats, read_covariance, read_square
 from trajlib.estimation.exact_or_float import latex, solve, symmetric
 from trajlib.stability.hurwitz import characteristic_polynomial
@@ -19,14 +19,20 @@ from trajlib.stability.systems import as_prose
 
 @dataclass(frozen=True)
 class StationaryCovariance:
-    """The covariance that is reached from every beginning; false in an `if` if there is none.
+    """Limit of the covariance for every initial covariance; false in an `if` if there is none.
 
-    `covariance`: n x n, None if none exists; `where`: the condition on symbols under which it
-    exists; `reason`: in words.
+    Attributes
+    ----------
+    covariance : matrix or None, shape (n, n)
+        The limit, None if there is none.
+    where : sympy.Boolean
+        Condition on symbols under which it exists.
+    reason : str
+        Explanation in words.
     """
 
-    covariance: object
-    where: object
+    covariance: Matrix
+    where: sp.Basic
     reason: str
 
     def __bool__(self):
@@ -39,22 +45,40 @@ class StationaryCovariance:
         return rf"$\displaystyle P_\infty = {latex(self.covariance)}{where}$"
 
 
-def stationary_covariance(A, Q):
-    """The covariance to which x' = Ax + q tends (MATLAB: lyap, covar).
+def stationary_covariance(A: MatrixLike, Q: MatrixLike) -> StationaryCovariance:
+    """Return the limit of the covariance of x' = Ax + q.
 
-    `A`: n x n; `Q`: n x n, the intensity of q, positive semidefinite; exact, also with symbols, or
-    floats. Returns `StationaryCovariance`; it says "none" unless A is asymptotically stable, with
-    symbols under which condition it is. Raises ValueError for shapes that do not fit and a Q that
-    is none. Source: (4.7); problem 4.18.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system; exact, also with symbols, or floats.
+    Q : matrix_like, shape (n, n)
+        Intensity of q, positive semidefinite.
 
+    Returns
+    -------
+    StationaryCovariance
+        False unless A is asymptotically stable; with symbols it has the condition for that.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit or Q is no covariance.
+
+    Notes
+    -----
+    MATLAB: ``lyap``, ``covar``. Source: (4.7); problem 4.18.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> stationary_covariance([[0, 1], [-6, -5]], sp.diag(0, 1)).covariance    # problem 4.18
     Matrix([
     [1/60,    0],
     [   0, 1/10]])
     >>> a = sp.Symbol("a")
-    >>> found = stationary_covariance(a, 1)
-    >>> found.covariance[0], found.where
+    >>> limit = stationary_covariance(a, 1)
+    >>> limit.covariance[0], limit.where
     (-1/(2*a), a < 0)
     >>> bool(stationary_covariance([[0, 1], [-1, 0]], sp.diag(0, 1)))
     False
@@ -62,13 +86,32 @@ def stationary_covariance(A, Q):
     return _limit(A, Q, "A", _Continuous)
 
 
-def discrete_stationary_covariance(Phi, Q):
-    """The covariance to which x_{i+1} = Phi x_i + q_i tends (MATLAB: dlyap).
+def discrete_stationary_covariance(Phi: MatrixLike, Q: MatrixLike) -> StationaryCovariance:
+    """Return the limit of the covariance of x_{i+1} = Phi x_i + q_i.
 
-    `Phi`: n x n; `Q`: n x n, the covariance of q_i. Returns and raises as `stationary_covariance`
-    does; there is one if all eigenvalues of Phi have moduli below 1. Source: (4.5); problems 4.20,
-    4.21.
+    Parameters
+    ----------
+    Phi : matrix_like, shape (n, n)
+        Transition matrix; exact, also with symbols, or floats.
+    Q : matrix_like, shape (n, n)
+        Covariance of q_i, positive semidefinite.
 
+    Returns
+    -------
+    StationaryCovariance
+        False unless all eigenvalues of Phi have moduli below 1.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit or Q is no covariance.
+
+    Notes
+    -----
+    MATLAB: ``dlyap``. Source: (4.5); problems 4.20, 4.21.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> discrete_stationary_covariance([[1, sp.Rational(1, 2)], [-sp.Rational(1, 2), 0]], sp.diag(0, 1)).covariance
     Matrix([
@@ -82,28 +125,27 @@ def _limit(A, Q, name, time):
     floats = in_floats(A, Q)
     A = read_square(A, name, floats)
     Q = read_covariance(Q, "Q", A.shape[0], floats)
-    where, why = time.stable(A)
+    where, reason = time.stable(A)
     if where == sp.false:
-        return StationaryCovariance(None, sp.false, f"no stationary covariance: {why}")
+        return StationaryCovariance(None, sp.false, f"no stationary covariance: {reason}")
     P = time.solve_floats(A, Q) if floats else _solved(time.operator(A), Q)
-    told = "" if where == sp.true else f" where {where}"
-    return StationaryCovariance(symmetric(P), where, f"there is a stationary covariance{told}")
+    condition = "" if where == sp.true else f" where {where}"
+    return StationaryCovariance(symmetric(P), where, f"there is a stationary covariance{condition}")
 
 
 def _solved(operator, Q):
-    """The symmetric P with operator(P) = -Q, a linear system for its entries on and below the
-    diagonal."""
+    """Return the symmetric P with operator(P) = -Q, by a linear system for its lower triangle."""
     n = Q.rows
-    places = [(i, j) for i in range(n) for j in range(i + 1)]
+    lower = [(i, j) for i in range(n) for j in range(i + 1)]
     columns = []
-    for i, j in places:
+    for i, j in lower:
         unit = sp.zeros(n)
         unit[i, j] = unit[j, i] = 1
         image = operator(unit)
-        columns.append(sp.Matrix([image[place] for place in places]))
-    found = solve(sp.Matrix.hstack(*columns), -sp.Matrix([Q[place] for place in places]))
+        columns.append(sp.Matrix([image[place] for place in lower]))
+    solution = solve(sp.Matrix.hstack(*columns), -sp.Matrix([Q[place] for place in lower]))
     P = sp.zeros(n)
-    for (i, j), entry in zip(places, found):
+    for (i, j), entry in zip(lower, solution):
         P[i, j] = P[j, i] = entry
     return P
 
@@ -139,8 +181,8 @@ class _Discrete:
         if isinstance(A, np.ndarray):
             greatest = np.abs(np.linalg.eigvals(A)).max()
             limit = 1 - 100 * len(A) * np.finfo(float).eps * max(np.linalg.norm(A, 2), 1)
-            told = f"a mode does not decay, its factor has the modulus {greatest:.6g}"
-            return sp.sympify(bool(greatest < limit)), told
+            reason = f"a mode does not decay, its factor has the modulus {greatest:.6g}"
+            return sp.sympify(bool(greatest < limit)), reason
         return schur_conditions(
             A
         ), "a mode does not decay, an eigenvalue of Phi has no modulus below 1"
@@ -157,7 +199,7 @@ class _Discrete:
 
 
 def schur_conditions(Phi):
-    """The condition on the symbols of Phi that all its eigenvalues have moduli below 1.
+    """Return the condition on the symbols of Phi for all its eigenvalues to have moduli below 1.
 
     With z = (1 + w)/(1 - w) the circle becomes the left half-plane; the polynomial in w has the
     full degree unless z = -1 is a root.
@@ -167,11 +209,13 @@ def schur_conditions(Phi):
         w = sp.Dummy("w")
     n = Phi.rows
     coefficients = sp.Poly(characteristic_polynomial(Phi, z), z).all_coeffs()
-    moved = sp.Poly(
+    transformed = sp.Poly(
         sum(sp.expand(c * (1 + w) ** (n - i) * (1 - w) ** i) for i, c in enumerate(coefficients)), w
     )
-    if moved.degree() < n:
+    if transformed.degree() < n:
         return sp.false
     # The leading coefficient, (-1)^n chi(-1), is positive for a stable Phi, and the region asks for
     # that.
-    return stability_conditions(moved.as_expr(), sorted(Phi.free_symbols, key=str), symbol=w).region
+    return stability_conditions(
+        transformed.as_expr(), sorted(Phi.free_symbols, key=str), symbol=w
+    ).region
