@@ -13,11 +13,11 @@ from scipy.linalg import expm
 from scipy.optimize import fsolve
 
 from trajlib.pontryagin import Problem, compare
-from trajlib.pontryagin.numeric import NumericProblem
-from trajlib.pontryagin.polishing import polish
-from trajlib.pontryagin.searching import search
-from trajlib.pontryagin.structure import detect
-from trajlib.pontryagin.transcription import Picture
+from trajlib.pontryagin.direct.multistart import search
+from trajlib.pontryagin.direct.transcription import Picture
+from trajlib.pontryagin.indirect.refinement import polish
+from trajlib.pontryagin.indirect.structure import detect
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 pytestmark = pytest.mark.slow
 x, x1, x2, u, v = sp.symbols("x x1 x2 u v")

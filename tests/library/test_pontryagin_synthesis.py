@@ -10,8 +10,8 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
-from trajlib.pontryagin.planar.plant import Plant, summed
-from trajlib.pontryagin.planar.task import read_plant
+from trajlib.pontryagin.planar_synthesis.arguments import read_plant
+from trajlib.pontryagin.planar_synthesis.plant import Plant, summed
 
 pytestmark = pytest.mark.slow
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)

@@ -28,6 +28,8 @@ Eq(2*x(t) - 2*Derivative(x(t), (t, 2)), 0)
 
 import sympy as sp
 
+from trajlib.pontryagin.optimal_control import Problem
+
 
 def momenta(functional):
     """p_1, ..., p_n, a list of expressions in time and the motion."""
@@ -86,8 +88,6 @@ def functional_value(functional, motion):
 def control_problem(functional):
     """The same as a problem of optimal control: `Problem` with the states x1 = x, x2 = x', ... and
     the control u = x^(n) without bounds; time is a state where the integrand depends on it."""
-    from trajlib.pontryagin.statement import Problem
-
     n, time = functional.order, functional.time
     state, control = (
         sp.symbols(f"{functional.motion.func}1:{n + 1}", real=True),

@@ -1,0 +1,136 @@
+"""A free duration: the best one, or the reason why there is none."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from trajlib.pontryagin.direct.guesses import guesses
+from trajlib.pontryagin.direct.transcription import INTERVALS, PATIENCE, Picture, Transcription
+from trajlib.pontryagin.problem.errors import NotUnique, Unbounded
+from trajlib.pontryagin.problem.numeric import NumericProblem
+
+# What a cost has to fall by, as a share of it, when the duration is doubled: more than a discrete
+# solution is wrong by.
+FALLS = 1e-3
+# A free duration that changes by a smaller share from few intervals to many is one of the problem,
+# not of its steps.
+SETTLED = 0.05
+
+
+def settled_duration(numeric, picture):
+    """The duration if it is given, or if the best one lies at the user's bound; None if it is free
+    inside.
+
+    Raises `Unbounded` where a free duration ran into the bounds that it has by default.
+    """
+    if numeric.duration is not None:
+        return numeric.duration
+    T, low, high = picture.duration, numeric.shortest, numeric.longest
+    if T <= 1.5 * low and not numeric.time_bounds_given:
+        raise Unbounded(
+            f"the best duration tends to zero (it ran into {low:g}): the infimum "
+            f"{user_cost(numeric, picture.cost)} is approached by ever shorter processes and not "
+            "attained. Bound the controls, or give a duration; if processes as short as that are "
+            "meant, choose a smaller unit of time."
+        )
+    if T >= high * (1 - 1e-6) and not numeric.time_bounds_given:
+        raise Unbounded(
+            f"the best duration grows beyond every bound (it ran into {high:g}): there is no best "
+            "process. Give a duration, or bounds for it; for a process that ends when it first "
+            "meets the target, state it with first_return=True."
+        )
+    if numeric.time_bounds_given:
+        for bound in (low, high):
+            if abs(T - bound) <= 1e-6 * (1 + bound):
+                return bound
+    return None
+
+
+def refuse_falling(numeric, found):
+    """Raise `Unbounded` before any arcs are joined, if twice as much time costs less, and four
+    times as much even less.
+
+    At such a picture nothing is stationary but the errors of its steps, and to join its arcs takes
+    minutes and fails. With longer steps it has another duration: where it keeps its own, nothing
+    has to be tried.
+    """
+    problem, (picture, side) = numeric.problem, found.pictures[0]
+    if (
+        problem.time_optimal
+        or problem.first_return
+        or settled_duration(numeric, picture) is not None
+    ):
+        return
+    if any(
+        abs(duration - picture.duration) < SETTLED * picture.duration
+        for duration in found.coarse_durations
+    ):
+        return
+    costs = [picture.cost]
+    for factor in (2, 4):
+        result = _with_duration(numeric, picture, side, factor, PATIENCE)
+        if not isinstance(result, Picture) or not result.cost < costs[-1] - FALLS * abs(costs[-1]):
+            return
+        costs.append(result.cost)
+    refuse_endless(numeric, picture, side)
+
+
+def _with_duration(numeric, picture, side, factor, patience=400):
+    """The picture, or the failure, for another duration, with steps as long as those of the
+    picture."""
+    duration = factor * picture.duration
+    fixed = NumericProblem(replace(numeric.problem, duration=duration))
+    programme = Transcription(
+        fixed, int(np.ceil(factor * len(picture.controls))), side=side, patience=patience
+    )
+    return programme.solve((duration, picture.states, picture.controls))
+
+
+def refuse_endless(numeric, picture, side):
+    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration
+    grows; `NotUnique` if more time costs the same.
+    """
+    durations, costs = [], []
+    for factor in (2, 1, 1 / 2, 1 / 4, 1 / 8):
+        duration = factor * picture.duration
+        result = _with_duration(numeric, picture, side, factor)
+        if not isinstance(result, Picture) or (
+            costs and result.cost < costs[-1] - 1e-6 * abs(costs[-1])
+        ):
+            break
+        durations.append(duration)
+        costs.append(result.cost)
+    if len(costs) < 2:
+        return
+    if costs[-1] - costs[0] <= 1e-6 * abs(costs[0]):
+        times = " and ".join(f"{duration:.3g}" for duration in durations[:2][::-1])
+        raise NotUnique(
+            f"the best duration is left open: processes that last {times} cost the same, about "
+            f"{user_cost(numeric, costs[0]):.7g}, so that many may be equally good. Give a duration, "
+            "or the time a small cost."
+        )
+    values = ", ".join(
+        f"{user_cost(numeric, cost):.7g} for {duration:.3g}"
+        for duration, cost in zip(durations[::-1], costs[::-1])
+    )
+    raise Unbounded(
+        "no best duration was found: the cost keeps "
+        f"{'rising' if numeric.problem.maximise else 'falling'} with the duration ({values}), "
+        f"towards about {user_cost(numeric, costs[0]):.7g}. It seems that this value is approached as "
+        "the duration grows, and not attained. Give a duration."
+    )
+
+
+def least_time(numeric):
+    """The least time to the target, by transcription; None if none was found."""
+    fastest = NumericProblem(
+        replace(numeric.problem, running=1, final=0, duration=None, maximise=False)
+    )
+    programme = Transcription(fastest, INTERVALS)
+    results = (programme.solve(start) for start in guesses(fastest, INTERVALS))
+    return next((result.duration for result in results if isinstance(result, Picture)), None)
+
+
+def user_cost(numeric, value):
+    """The cost with the sign that it has in the statement."""
+    return -value if numeric.problem.maximise else value

@@ -1,0 +1,120 @@
+"""Sliding: controls that want to have two values at once, so that no process is the best one.
+
+Where H is not concave in the controls, ever faster switching between two values u and v may cost
+ever less (min of int (u^2 - 1)^2 + x^2). The limit is a process of the relaxed problem
+(Gamkrelidze; Young's generalised curves)
+
+    y' = a f(y, u) + (1 - a) f(y, v),   J = int a f_0(y, u) + (1 - a) f_0(y, v) dt,   0 <= a <= 1,
+
+whose cost is the infimum of the ordinary one. With convex velocities the relaxed problem gains
+nothing.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+import sympy as sp
+
+from trajlib.pontryagin.direct.transcription import Picture, Transcription
+from trajlib.pontryagin.problem.errors import Unbounded
+from trajlib.pontryagin.problem.numeric import NumericProblem
+
+# What relaxing has to gain, as a share of the cost, and on which share of the intervals both values
+# are to be used.
+GAIN, USED = 1e-3, 0.1
+
+
+def relaxed_picture(numeric, picture, side):
+    """The relaxed problem's `Picture`, its controls being (u, v, a); None if relaxing gains
+    nothing, or little."""
+    if all(numeric.affine):
+        return None
+    problem = numeric.problem
+    second = {u: sp.Dummy(f"{u}_2") for u in problem.control}
+    share = sp.Dummy("share")
+
+    def mixed(e):
+        return share * e + (1 - share) * e.subs(second, simultaneous=True)
+
+    bounds = {
+        **problem.controls,
+        **{v: problem.controls[u] for u, v in second.items()},
+        share: (0, 1),
+    }
+    both = NumericProblem(
+        replace(
+            problem,
+            dynamics={y: mixed(f) for y, f in problem.dynamics.items()},
+            controls=bounds,
+            running=mixed(problem.running),
+        )
+    )
+    # From next to the picture, or from one that swings as it does, the search would fall back to
+    # it.
+    apart = np.where(
+        np.isfinite(numeric.upper - numeric.lower),
+        numeric.upper - numeric.lower,
+        1 + np.ptp(picture.controls, axis=0),
+    )
+    mean = np.tile(picture.controls.mean(axis=0), (len(picture.controls), 1))
+    controls = np.hstack([mean + apart, mean - apart, np.full((len(mean), 1), 0.5)])
+    programme = Transcription(both, len(picture.controls), side=side)
+    line = np.linspace(picture.states[0], picture.states[-1], len(picture.states))
+    result = programme.solve((picture.duration, line, np.clip(controls, both.lower, both.upper)))
+    if not isinstance(result, Picture) or result.cost > picture.cost - GAIN * (
+        GAIN + abs(picture.cost)
+    ):
+        return None
+    return result if _mixing(result.controls, numeric.k).mean() > USED else None
+
+
+def in_turn(numeric, relaxed):
+    """Controls that take the two values of a relaxed picture one after the other instead of both at
+    once, (N, k).
+
+    Where the cost does not ask for both at once, such a process is as good.
+    """
+    k, mixing = numeric.k, _mixing(relaxed.controls, numeric.k)
+    first, second, share = (
+        relaxed.controls[:, :k],
+        relaxed.controls[:, k : 2 * k],
+        relaxed.controls[:, -1],
+    )
+    chosen = share > 0.5
+    places = np.nonzero(mixing)[0]
+    chosen[places] = np.arange(len(places)) < share[places].sum()
+    return np.where(chosen[:, None], first, second)
+
+
+def refuse_sliding(numeric, picture, relaxed, separate):
+    """Raise `Unbounded`: the relaxed infimum is approached, as it seems, by ever faster switching.
+
+    Not if the picture `separate`, to which the controls `in_turn` lead, comes as near to it as a
+    picture can.
+    """
+    if separate and separate.cost < relaxed.cost + GAIN * (GAIN + abs(relaxed.cost)):
+        return
+    sign = -1 if numeric.problem.maximise else 1
+    k, mixing = numeric.k, _mixing(relaxed.controls, numeric.k)
+    middle = np.nonzero(mixing)[0][mixing.sum() // 2]
+    values = [
+        ", ".join(f"{u} = {value:.3g}" for u, value in zip(numeric.problem.control, part))
+        for part in (relaxed.controls[middle, :k], relaxed.controls[middle, k : 2 * k])
+    ]
+    raise Unbounded(
+        "no optimal process was found, and it seems that there is none: H is not concave in the "
+        f"control, and the cost falls with ever faster switching, as between {values[0]} and "
+        f"{values[1]} at t = {relaxed.times[middle]:.3g}. The infimum is about "
+        f"{sign * relaxed.cost:.3g}, that of the relaxed problem y' = a f(y, u) + (1 - a) f(y, v), "
+        "0 <= a <= 1 (a discrete picture; the best ordinary one found has "
+        f"{sign * picture.cost:.3g}). State that problem, or give each change of the control a "
+        "cost."
+    )
+
+
+def _mixing(controls, k):
+    """On which intervals two different values are used at once, (N,)."""
+    share, apart = controls[:, -1], np.max(np.abs(controls[:, :k] - controls[:, k : 2 * k]), axis=1)
+    return (
+        (share > 0.02) & (share < 0.98) & (apart > 0.05 * max(np.ptp(controls[:, : 2 * k]), 1e-12))
+    )

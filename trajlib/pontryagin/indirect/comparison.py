@@ -1,0 +1,73 @@
+"""Several extremals of one problem: the maximum principle is necessary, the cost decides."""
+
+from dataclasses import dataclass
+
+from trajlib.pontryagin.indirect.solve import solve
+from trajlib.pontryagin.problem.arcs import arc_latex
+from trajlib.pontryagin.problem.errors import PontryaginError
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """Several extremals of one problem, the best first. `refused`: [(structure or guess, reason)]
+    for what led to none.
+    """
+
+    extremals: tuple
+    refused: tuple
+
+    @property
+    def best(self):
+        return self.extremals[0]
+
+    def _repr_markdown_(self):
+        rows = "".join(
+            f"| {', '.join(arc_latex(kind) for kind, _, _ in e.arcs)} | {e.cost:.9g} | "
+            f"{e.duration:.9g} | {', '.join(f'{t:.6g}' for t in e.switching_times)} |\n"
+            for e in self.extremals
+        )
+        rows += "".join(
+            f"| {', '.join(map(arc_latex, structure))} | none | | {reason} |\n"
+            for structure, reason in self.refused
+        )
+        return f"| arcs | $J$ | $t_k$ | switchings |\n|---|---|---|---|\n{rows}"
+
+
+def compare(problem, structures=(), guess=None, guesses=()):
+    """The extremals with the structures given and those near the guesses, the best first:
+    `Comparison`.
+
+    `structures`: lists of arcs, each started from `guess`; `guesses`: as for `solve`, the arcs
+    being found. Structures and guesses that lead to no extremal are listed with the reason. Raises
+    ValueError if there is nothing to compare, `PontryaginError` if nothing leads to an extremal.
+
+    >>> import sympy as sp
+    >>> from trajlib.pontryagin import Problem
+    >>> x1, x2, u = sp.symbols("x1 x2 u")
+    >>> transfer = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 1, x2: 0}, terminal=[x1, x2])
+    >>> found = compare(transfer, [["u-", "u+"], ["u+", "u-"]])
+    >>> round(found.best.duration, 9), len(found.refused)
+    (2.0, 1)
+    >>> len(compare(transfer, guesses=[{"duration": 2}, {"duration": 5}]).extremals)
+    2
+    """
+    attempts = [(structure, guess) for structure in structures] + [(None, one) for one in guesses]
+    if not attempts:
+        raise ValueError("structures, guesses: expected at least one of them")
+    extremals, refused = [], []
+    for structure, start in attempts:
+        try:
+            extremals.append(solve(problem, structure, start))
+        except PontryaginError as error:
+            refused.append(
+                (tuple(structure) if structure is not None else (f"guess {start}",), str(error))
+            )
+    if not extremals:
+        raise PontryaginError(
+            "compare: none of the structures and guesses leads to an extremal: "
+            + "; ".join(reason for _, reason in refused)
+        )
+    return Comparison(
+        tuple(sorted(extremals, key=lambda e: -e.cost if problem.maximise else e.cost)),
+        tuple(refused),
+    )

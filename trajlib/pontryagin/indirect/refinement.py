@@ -1,0 +1,318 @@
+"""From a discrete picture and its arcs to an extremal: starting values, Newton, step control, and
+mended structures."""
+
+from copy import copy
+
+import numpy as np
+
+from trajlib.pontryagin.direct.transcription import Picture, target_multipliers
+from trajlib.pontryagin.indirect.maximum_condition import wanted_arcs
+from trajlib.pontryagin.indirect.multipliers import several_multipliers
+from trajlib.pontryagin.indirect.shooting import (
+    CANCELLING,
+    ArcEquations,
+    Shot,
+    build_flows,
+    jumps,
+    newton,
+)
+from trajlib.pontryagin.indirect.structure import line_of
+from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, Arc, arc_name
+from trajlib.pontryagin.problem.errors import WrongStructure
+
+# Largest relative residual of an accepted solution; most end near 1e-15.
+ACCEPTED = 1e-10
+# Change of an arc's end when its steps are halved, at which the steps are short enough.
+INTEGRATED = 2e-13
+# The same for the steps to begin with.
+ROUGH = 1e-3
+# How far Newton's last step may move the ends of the arcs, relative to the duration.
+DETERMINED = 1e-8
+SAMPLES = 32
+# Share of the duration below which an interior arc is a swing of the control from bound to bound.
+SWEEP = 1e-2
+# Steps of the integrator on one arc, at most.
+MOST_STEPS = 1024
+# Segments of one arc, at most, and the growth of errors on one of them with which no digit is left.
+MOST_PIECES, HOPELESS = 48, 1e20
+
+
+def polish(numeric, picture, arcs, duration, made, keep_structure=False):
+    """A `Shot` for the arcs of a picture.
+
+    Arcs that vanish are left out, and where the maximum condition fails the arcs are read off the
+    trajectory anew, unless the structure is to be kept. `made` holds the flows built so far. Raises
+    `WrongStructure` if nothing leads to an extremal.
+    """
+    tried, reason = set(), ""
+    while tuple(arc.kinds for arc in arcs) not in tried:
+        tried.add(tuple(arc.kinds for arc in arcs))
+        shot = shoot(numeric, picture, arcs, duration, made)
+        lengths = arc_lengths(shot)
+        short = int(np.argmin(lengths))
+        if lengths[short] < 1e-7 * lengths.sum() and len(arcs) > 1:
+            reason = (
+                f"the arc {arc_name(arcs[short].kinds)} (number {short + 1}) shrinks to nothing"
+            )
+            arcs = _without(arcs, short)
+        elif not shot.residual <= ACCEPTED:
+            reason = (
+                f"the conditions for the arcs {', '.join(arc_name(arc.kinds) for arc in arcs)} were "
+                f"not satisfied (residual {shot.residual:.1e})"
+            )
+            break
+        elif not shot.uncertainty <= DETERMINED:
+            reason = (
+                f"the conditions for the arcs {', '.join(arc_name(arc.kinds) for arc in arcs)} do not "
+                "determine their lengths (Newton's method would still move them by "
+                f"{shot.uncertainty:.1e} of the duration)"
+            )
+            break
+        else:
+            description, wanted = wanted_arcs(numeric, shot)
+            if not description and shot.multiplier >= -1e-8:
+                return shot
+            other = _with_other_multipliers(numeric, shot, duration)
+            if other is not None:
+                return other
+            if shot.multiplier < -1e-8:
+                reason = "the only solution near the guess has lambda_0 < 0"
+                break
+            reason = f"the maximum condition fails on {description}"
+            picture, arcs = sampled(numeric, shot), wanted
+        if keep_structure:
+            break
+    raise WrongStructure(reason)
+
+
+def shoot(numeric, picture, arcs, duration, made):
+    """Newton's solution for these arcs from the picture's values.
+
+    If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution
+    may be found from a larger lambda_0; if none is, the abnormal one is looked for.
+    """
+    flows = build_flows(numeric, [arc.kinds for arc in arcs], made)
+    guess = _starting_values(numeric, picture, arcs, flows)
+    shot = _solved(numeric, copy(guess), duration, abnormal=False)
+    if not _nearly_abnormal(numeric, shot):
+        return shot
+    lifted = copy(guess)
+    lifted.multiplier = _largest_costate(numeric, guess)
+    lifted = _solved(numeric, lifted, duration, abnormal=False)
+    accepted = (
+        lifted.residual <= ACCEPTED
+        and not _nearly_abnormal(numeric, lifted)
+        and lifted.multiplier > 0
+    )
+    if accepted and not wanted_arcs(numeric, lifted)[0]:
+        return lifted
+    abnormal = _solved(numeric, copy(shot), duration, abnormal=True)
+    return abnormal if abnormal.residual <= max(ACCEPTED, shot.residual) else shot
+
+
+def _with_other_multipliers(numeric, shot, duration):
+    """A shot along the same trajectory whose multipliers satisfy the maximum condition, or None."""
+    other = several_multipliers(numeric, shot, duration)
+    if other is None:
+        return None
+    other = _solved(numeric, other, duration, abnormal=False)
+    return other if other.residual <= ACCEPTED and not wanted_arcs(numeric, other)[0] else None
+
+
+def _largest_costate(numeric, shot):
+    return max(np.max(np.abs(start[numeric.n : 2 * numeric.n])) for start in shot.starts)
+
+
+def _nearly_abnormal(numeric, shot):
+    return abs(shot.multiplier) < 1e-4 * _largest_costate(numeric, shot)
+
+
+def arc_lengths(shot):
+    """Lengths of the arcs, the segments of one arc being added."""
+    lengths = []
+    for index, (flow, length) in enumerate(zip(shot.flows, shot.lengths)):
+        if index and flow is shot.flows[index - 1]:
+            lengths[-1] += length
+        else:
+            lengths.append(length)
+    return np.array(lengths)
+
+
+def _starting_values(numeric, picture, arcs, flows):
+    """A `Shot` from the picture's values, the arcs being cut into segments along which errors grow
+    by CANCELLING at most.
+
+    Every segment begins with the values of the picture: followed from the beginning of a long arc,
+    its errors would grow.
+    """
+    scale = np.linalg.norm(np.append(picture.costates[0], 1.0))
+    made, starts, lengths = [], [], []
+    for arc, flow in zip(arcs, flows):
+        pieces, length = 1, arc.end - arc.begin
+        while True:
+            begins = arc.begin + length * np.arange(pieces) / pieces
+            points = [
+                _point(numeric, picture, flow, begin, length / pieces, scale) for begin in begins
+            ]
+            growth = _growth(flow, points, 1 / scale, length / pieces)
+            if (
+                growth > CANCELLING
+                and length < SWEEP * picture.duration
+                and "interior" in flow.kinds
+            ):
+                # No error grows so fast: the control has swept to its bound and beyond, where H is
+                # not concave.
+                length *= _swept(numeric, flow, points[0], 1 / scale, length)
+                growth = _growth(flow, points[:1], 1 / scale, length)
+            if growth <= CANCELLING or pieces >= MOST_PIECES:
+                break
+            wanted = np.log(growth) / np.log(CANCELLING) if np.isfinite(growth) else 2
+            pieces = int(min(max(np.ceil(pieces * min(wanted, 4)), pieces + 1), MOST_PIECES))
+        if growth > HOPELESS:
+            raise WrongStructure(
+                f"errors along the arc {arc_name(flow.kinds)} grow by {growth:.0e} even on {pieces} "
+                "segments"
+            )
+        made += [flow] * pieces
+        starts += points
+        lengths += [length / pieces] * pieces
+    return Shot(
+        made,
+        starts,
+        np.array(lengths),
+        1 / scale,
+        target_multipliers(numeric, picture, 1 / scale),
+        [8] * len(made),
+    )
+
+
+def _swept(numeric, flow, point, multiplier, length):
+    """The part of a short arc after which an interior control passes a bound; 1 if none does."""
+    path = flow.nodes(np.append(point, 0.0), multiplier, length, SAMPLES)[:, :-1]
+    controls = flow.values("control", path.T, multiplier).T[:, flow.interior]
+    slack = 1e-3 * (numeric.upper - numeric.lower)[flow.interior]
+    inside = (controls > numeric.lower[flow.interior] - slack) & (
+        controls < numeric.upper[flow.interior] + slack
+    )
+    outside = np.nonzero(~inside.all(axis=1))[0]
+    return max(outside[0], 1) / SAMPLES if len(outside) else 1.0
+
+
+def _point(numeric, picture, flow, begin, length, scale):
+    """State, costate and interior controls of the picture where a segment begins.
+
+    Where a control jumps or swings, it is between two samples that of neither: there the first
+    sample on the segment is taken, or, if there is none, what makes H largest.
+    """
+    middles = (picture.times[:-1] + picture.times[1:]) / 2
+    x = [np.interp(begin, picture.times, column) for column in picture.states.T]
+    # The multipliers of the ends of the intervals: the first is not reliable where the start is
+    # fixed.
+    psi = [np.interp(begin, picture.times, column) / scale for column in picture.costates.T]
+    w = [
+        line_of(picture.controls[:, j])
+        if flow.kinds[j] in CONSTANT_ANGLES
+        else np.interp(begin + 0.02 * length, middles, picture.controls[:, j])
+        for j in flow.interior
+    ]
+    widths = numeric.upper - numeric.lower
+    bounded = [j for j in flow.interior if flow.kinds[j] == "interior" and np.isfinite(widths[j])]
+    if bounded:
+        after = np.searchsorted(middles, begin)
+        u = picture.controls[min(after, len(middles) - 1)]
+        if after == len(middles) or middles[after] > begin + length:
+            u = numeric.best_controls(np.array([x]), scale * np.array([psi]), u[None])[0][0]
+        for component, j in enumerate(flow.interior):
+            if j in bounded and abs(u[j] - w[component]) > widths[j] / 4:
+                w[component] = u[j]
+    return np.array(x + psi + w)
+
+
+def _growth(flow, points, multiplier, length):
+    """By how much errors grow along the worst of the segments; infinite if one cannot be followed
+    to its end and on."""
+    growth = 0.0
+    for point in points:
+        _, by_start, _, by_length = flow.transition(point, multiplier, length, 8)
+        followed = np.isfinite(by_start).all() and np.isfinite(by_length).all()
+        growth = max(growth, float(np.max(np.abs(by_start))) if followed else np.inf)
+    return growth
+
+
+def _solved(numeric, shot, duration, abnormal):
+    """Newton with steps that are halved until the integration is exact to rounding."""
+    first = np.concatenate([[shot.multiplier], shot.starts[0][numeric.n : 2 * numeric.n]])
+    shot.multiplier, scale = (0.0 if abnormal else shot.multiplier), np.linalg.norm(first)
+    before, jumping = np.inf, jumps(numeric, shot)
+    # With steps that are far too long Newton's method would solve another problem, and stay near
+    # its solution.
+    shot.steps = _finer_steps(shot, ROUGH)
+    for _ in range(8):
+        equations = ArcEquations(
+            numeric, shot.flows, shot.steps, duration, first / scale**2, abnormal, jumping
+        )
+        z, residual, uncertainty = newton(equations, equations.pack(shot))
+        shot = equations.unpack(z, residual, uncertainty)
+        steps = _finer_steps(shot, INTEGRATED)
+        if steps == shot.steps or not np.isfinite(residual):
+            break
+        shot.steps = steps
+        # What finer steps do not mend is no error of the steps.
+        if shot.residual > max(ACCEPTED, min(1e-3, before / 2)):
+            break
+        before = shot.residual
+    return shot
+
+
+def _finer_steps(shot, accuracy):
+    """The steps of each arc, doubled as often as an error of order 8 needs where its end changes by
+    more than the accuracy when they are halved.
+    """
+    finer = list(shot.steps)
+    for i, (flow, start, length) in enumerate(zip(shot.flows, shot.starts, shot.lengths)):
+        begin, steps = np.append(start, 0.0), shot.steps[i]
+        once, twice = (
+            flow.nodes(begin, shot.multiplier, length, s)[-1] for s in (steps, 2 * steps)
+        )
+        error = np.max(np.abs(once - twice) / (1 + np.abs(twice)))
+        if not error < accuracy and steps < MOST_STEPS:
+            doublings = np.log2(error / accuracy) / 8 if np.isfinite(error) else 1
+            finer[i] = int(min(steps * 2 ** np.clip(np.ceil(doublings), 1, 3), MOST_STEPS))
+    return finer
+
+
+def sampled(numeric, shot):
+    """A `Picture` of a shot, with lambda_0 = 1 where it can be."""
+    scale = shot.multiplier if shot.multiplier > 1e-8 else 1.0
+    times, states, costates, controls = (
+        [0.0],
+        [shot.starts[0][: numeric.n]],
+        [shot.starts[0][numeric.n : 2 * numeric.n]],
+        [],
+    )
+    for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
+        path = flow.nodes(np.append(start, 0.0), shot.multiplier, length, SAMPLES)
+        times += list(times[-1] + length * np.arange(1, SAMPLES + 1) / SAMPLES)
+        states += list(path[1:, : numeric.n])
+        costates += list(path[1:, numeric.n : 2 * numeric.n])
+        controls.append(
+            flow.values("control", ((path[1:] + path[:-1]) / 2)[:, :-1].T, shot.multiplier).T
+        )
+    return Picture(
+        np.array(times),
+        np.array(states),
+        np.array(costates) / scale,
+        np.concatenate(controls),
+        np.nan,
+    )
+
+
+def _without(arcs, index):
+    """The arcs without one that vanished; its neighbours, if of one kind, become one arc."""
+    rest = []
+    for arc in arcs[:index] + arcs[index + 1 :]:
+        if rest and rest[-1].kinds == arc.kinds:
+            rest[-1] = Arc(arc.kinds, rest[-1].begin, arc.end)
+        else:
+            rest.append(arc)
+    return rest

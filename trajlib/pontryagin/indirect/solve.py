@@ -1,0 +1,201 @@
+"""From a problem to an extremal: reformulate, solve, restore.
+
+A problem with |u| in its cost or with large states is solved in another form (`l1_control`,
+`state_scaling`), and its extremal restored. In between: a direct solution (`direct.multistart`), its
+arcs (`structure`), and Newton's method for the boundary value problem over these arcs
+(`refinement`, `shooting`, `flow`).
+"""
+
+import numpy as np
+
+from trajlib.pontryagin.direct.descent import escaped, finer_picture, with_controls
+from trajlib.pontryagin.direct.free_duration import (
+    refuse_endless,
+    refuse_falling,
+    settled_duration,
+)
+from trajlib.pontryagin.direct.guesses import read_guess
+from trajlib.pontryagin.direct.multistart import search
+from trajlib.pontryagin.direct.sliding import in_turn, refuse_sliding, relaxed_picture
+from trajlib.pontryagin.direct.transcription import INTERVALS, Picture, target_multipliers
+from trajlib.pontryagin.indirect.chattering import refuse_chattering
+from trajlib.pontryagin.indirect.extremal import found_extremal
+from trajlib.pontryagin.indirect.l1_control import split_l1_controls
+from trajlib.pontryagin.indirect.refinement import polish
+from trajlib.pontryagin.indirect.state_scaling import scale_large_states
+from trajlib.pontryagin.indirect.structure import detect, read_structure, readings
+from trajlib.pontryagin.problem.arcs import Arc, arc_name
+from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
+from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.verification.second_variation import of_picture, second_variation
+
+
+def solve(problem, structure=None, guess=None):
+    """An extremal of a problem: `Extremal`. Called as `problem.solve(...)`.
+
+    `structure`: the arcs, as a list of "u-", "u+", "interior", "singular" (of tuples of them, for
+    several controls); with |u| in the running cost also "zero", where u = 0. Found by itself if
+    left out. `guess`: what to start from, an `Extremal` of a similar problem or a dict with any of
+    "duration": number, and state or control: a number, a list of values at equal steps, or a
+    function of time.
+
+    The result satisfies the conditions of the maximum principle to about 1e-12: its own certificate
+    holds. Beyond that `Extremal.optimality` says what is known. For linear plants with a convex
+    cost and a given duration, and for the least time to a point at which a linear plant can be
+    held, the extremal is proved optimal. Otherwise the search goes from several starts, leaves
+    saddles and maxima along the second variation, and returns the best extremal it found; a better
+    one is not excluded (see `compare`).
+
+    Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` with a proof (also
+    for a duration that is too short); `Unbounded`; `Chattering`; `WrongStructure` if the arcs
+    cannot be joined to an extremal, `NotUnique` where a control or a free duration is left open;
+    `NotConverged` if no process was found, which proves nothing. All of them are `PontryaginError`.
+    Source: Theorem 5.1 of the problem book.
+
+    >>> import sympy as sp
+    >>> from trajlib.pontryagin import Problem
+    >>> x, u = sp.symbols("x u")
+    >>> turnpike = Problem({x: u}, {u: (-1, 1)}, {x: 1}, {x: sp.Rational(1, 2)}, running=x**2, duration=2)
+    >>> turnpike.solve()
+    Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
+    """
+    reformulations = []
+    for reformulate in (split_l1_controls, scale_large_states):
+        step = reformulate(problem)
+        if step is not None:
+            structure, guess = step.structure(structure), step.guess(guess)
+            problem = step.problem
+            reformulations.append(step)
+    extremal = _solved(problem, structure, guess)
+    for step in reversed(reformulations):
+        extremal = step.restore(extremal)
+    return extremal
+
+
+def _solved(problem, structure, guess):
+    """An extremal of a problem that is smooth in its controls and well scaled."""
+    numeric = NumericProblem(problem)
+    kinds = None if structure is None else read_structure(numeric, structure)
+    found = search(numeric, read_guess(numeric, guess), kinds)
+    made = {}
+    if kinds is not None:
+        picture, _ = found.pictures[0]
+        arcs = _given_arcs(kinds, picture)
+        shot = polish(
+            numeric, picture, arcs, settled_duration(numeric, picture), made, keep_structure=True
+        )
+        extremal = found_extremal(problem, numeric, shot, found.starts, found.found)
+        reason = _refused(extremal)
+        if reason:
+            raise WrongStructure(reason)
+        return extremal
+    refuse_falling(numeric, found)
+    reasons = []
+    for picture, side in found.pictures:
+        extremal = _joined(problem, numeric, picture, side, found, made, reasons)
+        if extremal is not None:
+            return extremal
+    picture, side = found.pictures[0]
+    relaxed = relaxed_picture(numeric, picture, side)
+    if relaxed is not None:
+        separate = with_controls(numeric, relaxed, side, in_turn(numeric, relaxed))
+        refuse_sliding(numeric, picture, relaxed, separate)
+        extremal = _joined(problem, numeric, separate, side, found, made, reasons)
+        if extremal is not None:
+            return extremal
+    if settled_duration(numeric, picture) is None:
+        refuse_endless(numeric, finer_picture(numeric, picture, side, 4) or picture, side)
+    cost = -picture.cost if problem.maximise else picture.cost
+    open_control = next((reason for reason in reasons if isinstance(reason, NotUnique)), None)
+    if open_control:
+        raise NotUnique(
+            f"{open_control}. So many controls may be equally good, as where several motions must "
+            "end at one moment and only the slowest sets it; one of them has a cost of about "
+            f"{cost:.6g} (a discrete picture). To single one out, give a structure, or the control "
+            "a small cost."
+        )
+    raise WrongStructure(
+        "the arcs that the discrete solution shows could not be joined to an extremal: "
+        + "; ".join(dict.fromkeys(map(str, reasons)))
+        + ". Give the structure, or a guess; look at the "
+        f"discrete cost {cost:.6g} to see whether an optimal process exists."
+    )
+
+
+def _given_arcs(kinds, picture):
+    ends = np.concatenate([[0.0], np.cumsum(picture.lengths)])
+    if min(picture.lengths) < 1e-6 * picture.duration:
+        short = int(np.argmin(picture.lengths))
+        raise WrongStructure(
+            f"the arc {arc_name(kinds[short])} (number {short + 1}) shrinks to nothing: the best "
+            "process "
+            "with these arcs does not have it. Leave it out, or leave the structure to solve()."
+        )
+    return [Arc(kind, begin, end) for kind, begin, end in zip(kinds, ends, ends[1:])]
+
+
+def _joined(problem, numeric, picture, side, found, made, reasons):
+    """A certified extremal next to the picture, found on finer and finer grids; None, with the
+    reasons noted."""
+    factor = 1
+    while factor is not None:
+        duration = settled_duration(numeric, picture)
+        refuse_chattering(numeric, detect(numeric, picture), picture.states[-1], duration)
+        for arcs in readings(numeric, picture):
+            try:
+                shot = polish(numeric, picture, arcs, duration, made)
+                extremal = found_extremal(problem, numeric, shot, found.starts, found.found)
+                reason = _refused(extremal)
+            except WrongStructure as error:
+                reason = error
+            if not reason:
+                break
+            reasons.append(reason)
+        if not reason:
+            if extremal.optimality.proved or not extremal.normal or extremal._variation.sign > 0:
+                return extremal
+            if extremal._variation.sign == 0:
+                # More time may change nothing to second order because it costs nothing more at all.
+                if duration is None:
+                    refuse_endless(numeric, picture, side)
+                return extremal
+            reason = "the extremal found is a saddle: the cost falls along its second variation"
+            better = _beside(numeric, extremal, side)
+            if better is not None:
+                picture, factor = better, 1
+                continue
+            reasons.append(reason)
+        factor = {1: 4, 4: 10, 10: None}[factor]
+        if factor is not None:
+            picture = finer_picture(numeric, picture, side, factor) or picture
+    return None
+
+
+def _refused(extremal):
+    """Why an extremal is not to be returned: conditions that its own certificate finds violated; ""
+    if all hold."""
+    failures = extremal.certificate().failures()
+    if not failures:
+        return ""
+    worst = extremal.certificate().worst
+    return (
+        f"the certificate of the arcs {', '.join(str(kind) for kind, _, _ in extremal.arcs)} fails "
+        f"({', '.join(failures)}; {worst:.1e})"
+    )
+
+
+def _beside(numeric, extremal, side):
+    """A discrete picture with less cost than an extremal that is a saddle, or None."""
+    times = np.linspace(0, extremal.duration, INTERVALS + 1)
+    sign = -1 if extremal.problem.maximise else 1
+    picture = Picture(
+        times,
+        extremal.state(times).T,
+        extremal.costate(times).T,
+        extremal.control((times[1:] + times[:-1]) / 2).T,
+        sign * extremal.cost,
+    )
+    variation = second_variation(
+        numeric, of_picture(numeric, picture, target_multipliers(numeric, picture))
+    )
+    return escaped(numeric, picture, variation, side) if variation.sign < 0 else None

@@ -1,0 +1,227 @@
+"""The arcs of an extremal, read off a discrete picture of it."""
+
+import itertools
+
+import numpy as np
+
+from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, KINDS, Arc
+
+# The share of the distance between its bounds up to which a control counts as being at one of them,
+# and the same where only the bound itself does: what IPOPT leaves at a bound that presses.
+NEAR, AT = 1e-3, 1e-6
+# The sine of the angle to a line, and the share of the intervals, up to which an angle keeps to
+# that line.
+OFF_LINE = 0.1
+
+
+def readings(numeric, picture):
+    """The lists of arcs that a `Picture` may show, the likeliest first.
+
+    Where an angle points to and fro along a line, it may be constant on its arcs. A control that
+    comes to its bound ever more slowly, as where psi has a multiple zero at the end, is near the
+    bound long before: it may be on an interior arc to the end.
+    """
+    to_and_fro = any(keeps_to_a_line(numeric, picture, i) for i in range(numeric.k))
+    seen = []
+    for options in ({"steady": True},) * to_and_fro + ({}, {"tolerance": AT}):
+        arcs = detect(numeric, picture, **options)
+        kinds = [arc.kinds for arc in arcs]
+        if kinds not in seen:
+            seen.append(kinds)
+            yield arcs
+
+
+def detect(numeric, picture, tolerance=NEAR, steady=False):
+    """The arcs of a `Picture`, a list of `Arc`.
+
+    `steady`: an angle that keeps to one line is taken to be constant but for jumps by half a turn.
+    An interval belongs to a bound if its control is there to within `tolerance` of the distance
+    between the bounds. One or two intervals between different bounds are a switching that falls
+    between the nodes.
+    """
+    N = len(picture.controls)
+    columns = [
+        _steady_labels(picture.controls[:, i])
+        if steady and keeps_to_a_line(numeric, picture, i)
+        else _labels(numeric, picture, i, tolerance)
+        for i in range(numeric.k)
+    ]
+    boundaries = [_runs(numeric, picture, i, column) for i, column in enumerate(columns)]
+    cuts = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
+    step = picture.duration / N
+    arcs = []
+    for begin, end in itertools.pairwise(cuts):
+        middle = (begin + end) / 2
+        kinds = tuple(next(kind for kind, b, e in runs if b <= middle <= e) for runs in boundaries)
+        arcs.append(Arc(kinds, begin * step, end * step))
+    return arcs
+
+
+def line_of(angles):
+    """The direction along which, or against which, angles point in the mean."""
+    return np.angle(np.mean(np.exp(2j * angles))) / 2
+
+
+def keeps_to_a_line(numeric, picture, i):
+    """Whether a control is an angle that points along one line, to and fro, on nearly all
+    intervals."""
+    angles = picture.controls[:, i]
+    turned = np.cos(angles - line_of(angles)) > 0
+    off_line = np.abs(np.sin(angles - line_of(angles))) > OFF_LINE
+    return numeric.angles[i] and 0 < turned.sum() < len(turned) and off_line.mean() < OFF_LINE
+
+
+def _steady_labels(angles):
+    ahead, back = CONSTANT_ANGLES
+    return np.where(np.cos(angles - line_of(angles)) > 0, ahead, back)
+
+
+def _labels(numeric, picture, i, tolerance):
+    """ "u-", "u+" or "between" for each interval."""
+    u, low, high = picture.controls[:, i], numeric.lower[i], numeric.upper[i]
+    width = high - low if np.isfinite(high - low) else 1 + np.ptp(u)
+    return np.where(
+        u <= low + tolerance * width, "u-", np.where(u >= high - tolerance * width, "u+", "between")
+    )
+
+
+def _runs(numeric, picture, i, labels):
+    """[(kind, begin, end)] in units of the intervals."""
+    runs = _run_lengths(labels)
+    between = "singular" if numeric.affine[i] else "interior"
+    # Where H is concave in the control, it goes through from bound to bound; elsewhere it jumps.
+    bounded = np.isfinite([numeric.lower[i], numeric.upper[i]]).all()
+    if numeric.affine[i]:
+        runs = _without_ringing(runs)
+    result = []
+    for index in range(len(runs)):
+        label, begin, end = runs[index]
+        if label != "between":
+            result.append((label, float(begin), float(end)))
+            continue
+        here = slice(begin, end)
+        if (
+            bounded
+            and end - begin <= 2
+            and len(runs) > 1
+            and not numeric.concave(
+                i,
+                picture.states[here],
+                picture.costates[begin + 1 : end + 1],
+                picture.controls[here],
+            )
+        ):
+            # A switching inside the interval: where it is, the mean control tells.
+            result, runs = _split(numeric, picture, i, result, runs, index)
+            continue
+        result.append((between, float(begin), float(end)))
+    return _merged(result)
+
+
+def _without_ringing(runs):
+    """Single intervals at a bound within a singular stretch are numerical ringing: they join it."""
+    changed = list(runs)
+    for index, (label, begin, end) in enumerate(runs):
+        around = [
+            r
+            for r in (
+                runs[index - 1] if index else None,
+                runs[index + 1] if index + 1 < len(runs) else None,
+            )
+            if r
+        ]
+        if (
+            label != "between"
+            and end - begin <= 2
+            and len(around) == 2
+            and all(r[0] == "between" for r in around)
+            and max(r[2] - r[1] for r in around) >= 3
+        ):
+            changed[index] = ("between", begin, end)
+    return _merged(changed)
+
+
+def _run_lengths(labels):
+    edges = [0, *(np.nonzero(labels[1:] != labels[:-1])[0] + 1), len(labels)]
+    return [(str(labels[b]), b, e) for b, e in itertools.pairwise(edges)]
+
+
+def _merged(runs):
+    result = []
+    for label, begin, end in runs:
+        if result and result[-1][0] == label:
+            result[-1] = (label, result[-1][1], end)
+        else:
+            result.append((label, begin, end))
+    return result
+
+
+def _split(numeric, picture, i, result, runs, index):
+    """A short run between the bounds, shared out to the bounds around it by the mean of the
+    control.
+
+    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a
+    share: a short arc there does not show otherwise. It shrinks to nothing later if it is not one.
+    """
+    _, begin, end = runs[index]
+    value = {"u-": numeric.lower[i], "u+": numeric.upper[i]}
+    before = result[-1][0] if result else None
+    after = runs[index + 1][0] if index + 1 < len(runs) else None
+    sides = [side for side in (before, after) if side in value]
+    mean = picture.controls[begin:end, i].mean()
+    other = {"u-": "u+", "u+": "u-"}[sides[0]]
+    if len(sides) == 2 and before != after:
+        cut = begin + (end - begin) * float(
+            np.clip((mean - value[after]) / (value[before] - value[after]), 0, 1)
+        )
+        return [*result[:-1], (before, result[-1][1], cut)], [
+            *runs[: index + 1],
+            (after, cut, runs[index + 1][2]),
+            *runs[index + 2 :],
+        ]
+    share = (end - begin) * float(
+        np.clip((mean - value[sides[0]]) / (value[other] - value[sides[0]]), 0.02, 1)
+    )
+    if before is None:
+        return [(other, begin, begin + share)], [
+            *runs[: index + 1],
+            (after, begin + share, runs[index + 1][2]),
+            *runs[index + 2 :],
+        ]
+    first = end - share if after is None else (begin + end - share) / 2
+    result = [*result[:-1], (before, result[-1][1], first), (other, first, first + share)]
+    if after is not None:
+        runs = [*runs[: index + 1], (after, first + share, runs[index + 1][2]), *runs[index + 2 :]]
+    return result, runs
+
+
+def read_structure(numeric, structure):
+    """The user's arcs as a list of kinds, one tuple an arc; TypeError or ValueError if they are not
+    of that form."""
+    if isinstance(structure, str) or not hasattr(structure, "__iter__"):
+        raise TypeError(
+            "structure: expected a list of arcs such as ['u-', 'singular', 'u+'], got "
+            f"{structure!r}"
+        )
+    result = []
+    for arc in structure:
+        kinds = (arc,) if isinstance(arc, str) else tuple(arc)
+        if len(kinds) != numeric.k or any(kind not in KINDS for kind in kinds):
+            raise ValueError(
+                f"structure: expected one of {', '.join(KINDS)} for each of {numeric.k} controls, "
+                f"got {arc!r}"
+            )
+        for i, kind in enumerate(kinds):
+            wanted = {True: "singular", False: "interior"}[numeric.affine[i]]
+            if kind in ("singular", "interior") and kind != wanted:
+                raise ValueError(
+                    f"structure: H is {'' if numeric.affine[i] else 'not '}linear in "
+                    f"{numeric.problem.control[i]}, "
+                    f"so its arcs between the bounds are {wanted}, not {kind}"
+                )
+        if result and result[-1] == kinds:
+            raise ValueError(f"structure: two arcs {arc!r} in succession are one arc")
+        result.append(kinds)
+    if not result:
+        raise ValueError("structure: expected at least one arc")
+    return result

@@ -1,0 +1,382 @@
+"""The right-hand sides of extremals in the plane, for controls whose levels the maximum condition
+tells one by one.
+
+For x' = f(x, u), the least int f_0(x, u) dt and lambda_0 >= 0, the controls enter
+
+    H = psi^T f - lambda_0 f_0 = ... + sum_j [ (psi^T f_j - lambda_0 g_j) u_j - lambda_0 (k_j |u_j| + r_j u_j^2/2) ]
+
+each by itself, if f is linear in them and f_0 has no products of two. So u_j is a function of one
+number, its switching function, with the levels u_-, between, 0, between, u_+, as far as they occur;
+a surface e = 0 in the space of (x, psi, lambda_0) separates each from the next (`control_parts`). A
+*mode* is one level for every control.
+
+A motion is a column z = (x1, x2, psi1, psi2, lambda_0, cost, held): the cost is what is left to pay
+until the target, and `held` is the value of a control that the maximum condition leaves open for
+good.
+"""
+
+from itertools import product
+
+import numpy as np
+import sympy as sp
+
+from trajlib.pontryagin.planar_synthesis.control_sequences import Words
+
+#: Numbers of substeps of the extrapolated midpoint rule.
+COLUMNS = (2, 4, 6, 8)
+ROWS = 7
+COST, HELD = 5, 6
+#: Norm of matrix and time up to which the terms of a matrix series have few digits to lose to each
+#: other.
+SUMMED = 3.0
+
+
+class Plant:
+    """The numeric right-hand sides; motions are arrays of shape (7, N), modes of shape (N,)."""
+
+    def __init__(self, problem, parts):
+        """`parts`: a `ControlPart` for each control."""
+        self.parts = parts
+        #: Whether the cost is the time.
+        self.counts_time = problem.time_optimal and not problem.maximise
+        self.controls = problem.control
+        sign = -1 if problem.maximise else 1
+        x = sp.Matrix(problem.state)
+        psi, lambda_0 = sp.Matrix(sp.symbols("psi_1:3")), sp.Symbol("lambda_0")
+        f, cost = sp.Matrix(problem.field), sign * problem.running
+        motion, u = [*problem.state, *psi, lambda_0], list(self.controls)
+        # dz/dtau in full: lambda_0 and a held control do not change.
+        rates = sp.Matrix(
+            [
+                *(-f),
+                *(f.jacobian(x).T * psi - lambda_0 * sp.Matrix([cost]).jacobian(x).T),
+                sp.Integer(0),
+                cost,
+                sp.Integer(0),
+            ]
+        )
+        self._rate = stacked([*motion, *u], rates)
+        slope = rates.jacobian(motion)
+        #: d(dz/dtau)/dz where it is the same everywhere, as for linear plants with the time or the
+        #: fuel as the cost.
+        self._matrix = (
+            None if slope.free_symbols else np.array(slope.row_join(sp.zeros(ROWS, 2)), dtype=float)
+        )
+        self._growth = None if self._matrix is None else np.linalg.norm(self._matrix, 1)
+        self._levels = [part.levels for part in parts]
+        surfaces = [
+            (j, e, size) for j, part in enumerate(parts) for e, size in part.surfaces(psi, lambda_0)
+        ]
+        self._owner = np.array([j for j, _, _ in surfaces], int)
+        self._surfaces = stacked(motion, [e for _, e, _ in surfaces])
+        self._sizes = stacked(motion, [size for _, _, size in surfaces])
+        slopes = [
+            sp.Matrix([e]).jacobian(x) * f
+            + sp.Matrix([e]).jacobian(psi)
+            * (lambda_0 * sp.Matrix([cost]).jacobian(x).T - f.jacobian(x).T * psi)
+            for _, e, _ in surfaces
+        ]
+        self._slopes = stacked([*motion, *u], [sp.expand(s[0]) for s in slopes])
+        self._between = [
+            {i: stacked(motion, [value]) for i, value in part.between(psi, lambda_0).items()}
+            for part in parts
+        ]
+        self._tabulate()
+        self.words = Words(len(self.modes))
+        #: det(F, F_j, [F, F_j]) of the fields with the cost as a third state: extremals can be
+        #: singular only where one of them vanishes.
+        self.singular = [d for j, part in enumerate(parts) for d in part.singular]
+        self.singular_at = stacked(problem.state, self.singular or [sp.Integer(1)])
+
+    def _tabulate(self):
+        """Modes as combinations of levels; what each demands of the surfaces; where a crossed
+        surface leads."""
+        self.modes = list(product(*(range(len(levels)) for levels in self._levels)))
+        number = {mode: m for m, mode in enumerate(self.modes)}
+        self._value = np.array(
+            [
+                [
+                    np.nan if levels[i].value is None else levels[i].value
+                    for levels, i in zip(self._levels, mode)
+                ]
+                for mode in self.modes
+            ]
+        )
+        self._plain = ~np.isnan(self._value).any(axis=1)
+        count = self._owner.size
+        self.demand, self.beyond = (
+            np.zeros((len(self.modes), count), int),
+            np.full((len(self.modes), count), -1),
+        )
+        self.crossing = np.full((len(self.modes), len(self.modes)), -1)
+        for m, mode in enumerate(self.modes):
+            for s, j in enumerate(self._owner):
+                if self._levels[j][mode[j]].name == "open":
+                    continue
+                # of this surface among those of the control
+                rank = s - int(np.argmax(self._owner == j))
+                self.demand[m, s] = 1 if mode[j] > rank else -1
+                step = 1 if self.demand[m, s] < 0 else -1
+                other = number[(*mode[:j], mode[j] + step, *mode[j + 1 :])]
+                self.beyond[m, s] = other
+                if mode[j] == rank + (step < 0):
+                    self.crossing[m, other] = s
+
+    def name(self, mode):
+        """The names of the levels of a mode: a word for one control, a tuple for several."""
+        names = tuple(levels[i].name for levels, i in zip(self._levels, self.modes[mode]))
+        return names[0] if len(names) == 1 else names
+
+    def open_mode(self, mode, j):
+        """The mode in which control j is held at a value of its own."""
+        other = (*self.modes[mode][:j], len(self._levels[j]) - 1, *self.modes[mode][j + 1 :])
+        return self.modes.index(other)
+
+    def owner(self, surface):
+        """The number of the control whose levels a surface separates."""
+        return int(self._owner[surface])
+
+    @property
+    def has_interior(self):
+        """Whether a control may lie between its bounds, where psi tells it."""
+        return any(level.name == "interior" for levels in self._levels for level in levels)
+
+    def corners(self):
+        """The combinations of bounds, and of zero where |u| is paid: shape (number, k)."""
+        return np.array(
+            list(
+                product(
+                    *(
+                        [level.value for level in levels if level.value is not None]
+                        for levels in self._levels
+                    )
+                )
+            )
+        )
+
+    def control(self, z, mode):
+        """The controls, shape (k, N)."""
+        return self._filled(z, *self._plan(np.broadcast_to(mode, z.shape[1:])))
+
+    def _plan(self, mode):
+        """What is known of the controls from modes alone, shape (k, N), and what z has to tell:
+        (control, its level, columns), ..."""
+        u, moving = self._value[mode].T, []
+        if not self._plain[mode].all():
+            for m, j in np.argwhere(np.isnan(self._value)):
+                here = np.flatnonzero(mode == m)
+                if here.size:
+                    moving.append((j, self.modes[m][j], here))
+        return u, moving
+
+    def _filled(self, z, u, moving):
+        if not moving:
+            return u
+        u = u.copy()
+        # next to lambda_0 = 0 no level lies between the bounds
+        with np.errstate(all="ignore"):
+            for j, i, here in moving:
+                held = self._levels[j][i].name == "open"
+                u[j, here] = z[HELD, here] if held else self._between[j][i](*z[:5, here])[0]
+        return u
+
+    def rate(self, z, mode):
+        """dz/dtau backwards in time."""
+        return self._rate(*z[:5], *self.control(z, mode))
+
+    def velocity(self, z, mode):
+        """x', shape (2, N)."""
+        return -self._rate(*z[:5], *self.control(z, mode))[:2]
+
+    def costs(self, z, mode):
+        """f_0 (with the opposite sign for a maximum), shape (N,)."""
+        return self._rate(*z[:5], *self.control(z, mode))[COST]
+
+    def at(self, x, u):
+        """x' and f_0 for given controls: arrays (2, N) and (N,)."""
+        values = self._rate(*x, *np.zeros((3, np.shape(x)[1])), *u)
+        return -values[:2], values[COST]
+
+    def surfaces(self, z):
+        """The functions whose signs tell the levels, shape (S, N)."""
+        return self._surfaces(*z[:5])
+
+    def slope(self, z, mode, surface):
+        """d/dt of one surface for every column."""
+        return self._slopes(*z[:5], *self.control(z, mode))[surface, np.arange(z.shape[1])]
+
+    def first_mode(self, z):
+        """The mode just before the end; -1 where a surface and its derivative vanish."""
+        e, size = self.surfaces(z), self._sizes(*z[:5]) + 1e-300
+        close = np.abs(e) <= 1e-9 * size
+        mode = self._mode(np.where(close, -1.0, e))
+        if close.any():
+            with np.errstate(all="ignore"):
+                before = -self._slopes(*z[:5], *self.control(z, mode))
+            length = np.hypot(*z[2:4]) + np.abs(z[4])
+            lost = (close & ~(np.abs(before) > 1e-12 * length)).any(axis=0)
+            mode = np.where(lost, -1, self._mode(np.where(close, before, e)))
+        return mode
+
+    def _mode(self, e):
+        """The modes that surfaces with these signs demand."""
+        index = np.zeros((len(self.parts), e.shape[1]), int)
+        for s, j in enumerate(self._owner):
+            index[j] += e[s] > 0
+        result = np.zeros(e.shape[1], int)
+        for j, levels in enumerate(self._levels):
+            result = result * len(levels) + index[j]
+        return result
+
+    def maximises(self, z, mode, accuracy):
+        """Whether the modes are those that the maximum condition asks for, up to a share of the
+        sizes, shape (N,)."""
+        size = np.hypot(*z[2:4]) * (1 + np.hypot(*z[:2])) + np.abs(z[4])
+        return (self.surfaces(z) * self.demand[mode].T >= -accuracy * size).all(axis=0)
+
+    def step(self, z, mode, h):
+        """One step of length `h` (a number or one a column) backwards in time in the same mode."""
+        # what runs away to infinity leaves the box
+        with np.errstate(over="ignore", invalid="ignore"):
+            u, moving = self._plan(mode)
+            if self._matrix is not None and not moving:
+                return summed(self._matrix, self._growth, self._rate(*z[:5], *u), z, h)
+            return extrapolated(lambda y: self._rate(*y[:5], *self._filled(y, u, moving)), z, h)
+
+    def follow(self, z, mode, times, longest):
+        """The motions after `times`, one a column, in the same modes; in steps of at most `longest`
+        where no series gives longer ones."""
+        if self._matrix is not None and self._plain[mode].all():
+            longest = np.inf if self._growth == 0 else SUMMED / self._growth
+        steps = steps_needed(times, longest)
+        for _ in range(steps):
+            z = self.step(z, mode, times / steps)
+        return z
+
+    def advance(self, z, mode, h):
+        """A step in which the mode changes where the motion crosses a surface.
+
+        Returns z and mode at its end, and the switchings on the way: (columns, share of time h
+        gone, z there, modes before and after).
+        """
+        h = np.broadcast_to(np.asarray(h, dtype=float), mode.shape)
+        gone, switchings = np.zeros(mode.shape), []
+        start, mode = z, mode.copy()
+        end = self.step(start, mode, h)
+        for _ in range(4 * len(self.parts) + 2):
+            crossed = self.surfaces(end) * self.demand[mode].T < 0
+            late = np.flatnonzero(crossed.any(axis=0))
+            if not late.size:
+                break
+            when, there, surface = self._earliest(
+                start[:, late], mode[late], (h - gone)[late], end[:, late], crossed[:, late]
+            )
+            start = start.copy()
+            start[:, late], gone[late] = there, gone[late] + when
+            old = mode[late]
+            mode[late] = self.beyond[old, surface]
+            switchings.append((late, gone[late], there, old, mode[late]))
+            end = end.copy()
+            end[:, late] = self.step(there, mode[late], h[late] - gone[late])
+        return end, mode, switchings
+
+    def _earliest(self, z, mode, h, end, crossed):
+        """The first of the surfaces that each column crosses: (when, z there, which)."""
+        when, there, which = np.full(h.shape, np.inf), end.copy(), np.zeros(h.shape, int)
+        for s in np.flatnonzero(crossed.any(axis=1)):
+            mine = np.flatnonzero(crossed[s])
+            first, place = self.first_zero(
+                z[:, mine], mode[mine], np.full(mine.size, s), h[mine], end[:, mine]
+            )
+            sooner = first < when[mine]
+            mine = mine[sooner]
+            when[mine], which[mine] = first[sooner], s
+            there[:, mine] = place[:, sooner]
+        return when, there, which
+
+    def first_zero(self, z, mode, surface, h, end):
+        """Newton's method for surface = 0 in the step, with bisection where it would leave the
+        bracket.
+
+        It begins where the time is zero as a cubic function of the surface, with the values and
+        slopes of both ends.
+        """
+        columns, demand = np.arange(h.size), self.demand[mode, surface]
+        low, high, when, there = np.zeros(h.shape), h.copy(), h, end
+        first, value = (self.surfaces(y)[surface, columns] for y in (z, end))
+        # in time, which runs the other way
+        begun, slope = (self.slope(y, mode, surface) for y in (z, end))
+        # What rounding has put beyond the surface, and what goes on beyond it, has crossed it at
+        # once.
+        high[(demand * first <= 0) & (demand * begun >= 0)] = 0
+        with np.errstate(all="ignore"):
+            share = first / (first - value)
+            new = h * share**2 * (3 - 2 * share) - (value - first) * share * (1 - share) * (
+                (1 - share) / begun - share / slope
+            )
+        for _ in range(40):
+            bad = ~((new >= low) & (new <= high))
+            new[bad] = ((low + high) / 2)[bad]
+            done = (np.abs(new - when) < 1e-10 * h).all() or not high.any()
+            when = new
+            there = self.step(z, mode, when)
+            if done:
+                break
+            value = self.surfaces(there)[surface, columns]
+            late = demand * value < 0
+            low, high = np.where(late, low, when), np.where(late, when, high)
+            with np.errstate(all="ignore"):
+                new = when + value / self.slope(there, mode, surface)
+        return when, there
+
+
+def steps_needed(times, longest):
+    """In how many steps of at most `longest` all these times have gone."""
+    return max(int(np.ceil(np.abs(times).max(initial=0, where=np.isfinite(times)) / longest)), 1)
+
+
+def summed(matrix, growth, rate, z, h):
+    """A step of z' = A z + b from its rate at z by the series z + h (1 + hA/2! + (hA)^2/3! + ...)
+    z', to rounding; `growth`: a norm of A."""
+    size = growth * np.max(np.abs(h), initial=0, where=np.isfinite(h))
+    terms, left = 1, 1.0
+    while 1e-17 < left < np.inf:
+        terms += 1
+        left *= size / terms
+    total = rate
+    for k in range(terms, 1, -1):
+        total = rate + h / k * (matrix @ total)
+    return z + h * total
+
+
+def extrapolated(rate, z, h):
+    """A step of the extrapolated midpoint rule (Gragg, Bulirsch, Stoer) with four columns, that is,
+    of order 8."""
+    table, first = [], rate(z)
+    for n in COLUMNS:
+        d = h / n
+        before, now = z, z + d * first
+        for _ in range(n - 1):
+            before, now = now, before + 2 * d * rate(now)
+        row = [(before + now + d * rate(now)) / 2]
+        for k, earlier in enumerate(table[-1] if table else []):
+            row.append(row[k] + (row[k] - earlier) / ((n / COLUMNS[len(table) - k - 1]) ** 2 - 1))
+        table.append(row)
+    return table[-1][-1]
+
+
+def stacked(arguments, expressions):
+    """A NumPy function with values of shape (len(expressions), N), also for constants."""
+    # The module itself, not its name, for which SymPy would import all that NumPy has, which takes
+    # half a second.
+    raw = sp.lambdify(list(arguments), list(expressions), [np], cse=True)
+
+    def value(*numbers):
+        parts = raw(*numbers)
+        shape = np.broadcast(*numbers).shape
+        result = np.empty((len(parts), *shape))
+        for k, part in enumerate(parts):
+            result[k] = part
+        return result
+
+    return value

@@ -1,0 +1,257 @@
+"""The conditions of Boltyansky's regular synthesis, tested on a computed synthesis of the plane.
+
+    A  finitely many cells: open regions, curves, points;
+    B  in a cell the control is smooth; a curve is followed by the motion (first type) or crossed at an angle (second
+    type); C  the target is met at a non-zero angle and with a non-zero velocity; D  a trajectory passes through
+    finitely many cells and ends on the target; E  all trajectories satisfy the maximum principle; F  the time to the
+    target is a continuous function of the start.
+
+If all hold in a region that trajectories do not leave, all of them are optimal there. C and F are
+the ones that fail in earnest: F on barriers. The numbers belong to the window and the horizon of
+the synthesis.
+"""
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+
+from trajlib.pontryagin.planar_synthesis.dispersal import crossing_angles
+from trajlib.typesetting import typeset
+
+#: Side of the raster on which regions are counted.
+RASTER = 240
+
+
+@dataclass(frozen=True)
+class Condition:
+    """One condition: its letter, whether it `holds`, the number that decides, and a sentence."""
+
+    letter: str
+    holds: bool
+    value: float
+    text: str
+
+
+@dataclass(frozen=True)
+class Regularity:
+    """All conditions; `regular` if every one holds. `regularity["F"]` is one of them."""
+
+    conditions: tuple
+
+    @property
+    def regular(self):
+        return all(c.holds for c in self.conditions)
+
+    def __getitem__(self, letter):
+        for condition in self.conditions:
+            if condition.letter == letter:
+                return condition
+        raise KeyError(
+            f"{letter!r}: the conditions are {', '.join(c.letter for c in self.conditions)}"
+        )
+
+    def __str__(self):
+        return "\n".join(
+            f"{c.letter} {'holds' if c.holds else 'FAILS'}: {c.text}" for c in self.conditions
+        )
+
+    def _repr_markdown_(self):
+        rows = [
+            f"| {c.letter} | {'holds' if c.holds else '**fails**'} | {typeset(c.text)} |"
+            for c in self.conditions
+        ]
+        return "\n".join(["| condition | verdict | what was found |", "|---|---|---|", *rows])
+
+
+def regularity(synthesis):
+    """Test the conditions; see `Synthesis.regularity`."""
+    return Regularity(
+        (
+            _cells(synthesis),
+            _curves(synthesis),
+            _arrival(synthesis),
+            _passages(synthesis),
+            _maximum(synthesis),
+            _continuity(synthesis),
+        )
+    )
+
+
+def _cells(synthesis):
+    field = synthesis._field
+    (left, right), (bottom, top) = synthesis.window
+    X, Y = np.meshgrid(np.linspace(left, right, RASTER), np.linspace(bottom, top, RASTER))
+    triangle = field.interpolated(np.array([X.ravel(), Y.ravel()]))[1]
+    modes = field.modes(triangle).reshape(X.shape)
+    walls = np.zeros(X.shape, bool)
+    step = np.array([right - left, top - bottom]) / (RASTER - 1)
+    curves = (
+        synthesis.switching_curves
+        + synthesis.dispersal_curves
+        + [b for b in synthesis.borders if b.optimal]
+    )
+    for curve in curves + synthesis.reached:
+        walls[tuple(_raster(curve.points, np.array([left, bottom]), step))] = True
+    regions = _count_regions(modes, walls)
+    points = 1 if not synthesis.reached else 0
+    text = (
+        f"{regions} regions, {len(curves)} curves"
+        + (" and the target point" if points else "")
+        + " in the window"
+    )
+    if any(d.free_symbols for d in synthesis.plant.singular) and _vanishes_inside(synthesis):
+        return Condition(
+            "A",
+            False,
+            regions,
+            text + "; det(f1, [f0, f1]) vanishes somewhere in it, where extremals can be singular",
+        )
+    return Condition("A", True, regions, text)
+
+
+def _count_regions(modes, walls):
+    from scipy import ndimage
+
+    walls = ndimage.binary_dilation(walls, structure=np.ones((3, 3)))
+    count = 0
+    for value in range(modes.max() + 1):
+        labels, number = ndimage.label((modes == value) & ~walls)
+        count += int((np.bincount(labels.ravel(), minlength=number + 1)[1:] > RASTER).sum())
+    return count
+
+
+def _raster(points, corner, step):
+    """Rows and columns of the raster that a polyline runs through."""
+    fine = [
+        np.linspace(a, b, max(int(np.ceil(2 * np.max(np.abs(b - a) / step))), 2))
+        for a, b in itertools.pairwise(points)
+    ]
+    index = np.round((np.vstack(fine) - corner) / step).astype(int)
+    inside = ((index >= 0) & (index < RASTER)).all(axis=1)
+    return index[inside, 1], index[inside, 0]
+
+
+def _vanishes_inside(synthesis):
+    (left, right), (bottom, top) = synthesis.window
+    X, Y = np.meshgrid(np.linspace(left, right, 60), np.linspace(bottom, top, 60))
+    values = synthesis.plant.singular_at(X.ravel(), Y.ravel())
+    return bool(((values.min(axis=1) <= 0) & (values.max(axis=1) >= 0)).any())
+
+
+def _curves(synthesis):
+    """Condition B: the smallest angle at which a crossed switching curve is crossed."""
+    smallest, followed, bad = np.inf, 0, []
+    for curve in synthesis.switching_curves:
+        if curve.kind == "followed":
+            followed += 1
+            continue
+        angles = crossing_angles(curve.points, curve.velocities)
+        angles = angles[:, np.hypot(*np.diff(curve.points, axis=0).T) > 1e-9]
+        if not angles.size:
+            continue
+        smallest = min(smallest, np.abs(angles).min())
+        if curve.kind == "mixed" or (angles[0] * angles[1] <= 0).any():
+            bad.append(curve)
+    degrees = np.rad2deg(smallest) if np.isfinite(smallest) else np.nan
+    smooth = "smooth" if synthesis.plant.has_interior else "constant"
+    text = f"the control is {smooth} in every region; {followed} switching curves are followed (first type)"
+    crossed = len(synthesis.switching_curves) - followed
+    if crossed:
+        text += f", {crossed} are crossed (second type), at {degrees:.3g} degrees or more"
+    if bad:
+        text += f"; {len(bad)} are neither throughout"
+    return Condition("B", not bad, float(degrees), text)
+
+
+def _arrival(synthesis):
+    """Condition C: where trajectories meet the target at the angle zero."""
+    plant = synthesis.plant
+    # How far back they stay optimal does not matter here.
+    tangent = [b for b in synthesis.borders if b.arrives and b.kind == "abnormal"]
+    if not synthesis.reached:
+        slow = min(
+            np.hypot(*plant.velocity(fan.motion[0][:, lives], fan.mode[0, lives])).min()
+            for fan in synthesis._field.fans
+            if (lives := fan.life > 0).any()
+        )
+        return Condition(
+            "C",
+            slow > 0,
+            float(slow),
+            f"the point is reached with a velocity of {slow:.3g} or more",
+        )
+    if not tangent:
+        return Condition(
+            "C", True, np.nan, "optimal trajectories cross the target at a non-zero angle"
+        )
+    places = ", ".join(
+        "({:.4g}, {:.4g})".format(*(np.round(b.points[0], 6) + 0.0)) for b in tangent
+    )
+    return Condition(
+        "C",
+        False,
+        0.0,
+        f"optimal trajectories end at the angle zero at {places}: there lambda_0 = 0",
+    )
+
+
+def _passages(synthesis):
+    most = 0
+    for fan in synthesis._field.fans:
+        if fan.switchings.shape[1]:
+            index = fan.switchings[0].astype(int)
+            inside = synthesis._inside(fan.switchings[2:]) & (fan.switchings[1] <= fan.cut[index])
+            most = max(most, int(np.bincount(index[inside], minlength=1).max()))
+    return Condition(
+        "D", True, most, f"at most {most} switchings on a trajectory in the window, then the target"
+    )
+
+
+def _maximum(synthesis):
+    """Condition E, from the stored covectors: the signs of the surfaces between the levels, and H =
+    0."""
+    worst, plant = 0.0, synthesis.plant
+    for fan in synthesis._field.fans:
+        k, j = np.nonzero(np.isfinite(fan.path[:, 0]) & (fan.mode >= 0) & (fan.life > 0))
+        z, mode = fan.motion[k, :, j].T, fan.mode[k, j]
+        v, price = plant.velocity(z, mode), plant.costs(z, mode)
+        size = np.hypot(*z[2:4]) * (np.hypot(*v) + np.hypot(*z[:2]) + 1) + z[4] * (
+            np.abs(price) + 1
+        )
+        against = -plant.surfaces(z) * plant.demand[mode].T
+        energy = (z[2:4] * v).sum(axis=0) - z[4] * price
+        worst = max(
+            worst, np.max(against / size, initial=0), np.max(np.abs(energy) / size, initial=0)
+        )
+    return Condition(
+        "E",
+        bool(worst < 1e-7),
+        float(worst),
+        f"maximum condition and H = 0 up to {worst:.1e} along all extremals",
+    )
+
+
+def _continuity(synthesis):
+    barriers = synthesis.barriers
+    if not barriers:
+        return Condition("F", True, 0.0, f"the {_what(synthesis)} is continuous across all curves")
+    jump = max(b.jump for b in barriers)
+    if np.isinf(jump):
+        finite = [b.jump for b in barriers if np.isfinite(b.jump)]
+        text = f"{len(barriers) - len(finite)} barriers border points from which the target is not reached"
+        if finite:
+            text += f"; across {len(finite)} others the {_what(synthesis)} jumps by up to {max(finite):.3g}"
+        return Condition("F", not finite, jump, text)
+    return Condition(
+        "F",
+        False,
+        float(jump),
+        f"{len(barriers)} barriers; across them the {_what(synthesis)} jumps by up to {jump:.3g}",
+    )
+
+
+def _what(synthesis):
+    if synthesis.plant.counts_time:
+        return "least time"
+    return "greatest value" if synthesis.problem.maximise else "least cost"

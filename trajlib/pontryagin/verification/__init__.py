@@ -1,0 +1,1 @@
+"""Evidence for an extremal: certificate, theorems, second variation, proof in ball arithmetic."""

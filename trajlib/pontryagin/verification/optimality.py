@@ -1,0 +1,160 @@
+"""What is known of an extremal beyond the necessary conditions: proved optimal, locally minimal, or
+best of those found.
+
+Two theorems make the maximum principle sufficient. Both are for linear plants y' = A y + B u + c
+with bounds on the controls and linear terminal equations.
+
+- *Convexity* (Mangasarian): duration given, f_0 convex in (y, u), phi_0 convex. With lambda_0 = 1,
+  H - max H is concave along the extremal, and J(v) - J(u) >= 0 for every admissible v that
+  satisfies the terminal equations.
+- *Least time to a point that can be held*, A y_k + B u_k + c = 0 with an admissible u_k. A faster
+  process could wait at y_k, and would end there at t_k like the extremal: it maximises H almost
+  everywhere, so that max H = 0 while it waits. This contradicts lambda_0 > 0; and for lambda_0 = 0
+  controllability by each single control makes the maximising control unique, so that both are one
+  process.
+
+A plant that is linear in the cosine and the sine of an angle is linear in a vector of the disc
+(`discs`): an extremal of the problem is one of the problem with discs, and what is optimal there is
+optimal here.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from trajlib.pontryagin.problem.angle_relaxation import relaxed
+
+
+@dataclass(frozen=True)
+class Optimality:
+    """What is known of an extremal.
+
+    - `kind`: "proved" (no process is better, by a theorem), "locally minimal" (the second variation
+      is positive), "extremal" (the necessary conditions alone)
+    - `reason`: the theorem, or what the second variation says
+    - `starts`: from how many starts the search went; `found`: how many different processes these
+      led to, this the best
+    """
+
+    kind: str
+    reason: str
+    starts: int
+    found: int
+
+    @property
+    def proved(self):
+        return self.kind == "proved"
+
+    def __str__(self):
+        if self.proved:
+            return f"proved optimal: {self.reason}"
+        if self.starts == 1:
+            best = "the one found from the start given"
+        else:
+            best = f"the best of {self.found}" if self.found > 1 else "the only one"
+            best += f" found from {self.starts} starts"
+        return f"{self.kind} ({self.reason}), {best}; a better process is not excluded"
+
+
+def theorem(problem):
+    """The theorem under which an extremal of the problem is optimal: (name, needs lambda_0 > 0), or
+    None.
+
+    `problem`: without parameters. None means that neither theorem applies, not that extremals are
+    not optimal.
+    """
+    blocks = [(i,) for i in range(len(problem.control))]
+    return problem.cached("theorem", lambda: _theorem(problem, blocks))
+
+
+def theorem_with_discs(problem):
+    """As `theorem`, for angles as vectors in discs too. A process that is stationary need not be
+    the best one then: a thrust against q is stationary as well; an extremal is.
+    """
+    one = relaxed(problem)
+    return (
+        theorem(problem)
+        if one is None or one.problem is problem
+        else _theorem(one.problem, one.blocks)
+    )
+
+
+def _theorem(problem, blocks):
+    y, u = sp.Matrix(problem.state), sp.Matrix(problem.control)
+    both = [*y, *u]
+    slopes = sp.Matrix(problem.field).jacobian(both)
+    targets = sp.Matrix(problem.terminal).jacobian(y) if problem.terminal else sp.zeros(0, len(y))
+    if not _constant(slopes, both) or not _constant(targets, both):
+        return None
+    sign = -1 if problem.maximise else 1
+    if not problem.free_time:
+        if _convex(sign * problem.running, both) and _convex(sign * problem.final, list(y)):
+            return "a linear plant, a convex cost and a given duration", True
+        return None
+    fastest = (
+        problem.time_optimal
+        and not problem.maximise
+        and problem.duration is None
+        and not problem.first_return
+    )
+    if fastest and _can_be_held(problem, slopes, targets, blocks):
+        return "least time of a linear plant to a point at which it can be held", not _normal(
+            slopes, len(y), blocks
+        )
+    return None
+
+
+def held(problem):
+    """Whether the plant and the target are linear and the target is a point at which the plant can
+    be held."""
+    y, u = sp.Matrix(problem.state), sp.Matrix(problem.control)
+    slopes = sp.Matrix(problem.field).jacobian([*y, *u])
+    targets = sp.Matrix(problem.terminal).jacobian(y)
+    blocks = [(i,) for i in range(len(u))]
+    return (
+        not slopes.free_symbols
+        and not targets.free_symbols
+        and _can_be_held(problem, slopes, targets, blocks)
+    )
+
+
+def _constant(matrix, symbols):
+    return not matrix.free_symbols & set(symbols)
+
+
+def _convex(expression, symbols):
+    """Whether a quadratic function is convex; False for one that is not quadratic."""
+    hessian = sp.hessian(expression, symbols)
+    if not _constant(hessian, symbols):
+        return False
+    return hessian.is_zero_matrix or bool(hessian.is_positive_semidefinite)
+
+
+def _can_be_held(problem, slopes, targets, blocks):
+    """Whether the target is one point, and some admissible control makes it a point of rest."""
+    n = len(problem.state)
+    if targets.rows != n or targets.rank() < n:
+        return False
+    point = targets.LUsolve(-sp.Matrix(problem.terminal).subs(dict.fromkeys(problem.state, 0)))
+    drift = (
+        sp.Matrix(problem.field)
+        .subs(dict(zip(problem.state, point)))
+        .subs(dict.fromkeys(problem.control, 0))
+    )
+    gains, bounds = slopes[:, n:], problem.controls.values()
+    # The least control that does it, if any does.
+    hold = -gains.pinv() * drift if any(drift) else sp.zeros(gains.cols, 1)
+    return bool(
+        (gains * hold + drift).applyfunc(sp.simplify).is_zero_matrix
+        and all(low <= value <= high for value, (low, high) in zip(hold, bounds))
+        and all(sum(hold[i] ** 2 for i in block) <= 1 for block in blocks if len(block) == 2)
+    )
+
+
+def _normal(slopes, n, blocks):
+    """Whether every single control, or vector of a disc, controls the plant."""
+    A, B = slopes[:, :n], slopes[:, n:]
+    return all(
+        sp.Matrix.hstack(*(A**i * B[:, list(block)] for i in range(n))).rank() == n
+        for block in blocks
+    )

@@ -1,0 +1,258 @@
+"""The second variation: whether the cost can fall although all first-order conditions hold.
+
+On an extremal the change of the cost is of second order in the admissible variations: controls
+inside their bounds, moments of jumps between the bounds, a free final time, free initial states.
+With the controls constant on N intervals x_{k+1} = F(x_k, u_k, h_k), this is the quadratic form of
+the Lagrange function
+
+    lambda_0 (phi_0(x_N) + sum c(x_k, u_k, h_k)) + nu^T phi(x_N) - sum psi_{k+1}^T (F(x_k, u_k, h_k) - x_{k+1})
+
+on the variations that stay on the target to first order, dx_{k+1} = F_x dx_k + F_u du_k + F_h dh_k,
+d phi = 0. A negative eigenvalue is a direction in which the cost falls: the process is a saddle or
+a maximum. Positive eigenvalues are what a minimum needs: no conjugate point (interior arcs),
+Kelley's sign (singular arcs), a minimum over the switching times (bang arcs). The eigenvalues refer
+to the mean square of du over time.
+"""
+
+from dataclasses import dataclass, replace
+
+import casadi as ca
+import numpy as np
+
+from trajlib.pontryagin.problem.numeric import runge_kutta
+
+# Into how many intervals an extremal is cut.
+INTERVALS = 80
+# Eigenvalues below this share of the largest one are taken for zero.
+ROUNDING = 1e-7
+# Costates beyond this are those of an abnormal extremal, where the cost takes no part.
+ABNORMAL = 1e7
+
+
+@dataclass(frozen=True)
+class Process:
+    """A process on N intervals: what varies, and the multipliers.
+
+    `states`, `costates` (N+1, n); `controls` (N, k), `free` (N, k) where they vary; `widths` (N,)
+    of the intervals; `shifts` (N, s): derivatives of the widths by the s moments that vary;
+    `terminal_multipliers` (m,) of the target.
+    """
+
+    states: np.ndarray
+    costates: np.ndarray
+    controls: np.ndarray
+    free: np.ndarray
+    widths: np.ndarray
+    shifts: np.ndarray
+    multiplier: float
+    terminal_multipliers: np.ndarray
+
+
+@dataclass(frozen=True)
+class SecondVariation:
+    """The least eigenvalue, the largest absolute value of all, and the changes of (x, u, widths)
+    along the least one.
+
+    Without anything that varies both are infinite: nothing can get better to second order.
+    """
+
+    least: float
+    largest: float
+    states: np.ndarray = None
+    controls: np.ndarray = None
+    widths: np.ndarray = None
+
+    @property
+    def sign(self):
+        """1: positive on all variations; -1: negative on some; 0: not decided."""
+        if self.least == np.inf:
+            return 1
+        return int(np.sign(self.least)) if abs(self.least) > ROUNDING * self.largest else 0
+
+
+def second_variation(numeric, process):
+    """`SecondVariation` of a process."""
+    n, k, N = numeric.n, numeric.k, len(process.widths)
+    slopes, curvatures = _intervals(numeric)(
+        process.states[:-1].T,
+        process.controls.T,
+        process.widths,
+        process.costates[1:].T,
+        process.multiplier,
+    )
+    slopes = slopes.full().reshape(n, N, n + k + 1)
+    curvatures = curvatures.full().reshape(n + k + 1, N, n + k + 1)
+    varied, weights = _varied(numeric, process)
+    count = len(weights)
+    if not count:
+        return SecondVariation(np.inf, np.inf)
+    change = np.zeros((N + 1, n, count))
+    starts = np.nonzero(np.isnan(numeric.start))[0]
+    change[0, starts, np.arange(len(starts))] = 1 / np.sqrt(weights[: len(starts)])
+    both = np.zeros((N, n + k + 1, count))
+    both[:, n:] = varied
+    for i in range(N):
+        both[i, :n] = change[i]
+        change[i + 1] = slopes[:, i] @ both[i]
+    form = np.einsum("iav,aib,ibw->vw", both, curvatures, both, optimize=True)
+    end = _end(numeric)(process.states[-1], process.multiplier, process.terminal_multipliers)
+    form += change[-1].T @ end[0].full() @ change[-1]
+    tangents = _null_space(end[1].full() @ change[-1]) if numeric.m else np.eye(count)
+    if not tangents.shape[1] or not np.isfinite(form).all():
+        return SecondVariation(np.inf, np.inf)
+    values, vectors = np.linalg.eigh(tangents.T @ form @ tangents)
+    direction = tangents @ vectors[:, 0]
+    along = both @ direction
+    # On few variations the eigenvalues may cancel: then rounding is judged by the form on all
+    # variations.
+    largest = max(float(np.max(np.abs(values))), 1e-6 * float(np.max(np.abs(form))))
+    return SecondVariation(
+        float(values[0]), largest, change @ direction, along[:, n : n + k], along[:, -1]
+    )
+
+
+def along_extremal(numeric, extremal, duration):
+    """`SecondVariation` of an extremal; `duration`: None if it is free. A least eigenvalue that
+    tends to zero counts as zero.
+
+    Constant controls on N intervals shift eigenvalues by a multiple of 1/N^2, so that zero (a
+    family of equally good processes, an inflection) shows as a small number of either sign: the
+    value is extrapolated from N and 2N. On a singular arc the eigenvalues themselves fall like
+    1/N^2, and their sign is what counts.
+    """
+    variation = second_variation(numeric, of_extremal(numeric, extremal, duration))
+    singular = any(
+        "singular" in (kind if isinstance(kind, tuple) else (kind,)) for kind, _, _ in extremal.arcs
+    )
+    if singular or not abs(variation.least) < 1e-2 * variation.largest:
+        return variation
+    finer = second_variation(numeric, of_extremal(numeric, extremal, duration, 2 * INTERVALS))
+    limit = (4 * finer.least - variation.least) / 3
+    return variation if abs(limit) > 1e-5 * variation.largest else replace(variation, least=0.0)
+
+
+def _varied(numeric, process):
+    """(derivatives of (u_k, h_k) by the variables, (N, k+1, V); weights (V,)): free initial states,
+    moments, controls.
+    """
+    N, k = process.free.shape
+    first = int(np.isnan(numeric.start).sum())
+    places, moments = np.argwhere(process.free), process.shifts.shape[1]
+    weights = np.concatenate([np.ones(first + moments), process.widths[places[:, 0]]])
+    varied = np.zeros((N, k + 1, len(weights)))
+    varied[:, k, first : first + moments] = process.shifts
+    columns = first + moments + np.arange(len(places))
+    varied[places[:, 0], places[:, 1], columns] = 1 / np.sqrt(weights[columns])
+    return varied, weights
+
+
+def _null_space(matrix):
+    _, sizes, directions = np.linalg.svd(matrix)
+    return directions[np.count_nonzero(sizes > 1e-10 * max(sizes[0], 1e-300)) :].T
+
+
+def _intervals(numeric):
+    """(x, u, h, psi at the end, lambda_0), columns for the intervals -> F' and the second
+    derivatives of the summand.
+    """
+
+    def made():
+        h = ca.SX.sym("h")
+        end, piece = runge_kutta(numeric)(numeric.x, numeric.u, h)
+        both = ca.vertcat(numeric.x, numeric.u, h)
+        curvature = ca.hessian(numeric.multiplier * piece - ca.dot(numeric.psi, end), both)[0]
+        return ca.Function(
+            "interval",
+            [numeric.x, numeric.u, h, numeric.psi, numeric.multiplier],
+            [ca.densify(ca.jacobian(end, both)), ca.densify(curvature)],
+        )
+
+    one = numeric.made("second variation of an interval", made)
+    return lambda x, u, h, psi, multiplier: one.map(x.shape[1])(x, u, ca.DM(h).T, psi, multiplier)
+
+
+def _end(numeric):
+    def made():
+        nu = ca.SX.sym("nu", numeric.m)
+        value = numeric.multiplier * numeric.final + (
+            ca.dot(nu, numeric.target) if numeric.m else 0
+        )
+        slope = ca.jacobian(numeric.target, numeric.x) if numeric.m else ca.SX(0, numeric.n)
+        return ca.Function(
+            "end",
+            [numeric.x, numeric.multiplier, nu],
+            [ca.densify(ca.hessian(value, numeric.x)[0]), ca.densify(slope)],
+        )
+
+    return numeric.made("second variation of the end", made)
+
+
+def of_picture(numeric, picture, terminal_multipliers):
+    """The `Process` of a discrete picture on equal intervals: free are the controls inside their
+    bounds."""
+    width = np.where(np.isfinite(numeric.upper - numeric.lower), numeric.upper - numeric.lower, 1.0)
+    inside = (picture.controls > numeric.lower + 1e-4 * width) & (
+        picture.controls < numeric.upper - 1e-4 * width
+    )
+    N = len(picture.controls)
+    shifts = np.full((N, 1), 1 / N) if numeric.duration is None else np.zeros((N, 0))
+    return Process(
+        picture.states,
+        picture.costates,
+        picture.controls,
+        inside,
+        np.diff(picture.times),
+        shifts,
+        1.0,
+        terminal_multipliers,
+    )
+
+
+def of_extremal(numeric, extremal, duration, intervals=INTERVALS):
+    """The `Process` of an extremal, the arcs being cut into intervals.
+
+    `duration`: None if it is free. What varies are the controls on interior and singular arcs, the
+    moments of jumps from bound to bound, and a free duration, which moves the end of the last arc.
+    """
+    k = numeric.k
+    arcs = [
+        ((kind,) if isinstance(kind, str) else kind, begin, end)
+        for kind, begin, end in extremal.arcs
+    ]
+    counts = [
+        int(np.ceil(max(6, intervals * (end - begin) / extremal.duration)))
+        for _, begin, end in arcs
+    ]
+    bounds = {"u-": numeric.lower, "u+": numeric.upper}
+    widths, free, ends, offsets = [], [], [0.0], np.cumsum([0, *counts])
+    for (kinds, begin, end), count in zip(arcs, counts):
+        widths += [(end - begin) / count] * count
+        ends += list(begin + (end - begin) * np.arange(1, count + 1) / count)
+        free += [[kind in ("interior", "singular") for kind in kinds]] * count
+    ends, widths, free = np.array(ends), np.array(widths), np.array(free)
+    # The moments that vary, each with the arcs before and after it (none after the end).
+    moments = [
+        index
+        for index in range(len(arcs) - 1)
+        if any(
+            a in bounds and b in bounds and a != b
+            for a, b in zip(arcs[index][0], arcs[index + 1][0])
+        )
+    ]
+    moments += [len(arcs) - 1] * (duration is None)
+    shifts = np.zeros((len(widths), len(moments)))
+    for column, index in enumerate(moments):
+        shifts[offsets[index] : offsets[index + 1], column] = 1 / counts[index]
+        if index + 1 < len(arcs):
+            shifts[offsets[index + 1] : offsets[index + 2], column] = -1 / counts[index + 1]
+    controls = extremal.control((ends[1:] + ends[:-1]) / 2).T.reshape(-1, k)
+    return Process(
+        extremal.state(ends).T,
+        extremal.costate(ends).T,
+        controls,
+        free,
+        widths,
+        shifts,
+        extremal.multiplier,
+        np.array(extremal.terminal_multipliers),
+    )
