@@ -32,7 +32,8 @@ _EXPORTS = {
     "indirect.extremal": ["Extremal"],
     "indirect.comparison": ["Comparison", "compare"],
     "verification.certificate": ["Certificate", "certify"],
-    "verification.proof": ["Proof", "Enclosure"],
+    "verification.proof": ["Proof"],
+    "verification.ball_arithmetic": ["Enclosure"],
     "problem.errors": [
         "PontryaginError",
         "Infeasible",
@@ -44,6 +45,7 @@ _EXPORTS = {
         "StartOnTarget",
     ],
     "problem.elimination": ["ControlField"],
-    "planar_synthesis.synthesis": ["Synthesis", "synthesis"],
+    "planar_synthesis.synthesis": ["Synthesis"],
+    "planar_synthesis.construction": ["synthesis"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

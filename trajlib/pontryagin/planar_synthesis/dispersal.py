@@ -1,14 +1,10 @@
-"""Where extremals stop to be optimal, and the curves that this leaves: switching curves, dispersal
-curves, borders."""
-
-from dataclasses import dataclass
+"""Where extremals meet others of the same cost: the dispersal curves, beyond which they are not optimal."""
 
 import numpy as np
 
+from trajlib.pontryagin.planar_synthesis.curves import Curve, in_window
 from trajlib.pontryagin.planar_synthesis.value_function import SQUARES
 
-#: Jumps of the least cost below so many steps of the grid are not told from a steep rise.
-SMALLEST_JUMP = 2
 #: An extremal that costs less than another by this share of a step overtakes it.
 GAIN = 1e-4
 #: Interpolated costs may be wrong by less than this share of a step.
@@ -17,45 +13,9 @@ INTERPOLATED = 0.25
 BEFORE = 12
 #: Parameters this close, in shares of their range, belong to one extremal.
 SAME = 1e-7
-#: Neighbouring extremals whose switchings are further apart, in shares of the window or in steps of
-#: time, belong to two curves.
-APART, STEPS_APART = 0.2, 20
-#: Places where neighbouring extremals meet others lie closer together than this share of the
+#: Points where neighbouring extremals meet others lie closer together than this share of the
 #: window, else they belong to two curves.
 GAP = 0.05
-#: Switchings within this share of the window are one place, and no curve.
-SHORTEST = 1e-3
-
-
-@dataclass(frozen=True)
-class Curve:
-    """A curve of the phase plane: `points`, shape (N, 2), with the time `times` that an optimal
-    motion takes from each.
-
-    Curves that leave the window end one point outside of it. `kind`: for switching curves "crossed"
-    (second type), "followed" (first type: it is a trajectory) or "mixed"; for borders "abnormal" or
-    "end of a family". For switching curves, `change`: the levels of the control before and after
-    ("u-", "interior", "zero", "u+"; tuples for several controls), `velocities`: before and after,
-    shape (2, 2, N). For borders, `jump`: the greatest jump of the least cost across it, `optimal`:
-    whether the extremal is optimal all along, `arrives`: whether it is so at least next to the
-    target, `controls`: u at the points. For parts of the target, `parameter`: from where to where.
-    """
-
-    points: np.ndarray
-    times: np.ndarray
-    jump: float = 0.0
-    kind: str = ""
-    optimal: bool = True
-    arrives: bool = True
-    parameter: tuple = ()
-    controls: tuple = ()
-    change: tuple = ()
-    velocities: np.ndarray = None
-
-    def __repr__(self):
-        begin, end = (tuple(float(round(v, 6)) for v in self.points[k]) for k in (0, -1))
-        change = f", {self.change[0]} to {self.change[1]}" if self.change else ""
-        return f"Curve(from {begin} to {end}{change}{', ' + self.kind if self.kind else ''})"
 
 
 def cut_at_overlaps(fan, field):
@@ -137,7 +97,7 @@ def dispersal_curves(meetings, field):
     parameter of these decides.
     """
     curves = []
-    meetings = meetings[:, _in_window(meetings[5:], field)]
+    meetings = meetings[:, in_window(meetings[5:], field)]
     for pair in np.unique(meetings[[0, 2]], axis=1).T:
         mine = meetings[:, (meetings[[0, 2]] == pair[:, None]).all(axis=0)]
         mine = mine[:, np.argsort(mine[1], kind="stable")]
@@ -165,7 +125,7 @@ def _overtaken(fan, field):
     before.
     """
     k, j = np.nonzero(np.arange(fan.times.size)[:, None] <= fan.life[None, :])
-    inside = _in_window(fan.path[k, :, j].T, field)
+    inside = in_window(fan.path[k, :, j].T, field)
     k, j = k[inside], j[inside]
     seen = field.interpolated(fan.path[k, :, j].T)[0] < fan.value[k, j] - INTERPOLATED * field.grain
     last = np.zeros(fan.s.size, int)
@@ -263,173 +223,3 @@ def _cramer(a, b, c, right):
         (a * np.cross(right.T, c.T).T).sum(axis=0) / det,
         (a * np.cross(b.T, right.T).T).sum(axis=0) / det,
     )
-
-
-def switching_curves(fans, window):
-    """The curves on which the controls of optimal extremals change their levels."""
-    (left, right), (bottom, top) = window
-    size = np.array([right - left, top - bottom])
-    curves = []
-    for fan in fans:
-        index, tau = fan.switchings[0].astype(int), fan.switchings[1]
-        order = np.lexsort((tau, index))
-        index, tau, x = index[order], tau[order], fan.switchings[2:4, order]
-        before, after = fan.switchings[4:6, order].astype(int)
-        velocities = fan.switchings[6:, order].reshape(2, 2, -1)
-        number = np.arange(index.size) - np.searchsorted(index, index)
-        optimal = tau <= fan.cut[index] + 1e-9
-        for n, old, new in np.unique(np.stack([number, before, after]), axis=1).T:
-            mine = np.flatnonzero((number == n) & (before == old) & (after == new) & optimal)
-            for run in _together(index[mine]):
-                rows = mine[np.isin(index[mine], run)]
-                points = x[:, rows].T
-                torn = np.abs(np.diff(points, axis=0) / size).max(axis=1, initial=0) > APART
-                torn |= np.abs(np.diff(tau[rows])) > STEPS_APART * fan.times[1]
-                jumps = np.flatnonzero(torn) + 1
-                for piece in np.split(np.arange(rows.size), jumps):
-                    inside = (
-                        (points[piece] >= [left, bottom]) & (points[piece] <= [right, top])
-                    ).all(axis=1)
-                    for part in _together(np.flatnonzero(inside)):
-                        if part.size > 2:
-                            # One point more on both sides, so that the curve runs to the edge of
-                            # the window.
-                            take = piece[max(part[0] - 1, 0) : part[-1] + 2]
-                            if (np.ptp(points[take], axis=0) < SHORTEST * size).all():
-                                continue
-                            v = velocities[:, :, rows[take]]
-                            change = (fan.plant.name(old), fan.plant.name(new))
-                            curves.append(
-                                Curve(
-                                    points[take],
-                                    tau[rows[take]],
-                                    kind=_kind(points[take], v),
-                                    change=change,
-                                    velocities=v,
-                                )
-                            )
-    return curves
-
-
-def crossing_angles(points, velocities):
-    """Angles (radians, signed) from a curve to the velocities before and after the switching, at
-    the middles of its pieces; shape (2, N - 1)."""
-    tangent = np.diff(points, axis=0).T
-    angles = []
-    for v in velocities:
-        v = (v[:, 1:] + v[:, :-1]) / 2
-        angles.append(
-            np.arcsin(
-                np.clip(
-                    (tangent[0] * v[1] - tangent[1] * v[0])
-                    / (np.hypot(*tangent) * np.hypot(*v) + 1e-300),
-                    -1,
-                    1,
-                )
-            )
-        )
-    return np.array(angles)
-
-
-def _kind(points, velocities):
-    """Whether the curve is followed (it is a trajectory for one of the two levels) or crossed."""
-    step = np.hypot(*np.diff(points, axis=0).T)
-    angles = np.abs(crossing_angles(points, velocities))[:, step > 1e-9]
-    if not angles.size:
-        return ""
-    along = angles.min(axis=0) < 0.02
-    return "followed" if along.mean() > 0.95 else "crossed" if along.mean() < 0.2 else "mixed"
-
-
-def border_extremals(fans, field, touching):
-    """Extremals that touch the target (fans of one, `touching`) or end a family, with the jump of
-    the least cost across them."""
-    found = [("abnormal", alone, 0) for alone in touching if alone.life[0] > 1]
-    for fan in fans:
-        ends = np.array([fan.ends.low, fan.ends.high])
-        closed = (
-            np.abs(np.diff(np.vstack([fan.ends.point(ends), fan.ends.covector(ends)]))).max() < 1e-9
-        )
-        if not closed:
-            found += [("end of a family", fan, j) for j in (0, fan.s.size - 1) if fan.life[j] > 1]
-    traces, known = [], []
-    for kind, fan, j in found:
-        steps = np.arange(fan.life[j] + 1)
-        stretch = _together(np.flatnonzero(_in_window(fan.path[steps, :, j].T, field)))
-        if not stretch or stretch[0][0] > 1:
-            continue
-        k = np.unique(np.append(stretch[0][:: max(stretch[0].size // 20, 1)], stretch[0][-1]))
-        x = fan.path[k, :, j].T
-        if not any(x.shape == y.shape and np.abs(x - y).max() < 1e-9 for y in known):
-            known.append(x)
-            traces.append((kind, fan, j, k, x))
-    if not traces:
-        return []
-    asked = []
-    for _, fan, j, k, x in traces:
-        v = fan.plant.velocity(fan.motion[k, :, j].T, fan.mode[k, j])
-        normal = np.array([-v[1], v[0]]) / (np.hypot(*v) + 1e-300)
-        asked.append(
-            np.hstack(
-                [
-                    x + far * SQUARES * np.max(field.square) * normal
-                    for far in (0, 1e-4, -1e-4, 1e-7, -1e-7)
-                ]
-            )
-        )
-    costs = np.split(
-        field.exact(np.hstack(asked)).cost, np.cumsum([a.shape[1] for a in asked])[:-1]
-    )
-    return [_border(field, trace, *np.split(cost, 5)) for trace, cost in zip(traces, costs)]
-
-
-def _border(field, trace, here, *sides):
-    """The curve of a border from the least costs on it, and on both sides of it at two
-    distances."""
-    kind, fan, j, k, x = trace
-    grain, tau = field.grain, fan.times[k]
-    # At a fold of high order the cost is as uncertain as a root of the accuracy of the point.
-    optimal = (here > fan.value[k, j] - 0.25 * grain) | ~np.isfinite(here)
-    last = int(np.argmax(~optimal)) if not optimal.all() else k.size
-    controls = tuple(_one_or_all(fan.plant.control(fan.motion[k, :, j].T, fan.mode[k, j])))
-    if last < 6:
-        return Curve(x.T, tau, 0.0, kind, optimal=False, arrives=False, controls=controls)
-    # Next to the target one side may lie behind it; the jump is read off further away, where one
-    # point alone is no jump.
-    inner = slice(2, last)
-    far_left, far_right, left, right = (
-        np.where(np.isfinite(side), side, np.nan)[inner] for side in sides
-    )
-    far, near = np.abs(far_left - far_right), np.abs(left - right)
-    # Where the cost only rises steeply, like a root of the distance, the difference is smaller at
-    # the smaller distance.
-    jump = np.where((near > 0.5 * far) & (near > SMALLEST_JUMP * grain), near, 0)
-    jump = np.fmin(np.fmin(jump[:-2], jump[1:-1]), jump[2:])
-    jump = float(np.max(jump, initial=0))
-    # Beyond the horizon nothing is known: a missing side counts only where the other one is well
-    # within it.
-    alone = np.isnan(left) != np.isnan(right)
-    if (alone & (tau[inner] < 0.9 * fan.times[-1])).mean() > 0.25:
-        jump = np.inf
-    points, times = x.T[:last], tau[:last]
-    # one more point, so that the curve runs to the edge of the window
-    if last == k.size and k[-1] < fan.life[j]:
-        points = np.vstack([points, fan.path[k[-1] + 1, :, j]])
-        times, controls = np.append(times, fan.times[k[-1] + 1]), (*controls, controls[-1])
-    return Curve(points, times, jump, kind, optimal=last == k.size, controls=controls[: len(times)])
-
-
-def _one_or_all(u):
-    """The values of one control, or rows of several, from an array (k, N)."""
-    return u[0] if len(u) == 1 else u.T
-
-
-def _in_window(x, field):
-    size = SQUARES * field.square
-    low, high = field.corner - 1e-9 * size, field.corner + (1 + 1e-9) * size
-    return ((x >= low[:, None]) & (x <= high[:, None])).all(axis=0)
-
-
-def _together(index):
-    """Stretches of consecutive integers."""
-    return np.split(index, np.flatnonzero(np.diff(index) > 1) + 1) if index.size else []

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.pontryagin.planar_synthesis.dispersal import crossing_angles
+from trajlib.pontryagin.planar_synthesis.curves import crossing_angles
 from trajlib.typesetting import typeset
 
 #: Side of the raster on which regions are counted.

@@ -20,6 +20,15 @@ from fractions import Fraction
 
 import sympy as sp
 
+from trajlib.pontryagin.verification.ball_arithmetic import (
+    Enclosure,
+    NotProved,
+    Undetermined,
+    enclosure,
+    taylor_range,
+    to_ball,
+    to_balls,
+)
 from trajlib.pontryagin.verification.linear_arcs import LinearArcs, NotLinear
 from trajlib.pontryagin.verification.optimality import theorem
 from trajlib.typesetting import typeset
@@ -31,39 +40,6 @@ PRECISIONS, SHARE = (256, 1024), 0.6
 NEAR = 1e-7
 # Terms of Taylor's formula on a piece of an arc, and into how many halves a piece is cut at most.
 TERMS, HALVINGS = 8, 12
-
-
-class NotProved(ValueError):
-    """What a proof does not get past."""
-
-
-class Undetermined(NotProved):
-    """What more digits may help against."""
-
-
-@dataclass(frozen=True)
-class Enclosure:
-    """A number known to lie between two fractions, `low` <= value <= `high`; as text with the
-    digits that are certain.
-
-    >>> third = Enclosure(Fraction(33, 100), Fraction(34, 100), "[0.335 +/- 0.006]")
-    >>> sp.Rational(1, 3) in third, sp.sqrt(2) in third
-    (True, False)
-    """
-
-    low: Fraction
-    high: Fraction
-    text: str
-
-    def __contains__(self, value):
-        low, high = (sp.Rational(e.numerator, e.denominator) for e in (self.low, self.high))
-        return bool(low <= value) and bool(value <= high)
-
-    def __float__(self):
-        return float((self.low + self.high) / 2)
-
-    def __str__(self):
-        return self.text
 
 
 @dataclass(frozen=True)
@@ -150,7 +126,7 @@ class _Proof:
         self.arcs = [
             self.model.arc((kind,) if isinstance(kind, str) else tuple(kind)) for kind, _, _ in arcs
         ]
-        self.rates = [_balls(arc.rate) for arc in self.arcs]
+        self.rates = [to_balls(arc.rate) for arc in self.arcs]
         n = self.model.n
         given = list(problem.initial.values())
         # Unknown at t = 0: the costate of a given state, and the state where it is free (its
@@ -161,7 +137,7 @@ class _Proof:
             *(float(state[i] if i < n else costate[i - n]) for i in self.unknown),
             *(end - begin for _, begin, end in arcs),
         ]
-        self.start = _balls(sp.Matrix([*(value or 0 for value in given), *[0] * n, 1]))
+        self.start = to_balls(sp.Matrix([*(value or 0 for value in given), *[0] * n, 1]))
         fixed = sp.eye(self.model.size)
         fixed[:n, -1] = -sp.Matrix([value or 0 for value in given])
         starts = fixed.extract(
@@ -169,14 +145,14 @@ class _Proof:
             list(range(self.model.size)),
         )
         self.rows, self.known = self._equations_at_nodes(starts)
-        self.ball_rows = [_balls(rows) for rows in self.rows]
+        self.ball_rows = [to_balls(rows) for rows in self.rows]
         equations = sum(rows.rows for rows in self.rows) + 1
         if equations != self.count:
             raise NotProved(
                 f"the conditions of these arcs are {equations} equations for {self.count} unknowns"
             )
         self.hamiltonian = (
-            _balls(self.model.hamiltonian(self.arcs[-1])) if problem.free_time else None
+            to_balls(self.model.hamiltonian(self.arcs[-1])) if problem.free_time else None
         )
 
     def _equations_at_nodes(self, starts):
@@ -223,16 +199,16 @@ class _Proof:
         for length in lengths:
             total = total + length
             times.append(total)
-        duration = _ball(self.problem.duration) if not self.problem.free_time else total
+        duration = to_ball(self.problem.duration) if not self.problem.free_time else total
         cost = duration if self.problem.time_optimal else self._cost(nodes, lengths)
         n = self.model.n
         return Proof(
             True,
             reason,
-            _enclosure(cost),
-            _enclosure(duration),
-            tuple(map(_enclosure, times[:-1])),
-            tuple(_enclosure(nodes[0][n + i, 0]) for i in range(n)),
+            enclosure(cost),
+            enclosure(duration),
+            tuple(map(enclosure, times[:-1])),
+            tuple(enclosure(nodes[0][n + i, 0]) for i in range(n)),
         )
 
     def _enclosed(self):
@@ -300,7 +276,7 @@ class _Proof:
             derivatives.extend((z.transpose() * (S + S.transpose()) * slopes).table())
         else:
             values.append(
-                [sum((v[n + k, 0] for k in range(len(self.arcs))), -_ball(self.problem.duration))]
+                [sum((v[n + k, 0] for k in range(len(self.arcs))), -to_ball(self.problem.duration))]
             )
             derivatives.append([int(i >= n) for i in range(self.count)])
         return arb_mat(values), arb_mat(derivatives), nodes
@@ -330,10 +306,10 @@ class _Proof:
     def _positive(self, row, k, first, last, length):
         """Whether row z > 0 inside arc k; zeros at its ends are allowed where the equations make
         them exact."""
-        derivatives, balls = [row], [_balls(row)]
+        derivatives, balls = [row], [to_balls(row)]
         for _ in range(self.model.size + TERMS):
             derivatives.append(derivatives[-1] * self.arcs[k].rate)
-            balls.append(_balls(derivatives[-1]))
+            balls.append(to_balls(derivatives[-1]))
         zeros = []
         for z, known in ((first, self.known[k]), (last, self.known[k + 1])):
             order = 0
@@ -353,10 +329,10 @@ class _Proof:
                 tests.append((zeros[0], 1))
             if begin + width == 1 and zeros[1]:
                 tests.append((zeros[1], (-1) ** zeros[1]))
-            middle, half = (length * _ball(share) for share in (begin + width / 2, width / 2))
+            middle, half = (length * to_ball(share) for share in (begin + width / 2, width / 2))
             z = (rate * middle).exp() * first
             if any(
-                sign * _range(balls[order : order + TERMS + 1], rate, z, half) > 0
+                sign * taylor_range(balls[order : order + TERMS + 1], rate, z, half) > 0
                 for order, sign in tests
             ):
                 continue
@@ -372,7 +348,7 @@ class _Proof:
 
         N, total = self.model.size, 0
         for k, arc in enumerate(self.arcs):
-            P, M = _balls(self.model.running(arc)).table(), self.rates[k].table()
+            P, M = to_balls(self.model.running(arc)).table(), self.rates[k].table()
             block = [[-M[j][i] for j in range(N)] + P[i] for i in range(N)] + [
                 [0] * N + M[i] for i in range(N)
             ]
@@ -381,22 +357,7 @@ class _Proof:
             gained = through.transpose() * arb_mat([line[N:] for line in flow[:N]])
             total = total + (nodes[k].transpose() * gained * nodes[k])[0, 0]
         values = {s: nodes[-1][i, 0] for i, s in enumerate(self.problem.state)}
-        return total + _ball(sp.expand(self.problem.final), values)
-
-
-def _range(derivatives, rate, z, half):
-    """row z over the times within `half` of the point z, by Taylor's formula; `derivatives`: row,
-    row M, ..."""
-    from flint import arb
-
-    near = arb(0, half.upper())
-    size = max(abs(z[i, 0]).upper() for i in range(z.nrows()))
-    norm = max(sum((abs(e) for e in line), arb(0)).upper() for line in rate.table())
-    last = sum((abs(e) for e in derivatives[-1].entries()), arb(0)) * size * (norm * half).exp()
-    value, factor = arb(0), arb(1)
-    for order, row in enumerate(derivatives[:-1]):
-        value, factor = value + (row * z)[0, 0] * factor, factor * near / (order + 1)
-    return value + factor * arb(0, last.upper())
+        return total + to_ball(sp.expand(self.problem.final), values)
 
 
 def _follows(row, known):
@@ -404,57 +365,3 @@ def _follows(row, known):
     if not any(row):
         return True
     return bool(known.rows) and sp.Matrix.vstack(known, row).rank() == known.rank()
-
-
-def _balls(matrix):
-    from flint import arb_mat
-
-    return arb_mat(matrix.rows, matrix.cols, [_ball(e) for e in matrix])
-
-
-def _ball(expression, values=None):
-    """A real number, or an expression in symbols with values, as a ball."""
-    from flint import arb, fmpq
-
-    e = sp.sympify(expression)
-    if e.is_Rational:
-        return arb(fmpq(e.p, e.q))
-    if e.is_Symbol:
-        return values[e]
-    if e in (sp.pi, sp.E):
-        return arb.pi() if e == sp.pi else arb(1).exp()
-    parts = [_ball(a, values) for a in e.args]
-    if e.is_Add:
-        return sum(parts[1:], parts[0])
-    if e.is_Mul:
-        return sp.prod(parts)
-    if e.is_Pow:
-        return parts[0] ** parts[1] if e.exp.is_Integer or e.base.is_positive else _unknown(e)
-    known = {
-        sp.sin: "sin",
-        sp.cos: "cos",
-        sp.tan: "tan",
-        sp.exp: "exp",
-        sp.log: "log",
-        sp.sinh: "sinh",
-        sp.cosh: "cosh",
-        sp.tanh: "tanh",
-        sp.atan: "atan",
-    }
-    return getattr(parts[0], known[type(e)])() if type(e) in known else _unknown(e)
-
-
-def _unknown(expression):
-    raise NotProved(f"the number {expression} has no enclosure here")
-
-
-def _enclosure(ball):
-    return Enclosure(
-        *(Fraction(*_quotient(end)) for end in (ball.lower(), ball.upper())), ball.str(30)
-    )
-
-
-def _quotient(point):
-    """Numerator and denominator of an exact ball."""
-    mantissa, exponent = map(int, point.man_exp())
-    return (mantissa * 2**exponent, 1) if exponent >= 0 else (mantissa, 2**-exponent)
