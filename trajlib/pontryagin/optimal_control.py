@@ -1,4 +1,4 @@
-"""The public statement of an optimal control problem, with its methods."""
+"""The public class of optimal control problems: a statement with the methods that act on it."""
 
 from typing import TYPE_CHECKING
 

@@ -4,13 +4,13 @@ import numpy as np
 
 from trajlib.pontryagin.direct.transcription import (
     INTERVALS,
-    Picture,
+    DirectSolution,
     Transcription,
     target_multipliers,
 )
 from trajlib.pontryagin.verification.second_variation import (
     ABNORMAL,
-    of_picture,
+    process_of_solution,
     second_variation,
 )
 
@@ -18,30 +18,30 @@ from trajlib.pontryagin.verification.second_variation import (
 NEEDLES = 1e-3
 
 
-def descend(numeric, picture, side):
+def descend(numeric, solution, side):
     """The picture, or a better one to which the cost falls from it: along the controls that make H
     largest, and from a saddle along its steepest direction.
     """
     for _ in range(4):
-        if np.max(np.abs(picture.costates)) > ABNORMAL:
-            return picture
-        better = _with_needles(numeric, picture, side)
+        if np.max(np.abs(solution.costates)) > ABNORMAL:
+            return solution
+        better = _improved_by_needles(numeric, solution, side)
         if better is not None:
-            picture = better
+            solution = better
             continue
         variation = second_variation(
-            numeric, of_picture(numeric, picture, target_multipliers(numeric, picture))
+            numeric, process_of_solution(numeric, solution, target_multipliers(numeric, solution))
         )
         if variation.sign >= 0:
-            return picture
-        better = escaped(numeric, picture, variation, side)
+            return solution
+        better = escape_saddle(numeric, solution, variation, side)
         if better is None:
-            return picture
-        picture = better
-    return picture
+            return solution
+        solution = better
+    return solution
 
 
-def _with_needles(numeric, picture, side):
+def _improved_by_needles(numeric, solution, side):
     """A picture of less cost, found from the controls that make H largest in each interval; None if
     there is none.
 
@@ -55,53 +55,53 @@ def _with_needles(numeric, picture, side):
         )
     ):
         return None
-    middles = (picture.states[1:] + picture.states[:-1]) / 2
-    best, excess = numeric.best_controls(middles, picture.costates[1:], picture.controls)
-    if not excess @ np.diff(picture.times) > NEEDLES * (NEEDLES + abs(picture.cost)):
+    middles = (solution.states[1:] + solution.states[:-1]) / 2
+    best, excess = numeric.best_controls(middles, solution.costates[1:], solution.controls)
+    if not excess @ np.diff(solution.times) > NEEDLES * (NEEDLES + abs(solution.cost)):
         return None
-    result = with_controls(numeric, picture, side, best)
+    result = solution_from_controls(numeric, solution, side, best)
     return (
-        result if result and result.cost < picture.cost - 1e-9 * (1 + abs(picture.cost)) else None
+        result if result and result.cost < solution.cost - 1e-9 * (1 + abs(solution.cost)) else None
     )
 
 
-def with_controls(numeric, picture, side, controls):
+def solution_from_controls(numeric, solution, side, controls):
     """The picture to which other controls lead, or None."""
     result = Transcription(numeric, len(controls), None, side).solve(
-        (picture.duration, picture.states, controls)
+        (solution.duration, solution.states, controls)
     )
-    return result if isinstance(result, Picture) else None
+    return result if isinstance(result, DirectSolution) else None
 
 
-def escaped(numeric, picture, variation, side):
+def escape_saddle(numeric, solution, variation, side):
     """A picture of less cost, found along the least direction of the second variation; None if
     there is none."""
-    programme, best = Transcription(numeric, len(picture.controls), None, side), None
+    programme, best = Transcription(numeric, len(solution.controls), None, side), None
     width = np.where(
         np.isfinite(numeric.upper - numeric.lower), (numeric.upper - numeric.lower) / 2, 1.0
     )
     length = np.max(
         np.abs(variation.controls) / width,
-        initial=np.max(np.abs(variation.widths)) / np.min(np.diff(picture.times)),
+        initial=np.max(np.abs(variation.widths)) / np.min(np.diff(solution.times)),
     )
     for size in (0.3 / length, -0.3 / length):
-        duration = picture.duration + size * float(variation.widths.sum())
+        duration = solution.duration + size * float(variation.widths.sum())
         result = programme.solve(
             (
-                max(duration, 0.1 * picture.duration),
-                picture.states + size * variation.states,
-                picture.controls + size * variation.controls,
+                max(duration, 0.1 * solution.duration),
+                solution.states + size * variation.states,
+                solution.controls + size * variation.controls,
             )
         )
-        if isinstance(result, Picture) and result.cost < (best or picture).cost - 1e-9 * (
-            1 + abs(picture.cost)
+        if isinstance(result, DirectSolution) and result.cost < (best or solution).cost - 1e-9 * (
+            1 + abs(solution.cost)
         ):
             best = result
     return best
 
 
-def finer_picture(numeric, picture, side, factor):
+def finer_solution(numeric, solution, side, factor):
     """The picture on a grid that is finer by a factor, or None."""
     programme = Transcription(numeric, factor * INTERVALS, side=side)
-    result = programme.solve((picture.duration, picture.states, picture.controls))
-    return result if isinstance(result, Picture) else None
+    result = programme.solve((solution.duration, solution.states, solution.controls))
+    return result if isinstance(result, DirectSolution) else None

@@ -4,8 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from trajlib.pontryagin.direct.guesses import guesses
-from trajlib.pontryagin.direct.transcription import INTERVALS, PATIENCE, Picture, Transcription
+from trajlib.pontryagin.direct.guesses import starting_guesses
+from trajlib.pontryagin.direct.transcription import (
+    INTERVALS,
+    PATIENCE,
+    DirectSolution,
+    Transcription,
+)
 from trajlib.pontryagin.problem.errors import NotUnique, Unbounded
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
@@ -17,7 +22,7 @@ FALLS = 1e-3
 SETTLED = 0.05
 
 
-def settled_duration(numeric, picture):
+def fixed_duration(numeric, solution):
     """The duration if it is given, or if the best one lies at the user's bound; None if it is free
     inside.
 
@@ -25,11 +30,11 @@ def settled_duration(numeric, picture):
     """
     if numeric.duration is not None:
         return numeric.duration
-    T, low, high = picture.duration, numeric.shortest, numeric.longest
+    T, low, high = solution.duration, numeric.shortest, numeric.longest
     if T <= 1.5 * low and not numeric.time_bounds_given:
         raise Unbounded(
             f"the best duration tends to zero (it ran into {low:g}): the infimum "
-            f"{user_cost(numeric, picture.cost)} is approached by ever shorter processes and not "
+            f"{user_cost(numeric, solution.cost)} is approached by ever shorter processes and not "
             "attained. Bound the controls, or give a duration; if processes as short as that are "
             "meant, choose a smaller unit of time."
         )
@@ -46,7 +51,7 @@ def settled_duration(numeric, picture):
     return None
 
 
-def refuse_falling(numeric, found):
+def refuse_falling_cost(numeric, search_result):
     """Raise `Unbounded` before any arcs are joined, if twice as much time costs less, and four
     times as much even less.
 
@@ -54,47 +59,49 @@ def refuse_falling(numeric, found):
     minutes and fails. With longer steps it has another duration: where it keeps its own, nothing
     has to be tried.
     """
-    problem, (picture, side) = numeric.problem, found.pictures[0]
+    problem, (solution, side) = numeric.problem, search_result.solutions[0]
     if (
         problem.time_optimal
         or problem.first_return
-        or settled_duration(numeric, picture) is not None
+        or fixed_duration(numeric, solution) is not None
     ):
         return
     if any(
-        abs(duration - picture.duration) < SETTLED * picture.duration
-        for duration in found.coarse_durations
+        abs(duration - solution.duration) < SETTLED * solution.duration
+        for duration in search_result.coarse_durations
     ):
         return
-    costs = [picture.cost]
+    costs = [solution.cost]
     for factor in (2, 4):
-        result = _with_duration(numeric, picture, side, factor, PATIENCE)
-        if not isinstance(result, Picture) or not result.cost < costs[-1] - FALLS * abs(costs[-1]):
+        result = _solution_with_duration(numeric, solution, side, factor, PATIENCE)
+        if not isinstance(result, DirectSolution) or not result.cost < costs[-1] - FALLS * abs(
+            costs[-1]
+        ):
             return
         costs.append(result.cost)
-    refuse_endless(numeric, picture, side)
+    refuse_unbounded_duration(numeric, solution, side)
 
 
-def _with_duration(numeric, picture, side, factor, patience=400):
+def _solution_with_duration(numeric, solution, side, factor, patience=400):
     """The picture, or the failure, for another duration, with steps as long as those of the
     picture."""
-    duration = factor * picture.duration
+    duration = factor * solution.duration
     fixed = NumericProblem(replace(numeric.problem, duration=duration))
     programme = Transcription(
-        fixed, int(np.ceil(factor * len(picture.controls))), side=side, patience=patience
+        fixed, int(np.ceil(factor * len(solution.controls))), side=side, patience=patience
     )
-    return programme.solve((duration, picture.states, picture.controls))
+    return programme.solve((duration, solution.states, solution.controls))
 
 
-def refuse_endless(numeric, picture, side):
+def refuse_unbounded_duration(numeric, solution, side):
     """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration
     grows; `NotUnique` if more time costs the same.
     """
     durations, costs = [], []
     for factor in (2, 1, 1 / 2, 1 / 4, 1 / 8):
-        duration = factor * picture.duration
-        result = _with_duration(numeric, picture, side, factor)
-        if not isinstance(result, Picture) or (
+        duration = factor * solution.duration
+        result = _solution_with_duration(numeric, solution, side, factor)
+        if not isinstance(result, DirectSolution) or (
             costs and result.cost < costs[-1] - 1e-6 * abs(costs[-1])
         ):
             break
@@ -127,8 +134,8 @@ def least_time(numeric):
         replace(numeric.problem, running=1, final=0, duration=None, maximise=False)
     )
     programme = Transcription(fastest, INTERVALS)
-    results = (programme.solve(start) for start in guesses(fastest, INTERVALS))
-    return next((result.duration for result in results if isinstance(result, Picture)), None)
+    results = (programme.solve(start) for start in starting_guesses(fastest, INTERVALS))
+    return next((result.duration for result in results if isinstance(result, DirectSolution)), None)
 
 
 def user_cost(numeric, value):

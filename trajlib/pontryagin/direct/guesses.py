@@ -7,7 +7,7 @@ from trajlib.pontryagin.problem.errors import StartOnTarget
 from trajlib.pontryagin.problem.numeric import runge_kutta
 
 
-def guesses(numeric, intervals, side=None):
+def starting_guesses(numeric, intervals, side=None):
     """Guesses (duration, states (N+1, n), controls (N, k)), the likeliest first.
 
     First motions under constant controls, each until it comes closest to the target; then straight
@@ -17,7 +17,7 @@ def guesses(numeric, intervals, side=None):
         (
             guess
             for u in _constant_controls(numeric)
-            for guess in [_motion(numeric, u, intervals, side)]
+            for guess in [_drift_guess(numeric, u, intervals, side)]
             if guess
         ),
         key=lambda guess: guess[0],
@@ -40,9 +40,9 @@ def guesses(numeric, intervals, side=None):
         yield guess
 
 
-def waves(numeric, intervals, duration, sign=1):
+def oscillating_guesses(numeric, intervals, duration, sign=1):
     """Motions under controls that swing between their bounds, each control at a pace of its own; as
-    `guesses`.
+    `starting_guesses`.
 
     `sign` = -1: they begin at the other bounds.
     """
@@ -65,7 +65,7 @@ def waves(numeric, intervals, duration, sign=1):
     return result
 
 
-def sides(numeric):
+def target_sides(numeric):
     """On which side of the target the process runs before it ends: [1], [-1], both, or [None] where
     it does not matter.
 
@@ -129,7 +129,7 @@ def _constant_controls(numeric):
     return controls
 
 
-def _motion(numeric, u, intervals, side):
+def _drift_guess(numeric, u, intervals, side):
     """(distance, guess) for a constant control: the motion until it comes closest to the target, or
     crosses it."""
     horizon = numeric.duration or min(numeric.longest, 10.0)
@@ -156,8 +156,10 @@ def _motion(numeric, u, intervals, side):
     else:
         distance = 0.0
     grid = np.linspace(0, times[last], intervals + 1)
-    shown = np.stack([np.interp(grid, times[: len(states)], column) for column in states.T], axis=1)
-    return distance, (times[last], shown, np.tile(u, (intervals, 1)))
+    sampled = np.stack(
+        [np.interp(grid, times[: len(states)], column) for column in states.T], axis=1
+    )
+    return distance, (times[last], sampled, np.tile(u, (intervals, 1)))
 
 
 def _nearest_target_point(numeric):
@@ -184,11 +186,11 @@ def read_guess(numeric, guess):
         return guess.duration, guess.state(times).T, guess.control((times[1:] + times[:-1]) / 2).T
     if not isinstance(guess, dict):
         raise TypeError(f"guess: expected an Extremal or a dict, got {guess!r}")
-    strangers = [
+    unknown = [
         key for key in guess if key != "duration" and key not in (*problem.state, *problem.control)
     ]
-    if strangers:
-        raise ValueError(f"guess: {strangers[0]} is neither a state, nor a control, nor 'duration'")
+    if unknown:
+        raise ValueError(f"guess: {unknown[0]} is neither a state, nor a control, nor 'duration'")
     duration = float(guess.get("duration", numeric.duration or 1.0))
     times = np.linspace(0, duration, M + 1)
     states = np.stack(

@@ -32,16 +32,16 @@ def refuse_infeasible(numeric):
         return
     G, d = target
     _refuse_contradiction(G, d)
-    if numeric.relaxed is None or np.isnan(numeric.start).any():
+    if numeric.angle_relaxation is None or np.isnan(numeric.start).any():
         return
     for p, mu, drift, gains in _quantities(numeric):
         weights, *_ = np.linalg.lstsq(G.T, p, rcond=None)
         if np.max(np.abs(G.T @ weights - p)) > 1e-12 * np.max(np.abs(p)):
             continue
-        value, wanted = float(p @ numeric.start), float(weights @ d)
+        value, required = float(p @ numeric.start), float(weights @ d)
         least, greatest = _range(value, mu, drift, gains, numeric)
-        size = MARGIN * (1 + abs(value) + abs(wanted))
-        if wanted < least - size or wanted > greatest + size:
+        size = MARGIN * (1 + abs(value) + abs(required))
+        if required < least - size or required > greatest + size:
             quantity = sum(
                 (
                     sp.Rational(repr(float(c))).limit_denominator(10**6) * y
@@ -51,13 +51,13 @@ def refuse_infeasible(numeric):
             )
             limit = (
                 f"cannot fall below {least:.6g}"
-                if wanted < least
+                if required < least
                 else f"cannot exceed {greatest:.6g}"
             )
             when = "" if numeric.duration is None else f" at the time {numeric.duration:.6g}"
             raise Infeasible(
                 f"no admissible control leads to the target: {quantity} begins at {value:.6g} and "
-                f"{limit}{when}, whatever the control; the target asks for {wanted:.6g}. The "
+                f"{limit}{when}, whatever the control; the target asks for {required:.6g}. The "
                 "target cannot be reached from this start."
             )
     _refuse_unmoved(numeric)
@@ -76,7 +76,7 @@ def _refuse_contradiction(G, d):
 def _refuse_unmoved(numeric):
     """Raise `Infeasible` if a combination of the terminal equations is out of reach of all
     controls, bounded or not."""
-    problem = numeric.relaxed.problem
+    problem = numeric.angle_relaxation.problem
     plant = _linear_plant(problem)
     if plant is None:
         return
@@ -86,7 +86,7 @@ def _refuse_unmoved(numeric):
     d = -sp.Matrix(problem.terminal).subs(dict.fromkeys(problem.state, 0))
     duration = numeric.duration
     for q in sp.Matrix.hstack(*(G * part for part in powers)).T.nullspace():
-        row, wanted = (q.T * G), float((q.T * d)[0])
+        row, required = (q.T * G), float((q.T * d)[0])
         p = np.array(row.evalf(), dtype=float).ravel()
         if duration is None:
             # At any time: only what the free motion does not change either.
@@ -99,11 +99,11 @@ def _refuse_unmoved(numeric):
             value = float(p @ numeric.start)
         else:
             value = float(p @ _free_motion(A, c, numeric.start, duration))
-        if abs(value - wanted) > MARGIN * (1 + abs(value) + abs(wanted)):
+        if abs(value - required) > MARGIN * (1 + abs(value) + abs(required)):
             when = "at all times" if duration is None else f"at the time {duration:.6g}"
             raise Infeasible(
                 f"no control leads to the target: {sp.sstr((row * state)[0])} does not depend on "
-                f"the control and is {value:.6g} {when}; the target asks for {wanted:.6g}. The "
+                f"the control and is {value:.6g} {when}; the target asks for {required:.6g}. The "
                 "pair (A, B) of the plant is not controllable; choose an end that keeps to this "
                 "combination."
             )
@@ -127,22 +127,22 @@ def _free_motion(A, c, start, duration):
     return (expm(extended * duration) @ np.append(start, 1.0))[:-1]
 
 
-def separated(numeric, duration, ends):
+def is_separated(numeric, duration, final_state):
     """Whether the target lies strictly beyond all states that can be reached at a time, on the side
-    of the `ends` found.
+    of the `final_state` found.
 
     A proof for linear plants and targets; False elsewhere, and where the separation is not clear of
     errors of integration.
     """
     target = _linear_target(numeric.problem)
-    plant = _linear_plant(numeric.relaxed.problem) if numeric.relaxed else None
+    plant = _linear_plant(numeric.angle_relaxation.problem) if numeric.angle_relaxation else None
     if target is None or plant is None or np.isnan(numeric.start).any():
         return False
     from scipy.linalg import expm
 
     G, d = target
     A, B, c = plant
-    missed = G @ ends - d
+    missed = G @ final_state - d
     n, panels = len(A), 2000
     # psi(T - s) = e^(A^T s) G^T q on a grid; (c, 1) as a further state of the plant.
     extended = np.zeros((n + 1, n + 1))
@@ -152,7 +152,7 @@ def separated(numeric, duration, ends):
     for _ in range(panels):
         row = row @ step
         rows.append(row)
-    least = numeric.relaxed.least(np.array(rows)[:, :n] @ B)
+    least = numeric.angle_relaxation.least(np.array(rows)[:, :n] @ B)
     if not np.isfinite(least).all():
         return False  # a control without bounds leads beyond every hyperplane
     gap = (
@@ -186,7 +186,7 @@ def _linear_plant(problem):
 
 def _quantities(numeric):
     """(p, mu, drift, gains): l = p^T y with l' = mu l + drift + gains^T u."""
-    problem, n = numeric.relaxed.problem, numeric.n
+    problem, n = numeric.angle_relaxation.problem, numeric.n
     plant = _linear_plant(problem)
     if plant is not None:
         A, B, c = plant
@@ -211,20 +211,20 @@ def _quantities(numeric):
 
 def _range(value, mu, drift, gains, numeric):
     """The least and the greatest value of l at the duration, or at any time if it is free."""
-    least, greatest = numeric.relaxed.least(gains), -numeric.relaxed.least(-gains)
+    least, greatest = numeric.angle_relaxation.least(gains), -numeric.angle_relaxation.least(-gains)
     result = []
-    for push, choose in ((drift + float(least), min), (drift + float(greatest), max)):
+    for rate, choose in ((drift + float(least), min), (drift + float(greatest), max)):
         longest = numeric.duration or (numeric.longest if numeric.time_bounds_given else np.inf)
-        end = _after(value, mu, push, longest)
+        end = _after(value, mu, rate, longest)
         result.append(end if numeric.duration is not None else choose(value, end))
     return result
 
 
-def _after(value, mu, push, time):
+def _after(value, mu, drift, time):
     """l after a time, l' = mu l + push."""
-    if np.isinf(push):
-        return push
+    if np.isinf(drift):
+        return drift
     if np.isinf(time):
-        rate = mu * value + push
-        return -push / mu if mu < 0 else value if rate == 0 else np.copysign(np.inf, rate)
-    return value * np.exp(mu * time) + push * (np.expm1(mu * time) / mu if mu else time)
+        growth = mu * value + drift
+        return -drift / mu if mu < 0 else value if growth == 0 else np.copysign(np.inf, growth)
+    return value * np.exp(mu * time) + drift * (np.expm1(mu * time) / mu if mu else time)

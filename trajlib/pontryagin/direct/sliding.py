@@ -15,7 +15,7 @@ from dataclasses import replace
 import numpy as np
 import sympy as sp
 
-from trajlib.pontryagin.direct.transcription import Picture, Transcription
+from trajlib.pontryagin.direct.transcription import DirectSolution, Transcription
 from trajlib.pontryagin.problem.errors import Unbounded
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
@@ -24,8 +24,8 @@ from trajlib.pontryagin.problem.numeric import NumericProblem
 GAIN, USED = 1e-3, 0.1
 
 
-def relaxed_picture(numeric, picture, side):
-    """The relaxed problem's `Picture`, its controls being (u, v, a); None if relaxing gains
+def relaxed_solution(numeric, solution, side):
+    """The relaxed problem's `DirectSolution`, its controls being (u, v, a); None if relaxing gains
     nothing, or little."""
     if all(numeric.affine):
         return None
@@ -41,7 +41,7 @@ def relaxed_picture(numeric, picture, side):
         **{v: problem.controls[u] for u, v in second.items()},
         share: (0, 1),
     }
-    both = NumericProblem(
+    mixed_numeric = NumericProblem(
         replace(
             problem,
             dynamics={y: mixed(f) for y, f in problem.dynamics.items()},
@@ -51,24 +51,26 @@ def relaxed_picture(numeric, picture, side):
     )
     # From next to the picture, or from one that swings as it does, the search would fall back to
     # it.
-    apart = np.where(
+    width = np.where(
         np.isfinite(numeric.upper - numeric.lower),
         numeric.upper - numeric.lower,
-        1 + np.ptp(picture.controls, axis=0),
+        1 + np.ptp(solution.controls, axis=0),
     )
-    mean = np.tile(picture.controls.mean(axis=0), (len(picture.controls), 1))
-    controls = np.hstack([mean + apart, mean - apart, np.full((len(mean), 1), 0.5)])
-    programme = Transcription(both, len(picture.controls), side=side)
-    line = np.linspace(picture.states[0], picture.states[-1], len(picture.states))
-    result = programme.solve((picture.duration, line, np.clip(controls, both.lower, both.upper)))
-    if not isinstance(result, Picture) or result.cost > picture.cost - GAIN * (
-        GAIN + abs(picture.cost)
+    mean = np.tile(solution.controls.mean(axis=0), (len(solution.controls), 1))
+    controls = np.hstack([mean + width, mean - width, np.full((len(mean), 1), 0.5)])
+    programme = Transcription(mixed_numeric, len(solution.controls), side=side)
+    states = np.linspace(solution.states[0], solution.states[-1], len(solution.states))
+    result = programme.solve(
+        (solution.duration, states, np.clip(controls, mixed_numeric.lower, mixed_numeric.upper))
+    )
+    if not isinstance(result, DirectSolution) or result.cost > solution.cost - GAIN * (
+        GAIN + abs(solution.cost)
     ):
         return None
     return result if _mixing(result.controls, numeric.k).mean() > USED else None
 
 
-def in_turn(numeric, relaxed):
+def sequential_controls(numeric, relaxed):
     """Controls that take the two values of a relaxed picture one after the other instead of both at
     once, (N, k).
 
@@ -81,18 +83,18 @@ def in_turn(numeric, relaxed):
         relaxed.controls[:, -1],
     )
     chosen = share > 0.5
-    places = np.nonzero(mixing)[0]
-    chosen[places] = np.arange(len(places)) < share[places].sum()
+    mixed = np.nonzero(mixing)[0]
+    chosen[mixed] = np.arange(len(mixed)) < share[mixed].sum()
     return np.where(chosen[:, None], first, second)
 
 
-def refuse_sliding(numeric, picture, relaxed, separate):
+def refuse_sliding(numeric, solution, relaxed, sequential):
     """Raise `Unbounded`: the relaxed infimum is approached, as it seems, by ever faster switching.
 
-    Not if the picture `separate`, to which the controls `in_turn` lead, comes as near to it as a
+    Not if the picture `sequential`, to which the controls `sequential_controls` lead, comes as near to it as a
     picture can.
     """
-    if separate and separate.cost < relaxed.cost + GAIN * (GAIN + abs(relaxed.cost)):
+    if sequential and sequential.cost < relaxed.cost + GAIN * (GAIN + abs(relaxed.cost)):
         return
     sign = -1 if numeric.problem.maximise else 1
     k, mixing = numeric.k, _mixing(relaxed.controls, numeric.k)
@@ -107,14 +109,19 @@ def refuse_sliding(numeric, picture, relaxed, separate):
         f"{values[1]} at t = {relaxed.times[middle]:.3g}. The infimum is about "
         f"{sign * relaxed.cost:.3g}, that of the relaxed problem y' = a f(y, u) + (1 - a) f(y, v), "
         "0 <= a <= 1 (a discrete picture; the best ordinary one found has "
-        f"{sign * picture.cost:.3g}). State that problem, or give each change of the control a "
+        f"{sign * solution.cost:.3g}). State that problem, or give each change of the control a "
         "cost."
     )
 
 
 def _mixing(controls, k):
     """On which intervals two different values are used at once, (N,)."""
-    share, apart = controls[:, -1], np.max(np.abs(controls[:, :k] - controls[:, k : 2 * k]), axis=1)
+    share, distance = (
+        controls[:, -1],
+        np.max(np.abs(controls[:, :k] - controls[:, k : 2 * k]), axis=1),
+    )
     return (
-        (share > 0.02) & (share < 0.98) & (apart > 0.05 * max(np.ptp(controls[:, : 2 * k]), 1e-12))
+        (share > 0.02)
+        & (share < 0.98)
+        & (distance > 0.05 * max(np.ptp(controls[:, : 2 * k]), 1e-12))
     )

@@ -21,7 +21,7 @@ PATIENCE = 100
 
 
 @dataclass(frozen=True)
-class Picture:
+class DirectSolution:
     """A discrete extremal: `times` (N+1,), `states` and `costates` (N+1, n), `controls` (N, k),
     with lambda_0 = 1.
 
@@ -72,13 +72,16 @@ class Transcription:
         near=False,
     ):
         self.numeric, self.structure = numeric, structure
-        self.groups = 1 if structure is None else len(structure)
-        self.each = max(12, intervals // self.groups) if structure else intervals
-        n, k, self.N = numeric.n, numeric.k, self.groups * self.each
+        self.arc_count = 1 if structure is None else len(structure)
+        self.intervals_per_arc = max(12, intervals // self.arc_count) if structure else intervals
+        n, k, self.N = numeric.n, numeric.k, self.arc_count * self.intervals_per_arc
         N = self.N
-        X, U, D = ca.MX.sym("X", n, N + 1), ca.MX.sym("U", k, N), ca.MX.sym("D", self.groups)
+        X, U, D = ca.MX.sym("X", n, N + 1), ca.MX.sym("U", k, N), ca.MX.sym("D", self.arc_count)
         lengths = ca.horzcat(
-            *(ca.repmat(D[i] / self.each, 1, self.each) for i in range(self.groups))
+            *(
+                ca.repmat(D[i] / self.intervals_per_arc, 1, self.intervals_per_arc)
+                for i in range(self.arc_count)
+            )
         )
         ends, pieces = runge_kutta(numeric).map(N)(X[:, :-1], U, lengths)
         target = ca.Function("target", [numeric.x], [numeric.target])
@@ -109,9 +112,9 @@ class Transcription:
         lower, upper = self._control_bounds()
         free = np.full(n * (N + 1), np.inf)
         self.limits["lbx"] = np.concatenate(
-            [-free, lower.ravel(), np.full(self.groups, 0.0 if structure else low)]
+            [-free, lower.ravel(), np.full(self.arc_count, 0.0 if structure else low)]
         )
-        self.limits["ubx"] = np.concatenate([free, upper.ravel(), np.full(self.groups, high)])
+        self.limits["ubx"] = np.concatenate([free, upper.ravel(), np.full(self.arc_count, high)])
         options = {
             "ipopt.print_level": 0,
             "print_time": False,
@@ -135,7 +138,7 @@ class Transcription:
     def _control_bounds(self):
         lower, upper = (np.tile(b, (self.N, 1)) for b in (self.numeric.lower, self.numeric.upper))
         for index, kinds in enumerate(self.structure or []):
-            rows = slice(index * self.each, (index + 1) * self.each)
+            rows = slice(index * self.intervals_per_arc, (index + 1) * self.intervals_per_arc)
             for j, kind in enumerate(kinds):
                 if kind == "u-":
                     upper[rows, j] = lower[rows, j]
@@ -144,7 +147,7 @@ class Transcription:
         return lower, upper
 
     def solve(self, guess, duration=None):
-        """`Picture`, or `Failure` if IPOPT does not report a solution.
+        """`DirectSolution`, or `Failure` if IPOPT does not report a solution.
 
         `guess`: (duration, states (M+1, n), controls (M, k)) on M equal intervals. `duration`: keep
         it at this number, whatever the problem says.
@@ -155,7 +158,7 @@ class Transcription:
             limits["lbg"], limits["ubg"] = limits["lbg"].copy(), limits["ubg"].copy()
             limits["lbg"][row] = limits["ubg"][row] = duration
         n, k, N = self.numeric.n, self.numeric.k, self.N
-        guessed, states, controls = guess
+        guessed_duration, states, controls = guess
         grid = np.linspace(0, 1, N + 1)
         states = np.stack(
             [
@@ -167,15 +170,19 @@ class Transcription:
         middles = (grid[:-1] + grid[1:]) / 2
         controls = controls[np.minimum((middles * len(controls)).astype(int), len(controls) - 1)]
         start = np.concatenate(
-            [states.ravel(), controls.ravel(), np.full(self.groups, guessed / self.groups)]
+            [
+                states.ravel(),
+                controls.ravel(),
+                np.full(self.arc_count, guessed_duration / self.arc_count),
+            ]
         )
-        found = self.solver(x0=np.clip(start, limits["lbx"], limits["ubx"]), **limits)
-        z, dual = (found[name].full().ravel() for name in ("x", "lam_g"))
+        result = self.solver(x0=np.clip(start, limits["lbx"], limits["ubx"]), **limits)
+        z, dual = (result[name].full().ravel() for name in ("x", "lam_g"))
         states, lengths = z[: n * (N + 1)].reshape(N + 1, n), z[n * (N + 1) + k * N :]
         status = self.solver.stats()["return_status"]
         if status not in ("Solve_Succeeded", "Solved_To_Acceptable_Level"):
             return Failure(
-                status, float(found["f"]), float(lengths.sum()), float(np.max(np.abs(states)))
+                status, float(result["f"]), float(lengths.sum()), float(np.max(np.abs(states)))
             )
         costates = np.empty((N + 1, n))
         # The multiplier of F(x_k) - x_{k+1} = 0 is the derivative of the cost with respect to
@@ -183,25 +190,27 @@ class Transcription:
         costates[1:] = -dual[: n * N].reshape(N, n)
         costates[0] = 0
         costates[0, self.fixed] = dual[n * N : n * N + len(self.fixed)]
-        times = np.concatenate([[0.0], np.cumsum(np.repeat(lengths / self.each, self.each))])
+        times = np.concatenate(
+            [[0.0], np.cumsum(np.repeat(lengths / self.intervals_per_arc, self.intervals_per_arc))]
+        )
         controls, angles = z[n * (N + 1) : n * (N + 1) + k * N].reshape(N, k), self.numeric.angles
         # IPOPT may turn an angle round many times.
         controls[:, angles] = np.unwrap(
             np.mod(controls[:, angles] + np.pi, 2 * np.pi) - np.pi, axis=0
         )
-        return Picture(times, states, costates, controls, float(found["f"]), lengths)
+        return DirectSolution(times, states, costates, controls, float(result["f"]), lengths)
 
 
-def target_multipliers(numeric, picture, multiplier=1.0):
+def target_multipliers(numeric, solution, multiplier=1.0):
     """nu from psi + lambda_0 grad phi_0 = -(grad phi)^T nu at the end of a picture, in least
     squares, (m,)."""
     if not numeric.m:
         return np.zeros(0)
-    end = picture.states[-1]
+    end = solution.states[-1]
     slope = (
         ca.Function("final", [numeric.x], [ca.gradient(numeric.final, numeric.x)])(end)
         .full()
         .ravel()
     )
     normals = numeric.target_value(end)[1].full()
-    return np.linalg.lstsq(normals.T, -multiplier * (picture.costates[-1] + slope), rcond=None)[0]
+    return np.linalg.lstsq(normals.T, -multiplier * (solution.costates[-1] + slope), rcond=None)[0]

@@ -15,7 +15,7 @@ from trajlib.pontryagin.indirect.flow import extrapolated_midpoint
 
 # Steps of the integrator an arc, most arcs, and the relative change of the cost at which more arcs
 # change nothing.
-STEPS, MOST, SETTLED = 12, 9, 1e-13
+STEPS, MAX_ARCS, SETTLED = 12, 9, 1e-13
 # The factor by which a first further arc is taken to be shorter.
 SHORTER = 4.0
 
@@ -45,11 +45,11 @@ class Accumulation:
         )
 
 
-def accumulation(numeric, arcs, singular, duration):
+def estimate_accumulation(numeric, arcs, singular, duration):
     """`Accumulation` for arcs that begin with bounds; None where other arcs follow, or nothing
     settles.
 
-    `arcs`: as `detect` shows them; `singular`: the `ArcFlow` of the singular arc; `duration`: None
+    `arcs`: as `detect_arcs` shows them; `singular`: the `ArcFlow` of the singular arc; `duration`: None
     if it is free.
     """
     kinds = [arc.kinds[0] for arc in arcs]
@@ -64,28 +64,30 @@ def accumulation(numeric, arcs, singular, duration):
     ):
         return None
     rest = singular.control if duration is not None else None
-    first, lengths, found = kinds[0], [arc.end - arc.begin for arc in arcs[:leading]], []
-    for count in range(max(2, leading), MOST + 1):
+    first, lengths, processes = kinds[0], [arc.end - arc.begin for arc in arcs[:leading]], []
+    for count in range(max(2, leading), MAX_ARCS + 1):
         lengths += [lengths[-1] / SHORTER] * (count - len(lengths))
-        best = _best(numeric, first, np.array(lengths), rest, duration)
+        best = _best_process(numeric, first, np.array(lengths), rest, duration)
         if best is None:
             break
-        found.append(best)
+        processes.append(best)
         lengths = list(best[1])
-        if len(found) > 3 and abs(found[-2][0] - best[0]) < SETTLED * (1 + abs(best[0])):
+        if len(processes) > 3 and abs(processes[-2][0] - best[0]) < SETTLED * (1 + abs(best[0])):
             break
-    return _limit(numeric, found) if len(found) > 3 else None
+    return _limit(numeric, processes) if len(processes) > 3 else None
 
 
-def _limit(numeric, found):
-    (before, shorter), (cost, lengths) = found[-2:]
+def _limit(numeric, processes):
+    (before, shorter), (cost, lengths) = processes[-2:]
     # Over two arcs, since the arcs at one bound may be longer than those at the other; the first is
     # a part of an arc.
-    old, ratios = (np.sqrt(these[1:-2] / these[3:]) for these in (shorter, lengths))
-    broken_off = np.abs(ratios[:-1] - old)
+    old, ratios = (
+        np.sqrt(arc_lengths[1:-2] / arc_lengths[3:]) for arc_lengths in (shorter, lengths)
+    )
+    truncation = np.abs(ratios[:-1] - old)
     # The ratio itself may still change from arc to arc, beyond what comes from breaking off.
-    changing = np.abs(np.diff(ratios)) - np.append(broken_off[1:], np.inf)
-    errors = np.maximum(broken_off, changing)
+    changing = np.abs(np.diff(ratios)) - np.append(truncation[1:], np.inf)
+    errors = np.maximum(truncation, changing)
     best = int(np.argmin(errors))
     return Accumulation(
         -cost if numeric.problem.maximise else cost,
@@ -96,15 +98,15 @@ def _limit(numeric, found):
     )
 
 
-def _best(numeric, first, guess, rest, duration):
+def _best_process(numeric, first, guess, rest, duration):
     """(cost, lengths) of the best process with as many arcs as guessed; None if it was not
     found."""
     lengths, state = ca.SX.sym("lengths", len(guess)), ca.vertcat(*numeric.start, 0.0)
     bounds = [numeric.lower, numeric.upper] if first == "u-" else [numeric.upper, numeric.lower]
     for i in range(len(guess)):
-        state = _after(numeric, ca.DM(bounds[i % 2]), state, lengths[i])
+        state = _integrated(numeric, ca.DM(bounds[i % 2]), state, lengths[i])
     if duration is not None:
-        state = _after(numeric, rest, state, duration - ca.sum1(lengths))
+        state = _integrated(numeric, rest, state, duration - ca.sum1(lengths))
     cost = state[-1] + ca.substitute(numeric.final, numeric.x, state[: numeric.n])
     target = (
         ca.substitute(numeric.target, numeric.x, state[: numeric.n]) if numeric.m else ca.SX(0, 1)
@@ -131,24 +133,24 @@ def _best(numeric, first, guess, rest, duration):
         lbg=np.zeros(numeric.m + 1),
         ubg=np.append(np.zeros(numeric.m), np.inf if duration is None else duration),
     )
-    found = result["x"].full().ravel()
+    result_lengths = result["x"].full().ravel()
     # IPOPT may stop for want of digits: what counts is that the process ends on the target.
-    missed = float(ca.norm_inf(result["g"][:-1])) if numeric.m else 0.0
-    if missed > 1e-9 or not np.all(found > 0):
+    target_error = float(ca.norm_inf(result["g"][:-1])) if numeric.m else 0.0
+    if target_error > 1e-9 or not np.all(result_lengths > 0):
         return None
-    return _sharpened(lengths, cost, target, found, result["lam_g"].full().ravel()[:-1])
+    return _newton(lengths, cost, target, result_lengths, result["lam_g"].full().ravel()[:-1])
 
 
-def _sharpened(lengths, cost, target, found, multipliers):
+def _newton(lengths, cost, target, result_lengths, multipliers):
     """Newton's method for the stationary lengths, each in units of its own, since the last ones are
     very short."""
     multiplier = ca.SX.sym("multiplier", target.numel())
     unknown = ca.vertcat(lengths, multiplier)
     equations = ca.vertcat(ca.gradient(cost + ca.dot(multiplier, target), lengths), target)
     system = ca.Function("system", [unknown], [equations, ca.jacobian(equations, unknown)])
-    z = np.concatenate([found, multipliers])
+    z = np.concatenate([result_lengths, multipliers])
     for _ in range(6):
-        scale = np.concatenate([z[: len(found)], np.ones(len(multipliers))])
+        scale = np.concatenate([z[: len(result_lengths)], np.ones(len(multipliers))])
         residual, matrix = (value.full() for value in system(z))
         z = (
             z
@@ -157,14 +159,14 @@ def _sharpened(lengths, cost, target, found, multipliers):
                 scale[:, None] * matrix * scale, scale * residual.ravel(), rcond=1e-15
             )[0]
         )
-    final = ca.Function("cost", [lengths], [cost, target])(z[: len(found)])
-    close = np.allclose(z[: len(found)], found, rtol=0.5) and np.all(
+    final = ca.Function("cost", [lengths], [cost, target])(z[: len(result_lengths)])
+    close = np.allclose(z[: len(result_lengths)], result_lengths, rtol=0.5) and np.all(
         np.abs(final[1].full()) < 1e-12
     )
-    return (float(final[0]), z[: len(found)]) if close else None
+    return (float(final[0]), z[: len(result_lengths)]) if close else None
 
 
-def _after(numeric, control, state, length):
+def _integrated(numeric, control, state, length):
     rate = ca.Function(
         "rate",
         [numeric.x],

@@ -3,7 +3,7 @@
 On a singular arc of even order q with (-1)^q b < 0 and a control inside the bounds, no bang arc can
 join it with a jump of the control: the optimal control switches infinitely often before it gets
 there (Fuller's problem, q = 2, where the arcs shrink by the factor 4.13). No finite list of arcs
-describes such an extremal, so it is refused, with the numbers of `accumulation` where they can be
+describes such an extremal, so it is refused, with the numbers of `estimate_accumulation` where they can be
 had.
 
 A bang arc can join a singular arc of odd order q > 1, but only from the few states of one motion:
@@ -14,7 +14,7 @@ control, the cost x^2, q = 3). There the numbers decide.
 import casadi as ca
 import numpy as np
 
-from trajlib.pontryagin.indirect.accumulation import accumulation
+from trajlib.pontryagin.indirect.accumulation import estimate_accumulation
 from trajlib.pontryagin.indirect.flow import ArcFlow
 from trajlib.pontryagin.problem.errors import Chattering, WrongStructure
 
@@ -37,18 +37,18 @@ def refuse_chattering(numeric, arcs, end, duration):
         )
         if not joined and not rests:
             continue
-        others = arcs[kinds.index("singular")].kinds if joined else arcs[-1].kinds
-        probe = tuple("singular" if i == j else kind for i, kind in enumerate(others))
+        kinds_of_arc = arcs[kinds.index("singular")].kinds if joined else arcs[-1].kinds
+        probe = tuple("singular" if i == j else kind for i, kind in enumerate(kinds_of_arc))
         try:
             flow = ArcFlow(numeric, probe)
         except WrongStructure:
             continue
         q = flow.orders[j]
         if q > 1 and (joined or _rests_on_arc(numeric, flow, j, end)):
-            numbers = accumulation(numeric, arcs, flow, duration)
+            numbers = estimate_accumulation(numeric, arcs, flow, duration)
             if q % 2 and not numbers:
                 continue
-            why = (
+            reason = (
                 "ever more arcs cost ever less"
                 if q % 2
                 else "a bang arc cannot join a singular arc of even order, so the control switches infinitely often "
@@ -57,10 +57,10 @@ def refuse_chattering(numeric, arcs, end, duration):
             lengths = ", ".join(
                 f"{arc.end - arc.begin:.3g}" for arc in arcs if arc.kinds[j] != "singular"
             )
-            told = f"With ever more arcs {numbers}." if numbers else f"First arcs: {lengths}."
+            evidence = f"With ever more arcs {numbers}." if numbers else f"First arcs: {lengths}."
             raise Chattering(
                 f"the switchings of {numeric.problem.control[j]} accumulate where the trajectory "
-                f"reaches a singular arc of order {q}: {why}. {told} No list of arcs describes "
+                f"reaches a singular arc of order {q}: {reason}. {evidence} No list of arcs describes "
                 "it; bound the number of switchings in another way, for example by a cost on the "
                 "control.",
                 numbers,
@@ -91,19 +91,21 @@ def _rests_on_arc(numeric, flow, j, end):
     """
     n = numeric.n
     # Where its switching function vanishes H does not depend on the singular control.
-    others = [
+    other_controls = [
         {"u-": numeric.lower[i], "u+": numeric.upper[i]}.get(kind, 0.0)
         for i, kind in enumerate(flow.kinds)
     ]
-    equations = ca.vertcat(flow.entry, ca.substitute(numeric.hamiltonian, numeric.u, ca.DM(others)))
+    equations = ca.vertcat(
+        flow.entry, ca.substitute(numeric.hamiltonian, numeric.u, ca.DM(other_controls))
+    )
     unknown = ca.vertcat(numeric.psi, numeric.multiplier)
     matrix = ca.Function("matrix", [numeric.x, unknown], [ca.jacobian(equations, unknown)])(
         end, np.zeros(n + 1)
     ).full()
     # psi from the equations with lambda_0 = 1; they hold only on the singular surface.
     psi, *_ = np.linalg.lstsq(matrix[:, :n], -matrix[:, n], rcond=1e-9)
-    missed = np.max(np.abs(matrix[:, :n] @ psi + matrix[:, n]))
-    if missed > 1e-7 * (1 + np.max(np.abs(matrix))):
+    residual = np.max(np.abs(matrix[:, :n] @ psi + matrix[:, n]))
+    if residual > 1e-7 * (1 + np.max(np.abs(matrix))):
         return False
     control = flow.functions["control"](np.concatenate([end, psi]), 1.0)
     leaving = ca.Function(

@@ -51,7 +51,9 @@ def compare(problem, structures=(), guess=None, guesses=()):
     >>> len(compare(transfer, guesses=[{"duration": 2}, {"duration": 5}]).extremals)
     2
     """
-    attempts = [(structure, guess) for structure in structures] + [(None, one) for one in guesses]
+    attempts = [(structure, guess) for structure in structures] + [
+        (None, other_guess) for other_guess in guesses
+    ]
     if not attempts:
         raise ValueError("structures, guesses: expected at least one of them")
     extremals, refused = [], []

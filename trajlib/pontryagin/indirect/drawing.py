@@ -33,10 +33,10 @@ def draw_extremal(extremal, axes=None):
         phase_plane(extremal, axes[0])
     states, controls, costates = axes[planar:]
     problem, derived = extremal.problem, conditions(extremal.problem)
-    _courses(extremal, states, [(extremal.state, problem.state)], "state")
-    _courses(extremal, controls, [(extremal.control, problem.control)], "control")
+    _time_plots(extremal, states, [(extremal.state, problem.state)], "state")
+    _time_plots(extremal, controls, [(extremal.control, problem.control)], "control")
     _slopes(extremal, controls)
-    _courses(extremal, costates, [(extremal.costate, derived.costate)], "costate")
+    _time_plots(extremal, costates, [(extremal.costate, derived.costate)], "costate")
     for ax in (states, controls, costates):
         _bands(extremal, ax)
         ax.set_xlabel("$t$")
@@ -78,7 +78,7 @@ def phase_plane(extremal, ax=None):
     return ax
 
 
-def _courses(extremal, ax, functions, what):
+def _time_plots(extremal, ax, functions, label):
     """Components against time, broken at the switchings where they jump."""
     for function, symbols in functions:
         lines = {}
@@ -95,7 +95,7 @@ def _courses(extremal, ax, functions, what):
                 np.concatenate([v for _, v in pieces]),
                 label=f"${sp.latex(symbols[i])}$",
             )
-    ax.set_ylabel(what)
+    ax.set_ylabel(label)
 
 
 def _slopes(extremal, ax):

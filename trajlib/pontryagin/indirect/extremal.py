@@ -10,9 +10,9 @@ from trajlib.pontryagin.indirect.refinement import arc_lengths
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, arc_latex
 from trajlib.pontryagin.problem.errors import WrongStructure
 from trajlib.pontryagin.verification.certificate import certify
-from trajlib.pontryagin.verification.optimality import Optimality, theorem_with_discs
+from trajlib.pontryagin.verification.optimality import Optimality, relaxed_sufficiency_theorem
 from trajlib.pontryagin.verification.proof import prove
-from trajlib.pontryagin.verification.second_variation import along_extremal
+from trajlib.pontryagin.verification.second_variation import extremal_second_variation
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,13 +88,13 @@ class Extremal:
         """
         if proved:
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
-        return self._certificate if points is None else self._certified(points)
+        return self._certificate if points is None else self._certificate_at(points)
 
     @cached_property
     def _certificate(self):
-        return self._certified(None)
+        return self._certificate_at(None)
 
-    def _certified(self, points):
+    def _certificate_at(self, points):
         return certify(
             self.problem,
             self.state,
@@ -111,22 +111,22 @@ class Extremal:
     def optimality(self):
         """What is known beyond the necessary conditions: `Optimality`."""
 
-        def known(kind, reason):
+        def optimality(kind, reason):
             return Optimality(kind, reason, self._starts, self._found)
 
-        proof = theorem_with_discs(self.problem)
+        proof = relaxed_sufficiency_theorem(self.problem)
         if proof and (self.normal or not proof[1]):
-            return known("proved", proof[0])
+            return optimality("proved", proof[0])
         if not self.normal:
-            return known("extremal", "abnormal: the second variation of the cost says nothing")
+            return optimality("extremal", "abnormal: the second variation of the cost says nothing")
         if self._variation.sign > 0:
-            return known(
+            return optimality(
                 "locally minimal",
                 "the second variation is positive"
                 if self._variation.states is not None
                 else "no variation keeps to the target to first order",
             )
-        return known(
+        return optimality(
             "extremal",
             "the second variation is negative in some direction"
             if self._variation.sign < 0
@@ -143,7 +143,7 @@ class Extremal:
                 if np.min(np.abs(ends - self.duration)) < 1e-9 * (1 + self.duration)
                 else None
             )
-        return along_extremal(self._numeric, self, duration)
+        return extremal_second_variation(self._numeric, self, duration)
 
     def plot(self, axes=None):
         """Phase plane and time plots of states, controls, costates and switching function; returns
@@ -159,7 +159,7 @@ class Extremal:
             for flow, start, length, steps in zip(shot.flows, shot.starts, shot.lengths, shot.steps)
         ]
 
-    def _along(self, t, what):
+    def _along(self, t, evaluate):
         times = np.atleast_1d(np.asarray(t, dtype=float))
         if times.ndim != 1:
             raise ValueError(
@@ -182,7 +182,7 @@ class Extremal:
             y = flow.step.map(len(node))(
                 start, self._shot.multiplier, inside - node * length / steps
             ).full()[:-1]
-            value = what(flow, y)
+            value = evaluate(flow, y)
             result = np.empty((len(value), len(times))) if result is None else result
             result[:, mask] = value
         return result[:, 0] if np.ndim(t) == 0 else result
@@ -202,7 +202,7 @@ class Extremal:
         )
 
 
-def found_extremal(problem, numeric, shot, starts, found):
+def extremal_of_shot(problem, numeric, shot, starts, found):
     """An `Extremal` of a converged shot, with lambda_0 scaled to one in the normal case."""
     n = numeric.n
     largest = max(np.max(np.abs(start[n : 2 * n])) for start in shot.starts)

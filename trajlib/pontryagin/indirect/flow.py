@@ -64,7 +64,9 @@ class ArcFlow:
         self.stationary = {i: self._stationary(i) for i in self.interior}
         for i in self.interior:
             conditions += (
-                steady_slopes(numeric, i) if kinds[i] in CONSTANT_ANGLES else [self.stationary[i]]
+                constant_angle_conditions(numeric, i)
+                if kinds[i] in CONSTANT_ANGLES
+                else [self.stationary[i]]
             )
         self.entry = ca.vertcat(*map(self._with_control, conditions))
 
@@ -107,15 +109,17 @@ class ArcFlow:
         with its derivatives."""
         numeric, arguments = self.numeric, [self.y, self.numeric.multiplier]
         hamiltonian = self._with_control(numeric.hamiltonian)
-        both = ca.vertcat(self.y, numeric.multiplier)
+        variables = ca.vertcat(self.y, numeric.multiplier)
         slopes = self._with_control(numeric.slopes)
         return {
             "control": ca.Function("control", arguments, [self.control]),
             "hamiltonian": ca.Function(
-                "hamiltonian", arguments, [hamiltonian, ca.jacobian(hamiltonian, both)]
+                "hamiltonian", arguments, [hamiltonian, ca.jacobian(hamiltonian, variables)]
             ),
-            "slopes": ca.Function("slopes", arguments, [slopes, ca.jacobian(slopes, both)]),
-            "entry": ca.Function("entry", arguments, [self.entry, ca.jacobian(self.entry, both)]),
+            "slopes": ca.Function("slopes", arguments, [slopes, ca.jacobian(slopes, variables)]),
+            "entry": ca.Function(
+                "entry", arguments, [self.entry, ca.jacobian(self.entry, variables)]
+            ),
         }
 
     @cached_property
@@ -139,8 +143,8 @@ class ArcFlow:
         after time h."""
         size, h = self.size, ca.SX.sym("h")
         Phi = ca.SX.sym("Phi", size, size + 1)
-        both = ca.vertcat(self.y, self.numeric.multiplier)
-        linear = ca.jacobian(self.rate, both)
+        arguments = ca.vertcat(self.y, self.numeric.multiplier)
+        linear = ca.jacobian(self.rate, arguments)
         # d/dt dy/d(start, lambda_0) = f_y dy/d(start, lambda_0) + (0, f_lambda)
         growth = ca.mtimes(linear[:, :size], Phi) + ca.horzcat(ca.SX(size, size), linear[:, size])
         joined = ca.vertcat(self.y, ca.vec(Phi))
@@ -163,9 +167,9 @@ class ArcFlow:
         after = self._accumulated("step", steps)(start, multiplier, widths).full()
         return np.vstack([start, after.T])
 
-    def values(self, what, points, multiplier):
+    def values(self, name, points, multiplier):
         """One of `functions` at several points (columns): an array with a column for each."""
-        value = self.functions[what].map(points.shape[1])(points, multiplier)
+        value = self.functions[name].map(points.shape[1])(points, multiplier)
         return (value[0] if isinstance(value, (tuple, list)) else value).full()
 
     def transition(self, start, multiplier, length, steps):
@@ -186,10 +190,10 @@ class ArcFlow:
         return ca.Function("rate", [self.y, self.numeric.multiplier], [self.rate])
 
     def _accumulated(self, name, steps):
-        made = self.__dict__.setdefault("_made", {})
-        if (name, steps) not in made:
-            made[name, steps] = getattr(self, name).mapaccum(f"{name}s", steps)
-        return made[name, steps]
+        mapaccums = self.__dict__.setdefault("_mapaccums", {})
+        if (name, steps) not in mapaccums:
+            mapaccums[name, steps] = getattr(self, name).mapaccum(f"{name}s", steps)
+        return mapaccums[name, steps]
 
 
 def extrapolated_midpoint(rate, start, h):
@@ -222,39 +226,41 @@ def singular_control(numeric, i, control, kinds):
     motion = ca.vertcat(numeric.field, numeric.adjoint)
     # numeric.u[i] stays; bounds are constants of the arc. A control that moves along the arc must
     # not act here.
-    bound = [j for j in range(numeric.k) if j != i and kinds[j] in ("u-", "u+")]
-    moving = [numeric.u[j] for j in range(numeric.k) if j != i and j not in bound]
-    fixed = ca.vertcat(*(numeric.u[j] for j in bound)), ca.vertcat(*(control[j] for j in bound))
-    motion, slope = (ca.substitute(e, *fixed) if bound else e for e in (motion, numeric.slopes[i]))
+    bounded = [j for j in range(numeric.k) if j != i and kinds[j] in ("u-", "u+")]
+    moving = [numeric.u[j] for j in range(numeric.k) if j != i and j not in bounded]
+    fixed = ca.vertcat(*(numeric.u[j] for j in bounded)), ca.vertcat(*(control[j] for j in bounded))
+    motion, slope = (
+        ca.substitute(e, *fixed) if bounded else e for e in (motion, numeric.slopes[i])
+    )
     u, point = numeric.u[i], ca.vertcat(numeric.x, numeric.psi)
     derivatives = [slope]
     for order in range(1, 2 * numeric.n + 1):
-        following = ca.jtimes(derivatives[-1], point, motion)
-        if any(not _vanishes(numeric, ca.jacobian(following, other)) for other in moving):
+        derivative = ca.jtimes(derivatives[-1], point, motion)
+        if any(not _vanishes(numeric, ca.jacobian(derivative, other)) for other in moving):
             raise WrongStructure(
                 f"a singular arc of {numeric.problem.control[i]} while another control moves "
                 "between its bounds acts on it: such arcs are not provided for"
             )
-        factor = ca.jacobian(following, u)
+        factor = ca.jacobian(derivative, u)
         if order % 2 == 0 and not _vanishes(numeric, factor):
-            return derivatives, -_without(following, u, moving) / _without(factor, u, moving)
-        derivatives.append(_without(following, u, moving))
+            return derivatives, -_without(derivative, u, moving) / _without(factor, u, moving)
+        derivatives.append(_without(derivative, u, moving))
     raise NotUnique(
         f"the maximum condition leaves {numeric.problem.control[i]} open on an arc: its switching "
         "function vanishes there whatever it does"
     )
 
 
-def steady_slopes(numeric, i):
+def constant_angle_conditions(numeric, i):
     """dH/du of an angle and its time derivatives while it does not turn: all of them vanish on its
     arc."""
     motion, point = ca.vertcat(numeric.field, numeric.adjoint), ca.vertcat(numeric.x, numeric.psi)
     derivatives = [numeric.slopes[i]]
     for _ in range(2 * numeric.n - 1):
-        following = ca.jtimes(derivatives[-1], point, motion)
-        if _vanishes(numeric, following):
+        derivative = ca.jtimes(derivatives[-1], point, motion)
+        if _vanishes(numeric, derivative):
             break
-        derivatives.append(following)
+        derivatives.append(derivative)
     return derivatives
 
 

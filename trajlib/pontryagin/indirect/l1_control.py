@@ -14,7 +14,7 @@ from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.problem.errors import WrongStructure
 from trajlib.pontryagin.problem.statement import Statement
 
-REWARDED = (
+REWARDED_MESSAGE = (
     "the cost rewards the absolute value of a control: p and q with u = p - q are positive at "
     "once, so that p + q is not |u|. State the problem without Abs."
 )
@@ -37,12 +37,12 @@ class L1Split:
         kinds = (kind,) if isinstance(kind, str) else tuple(kind)
         pairs = {"u+": ("u+", "u-"), "u-": ("u-", "u+"), "zero": ("u-", "u-")}
         split = []
-        for one, columns in zip(kinds, self.parts):
-            if len(columns) == 2 and one not in pairs:
+        for control_kind, columns in zip(kinds, self.parts):
+            if len(columns) == 2 and control_kind not in pairs:
                 raise ValueError(
-                    f"structure: with |u| in the cost expected u-, zero or u+ for u, got {one!r}"
+                    f"structure: with |u| in the cost expected u-, zero or u+ for u, got {control_kind!r}"
                 )
-            split += pairs[one] if len(columns) == 2 else [one]
+            split += pairs[control_kind] if len(columns) == 2 else [control_kind]
         return tuple(split)
 
     def joined(self, kind):
@@ -50,13 +50,13 @@ class L1Split:
         kinds = (kind,) if isinstance(kind, str) else kind
         result = []
         for columns in self.parts:
-            one = tuple(kinds[i] for i in columns)
-            if len(one) == 1:
-                result += one
-            elif "u-" not in one:
-                raise WrongStructure(REWARDED)
+            control_kind = tuple(kinds[i] for i in columns)
+            if len(control_kind) == 1:
+                result += control_kind
+            elif "u-" not in control_kind:
+                raise WrongStructure(REWARDED_MESSAGE)
             else:
-                p, q = one
+                p, q = control_kind
                 result.append("zero" if p == q else p if q == "u-" else "u-" if q == "u+" else q)
         return result[0] if len(result) == 1 else tuple(result)
 
@@ -103,7 +103,7 @@ def split_l1_controls(problem):
             values[sp.Abs(u)] = sp.Abs(u) if u not in kinks else u if low >= zero else -u
         else:
             if (sign * sp.expand(problem.running).coeff(sp.Abs(u))).is_negative:
-                raise WrongStructure(REWARDED)
+                raise WrongStructure(REWARDED_MESSAGE)
             pairs[u] = p, q = sp.symbols(f"{u}_+ {u}_-", cls=sp.Dummy)
             controls |= {p: (zero, high), q: (zero, -low)}
             values |= {sp.Abs(u): p + q, u: p - q}

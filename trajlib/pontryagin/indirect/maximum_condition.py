@@ -16,7 +16,7 @@ FRACTIONS = np.concatenate(
 )
 
 
-def wanted_arcs(numeric, shot):
+def required_arcs(numeric, shot):
     """(description, arcs) that the maximum condition asks for along the shot's trajectory."""
     rows, lengths, description = [], [], ""
     for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
@@ -27,13 +27,13 @@ def wanted_arcs(numeric, shot):
             flow.values(what, points.T, shot.multiplier) for what in ("slopes", "control")
         )
         columns = [
-            _wanted(numeric, flow.kinds[j], j, slopes[j], controls[j], shot)
+            _required_kinds(numeric, flow.kinds[j], j, slopes[j], controls[j], shot)
             for j in range(numeric.k)
         ]
         labels = list(zip(*columns))
-        wrong = next((label for label in labels if label != flow.kinds), None)
-        if wrong and not description:
-            description = f"the arc {arc_name(flow.kinds)}, where {arc_name(wrong)} is wanted"
+        required = next((label for label in labels if label != flow.kinds), None)
+        if required and not description:
+            description = f"the arc {arc_name(flow.kinds)}, where {arc_name(required)} is wanted"
         rows += labels
         edges = np.concatenate([[0.0], (FRACTIONS[1:] + FRACTIONS[:-1]) / 2, [1.0]])
         lengths += list(length * np.diff(edges))
@@ -47,7 +47,7 @@ def wanted_arcs(numeric, shot):
     return description, arcs
 
 
-def _wanted(numeric, kind, j, slopes, controls, shot):
+def _required_kinds(numeric, kind, j, slopes, controls, shot):
     """The kind that makes H largest at each point, the present one where the difference is
     rounding."""
     low, high = numeric.lower[j], numeric.upper[j]

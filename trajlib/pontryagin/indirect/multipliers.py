@@ -18,7 +18,7 @@ from trajlib.pontryagin.indirect.maximum_condition import FRACTIONS
 RANK = 1e-9
 
 
-def several_multipliers(numeric, shot, duration):
+def choose_multipliers(numeric, shot, duration):
     """The shot with multipliers that satisfy the maximum condition on its arcs, or None.
 
     None also where arcs are not all at the bounds, and where the multipliers are unique but for a
@@ -36,7 +36,7 @@ def several_multipliers(numeric, shot, duration):
     slopes, room = basis.signed_slopes()
     slopes = slopes @ free[: numeric.n + 1]
     # Greatest share of `room`, for multipliers of which the slopes add up to the number of points.
-    found = linprog(
+    result = linprog(
         np.append(np.zeros(free.shape[1]), -1.0),
         A_ub=np.vstack([np.column_stack([-slopes, room]), np.append(-free[0], 0.0)]),
         b_ub=np.zeros(len(room) + 1),
@@ -44,9 +44,9 @@ def several_multipliers(numeric, shot, duration):
         b_eq=[len(room)],
         bounds=(None, None),
     )
-    if not found.success or found.x[-1] < 0:
+    if not result.success or result.x[-1] < 0:
         return None
-    return basis.shot_with(free @ found.x[:-1])
+    return basis.with_multipliers(free @ result.x[:-1])
 
 
 class _Basis:
@@ -95,8 +95,8 @@ class _Basis:
         transversality = self.starts[-1].copy()
         transversality[:, 0] += final
         normals = numeric.target_value(x)[1].full().T if m else np.zeros((n, 0))
-        others = np.vstack(rows) if rows else np.zeros((0, n + 1))
-        return np.block([[transversality, normals], [others, np.zeros((len(others), m))]])
+        conditions = np.vstack(rows) if rows else np.zeros((0, n + 1))
+        return np.block([[transversality, normals], [conditions, np.zeros((len(conditions), m))]])
 
     def signed_slopes(self):
         """(rows, room): dH/du times the sign of u along the arcs, for every point and control, and
@@ -130,20 +130,20 @@ class _Basis:
                 room.append(4 * fractions * (1 - fractions))
         return np.vstack(rows), np.concatenate(room)
 
-    def _along(self, what, flow, states, costates):
+    def _along(self, name, flow, states, costates):
         """One of the flow's functions, linear in (lambda_0, psi), for every member of the basis.
 
         `states`: (n, N), `costates`: (n, N, 1 + n); the result has the shape (values, N, 1 + n).
         """
         return np.stack(
             [
-                flow.values(what, np.vstack([states, costates[:, :, i]]), float(i == 0))
+                flow.values(name, np.vstack([states, costates[:, :, i]]), float(i == 0))
                 for i in range(self.numeric.n + 1)
             ],
             axis=-1,
         )
 
-    def shot_with(self, multipliers):
+    def with_multipliers(self, multipliers):
         """The same trajectory with the multipliers (lambda_0, psi(0), of the target)."""
         n, changed = self.numeric.n, copy(self.shot)
         changed.multiplier = max(float(multipliers[0]), 0.0)

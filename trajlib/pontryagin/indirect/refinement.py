@@ -5,18 +5,18 @@ from copy import copy
 
 import numpy as np
 
-from trajlib.pontryagin.direct.transcription import Picture, target_multipliers
-from trajlib.pontryagin.indirect.maximum_condition import wanted_arcs
-from trajlib.pontryagin.indirect.multipliers import several_multipliers
+from trajlib.pontryagin.direct.transcription import DirectSolution, target_multipliers
+from trajlib.pontryagin.indirect.maximum_condition import required_arcs
+from trajlib.pontryagin.indirect.multipliers import choose_multipliers
 from trajlib.pontryagin.indirect.shooting import (
     CANCELLING,
     ArcEquations,
-    Shot,
+    ShootingSolution,
     build_flows,
-    jumps,
+    control_jumps,
     newton,
 )
-from trajlib.pontryagin.indirect.structure import line_of
+from trajlib.pontryagin.indirect.structure import axis_of
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, Arc, arc_name
 from trajlib.pontryagin.problem.errors import WrongStructure
 
@@ -32,22 +32,22 @@ SAMPLES = 32
 # Share of the duration below which an interior arc is a swing of the control from bound to bound.
 SWEEP = 1e-2
 # Steps of the integrator on one arc, at most.
-MOST_STEPS = 1024
+MAX_STEPS = 1024
 # Segments of one arc, at most, and the growth of errors on one of them with which no digit is left.
-MOST_PIECES, HOPELESS = 48, 1e20
+MAX_SEGMENTS, MAX_GROWTH = 48, 1e20
 
 
-def polish(numeric, picture, arcs, duration, made, keep_structure=False):
-    """A `Shot` for the arcs of a picture.
+def refine(numeric, solution, arcs, duration, flow_cache, keep_structure=False):
+    """A `ShootingSolution` for the arcs of a picture.
 
     Arcs that vanish are left out, and where the maximum condition fails the arcs are read off the
-    trajectory anew, unless the structure is to be kept. `made` holds the flows built so far. Raises
+    trajectory anew, unless the structure is to be kept. `cached` holds the flows built so far. Raises
     `WrongStructure` if nothing leads to an extremal.
     """
-    tried, reason = set(), ""
-    while tuple(arc.kinds for arc in arcs) not in tried:
-        tried.add(tuple(arc.kinds for arc in arcs))
-        shot = shoot(numeric, picture, arcs, duration, made)
+    tried_structures, reason = set(), ""
+    while tuple(arc.kinds for arc in arcs) not in tried_structures:
+        tried_structures.add(tuple(arc.kinds for arc in arcs))
+        shot = shoot(numeric, solution, arcs, duration, flow_cache)
         lengths = arc_lengths(shot)
         short = int(np.argmin(lengths))
         if lengths[short] < 1e-7 * lengths.sum() and len(arcs) > 1:
@@ -69,54 +69,54 @@ def polish(numeric, picture, arcs, duration, made, keep_structure=False):
             )
             break
         else:
-            description, wanted = wanted_arcs(numeric, shot)
+            description, required = required_arcs(numeric, shot)
             if not description and shot.multiplier >= -1e-8:
                 return shot
-            other = _with_other_multipliers(numeric, shot, duration)
-            if other is not None:
-                return other
+            chosen = _with_chosen_multipliers(numeric, shot, duration)
+            if chosen is not None:
+                return chosen
             if shot.multiplier < -1e-8:
                 reason = "the only solution near the guess has lambda_0 < 0"
                 break
             reason = f"the maximum condition fails on {description}"
-            picture, arcs = sampled(numeric, shot), wanted
+            solution, arcs = to_direct_solution(numeric, shot), required
         if keep_structure:
             break
     raise WrongStructure(reason)
 
 
-def shoot(numeric, picture, arcs, duration, made):
+def shoot(numeric, solution, arcs, duration, flow_cache):
     """Newton's solution for these arcs from the picture's values.
 
     If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution
     may be found from a larger lambda_0; if none is, the abnormal one is looked for.
     """
-    flows = build_flows(numeric, [arc.kinds for arc in arcs], made)
-    guess = _starting_values(numeric, picture, arcs, flows)
+    flows = build_flows(numeric, [arc.kinds for arc in arcs], flow_cache)
+    guess = _starting_values(numeric, solution, arcs, flows)
     shot = _solved(numeric, copy(guess), duration, abnormal=False)
     if not _nearly_abnormal(numeric, shot):
         return shot
-    lifted = copy(guess)
-    lifted.multiplier = _largest_costate(numeric, guess)
-    lifted = _solved(numeric, lifted, duration, abnormal=False)
+    normal = copy(guess)
+    normal.multiplier = _largest_costate(numeric, guess)
+    normal = _solved(numeric, normal, duration, abnormal=False)
     accepted = (
-        lifted.residual <= ACCEPTED
-        and not _nearly_abnormal(numeric, lifted)
-        and lifted.multiplier > 0
+        normal.residual <= ACCEPTED
+        and not _nearly_abnormal(numeric, normal)
+        and normal.multiplier > 0
     )
-    if accepted and not wanted_arcs(numeric, lifted)[0]:
-        return lifted
+    if accepted and not required_arcs(numeric, normal)[0]:
+        return normal
     abnormal = _solved(numeric, copy(shot), duration, abnormal=True)
     return abnormal if abnormal.residual <= max(ACCEPTED, shot.residual) else shot
 
 
-def _with_other_multipliers(numeric, shot, duration):
+def _with_chosen_multipliers(numeric, shot, duration):
     """A shot along the same trajectory whose multipliers satisfy the maximum condition, or None."""
-    other = several_multipliers(numeric, shot, duration)
-    if other is None:
+    chosen = choose_multipliers(numeric, shot, duration)
+    if chosen is None:
         return None
-    other = _solved(numeric, other, duration, abnormal=False)
-    return other if other.residual <= ACCEPTED and not wanted_arcs(numeric, other)[0] else None
+    chosen = _solved(numeric, chosen, duration, abnormal=False)
+    return chosen if chosen.residual <= ACCEPTED and not required_arcs(numeric, chosen)[0] else None
 
 
 def _largest_costate(numeric, shot):
@@ -138,51 +138,51 @@ def arc_lengths(shot):
     return np.array(lengths)
 
 
-def _starting_values(numeric, picture, arcs, flows):
-    """A `Shot` from the picture's values, the arcs being cut into segments along which errors grow
+def _starting_values(numeric, solution, arcs, flows):
+    """A `ShootingSolution` from the picture's values, the arcs being cut into segments along which errors grow
     by CANCELLING at most.
 
     Every segment begins with the values of the picture: followed from the beginning of a long arc,
     its errors would grow.
     """
-    scale = np.linalg.norm(np.append(picture.costates[0], 1.0))
-    made, starts, lengths = [], [], []
+    scale = np.linalg.norm(np.append(solution.costates[0], 1.0))
+    segment_flows, starts, lengths = [], [], []
     for arc, flow in zip(arcs, flows):
         pieces, length = 1, arc.end - arc.begin
         while True:
             begins = arc.begin + length * np.arange(pieces) / pieces
             points = [
-                _point(numeric, picture, flow, begin, length / pieces, scale) for begin in begins
+                _point(numeric, solution, flow, begin, length / pieces, scale) for begin in begins
             ]
             growth = _growth(flow, points, 1 / scale, length / pieces)
             if (
                 growth > CANCELLING
-                and length < SWEEP * picture.duration
+                and length < SWEEP * solution.duration
                 and "interior" in flow.kinds
             ):
                 # No error grows so fast: the control has swept to its bound and beyond, where H is
                 # not concave.
                 length *= _swept(numeric, flow, points[0], 1 / scale, length)
                 growth = _growth(flow, points[:1], 1 / scale, length)
-            if growth <= CANCELLING or pieces >= MOST_PIECES:
+            if growth <= CANCELLING or pieces >= MAX_SEGMENTS:
                 break
-            wanted = np.log(growth) / np.log(CANCELLING) if np.isfinite(growth) else 2
-            pieces = int(min(max(np.ceil(pieces * min(wanted, 4)), pieces + 1), MOST_PIECES))
-        if growth > HOPELESS:
+            needed = np.log(growth) / np.log(CANCELLING) if np.isfinite(growth) else 2
+            pieces = int(min(max(np.ceil(pieces * min(needed, 4)), pieces + 1), MAX_SEGMENTS))
+        if growth > MAX_GROWTH:
             raise WrongStructure(
                 f"errors along the arc {arc_name(flow.kinds)} grow by {growth:.0e} even on {pieces} "
                 "segments"
             )
-        made += [flow] * pieces
+        segment_flows += [flow] * pieces
         starts += points
         lengths += [length / pieces] * pieces
-    return Shot(
-        made,
+    return ShootingSolution(
+        segment_flows,
         starts,
         np.array(lengths),
         1 / scale,
-        target_multipliers(numeric, picture, 1 / scale),
-        [8] * len(made),
+        target_multipliers(numeric, solution, 1 / scale),
+        [8] * len(segment_flows),
     )
 
 
@@ -198,28 +198,28 @@ def _swept(numeric, flow, point, multiplier, length):
     return max(outside[0], 1) / SAMPLES if len(outside) else 1.0
 
 
-def _point(numeric, picture, flow, begin, length, scale):
+def _point(numeric, solution, flow, begin, length, scale):
     """State, costate and interior controls of the picture where a segment begins.
 
     Where a control jumps or swings, it is between two samples that of neither: there the first
     sample on the segment is taken, or, if there is none, what makes H largest.
     """
-    middles = (picture.times[:-1] + picture.times[1:]) / 2
-    x = [np.interp(begin, picture.times, column) for column in picture.states.T]
+    middles = (solution.times[:-1] + solution.times[1:]) / 2
+    x = [np.interp(begin, solution.times, column) for column in solution.states.T]
     # The multipliers of the ends of the intervals: the first is not reliable where the start is
     # fixed.
-    psi = [np.interp(begin, picture.times, column) / scale for column in picture.costates.T]
+    psi = [np.interp(begin, solution.times, column) / scale for column in solution.costates.T]
     w = [
-        line_of(picture.controls[:, j])
+        axis_of(solution.controls[:, j])
         if flow.kinds[j] in CONSTANT_ANGLES
-        else np.interp(begin + 0.02 * length, middles, picture.controls[:, j])
+        else np.interp(begin + 0.02 * length, middles, solution.controls[:, j])
         for j in flow.interior
     ]
     widths = numeric.upper - numeric.lower
     bounded = [j for j in flow.interior if flow.kinds[j] == "interior" and np.isfinite(widths[j])]
     if bounded:
         after = np.searchsorted(middles, begin)
-        u = picture.controls[min(after, len(middles) - 1)]
+        u = solution.controls[min(after, len(middles) - 1)]
         if after == len(middles) or middles[after] > begin + length:
             u = numeric.best_controls(np.array([x]), scale * np.array([psi]), u[None])[0][0]
         for component, j in enumerate(flow.interior):
@@ -243,7 +243,7 @@ def _solved(numeric, shot, duration, abnormal):
     """Newton with steps that are halved until the integration is exact to rounding."""
     first = np.concatenate([[shot.multiplier], shot.starts[0][numeric.n : 2 * numeric.n]])
     shot.multiplier, scale = (0.0 if abnormal else shot.multiplier), np.linalg.norm(first)
-    before, jumping = np.inf, jumps(numeric, shot)
+    before, jumping = np.inf, control_jumps(numeric, shot)
     # With steps that are far too long Newton's method would solve another problem, and stay near
     # its solution.
     shot.steps = _finer_steps(shot, ROUGH)
@@ -275,14 +275,14 @@ def _finer_steps(shot, accuracy):
             flow.nodes(begin, shot.multiplier, length, s)[-1] for s in (steps, 2 * steps)
         )
         error = np.max(np.abs(once - twice) / (1 + np.abs(twice)))
-        if not error < accuracy and steps < MOST_STEPS:
+        if not error < accuracy and steps < MAX_STEPS:
             doublings = np.log2(error / accuracy) / 8 if np.isfinite(error) else 1
-            finer[i] = int(min(steps * 2 ** np.clip(np.ceil(doublings), 1, 3), MOST_STEPS))
+            finer[i] = int(min(steps * 2 ** np.clip(np.ceil(doublings), 1, 3), MAX_STEPS))
     return finer
 
 
-def sampled(numeric, shot):
-    """A `Picture` of a shot, with lambda_0 = 1 where it can be."""
+def to_direct_solution(numeric, shot):
+    """A `DirectSolution` of a shot, with lambda_0 = 1 where it can be."""
     scale = shot.multiplier if shot.multiplier > 1e-8 else 1.0
     times, states, costates, controls = (
         [0.0],
@@ -298,7 +298,7 @@ def sampled(numeric, shot):
         controls.append(
             flow.values("control", ((path[1:] + path[:-1]) / 2)[:, :-1].T, shot.multiplier).T
         )
-    return Picture(
+    return DirectSolution(
         np.array(times),
         np.array(states),
         np.array(costates) / scale,
@@ -309,10 +309,10 @@ def sampled(numeric, shot):
 
 def _without(arcs, index):
     """The arcs without one that vanished; its neighbours, if of one kind, become one arc."""
-    rest = []
+    remaining = []
     for arc in arcs[:index] + arcs[index + 1 :]:
-        if rest and rest[-1].kinds == arc.kinds:
-            rest[-1] = Arc(arc.kinds, rest[-1].begin, arc.end)
+        if remaining and remaining[-1].kinds == arc.kinds:
+            remaining[-1] = Arc(arc.kinds, remaining[-1].begin, arc.end)
         else:
-            rest.append(arc)
-    return rest
+            remaining.append(arc)
+    return remaining

@@ -34,11 +34,11 @@ CANCELLING = 1e3
 RANK = 1e-8
 # Newton's method is given up where the residual has not fallen to this share of itself within so
 # many steps.
-CRAWLING, PATIENCE = 0.9, 10
+STAGNATION, PATIENCE = 0.9, 10
 
 
 @dataclass
-class Shot:
+class ShootingSolution:
     """A trajectory over segments: `starts` (y at the beginning of each), `lengths`, lambda_0, the
     target's multipliers.
 
@@ -61,13 +61,13 @@ class ArcEquations:
     """The equations for one structure; `residual(z)` gives them with their Jacobian.
 
     `flows`: an `ArcFlow` for each arc; `duration`: a number, or None for a free final time;
-    `weights` (1+n,): c above; `abnormal`: lambda_0 is kept at zero; `jumps`: as the function of
+    `weights` (1+n,): c above; `abnormal`: lambda_0 is kept at zero; `control_jumps`: as the function of
     this name finds them.
     """
 
-    def __init__(self, numeric, flows, steps, duration, weights, abnormal=False, jumps=()):
+    def __init__(self, numeric, flows, steps, duration, weights, abnormal=False, control_jumps=()):
         self.numeric, self.flows, self.steps, self.duration = numeric, flows, list(steps), duration
-        self.weights, self.abnormal, self.jumps = weights, abnormal, jumps
+        self.weights, self.abnormal, self.jumps = weights, abnormal, control_jumps
         offsets = np.cumsum([0] + [flow.size for flow in flows])
         self.blocks = [slice(a, b) for a, b in itertools.pairwise(offsets)]
         self.lengths = slice(offsets[-1], offsets[-1] + len(flows))
@@ -93,7 +93,7 @@ class ArcEquations:
         )
 
     def unpack(self, z, residual, uncertainty):
-        return Shot(
+        return ShootingSolution(
             self.flows,
             [z[b] for b in self.blocks],
             z[self.lengths].copy(),
@@ -232,14 +232,14 @@ class ArcEquations:
             self._add(self.z[self.lengths].sum() - self.duration, row)
 
 
-def jumps(numeric, shot):
+def control_jumps(numeric, shot):
     """{(index, j)}: control j jumps between a bound and an interior arc, at the end of segment
     `index`.
 
     It does so where H is convex in it at the bound: there no stationary value that makes H largest
     can come near.
     """
-    found, n = set(), numeric.n
+    result, n = set(), numeric.n
     for index, (left, right) in enumerate(zip(shot.flows, shot.flows[1:])):
         for j, kinds in enumerate(zip(left.kinds, right.kinds)):
             bound = {"u-": numeric.lower[j], "u+": numeric.upper[j]}.get(min(kinds, key=len))
@@ -248,8 +248,8 @@ def jumps(numeric, shot):
                 controls = right.functions["control"](y, shot.multiplier).full().ravel()
                 controls[j] = bound
                 if numeric.curvature(j, y[:n], y[n : 2 * n], controls, shot.multiplier) > 0:
-                    found.add((index, j))
-    return found
+                    result.add((index, j))
+    return result
 
 
 def newton(equations, z, iterations=80):
@@ -263,14 +263,14 @@ def newton(equations, z, iterations=80):
     sizes = []
     for _ in range(iterations):
         sizes.append(np.linalg.norm(r))
-        if not np.isfinite(J).all() or sizes[-1] > CRAWLING * max(
+        if not np.isfinite(J).all() or sizes[-1] > STAGNATION * max(
             sizes[-PATIENCE - 1 : -PATIENCE], default=np.inf
         ):
             break
         step = _least_squares(J, r, 1e-13)
         better = _shortened(equations, z, r, step, 1e-2)
         if not _rounded(z, sizes[-1]) and (
-            better is None or np.linalg.norm(better[1]) > CRAWLING * sizes[-1]
+            better is None or np.linalg.norm(better[1]) > STAGNATION * sizes[-1]
         ):
             # Such a step may go along a family of solutions (a closed path may begin anywhere).
             across = _least_squares(J, r, RANK)
@@ -340,9 +340,9 @@ def _rounded(z, size):
     return size <= 1e-12 * (1 + np.linalg.norm(z))
 
 
-def build_flows(numeric, kinds, made):
-    """An `ArcFlow` for each arc; `made` keeps them between attempts."""
-    for one in kinds:
-        if one not in made:
-            made[one] = ArcFlow(numeric, one)
-    return [made[one] for one in kinds]
+def build_flows(numeric, kinds, flow_cache):
+    """An `ArcFlow` for each arc; `cached` keeps them between attempts."""
+    for arc_kinds in kinds:
+        if arc_kinds not in flow_cache:
+            flow_cache[arc_kinds] = ArcFlow(numeric, arc_kinds)
+    return [flow_cache[arc_kinds] for arc_kinds in kinds]

@@ -8,26 +8,26 @@ arcs (`structure`), and Newton's method for the boundary value problem over thes
 
 import numpy as np
 
-from trajlib.pontryagin.direct.descent import escaped, finer_picture, with_controls
+from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
 from trajlib.pontryagin.direct.free_duration import (
-    refuse_endless,
-    refuse_falling,
-    settled_duration,
+    fixed_duration,
+    refuse_falling_cost,
+    refuse_unbounded_duration,
 )
 from trajlib.pontryagin.direct.guesses import read_guess
 from trajlib.pontryagin.direct.multistart import search
-from trajlib.pontryagin.direct.sliding import in_turn, refuse_sliding, relaxed_picture
-from trajlib.pontryagin.direct.transcription import INTERVALS, Picture, target_multipliers
+from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
+from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
-from trajlib.pontryagin.indirect.extremal import found_extremal
+from trajlib.pontryagin.indirect.extremal import extremal_of_shot
 from trajlib.pontryagin.indirect.l1_control import split_l1_controls
-from trajlib.pontryagin.indirect.refinement import polish
+from trajlib.pontryagin.indirect.refinement import refine
 from trajlib.pontryagin.indirect.state_scaling import scale_large_states
-from trajlib.pontryagin.indirect.structure import detect, read_structure, readings
+from trajlib.pontryagin.indirect.structure import candidate_structures, detect_arcs, read_structure
 from trajlib.pontryagin.problem.arcs import Arc, arc_name
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
-from trajlib.pontryagin.verification.second_variation import of_picture, second_variation
+from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
 
 
 def solve(problem, structure=None, guess=None):
@@ -76,36 +76,51 @@ def _solved(problem, structure, guess):
     """An extremal of a problem that is smooth in its controls and well scaled."""
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
-    found = search(numeric, read_guess(numeric, guess), kinds)
-    made = {}
+    search_result = search(numeric, read_guess(numeric, guess), kinds)
+    flow_cache = {}
     if kinds is not None:
-        picture, _ = found.pictures[0]
-        arcs = _given_arcs(kinds, picture)
-        shot = polish(
-            numeric, picture, arcs, settled_duration(numeric, picture), made, keep_structure=True
+        solution, _ = search_result.solutions[0]
+        arcs = _arcs_of_structure(kinds, solution)
+        shot = refine(
+            numeric,
+            solution,
+            arcs,
+            fixed_duration(numeric, solution),
+            flow_cache,
+            keep_structure=True,
         )
-        extremal = found_extremal(problem, numeric, shot, found.starts, found.found)
-        reason = _refused(extremal)
+        extremal = extremal_of_shot(
+            problem, numeric, shot, search_result.starts, search_result.found
+        )
+        reason = _certificate_failure(extremal)
         if reason:
             raise WrongStructure(reason)
         return extremal
-    refuse_falling(numeric, found)
+    refuse_falling_cost(numeric, search_result)
     reasons = []
-    for picture, side in found.pictures:
-        extremal = _joined(problem, numeric, picture, side, found, made, reasons)
+    for solution, side in search_result.solutions:
+        extremal = _certified_extremal(
+            problem, numeric, solution, side, search_result, flow_cache, reasons
+        )
         if extremal is not None:
             return extremal
-    picture, side = found.pictures[0]
-    relaxed = relaxed_picture(numeric, picture, side)
+    solution, side = search_result.solutions[0]
+    relaxed = relaxed_solution(numeric, solution, side)
     if relaxed is not None:
-        separate = with_controls(numeric, relaxed, side, in_turn(numeric, relaxed))
-        refuse_sliding(numeric, picture, relaxed, separate)
-        extremal = _joined(problem, numeric, separate, side, found, made, reasons)
+        separate = solution_from_controls(
+            numeric, relaxed, side, sequential_controls(numeric, relaxed)
+        )
+        refuse_sliding(numeric, solution, relaxed, separate)
+        extremal = _certified_extremal(
+            problem, numeric, separate, side, search_result, flow_cache, reasons
+        )
         if extremal is not None:
             return extremal
-    if settled_duration(numeric, picture) is None:
-        refuse_endless(numeric, finer_picture(numeric, picture, side, 4) or picture, side)
-    cost = -picture.cost if problem.maximise else picture.cost
+    if fixed_duration(numeric, solution) is None:
+        refuse_unbounded_duration(
+            numeric, finer_solution(numeric, solution, side, 4) or solution, side
+        )
+    cost = -solution.cost if problem.maximise else solution.cost
     open_control = next((reason for reason in reasons if isinstance(reason, NotUnique)), None)
     if open_control:
         raise NotUnique(
@@ -122,10 +137,10 @@ def _solved(problem, structure, guess):
     )
 
 
-def _given_arcs(kinds, picture):
-    ends = np.concatenate([[0.0], np.cumsum(picture.lengths)])
-    if min(picture.lengths) < 1e-6 * picture.duration:
-        short = int(np.argmin(picture.lengths))
+def _arcs_of_structure(kinds, solution):
+    ends = np.concatenate([[0.0], np.cumsum(solution.lengths)])
+    if min(solution.lengths) < 1e-6 * solution.duration:
+        short = int(np.argmin(solution.lengths))
         raise WrongStructure(
             f"the arc {arc_name(kinds[short])} (number {short + 1}) shrinks to nothing: the best "
             "process "
@@ -134,18 +149,20 @@ def _given_arcs(kinds, picture):
     return [Arc(kind, begin, end) for kind, begin, end in zip(kinds, ends, ends[1:])]
 
 
-def _joined(problem, numeric, picture, side, found, made, reasons):
+def _certified_extremal(problem, numeric, solution, side, search_result, flow_cache, reasons):
     """A certified extremal next to the picture, found on finer and finer grids; None, with the
     reasons noted."""
     factor = 1
     while factor is not None:
-        duration = settled_duration(numeric, picture)
-        refuse_chattering(numeric, detect(numeric, picture), picture.states[-1], duration)
-        for arcs in readings(numeric, picture):
+        duration = fixed_duration(numeric, solution)
+        refuse_chattering(numeric, detect_arcs(numeric, solution), solution.states[-1], duration)
+        for arcs in candidate_structures(numeric, solution):
             try:
-                shot = polish(numeric, picture, arcs, duration, made)
-                extremal = found_extremal(problem, numeric, shot, found.starts, found.found)
-                reason = _refused(extremal)
+                shot = refine(numeric, solution, arcs, duration, flow_cache)
+                extremal = extremal_of_shot(
+                    problem, numeric, shot, search_result.starts, search_result.found
+                )
+                reason = _certificate_failure(extremal)
             except WrongStructure as error:
                 reason = error
             if not reason:
@@ -157,21 +174,21 @@ def _joined(problem, numeric, picture, side, found, made, reasons):
             if extremal._variation.sign == 0:
                 # More time may change nothing to second order because it costs nothing more at all.
                 if duration is None:
-                    refuse_endless(numeric, picture, side)
+                    refuse_unbounded_duration(numeric, solution, side)
                 return extremal
             reason = "the extremal found is a saddle: the cost falls along its second variation"
-            better = _beside(numeric, extremal, side)
+            better = _solution_beside_saddle(numeric, extremal, side)
             if better is not None:
-                picture, factor = better, 1
+                solution, factor = better, 1
                 continue
             reasons.append(reason)
         factor = {1: 4, 4: 10, 10: None}[factor]
         if factor is not None:
-            picture = finer_picture(numeric, picture, side, factor) or picture
+            solution = finer_solution(numeric, solution, side, factor) or solution
     return None
 
 
-def _refused(extremal):
+def _certificate_failure(extremal):
     """Why an extremal is not to be returned: conditions that its own certificate finds violated; ""
     if all hold."""
     failures = extremal.certificate().failures()
@@ -184,11 +201,11 @@ def _refused(extremal):
     )
 
 
-def _beside(numeric, extremal, side):
+def _solution_beside_saddle(numeric, extremal, side):
     """A discrete picture with less cost than an extremal that is a saddle, or None."""
     times = np.linspace(0, extremal.duration, INTERVALS + 1)
     sign = -1 if extremal.problem.maximise else 1
-    picture = Picture(
+    solution = DirectSolution(
         times,
         extremal.state(times).T,
         extremal.costate(times).T,
@@ -196,6 +213,6 @@ def _beside(numeric, extremal, side):
         sign * extremal.cost,
     )
     variation = second_variation(
-        numeric, of_picture(numeric, picture, target_multipliers(numeric, picture))
+        numeric, process_of_solution(numeric, solution, target_multipliers(numeric, solution))
     )
-    return escaped(numeric, picture, variation, side) if variation.sign < 0 else None
+    return escape_saddle(numeric, solution, variation, side) if variation.sign < 0 else None

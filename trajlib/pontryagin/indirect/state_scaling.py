@@ -12,7 +12,7 @@ import numpy as np
 
 from trajlib.pontryagin.direct.guesses import read_guess, refuse_start_on_target
 from trajlib.pontryagin.direct.infeasibility import refuse_infeasible
-from trajlib.pontryagin.indirect.extremal import Extremal, found_extremal
+from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
 from trajlib.pontryagin.indirect.shooting import CANCELLING, build_flows
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.statement import Statement
@@ -50,7 +50,7 @@ class StateScaling:
             np.concatenate([y[:n] * self.scales, y[n : 2 * n] / self.scales, y[2 * n :]])
             for y in shot.starts
         ]
-        return found_extremal(
+        return extremal_of_shot(
             self.numeric.problem, self.numeric, shot, extremal._starts, extremal._found
         )
 
@@ -75,14 +75,14 @@ def scale_large_states(problem):
 def _scaled(problem, scales):
     """The same problem for x = s X, under the same names."""
 
-    def put(e):
+    def substituted(e):
         return e.subs({x: s * x for x, s in scales.items()}, simultaneous=True)
 
     return replace(
         problem,
-        dynamics={x: put(f) / scales.get(x, 1) for x, f in problem.dynamics.items()},
+        dynamics={x: substituted(f) / scales.get(x, 1) for x, f in problem.dynamics.items()},
         initial={x: v if v is None else v / scales.get(x, 1) for x, v in problem.initial.items()},
-        terminal=[put(g) for g in problem.terminal],
-        running=put(problem.running),
-        final=put(problem.final),
+        terminal=[substituted(g) for g in problem.terminal],
+        running=substituted(problem.running),
+        final=substituted(problem.final),
     )

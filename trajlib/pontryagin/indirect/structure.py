@@ -11,44 +11,44 @@ from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, KINDS, Arc
 NEAR, AT = 1e-3, 1e-6
 # The sine of the angle to a line, and the share of the intervals, up to which an angle keeps to
 # that line.
-OFF_LINE = 0.1
+OFF_AXIS = 0.1
 
 
-def readings(numeric, picture):
-    """The lists of arcs that a `Picture` may show, the likeliest first.
+def candidate_structures(numeric, solution):
+    """The lists of arcs that a `DirectSolution` may show, the likeliest first.
 
     Where an angle points to and fro along a line, it may be constant on its arcs. A control that
     comes to its bound ever more slowly, as where psi has a multiple zero at the end, is near the
     bound long before: it may be on an interior arc to the end.
     """
-    to_and_fro = any(keeps_to_a_line(numeric, picture, i) for i in range(numeric.k))
+    on_axis = any(stays_on_axis(numeric, solution, i) for i in range(numeric.k))
     seen = []
-    for options in ({"steady": True},) * to_and_fro + ({}, {"tolerance": AT}):
-        arcs = detect(numeric, picture, **options)
+    for options in ({"constant_angles": True},) * on_axis + ({}, {"tolerance": AT}):
+        arcs = detect_arcs(numeric, solution, **options)
         kinds = [arc.kinds for arc in arcs]
         if kinds not in seen:
             seen.append(kinds)
             yield arcs
 
 
-def detect(numeric, picture, tolerance=NEAR, steady=False):
-    """The arcs of a `Picture`, a list of `Arc`.
+def detect_arcs(numeric, solution, tolerance=NEAR, constant_angles=False):
+    """The arcs of a `DirectSolution`, a list of `Arc`.
 
-    `steady`: an angle that keeps to one line is taken to be constant but for jumps by half a turn.
+    `constant_angles`: an angle that keeps to one line is taken to be constant but for jumps by half a turn.
     An interval belongs to a bound if its control is there to within `tolerance` of the distance
     between the bounds. One or two intervals between different bounds are a switching that falls
     between the nodes.
     """
-    N = len(picture.controls)
+    N = len(solution.controls)
     columns = [
-        _steady_labels(picture.controls[:, i])
-        if steady and keeps_to_a_line(numeric, picture, i)
-        else _labels(numeric, picture, i, tolerance)
+        _constant_angle_labels(solution.controls[:, i])
+        if constant_angles and stays_on_axis(numeric, solution, i)
+        else _labels(numeric, solution, i, tolerance)
         for i in range(numeric.k)
     ]
-    boundaries = [_runs(numeric, picture, i, column) for i, column in enumerate(columns)]
+    boundaries = [_runs(numeric, solution, i, column) for i, column in enumerate(columns)]
     cuts = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
-    step = picture.duration / N
+    step = solution.duration / N
     arcs = []
     for begin, end in itertools.pairwise(cuts):
         middle = (begin + end) / 2
@@ -57,35 +57,35 @@ def detect(numeric, picture, tolerance=NEAR, steady=False):
     return arcs
 
 
-def line_of(angles):
+def axis_of(angles):
     """The direction along which, or against which, angles point in the mean."""
     return np.angle(np.mean(np.exp(2j * angles))) / 2
 
 
-def keeps_to_a_line(numeric, picture, i):
+def stays_on_axis(numeric, solution, i):
     """Whether a control is an angle that points along one line, to and fro, on nearly all
     intervals."""
-    angles = picture.controls[:, i]
-    turned = np.cos(angles - line_of(angles)) > 0
-    off_line = np.abs(np.sin(angles - line_of(angles))) > OFF_LINE
-    return numeric.angles[i] and 0 < turned.sum() < len(turned) and off_line.mean() < OFF_LINE
+    angles = solution.controls[:, i]
+    turned = np.cos(angles - axis_of(angles)) > 0
+    off_axis = np.abs(np.sin(angles - axis_of(angles))) > OFF_AXIS
+    return numeric.angles[i] and 0 < turned.sum() < len(turned) and off_axis.mean() < OFF_AXIS
 
 
-def _steady_labels(angles):
+def _constant_angle_labels(angles):
     ahead, back = CONSTANT_ANGLES
-    return np.where(np.cos(angles - line_of(angles)) > 0, ahead, back)
+    return np.where(np.cos(angles - axis_of(angles)) > 0, ahead, back)
 
 
-def _labels(numeric, picture, i, tolerance):
+def _labels(numeric, solution, i, tolerance):
     """ "u-", "u+" or "between" for each interval."""
-    u, low, high = picture.controls[:, i], numeric.lower[i], numeric.upper[i]
+    u, low, high = solution.controls[:, i], numeric.lower[i], numeric.upper[i]
     width = high - low if np.isfinite(high - low) else 1 + np.ptp(u)
     return np.where(
         u <= low + tolerance * width, "u-", np.where(u >= high - tolerance * width, "u+", "between")
     )
 
 
-def _runs(numeric, picture, i, labels):
+def _runs(numeric, solution, i, labels):
     """[(kind, begin, end)] in units of the intervals."""
     runs = _run_lengths(labels)
     between = "singular" if numeric.affine[i] else "interior"
@@ -99,20 +99,20 @@ def _runs(numeric, picture, i, labels):
         if label != "between":
             result.append((label, float(begin), float(end)))
             continue
-        here = slice(begin, end)
+        interval = slice(begin, end)
         if (
             bounded
             and end - begin <= 2
             and len(runs) > 1
             and not numeric.concave(
                 i,
-                picture.states[here],
-                picture.costates[begin + 1 : end + 1],
-                picture.controls[here],
+                solution.states[interval],
+                solution.costates[begin + 1 : end + 1],
+                solution.controls[interval],
             )
         ):
             # A switching inside the interval: where it is, the mean control tells.
-            result, runs = _split(numeric, picture, i, result, runs, index)
+            result, runs = _split(numeric, solution, i, result, runs, index)
             continue
         result.append((between, float(begin), float(end)))
     return _merged(result)
@@ -122,7 +122,7 @@ def _without_ringing(runs):
     """Single intervals at a bound within a singular stretch are numerical ringing: they join it."""
     changed = list(runs)
     for index, (label, begin, end) in enumerate(runs):
-        around = [
+        neighbours = [
             r
             for r in (
                 runs[index - 1] if index else None,
@@ -133,9 +133,9 @@ def _without_ringing(runs):
         if (
             label != "between"
             and end - begin <= 2
-            and len(around) == 2
-            and all(r[0] == "between" for r in around)
-            and max(r[2] - r[1] for r in around) >= 3
+            and len(neighbours) == 2
+            and all(r[0] == "between" for r in neighbours)
+            and max(r[2] - r[1] for r in neighbours) >= 3
         ):
             changed[index] = ("between", begin, end)
     return _merged(changed)
@@ -156,7 +156,7 @@ def _merged(runs):
     return result
 
 
-def _split(numeric, picture, i, result, runs, index):
+def _split(numeric, solution, i, result, runs, index):
     """A short run between the bounds, shared out to the bounds around it by the mean of the
     control.
 
@@ -167,10 +167,10 @@ def _split(numeric, picture, i, result, runs, index):
     value = {"u-": numeric.lower[i], "u+": numeric.upper[i]}
     before = result[-1][0] if result else None
     after = runs[index + 1][0] if index + 1 < len(runs) else None
-    sides = [side for side in (before, after) if side in value]
-    mean = picture.controls[begin:end, i].mean()
-    other = {"u-": "u+", "u+": "u-"}[sides[0]]
-    if len(sides) == 2 and before != after:
+    target_sides = [side for side in (before, after) if side in value]
+    mean = solution.controls[begin:end, i].mean()
+    other = {"u-": "u+", "u+": "u-"}[target_sides[0]]
+    if len(target_sides) == 2 and before != after:
         cut = begin + (end - begin) * float(
             np.clip((mean - value[after]) / (value[before] - value[after]), 0, 1)
         )
@@ -180,7 +180,7 @@ def _split(numeric, picture, i, result, runs, index):
             *runs[index + 2 :],
         ]
     share = (end - begin) * float(
-        np.clip((mean - value[sides[0]]) / (value[other] - value[sides[0]]), 0.02, 1)
+        np.clip((mean - value[target_sides[0]]) / (value[other] - value[target_sides[0]]), 0.02, 1)
     )
     if before is None:
         return [(other, begin, begin + share)], [
@@ -212,12 +212,12 @@ def read_structure(numeric, structure):
                 f"got {arc!r}"
             )
         for i, kind in enumerate(kinds):
-            wanted = {True: "singular", False: "interior"}[numeric.affine[i]]
-            if kind in ("singular", "interior") and kind != wanted:
+            expected = {True: "singular", False: "interior"}[numeric.affine[i]]
+            if kind in ("singular", "interior") and kind != expected:
                 raise ValueError(
                     f"structure: H is {'' if numeric.affine[i] else 'not '}linear in "
                     f"{numeric.problem.control[i]}, "
-                    f"so its arcs between the bounds are {wanted}, not {kind}"
+                    f"so its arcs between the bounds are {expected}, not {kind}"
                 )
         if result and result[-1] == kinds:
             raise ValueError(f"structure: two arcs {arc!r} in succession are one arc")

@@ -5,8 +5,8 @@ from itertools import product
 import numpy as np
 import sympy as sp
 
-from trajlib.pontryagin.planar_synthesis.control_terms import ControlPart
-from trajlib.pontryagin.planar_synthesis.plant import stacked
+from trajlib.pontryagin.planar_synthesis.control_terms import ControlTerm
+from trajlib.pontryagin.planar_synthesis.plant import array_function
 from trajlib.pontryagin.planar_synthesis.terminal_sets import CurveTarget, PointTarget
 from trajlib.pontryagin.problem.statement import Statement
 
@@ -28,7 +28,7 @@ def read_window(window):
     return window
 
 
-def positive(value, name):
+def read_positive(value, name):
     try:
         number = float(value)
     except (TypeError, ValueError):
@@ -39,7 +39,7 @@ def positive(value, name):
 
 
 def read_plant(problem):
-    """The parts of the controls, a `ControlPart` each."""
+    """The parts of the controls, a `ControlTerm` each."""
     if not isinstance(problem, Statement):
         raise TypeError(f"problem: expected a Problem, got {type(problem).__name__}")
     if len(problem.state) != 2:
@@ -67,42 +67,42 @@ def read_plant(problem):
             "first"
         )
     cost = -problem.running if problem.maximise else problem.running
-    return [ControlPart(problem, cost, u) for u in problem.control]
+    return [ControlTerm(problem, cost, u) for u in problem.control]
 
 
-class Final:
+class TerminalCost:
     """The terminal cost, with the sign of a minimum: `value`, shape (1, N), and `gradient`, (2,
     N)."""
 
     def __init__(self, problem):
         cost = -problem.final if problem.maximise else problem.final
-        self.value = stacked(problem.state, [cost])
-        self.gradient = stacked(problem.state, [cost.diff(x) for x in problem.state])
+        self.value = array_function(problem.state, [cost])
+        self.gradient = array_function(problem.state, [cost.diff(x) for x in problem.state])
 
 
 def refuse_singular_arcs(problem, plant, window):
     """An error where det(F, F_j, [F, F_j]) vanishes on a curve in the window that an admissible
     control follows."""
     x, y = (v.ravel() for v in np.meshgrid(*(np.linspace(*pair, 121) for pair in window)))
-    for part in plant.parts:
+    for term in plant.terms:
         drift = sp.Matrix(problem.field).subs(dict.fromkeys(problem.control, 0))
-        for det in part.singular:
+        for det in term.singular:
             slope = sp.Matrix([det.diff(s) for s in problem.state])
-            values = stacked(problem.state, [det, (slope.T * drift)[0], (slope.T * part.push)[0]])(
-                x, y
-            )
+            values = array_function(
+                problem.state, [det, (slope.T * drift)[0], (slope.T * term.input_field)[0]]
+            )(x, y)
             with np.errstate(all="ignore"):
                 u = -values[1] / values[2]
             sign = np.sign(values[0]).reshape(121, 121)
             close = np.zeros(sign.shape, bool)
             close[:, 1:] |= sign[:, 1:] * sign[:, :-1] <= 0
             close[1:] |= sign[1:] * sign[:-1] <= 0
-            room = 0.05 * float(part.high - part.low)
-            inside = (u > float(part.low) + room) & (u < float(part.high) - room)
+            room = 0.05 * float(term.high - term.low)
+            inside = (u > float(term.low) + room) & (u < float(term.high) - room)
             if (inside & close.ravel()).sum() > 3:
                 raise ValueError(
                     f"problem: where {sp.simplify(det)} = 0 a motion could be singular in "
-                    f"{part.u}, and a synthesis without singular arcs would be wrong; solve() "
+                    f"{term.u}, and a synthesis without singular arcs would be wrong; solve() "
                     "finds processes with such arcs from one start"
                 )
 
@@ -125,8 +125,8 @@ def read_target(problem, sides, box, curve):
         raise ValueError("terminal: expected one equation (a curve) or two (a point)")
     g = problem.terminal[0]
     raw, gradient = (
-        stacked(problem.state, [g]),
-        stacked(problem.state, [g.diff(s) for s in problem.state]),
+        array_function(problem.state, [g]),
+        array_function(problem.state, [g.diff(s) for s in problem.state]),
     )
     return CurveTarget(lambda *x: raw(*x)[0], gradient, sides, box, _read_curve(curve))
 
@@ -135,7 +135,7 @@ def _refuse_free_rest(problem, point):
     """At a target point every moment has to cost something: else one would rest there, or switch
     without end."""
     cost = sp.expand((-problem.running if problem.maximise else problem.running).subs(point))
-    values = stacked(problem.control, [cost])(
+    values = array_function(problem.control, [cost])(
         *np.meshgrid(
             *(np.linspace(float(low), float(high), 41) for low, high in problem.controls.values())
         )
@@ -165,14 +165,14 @@ def _read_curve(curve):
             "curve: expected two expressions in one symbol s with numbers for everything else, "
             "and low < high"
         )
-    point = stacked([s], [x1, x2])
+    point = array_function([s], [x1, x2])
     return point, low, high
 
 
 def greatest_rate(problem, window):
     """The greatest norm of df/dx in the window: the steps have to follow the fastest motion."""
     jacobian = sp.Matrix(problem.field).jacobian(problem.state)
-    value = stacked([*problem.state, *problem.control], list(jacobian))
+    value = array_function([*problem.state, *problem.control], list(jacobian))
     x, y = (v.ravel() for v in np.meshgrid(*(np.linspace(*pair, 15) for pair in window)))
     rates = []
     with np.errstate(all="ignore"):

@@ -4,61 +4,67 @@ of the optimal cost across them."""
 import numpy as np
 
 from trajlib.pontryagin.planar_synthesis.curves import Curve, consecutive_runs, in_window
-from trajlib.pontryagin.planar_synthesis.value_function import SQUARES
+from trajlib.pontryagin.planar_synthesis.value_function import GRID
 
 #: Jumps of the least cost below so many steps of the grid are not told from a steep rise.
 SMALLEST_JUMP = 2
 
 
-def border_extremals(fans, field, touching):
+def border_extremals(fans, value_function, touching):
     """Extremals that touch the target (fans of one, `touching`) or end a family, with the jump of
     the least cost across them."""
-    found = [("abnormal", alone, 0) for alone in touching if alone.life[0] > 1]
+    candidates = [("abnormal", alone, 0) for alone in touching if alone.last_step[0] > 1]
     for fan in fans:
         ends = np.array([fan.ends.low, fan.ends.high])
         closed = (
             np.abs(np.diff(np.vstack([fan.ends.point(ends), fan.ends.covector(ends)]))).max() < 1e-9
         )
         if not closed:
-            found += [("end of a family", fan, j) for j in (0, fan.s.size - 1) if fan.life[j] > 1]
-    traces, known = [], []
-    for kind, fan, j in found:
-        steps = np.arange(fan.life[j] + 1)
-        stretch = consecutive_runs(np.flatnonzero(in_window(fan.path[steps, :, j].T, field)))
+            candidates += [
+                ("end of a family", fan, j) for j in (0, fan.s.size - 1) if fan.last_step[j] > 1
+            ]
+    traces, distinct_paths = [], []
+    for kind, fan, j in candidates:
+        steps = np.arange(fan.last_step[j] + 1)
+        stretch = consecutive_runs(
+            np.flatnonzero(in_window(fan.path[steps, :, j].T, value_function))
+        )
         if not stretch or stretch[0][0] > 1:
             continue
         k = np.unique(np.append(stretch[0][:: max(stretch[0].size // 20, 1)], stretch[0][-1]))
         x = fan.path[k, :, j].T
-        if not any(x.shape == y.shape and np.abs(x - y).max() < 1e-9 for y in known):
-            known.append(x)
+        if not any(x.shape == y.shape and np.abs(x - y).max() < 1e-9 for y in distinct_paths):
+            distinct_paths.append(x)
             traces.append((kind, fan, j, k, x))
     if not traces:
         return []
-    asked = []
+    points = []
     for _, fan, j, k, x in traces:
         v = fan.plant.velocity(fan.motion[k, :, j].T, fan.mode[k, j])
         normal = np.array([-v[1], v[0]]) / (np.hypot(*v) + 1e-300)
-        asked.append(
+        points.append(
             np.hstack(
                 [
-                    x + far * SQUARES * np.max(field.square) * normal
+                    x + far * GRID * np.max(value_function.square) * normal
                     for far in (0, 1e-4, -1e-4, 1e-7, -1e-7)
                 ]
             )
         )
     costs = np.split(
-        field.exact(np.hstack(asked)).cost, np.cumsum([a.shape[1] for a in asked])[:-1]
+        value_function.exact(np.hstack(points)).cost, np.cumsum([a.shape[1] for a in points])[:-1]
     )
-    return [_border(field, trace, *np.split(cost, 5)) for trace, cost in zip(traces, costs)]
+    return [
+        _border(value_function, trace, *np.split(cost, 5)) for trace, cost in zip(traces, costs)
+    ]
 
 
-def _border(field, trace, here, *sides):
+def _border(value_function, trace, on_border, *sides):
     """The curve of a border from the least costs on it, and on both sides of it at two
     distances."""
     kind, fan, j, k, x = trace
-    grain, tau = field.grain, fan.times[k]
+    step_cost, tau = value_function.step_cost, fan.times[k]
     # At a fold of high order the cost is as uncertain as a root of the accuracy of the point.
-    optimal = (here > fan.value[k, j] - 0.25 * grain) | ~np.isfinite(here)
+    optimal = (on_border > fan.value[k, j] - 0.25 * step_cost) | ~np.isfinite(on_border)
     last = int(np.argmax(~optimal)) if not optimal.all() else k.size
     controls = tuple(_one_or_all(fan.plant.control(fan.motion[k, :, j].T, fan.mode[k, j])))
     if last < 6:
@@ -72,7 +78,7 @@ def _border(field, trace, here, *sides):
     far, near = np.abs(far_left - far_right), np.abs(left - right)
     # Where the cost only rises steeply, like a root of the distance, the difference is smaller at
     # the smaller distance.
-    jump = np.where((near > 0.5 * far) & (near > SMALLEST_JUMP * grain), near, 0)
+    jump = np.where((near > 0.5 * far) & (near > SMALLEST_JUMP * step_cost), near, 0)
     jump = np.fmin(np.fmin(jump[:-2], jump[1:-1]), jump[2:])
     jump = float(np.max(jump, initial=0))
     # Beyond the horizon nothing is known: a missing side counts only where the other one is well
@@ -82,7 +88,7 @@ def _border(field, trace, here, *sides):
         jump = np.inf
     points, times = x.T[:last], tau[:last]
     # one more point, so that the curve runs to the edge of the window
-    if last == k.size and k[-1] < fan.life[j]:
+    if last == k.size and k[-1] < fan.last_step[j]:
         points = np.vstack([points, fan.path[k[-1] + 1, :, j]])
         times, controls = np.append(times, fan.times[k[-1] + 1]), (*controls, controls[-1])
     return Curve(points, times, jump, kind, optimal=last == k.size, controls=controls[: len(times)])

@@ -24,23 +24,23 @@ synthesis.
 import numpy as np
 
 from trajlib.pontryagin.planar_synthesis.arguments import (
-    Final,
+    TerminalCost,
     greatest_rate,
-    positive,
     read_plant,
+    read_positive,
     read_target,
     read_window,
     refuse_singular_arcs,
 )
 from trajlib.pontryagin.planar_synthesis.curves import Curve
-from trajlib.pontryagin.planar_synthesis.dispersal import cut_at_overlaps, dispersal_curves
+from trajlib.pontryagin.planar_synthesis.dispersal import dispersal_curves, find_overtakings
 from trajlib.pontryagin.planar_synthesis.fan import Fan
 from trajlib.pontryagin.planar_synthesis.fan_filling import fill, held_fans, single_extremal
 from trajlib.pontryagin.planar_synthesis.plant import Plant
 from trajlib.pontryagin.planar_synthesis.switching_curves import switching_curves
 from trajlib.pontryagin.planar_synthesis.synthesis import Synthesis
-from trajlib.pontryagin.planar_synthesis.terminal_sets import Transversality, families
-from trajlib.pontryagin.planar_synthesis.value_function import ValueField
+from trajlib.pontryagin.planar_synthesis.terminal_sets import Transversality, end_families
+from trajlib.pontryagin.planar_synthesis.value_function import ValueFunction
 
 SIDES = {"both": (1, -1), "positive": (1,), "negative": (-1,), "outside": (1,), "inside": (-1,)}
 
@@ -77,13 +77,13 @@ def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", c
     (7.666666667, 'u-', 'interior')
     """
     window = read_window(window)
-    horizon = positive(horizon, "horizon")
+    horizon = read_positive(horizon, "horizon")
     plant = Plant(problem, read_plant(problem))
     if side not in SIDES:
         raise ValueError(f"side: expected one of {', '.join(map(repr, SIDES))}, got {side!r}")
     # extremals may leave the window for a while
     box = tuple((3 * low - 2 * high, 3 * high - 2 * low) for low, high in window)
-    target, final = read_target(problem, SIDES[side], box, curve), Final(problem)
+    target, final = read_target(problem, SIDES[side], box, curve), TerminalCost(problem)
     refuse_singular_arcs(problem, plant, window)
     steps = int(
         np.clip(np.ceil(max(100, horizon * greatest_rate(problem, window) / 0.12)), 100, 1200)
@@ -92,23 +92,27 @@ def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", c
     fans, arcs, touches = [], [], []
     for sigma in target.sides:
         transversality = Transversality(target, plant, final, sigma)
-        ends, touching = families(transversality)
+        ends, touching = end_families(transversality)
         touches += [
             single_extremal(transversality, touch, horizon, steps, box) for touch in touching
         ]
         for family in ends:
             fan = Fan(plant, target, family, horizon, steps, box)
             fill(fan, window)
-            if (fan.life > 0).any():
+            if (fan.last_step > 0).any():
                 arcs.append(family)
-            fans += [one for one in (fan, *held_fans(fan, window)) if (one.life > 0).any()]
+            fans += [
+                filled for filled in (fan, *held_fans(fan, window)) if (filled.last_step > 0).any()
+            ]
     if not fans:
         raise ValueError(
             "terminal: no extremal ends on this target: no admissible velocity crosses it towards "
             "the side asked for"
         )
-    field_ = ValueField(fans, window)
-    dispersal = dispersal_curves(np.hstack([cut_at_overlaps(fan, field_) for fan in fans]), field_)
+    value_function = ValueFunction(fans, window)
+    dispersal = dispersal_curves(
+        np.hstack([find_overtakings(fan, value_function) for fan in fans]), value_function
+    )
     return Synthesis(
         problem,
         window,
@@ -117,7 +121,7 @@ def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", c
         dispersal,
         _reached(arcs) if target.sides != (0,) else [],
         target,
-        field_,
+        value_function,
         touches,
         lambda x: final.value(*x)[0],
     )

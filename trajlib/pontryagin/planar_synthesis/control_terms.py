@@ -19,7 +19,7 @@ class Level:
         self.name, self.value = name, value
 
 
-class ControlPart:
+class ControlTerm:
     """The part of the control u in a problem; `cost` is its f_0, with the sign of a minimum.
 
     `levels` in growing order of u; `surfaces` are the functions that separate one from the next.
@@ -32,18 +32,19 @@ class ControlPart:
         self.u, (self.low, self.high) = u, problem.controls[u]
         x, others = sp.Matrix(problem.state), [v for v in problem.control if v != u]
         f = sp.Matrix(problem.field)
-        self.push = f.diff(u)
-        price = cost.coeff(sp.Abs(u)) if cost.has(sp.Abs(u)) else sp.Integer(0)
-        smooth = sp.expand(cost - price * sp.Abs(u))
-        linear, weight = smooth.diff(u).subs(u, 0), sp.simplify(smooth.diff(u, 2))
-        self._check(f, smooth, price, weight, others)
-        if price != 0 and not self.low < 0 < self.high:  # |u| is u or -u
-            linear, price = linear + (price if self.low >= 0 else -price), sp.Integer(0)
-        self.linear, self.price, self.weight = linear, price, weight
+        self.input_field = f.diff(u)
+        l1_weight = cost.coeff(sp.Abs(u)) if cost.has(sp.Abs(u)) else sp.Integer(0)
+        smooth = sp.expand(cost - l1_weight * sp.Abs(u))
+        linear, quadratic_weight = smooth.diff(u).subs(u, 0), sp.simplify(smooth.diff(u, 2))
+        self._check(f, smooth, l1_weight, quadratic_weight, others)
+        if l1_weight != 0 and not self.low < 0 < self.high:  # |u| is u or -u
+            linear, l1_weight = linear + (l1_weight if self.low >= 0 else -l1_weight), sp.Integer(0)
+        self.linear, self.l1_weight, self.quadratic_weight = linear, l1_weight, quadratic_weight
         self.convex = (
-            _sign(price, f"the factor of |{u}|") >= 0 and _sign(weight, f"the factor of {u}^2") >= 0
+            _sign(l1_weight, f"the factor of |{u}|") >= 0
+            and _sign(quadratic_weight, f"the factor of {u}^2") >= 0
         )
-        if not self.convex and max(_sign(price, ""), _sign(weight, "")) > 0:
+        if not self.convex and max(_sign(l1_weight, ""), _sign(quadratic_weight, "")) > 0:
             raise ValueError(f"running: it is neither convex nor concave in {u}")
         self._make_levels()
         self._make_singular(problem, f, cost, x, others)
@@ -52,24 +53,24 @@ class ControlPart:
         """[(expression, its size)], positive where the control is above."""
         return [
             (
-                (psi.T * self.push)[0] - lambda_0 * shift,
-                psi.norm() * self.push.norm() + lambda_0 * sp.Abs(shift),
+                (psi.T * self.input_field)[0] - lambda_0 * shift,
+                psi.norm() * self.input_field.norm() + lambda_0 * sp.Abs(shift),
             )
             for shift in self._shifts
         ]
 
     def between(self, psi, lambda_0):
         """{number of the level: value} for the levels between the bounds."""
-        slope = (psi.T * self.push)[0] - lambda_0 * self.linear
-        found = {}
+        slope = (psi.T * self.input_field)[0] - lambda_0 * self.linear
+        values = {}
         for i, level in enumerate(self.levels):
             if level.name == "interior":
                 below = any(other.name == "zero" for other in self.levels[i:])
-                corner = self.price if self.price == 0 or below else -self.price
-                found[i] = (slope + lambda_0 * corner) / (lambda_0 * self.weight)
-        return found
+                corner = self.l1_weight if self.l1_weight == 0 or below else -self.l1_weight
+                values[i] = (slope + lambda_0 * corner) / (lambda_0 * self.quadratic_weight)
+        return values
 
-    def _check(self, f, smooth, price, weight, others):
+    def _check(self, f, smooth, l1_weight, quadratic_weight, others):
         u = self.u
         if any(sp.simplify(e) != 0 for e in f.diff(u, 2)) or any(
             sp.simplify(e) != 0 for v in others for e in f.diff(u, v)
@@ -77,7 +78,7 @@ class ControlPart:
             raise ValueError(
                 f"problem: the right-hand side is not affine in {', '.join(map(str, [u, *others]))}"
             )
-        if smooth.has(sp.Abs(u)) or price.has(u) or weight.has(u):
+        if smooth.has(sp.Abs(u)) or l1_weight.has(u) or quadratic_weight.has(u):
             raise ValueError(
                 f"running: expected a polynomial of at most the second degree in {u}, and a "
                 f"multiple of |{u}|"
@@ -93,7 +94,7 @@ class ControlPart:
             )
 
     def _make_levels(self):
-        low, high, g, k, r = self.low, self.high, self.linear, self.price, self.weight
+        low, high, g, k, r = self.low, self.high, self.linear, self.l1_weight, self.quadratic_weight
         bottom, top = Level("u-", float(low)), Level("u+", float(high))
         if not self.convex:
             # H(u_+) - H(u_-), divided by u_+ - u_-.
@@ -112,20 +113,29 @@ class ControlPart:
 
     def _make_singular(self, problem, f, cost, x, others):
         self.singular, self.open = [], False
-        if self.weight != 0 and self.convex:
+        if self.quadratic_weight != 0 and self.convex:
             return
         parallel = True
-        rest = cost - self.price * sp.Abs(self.u)
+        rest = cost - self.l1_weight * sp.Abs(self.u)
         for shift in self._shifts:
-            own = sp.Matrix([*self.push, shift])
+            extended_field = sp.Matrix([*self.input_field, shift])
             for values in product(*(problem.controls[v] for v in others)):
-                put = {self.u: 0, **dict(zip(others, values))}
-                field = sp.Matrix([*f, rest]).subs(put)
-                bracket = own.jacobian(x) * field[:2, :] - field.jacobian(x) * own[:2, :]
+                constants = {self.u: 0, **dict(zip(others, values))}
+                field = sp.Matrix([*f, rest]).subs(constants)
+                bracket = (
+                    extended_field.jacobian(x) * field[:2, :]
+                    - field.jacobian(x) * extended_field[:2, :]
+                )
                 # Without any running cost H says psi^T f = 0, and its third row is zero.
-                rows = (own, bracket) if field[2] == shift == 0 else (field, own, bracket)
+                rows = (
+                    (extended_field, bracket)
+                    if field[2] == shift == 0
+                    else (field, extended_field, bracket)
+                )
                 det = sp.simplify(sp.Matrix.hstack(*rows)[: len(rows), :].det())
-                parallel = parallel and all(sp.simplify(e) == 0 for e in own.cross(bracket))
+                parallel = parallel and all(
+                    sp.simplify(e) == 0 for e in extended_field.cross(bracket)
+                )
                 if det not in self.singular:
                     self.singular.append(det)
         self.open = parallel and bool(others)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.pontryagin.planar_synthesis.value_function import SQUARES
+from trajlib.pontryagin.planar_synthesis.value_function import GRID
 
 
 @dataclass(frozen=True)
@@ -58,9 +58,9 @@ def crossing_angles(points, velocities):
     return np.array(angles)
 
 
-def in_window(x, field):
-    size = SQUARES * field.square
-    low, high = field.corner - 1e-9 * size, field.corner + (1 + 1e-9) * size
+def in_window(x, value_function):
+    size = GRID * value_function.square
+    low, high = value_function.corner - 1e-9 * size, value_function.corner + (1 + 1e-9) * size
     return ((x >= low[:, None]) & (x <= high[:, None])).all(axis=0)
 
 

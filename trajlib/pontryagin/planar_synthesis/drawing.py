@@ -52,30 +52,30 @@ LOOKS = (
 def _regions(synthesis, ax):
     """A colour and a hatching for each mode of the controls."""
     (left, right), (bottom, top) = synthesis.window
-    field, plant = synthesis._field, synthesis.plant
+    value_function, plant = synthesis._value_function, synthesis.plant
     X, Y = np.meshgrid(np.linspace(left, right, 301), np.linspace(bottom, top, 301))
     x = np.array([X.ravel(), Y.ravel()])
-    triangle = field.interpolated(x)[1]
-    mode = field.modes(triangle)
+    triangle = value_function.interpolated(x)[1]
+    mode = value_function.modes(triangle)
     # A cell in which the mode changes is divided by the switching curve.
-    corners = plant.words.mode[field.word[triangle]]
+    corners = plant.sequences.mode[value_function.sequence[triangle]]
     divided = np.flatnonzero((triangle >= 0) & (np.ptp(corners, axis=1) > 0))
-    mode[divided] = field.exact(x[:, divided]).mode
+    mode[divided] = value_function.exact(x[:, divided]).mode
     mode = mode.reshape(X.shape)
     shown = [m for m in range(len(plant.modes)) if (mode == m).any()]
-    for m, (colour, strength, hatch, line) in zip(_dressed(shown, len(plant.modes)), LOOKS):
-        here = (mode == m).astype(float)
-        if here.any() and strength:
+    for m, (colour, strength, hatch, line) in zip(_legend_order(shown, len(plant.modes)), LOOKS):
+        is_mode = (mode == m).astype(float)
+        if is_mode.any() and strength:
             ax.contourf(
-                X, Y, here, levels=[0.5, 1.5], colors=[colour], alpha=strength, zorder=0
+                X, Y, is_mode, levels=[0.5, 1.5], colors=[colour], alpha=strength, zorder=0
             ).set_linewidth(0)
-        if here.any() and hatch:
+        if is_mode.any() and hatch:
             hatching = ax.contourf(
-                X, Y, here, levels=[0.5, 1.5], colors="none", hatches=[hatch], zorder=0
+                X, Y, is_mode, levels=[0.5, 1.5], colors="none", hatches=[hatch], zorder=0
             )
             hatching.set_linewidth(0)
             hatching.set_edgecolor(line)
-        if here.any() or len(plant.modes) == 2:
+        if is_mode.any() or len(plant.modes) == 2:
             # Empty outlines, for the legend only.
             face = "white" if not strength else _tint(colour, strength)
             ax.fill(
@@ -89,7 +89,7 @@ def _regions(synthesis, ax):
             )
 
 
-def _dressed(shown, count):
+def _legend_order(shown, count):
     """The modes in the order of `LOOKS`: the lowest, the highest, then what lies between."""
     if count == 2:
         return [0, 1]
@@ -103,11 +103,11 @@ def _tint(colour, strength):
 
 
 def _mode_label(synthesis, mode):
-    parts, names = synthesis.plant.parts, synthesis.plant.name(mode)
-    told = []
-    for part, name in zip(parts, (names,) if len(parts) == 1 else names):
-        u, low, high = sp.latex(part.u), sp.latex(part.low), sp.latex(part.high)
-        told.append(
+    terms, names = synthesis.plant.terms, synthesis.plant.name(mode)
+    labels = []
+    for term, name in zip(terms, (names,) if len(terms) == 1 else names):
+        u, low, high = sp.latex(term.u), sp.latex(term.low), sp.latex(term.high)
+        labels.append(
             {
                 "u-": f"{u} = {low}",
                 "u+": f"{u} = {high}",
@@ -116,7 +116,7 @@ def _mode_label(synthesis, mode):
                 "open": rf"{u}\ \mathrm{{open}}",
             }[name]
         )
-    return f"${', '.join(told)}$"
+    return f"${', '.join(labels)}$"
 
 
 def _line(ax, points, label, **look):

@@ -16,7 +16,7 @@ from trajlib.pontryagin.planar_synthesis.plant import HELD, ROWS, steps_needed
 #: that live longer: the cells between them have to reach as far as these.
 BEYOND = 4
 #: Rows of `Fan.switchings` before the modes and velocities: index, tau, x1, x2.
-PLACE = 4
+POSITION_ROWS = 4
 
 
 class Fan:
@@ -24,11 +24,11 @@ class Fan:
     more between them.
 
     `motion`: shape (K + 1, 7, N), nan some steps after an extremal has died; `path` is its part of
-    the states, `value` the cost. `mode`, `word`: of the controls, and of the structure so far, (K +
+    the states, `value` the cost. `mode`, `sequence`: of the controls, and of the structure so far, (K +
     1, N). `switchings`: rows index of the extremal, tau, x1, x2, modes before and after (in forward
-    time), the velocities before and after. `life`: the last step at which it lives; `dead`: 1 if it
-    then met the target again, 2 if it left the box. `cut`: when it stops to be optimal (set by
-    `cut_at_overlaps`).
+    time), the velocities before and after. `last_step`: the last step at which it lives; `outcome`: 1 if it
+    then met the target again, 2 if it left the box. `optimal_until`: when it stops to be optimal (set by
+    `find_overtakings`).
     """
 
     def __init__(self, plant, target, ends, horizon, steps, box):
@@ -41,9 +41,9 @@ class Fan:
     def _clear(self):
         count = self.times.size
         self.motion = np.empty((count, ROWS, 0))
-        self.mode, self.word = np.empty((count, 0), int), np.empty((count, 0), int)
-        self.life, self.dead = np.empty(0, int), np.empty(0, int)
-        self.switchings = np.empty((PLACE + 6, 0))
+        self.mode, self.sequence = np.empty((count, 0), int), np.empty((count, 0), int)
+        self.last_step, self.outcome = np.empty(0, int), np.empty(0, int)
+        self.switchings = np.empty((POSITION_ROWS + 6, 0))
 
     @property
     def path(self):
@@ -66,52 +66,54 @@ class Fan:
     def add(self, s):
         """Integrate extremals for more values of the parameter; the fan stays sorted by s."""
         s = np.asarray(s, dtype=float)
-        motion, mode, word, life, dead, switchings = self._integrate(s)
+        motion, mode, sequence, last_step, outcome, switchings = self._integrate(s)
         order = np.argsort(np.append(self.s, s), kind="stable")
-        place = np.empty(order.size, int)
-        place[order] = np.arange(order.size)
+        new_index = np.empty(order.size, int)
+        new_index[order] = np.arange(order.size)
         old = self.switchings.copy()
-        old[0] = place[old[0].astype(int)]
-        switchings[0] = place[switchings[0].astype(int) + self.s.size]
+        old[0] = new_index[old[0].astype(int)]
+        switchings[0] = new_index[switchings[0].astype(int) + self.s.size]
         self.switchings = np.hstack([old, switchings])
         self.s = np.append(self.s, s)[order]
         self.motion = np.concatenate([self.motion, motion], axis=2)[:, :, order]
         self.mode = np.concatenate([self.mode, mode], axis=1)[:, order]
-        self.word = np.concatenate([self.word, word], axis=1)[:, order]
-        self.life = np.append(self.life, life)[order]
-        self.dead = np.append(self.dead, dead)[order]
+        self.sequence = np.concatenate([self.sequence, sequence], axis=1)[:, order]
+        self.last_step = np.append(self.last_step, last_step)[order]
+        self.outcome = np.append(self.outcome, outcome)[order]
 
     def _integrate(self, s):
         count, plant = self.times.size, self.plant
         z, mode = self.start(s)
         motion = np.full((count, ROWS, s.size), np.nan)
-        modes, words = np.full((count, s.size), -1), np.full((count, s.size), -1)
-        known = mode >= 0
+        modes, sequences = np.full((count, s.size), -1), np.full((count, s.size), -1)
+        has_mode = mode >= 0
         motion[0], modes[0] = z, mode
-        word = np.full(s.size, -1)
-        word[known] = plant.words.after(-1, mode[known])
-        words[0] = word
+        sequence = np.full(s.size, -1)
+        sequence[has_mode] = plant.sequences.after(-1, mode[has_mode])
+        sequences[0] = sequence
         # Where a surface and its derivative vanish the extremal is singular; where the velocity is
         # zero it never leaves.
         speed = np.zeros(s.size)
-        speed[known] = np.hypot(*plant.velocity(z[:, known], mode[known]))
-        active = known & (speed > 1e-12 * (1 + np.nanmax(speed, initial=0)))
-        life, dead = np.where(active, count - 1, 0), np.where(active, 0, 1)
-        found = []
+        speed[has_mode] = np.hypot(*plant.velocity(z[:, has_mode], mode[has_mode]))
+        active = has_mode & (speed > 1e-12 * (1 + np.nanmax(speed, initial=0)))
+        last_step, outcome = np.where(active, count - 1, 0), np.where(active, 0, 1)
+        switchings = []
         h = self.times[1]
         (left, right), (bottom, top) = self.box
         for k in range(1, count):
-            now = np.flatnonzero(active)
-            if not now.size:
+            active_columns = np.flatnonzero(active)
+            if not active_columns.size:
                 break
-            z_new, mode_new, switched = plant.advance(z[:, now], mode[now], h)
-            z[:, now], mode[now] = z_new, mode_new
+            z_new, mode_new, switched = plant.advance(z[:, active_columns], mode[active_columns], h)
+            z[:, active_columns], mode[active_columns] = z_new, mode_new
             for which, gone, there, old, new in switched:
-                word[now[which]] = plant.words.after(word[now[which]], new)
-                found.append(
+                sequence[active_columns[which]] = plant.sequences.after(
+                    sequence[active_columns[which]], new
+                )
+                switchings.append(
                     np.vstack(
                         [
-                            now[which],
+                            active_columns[which],
                             self.times[k - 1] + gone,
                             there[:2],
                             new,
@@ -121,16 +123,23 @@ class Fan:
                         ]
                     )
                 )
-            words[k] = word
-            motion[k][:, now], modes[k, now] = z_new, mode_new
+            sequences[k] = sequence
+            motion[k][:, active_columns], modes[k, active_columns] = z_new, mode_new
             x1, x2 = z_new[:2]
-            met = self.target.outside(z_new[:2], self.ends.side) <= 0
-            lost = ~((x1 >= left) & (x1 <= right) & (x2 >= bottom) & (x2 <= top))
-            ended = (met | lost) & (dead[now] == 0)
-            life[now[ended]] = k - 1
-            dead[now[ended]] = np.where(met, 1, 2)[ended]
-            active[now[lost | (k - life[now] >= BEYOND)]] = False
-        return motion, modes, words, life, dead, np.hstack([np.empty((PLACE + 6, 0)), *found])
+            met_target = self.target.outside(z_new[:2], self.ends.side) <= 0
+            left_box = ~((x1 >= left) & (x1 <= right) & (x2 >= bottom) & (x2 <= top))
+            ended = (met_target | left_box) & (outcome[active_columns] == 0)
+            last_step[active_columns[ended]] = k - 1
+            outcome[active_columns[ended]] = np.where(met_target, 1, 2)[ended]
+            active[active_columns[left_box | (k - last_step[active_columns] >= BEYOND)]] = False
+        return (
+            motion,
+            modes,
+            sequences,
+            last_step,
+            outcome,
+            np.hstack([np.empty((POSITION_ROWS + 6, 0)), *switchings]),
+        )
 
     def flow(self, s, tau):
         """Motion and mode at the reversed times `tau` on the extremals `s`, one to one."""
@@ -143,8 +152,8 @@ class Fan:
             z, mode, _ = self.plant.advance(z, mode, tau / steps)
         return z, mode
 
-    def arcs(self, s, tau, word):
-        """Extremals with given structures, the words `word`.
+    def arcs(self, s, tau, sequence):
+        """Extremals with given structures, the words `sequence`.
 
         The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that
         is earlier: so the end is a smooth function of s and tau, to which Newton's method can be
@@ -153,7 +162,7 @@ class Fan:
         """
         plant = self.plant
         z, _ = self.start(s)
-        modes, switchings = plant.words.table(word), plant.words.length[word]
+        modes, switchings = plant.sequences.table(sequence), plant.sequences.length[sequence]
         begin = np.zeros(s.size)
         stride = 2 * self.times[1]
         longest = self.times[-1] + 4 * stride
@@ -164,7 +173,7 @@ class Fan:
                 surface = plant.crossing[mode, modes[waiting, n + 1]]
                 end = plant.step(now, mode, stride)
                 e = plant.surfaces(end)[surface, np.arange(waiting.size)]
-                crossed = e * plant.demand[mode, surface] < 0
+                crossed = e * plant.required_sign[mode, surface] < 0
                 ready = waiting[crossed]
                 if ready.size:
                     when, there = plant.first_zero(
@@ -179,7 +188,7 @@ class Fan:
                 waiting = waiting[~crossed]
                 z[:, waiting] = end[:, ~crossed]
                 begin[waiting] += stride
-                lost = ~(begin[waiting] < longest)
-                begin[waiting[lost]] = np.nan
-                waiting = waiting[~lost]
-        return plant.follow(z, plant.words.mode[word], tau - begin, stride), begin
+                too_late = ~(begin[waiting] < longest)
+                begin[waiting[too_late]] = np.nan
+                waiting = waiting[~too_late]
+        return plant.follow(z, plant.sequences.mode[sequence], tau - begin, stride), begin

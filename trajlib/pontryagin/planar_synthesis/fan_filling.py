@@ -5,12 +5,12 @@ from dataclasses import replace
 import numpy as np
 
 from trajlib.pontryagin.planar_synthesis.fan import BEYOND, Fan
-from trajlib.pontryagin.planar_synthesis.terminal_sets import Ends
+from trajlib.pontryagin.planar_synthesis.terminal_sets import EndFamily
 
 #: Neighbouring extremals are at most this share of the window apart (while there are not too many
 #: of them).
 SPACING = 0.025
-MOST = 1500
+MAX_EXTREMALS = 1500
 
 
 def fill(fan, window):
@@ -35,15 +35,17 @@ def fill(fan, window):
             wide = (np.hypot(step[:, 0], step[:, 1]) > SPACING) & (near[:, 1:] | near[:, :-1])
         parts = np.where(wide, np.hypot(step[:, 0], step[:, 1]) / SPACING, 0).max(axis=0)
         split = (parts > 1) & (gap > 1e-5 * span)
-        met = fan.dead == 1
-        torn = (met[1:] | met[:-1]) & (np.abs(np.diff(fan.life)) >= BEYOND) & (gap > 1e-8 * span)
+        met = fan.outcome == 1
+        torn = (
+            (met[1:] | met[:-1]) & (np.abs(np.diff(fan.last_step)) >= BEYOND) & (gap > 1e-8 * span)
+        )
         # The last extremal of a family may be abnormal, without the switchings of its neighbours.
         edge = np.zeros(gap.size, bool)
-        edge[[0, -1]] = ((fan.word[:, [0, -2]] != fan.word[:, [1, -1]]) & near[:, [0, -2]]).any(
-            axis=0
-        )
+        edge[[0, -1]] = (
+            (fan.sequence[:, [0, -2]] != fan.sequence[:, [1, -1]]) & near[:, [0, -2]]
+        ).any(axis=0)
         torn |= edge & (gap > 1e-4 * span)
-        if fan.s.size > MOST:
+        if fan.s.size > MAX_EXTREMALS:
             split[:] = False
         if not (split | torn).any():
             return
@@ -63,7 +65,7 @@ def _first_control_changes(fan):
     cells."""
     if fan.ends.held is not None:
         return []
-    return np.concatenate([[], *(found for _, found in _changes(fan))])
+    return np.concatenate([[], *(values for _, values in _changes(fan))])
 
 
 def _changes(fan):
@@ -73,7 +75,7 @@ def _changes(fan):
 
     s = np.linspace(fan.ends.low, fan.ends.high, 721)
     z, mode = fan.start(s)
-    found = []
+    result = []
     for k, values in enumerate(fan.plant.surfaces(z)):
 
         def e(v, k=k):
@@ -81,7 +83,7 @@ def _changes(fan):
 
         changes = np.flatnonzero((values[:-1] * values[1:] < 0) & (mode[:-1] != mode[1:]))
         exact = s[np.abs(values) < 1e-14]
-        found.append(
+        result.append(
             (
                 k,
                 np.append(
@@ -90,20 +92,20 @@ def _changes(fan):
                 ),
             )
         )
-    return found
+    return result
 
 
 def held_fans(fan, window):
     """The motions from ends at which a control is open for good: one fan for each such end, over
     the values held."""
-    plant, ends, found = fan.plant, fan.ends, []
-    if not any(part.open for part in plant.parts):
+    plant, ends, fans = fan.plant, fan.ends, []
+    if not any(term.open for term in plant.terms):
         return []
     for surface, values in _changes(fan):
         j = plant.owner(surface)
-        if not plant.parts[j].open:
+        if not plant.terms[j].open:
             continue
-        low, high = float(plant.parts[j].low), float(plant.parts[j].high)
+        low, high = float(plant.terms[j].low), float(plant.terms[j].high)
         for s in np.unique(np.round(values, 12)):
             # The other controls are those of the neighbours, at both sides of the end.
             near = np.clip(
@@ -120,10 +122,12 @@ def held_fans(fan, window):
                     special=(),
                     held=mode,
                 )
-                one = Fan(plant, fan.target, held, fan.times[-1], fan.times.size - 1, fan.box)
-                fill(one, window)
-                found.append(one)
-    return found
+                fan_of_end = Fan(
+                    plant, fan.target, held, fan.times[-1], fan.times.size - 1, fan.box
+                )
+                fill(fan_of_end, window)
+                fans.append(fan_of_end)
+    return fans
 
 
 def _constant(value):
@@ -134,7 +138,7 @@ def _constant(value):
 def single_extremal(transversality, touch, horizon, steps, box):
     """One extremal by itself, for an abnormal end whose covector may point the other way."""
     s, sign = touch
-    ends = Ends(
+    ends = EndFamily(
         transversality.point,
         lambda v: transversality.abnormal(v, sign),
         transversality.cost,

@@ -20,23 +20,23 @@ from itertools import product
 import numpy as np
 import sympy as sp
 
-from trajlib.pontryagin.planar_synthesis.control_sequences import Words
+from trajlib.pontryagin.planar_synthesis.control_sequences import ControlSequences
 
 #: Numbers of substeps of the extrapolated midpoint rule.
-COLUMNS = (2, 4, 6, 8)
+SUBSTEPS = (2, 4, 6, 8)
 ROWS = 7
 COST, HELD = 5, 6
 #: Norm of matrix and time up to which the terms of a matrix series have few digits to lose to each
 #: other.
-SUMMED = 3.0
+SERIES_NORM = 3.0
 
 
 class Plant:
     """The numeric right-hand sides; motions are arrays of shape (7, N), modes of shape (N,)."""
 
-    def __init__(self, problem, parts):
-        """`parts`: a `ControlPart` for each control."""
-        self.parts = parts
+    def __init__(self, problem, terms):
+        """`terms`: a `ControlTerm` for each control."""
+        self.terms = terms
         #: Whether the cost is the time.
         self.counts_time = problem.time_optimal and not problem.maximise
         self.controls = problem.control
@@ -55,7 +55,7 @@ class Plant:
                 sp.Integer(0),
             ]
         )
-        self._rate = stacked([*motion, *u], rates)
+        self._rate = array_function([*motion, *u], rates)
         slope = rates.jacobian(motion)
         #: d(dz/dtau)/dz where it is the same everywhere, as for linear plants with the time or the
         #: fuel as the cost.
@@ -63,30 +63,30 @@ class Plant:
             None if slope.free_symbols else np.array(slope.row_join(sp.zeros(ROWS, 2)), dtype=float)
         )
         self._growth = None if self._matrix is None else np.linalg.norm(self._matrix, 1)
-        self._levels = [part.levels for part in parts]
+        self._levels = [term.levels for term in terms]
         surfaces = [
-            (j, e, size) for j, part in enumerate(parts) for e, size in part.surfaces(psi, lambda_0)
+            (j, e, size) for j, term in enumerate(terms) for e, size in term.surfaces(psi, lambda_0)
         ]
         self._owner = np.array([j for j, _, _ in surfaces], int)
-        self._surfaces = stacked(motion, [e for _, e, _ in surfaces])
-        self._sizes = stacked(motion, [size for _, _, size in surfaces])
+        self._surfaces = array_function(motion, [e for _, e, _ in surfaces])
+        self._sizes = array_function(motion, [size for _, _, size in surfaces])
         slopes = [
             sp.Matrix([e]).jacobian(x) * f
             + sp.Matrix([e]).jacobian(psi)
             * (lambda_0 * sp.Matrix([cost]).jacobian(x).T - f.jacobian(x).T * psi)
             for _, e, _ in surfaces
         ]
-        self._slopes = stacked([*motion, *u], [sp.expand(s[0]) for s in slopes])
+        self._slopes = array_function([*motion, *u], [sp.expand(s[0]) for s in slopes])
         self._between = [
-            {i: stacked(motion, [value]) for i, value in part.between(psi, lambda_0).items()}
-            for part in parts
+            {i: array_function(motion, [value]) for i, value in term.between(psi, lambda_0).items()}
+            for term in terms
         ]
         self._tabulate()
-        self.words = Words(len(self.modes))
+        self.sequences = ControlSequences(len(self.modes))
         #: det(F, F_j, [F, F_j]) of the fields with the cost as a third state: extremals can be
         #: singular only where one of them vanishes.
-        self.singular = [d for j, part in enumerate(parts) for d in part.singular]
-        self.singular_at = stacked(problem.state, self.singular or [sp.Integer(1)])
+        self.singular = [d for j, term in enumerate(terms) for d in term.singular]
+        self.singular_at = array_function(problem.state, self.singular or [sp.Integer(1)])
 
     def _tabulate(self):
         """Modes as combinations of levels; what each demands of the surfaces; where a crossed
@@ -104,7 +104,7 @@ class Plant:
         )
         self._plain = ~np.isnan(self._value).any(axis=1)
         count = self._owner.size
-        self.demand, self.beyond = (
+        self.required_sign, self.next_mode = (
             np.zeros((len(self.modes), count), int),
             np.full((len(self.modes), count), -1),
         )
@@ -115,10 +115,10 @@ class Plant:
                     continue
                 # of this surface among those of the control
                 rank = s - int(np.argmax(self._owner == j))
-                self.demand[m, s] = 1 if mode[j] > rank else -1
-                step = 1 if self.demand[m, s] < 0 else -1
+                self.required_sign[m, s] = 1 if mode[j] > rank else -1
+                step = 1 if self.required_sign[m, s] < 0 else -1
                 other = number[(*mode[:j], mode[j] + step, *mode[j + 1 :])]
-                self.beyond[m, s] = other
+                self.next_mode[m, s] = other
                 if mode[j] == rank + (step < 0):
                     self.crossing[m, other] = s
 
@@ -164,9 +164,9 @@ class Plant:
         u, moving = self._value[mode].T, []
         if not self._plain[mode].all():
             for m, j in np.argwhere(np.isnan(self._value)):
-                here = np.flatnonzero(mode == m)
-                if here.size:
-                    moving.append((j, self.modes[m][j], here))
+                columns = np.flatnonzero(mode == m)
+                if columns.size:
+                    moving.append((j, self.modes[m][j], columns))
         return u, moving
 
     def _filled(self, z, u, moving):
@@ -175,9 +175,11 @@ class Plant:
         u = u.copy()
         # next to lambda_0 = 0 no level lies between the bounds
         with np.errstate(all="ignore"):
-            for j, i, here in moving:
+            for j, i, columns in moving:
                 held = self._levels[j][i].name == "open"
-                u[j, here] = z[HELD, here] if held else self._between[j][i](*z[:5, here])[0]
+                u[j, columns] = (
+                    z[HELD, columns] if held else self._between[j][i](*z[:5, columns])[0]
+                )
         return u
 
     def rate(self, z, mode):
@@ -214,13 +216,13 @@ class Plant:
             with np.errstate(all="ignore"):
                 before = -self._slopes(*z[:5], *self.control(z, mode))
             length = np.hypot(*z[2:4]) + np.abs(z[4])
-            lost = (close & ~(np.abs(before) > 1e-12 * length)).any(axis=0)
-            mode = np.where(lost, -1, self._mode(np.where(close, before, e)))
+            singular = (close & ~(np.abs(before) > 1e-12 * length)).any(axis=0)
+            mode = np.where(singular, -1, self._mode(np.where(close, before, e)))
         return mode
 
     def _mode(self, e):
         """The modes that surfaces with these signs demand."""
-        index = np.zeros((len(self.parts), e.shape[1]), int)
+        index = np.zeros((len(self.terms), e.shape[1]), int)
         for s, j in enumerate(self._owner):
             index[j] += e[s] > 0
         result = np.zeros(e.shape[1], int)
@@ -232,7 +234,7 @@ class Plant:
         """Whether the modes are those that the maximum condition asks for, up to a share of the
         sizes, shape (N,)."""
         size = np.hypot(*z[2:4]) * (1 + np.hypot(*z[:2])) + np.abs(z[4])
-        return (self.surfaces(z) * self.demand[mode].T >= -accuracy * size).all(axis=0)
+        return (self.surfaces(z) * self.required_sign[mode].T >= -accuracy * size).all(axis=0)
 
     def step(self, z, mode, h):
         """One step of length `h` (a number or one a column) backwards in time in the same mode."""
@@ -240,14 +242,16 @@ class Plant:
         with np.errstate(over="ignore", invalid="ignore"):
             u, moving = self._plan(mode)
             if self._matrix is not None and not moving:
-                return summed(self._matrix, self._growth, self._rate(*z[:5], *u), z, h)
-            return extrapolated(lambda y: self._rate(*y[:5], *self._filled(y, u, moving)), z, h)
+                return series_step(self._matrix, self._growth, self._rate(*z[:5], *u), z, h)
+            return extrapolated_step(
+                lambda y: self._rate(*y[:5], *self._filled(y, u, moving)), z, h
+            )
 
     def follow(self, z, mode, times, longest):
         """The motions after `times`, one a column, in the same modes; in steps of at most `longest`
         where no series gives longer ones."""
         if self._matrix is not None and self._plain[mode].all():
-            longest = np.inf if self._growth == 0 else SUMMED / self._growth
+            longest = np.inf if self._growth == 0 else SERIES_NORM / self._growth
         steps = steps_needed(times, longest)
         for _ in range(steps):
             z = self.step(z, mode, times / steps)
@@ -263,36 +267,44 @@ class Plant:
         gone, switchings = np.zeros(mode.shape), []
         start, mode = z, mode.copy()
         end = self.step(start, mode, h)
-        for _ in range(4 * len(self.parts) + 2):
-            crossed = self.surfaces(end) * self.demand[mode].T < 0
-            late = np.flatnonzero(crossed.any(axis=0))
-            if not late.size:
+        for _ in range(4 * len(self.terms) + 2):
+            crossed = self.surfaces(end) * self.required_sign[mode].T < 0
+            crossing = np.flatnonzero(crossed.any(axis=0))
+            if not crossing.size:
                 break
-            when, there, surface = self._earliest(
-                start[:, late], mode[late], (h - gone)[late], end[:, late], crossed[:, late]
+            when, crossing_z, surface = self._earliest(
+                start[:, crossing],
+                mode[crossing],
+                (h - gone)[crossing],
+                end[:, crossing],
+                crossed[:, crossing],
             )
             start = start.copy()
-            start[:, late], gone[late] = there, gone[late] + when
-            old = mode[late]
-            mode[late] = self.beyond[old, surface]
-            switchings.append((late, gone[late], there, old, mode[late]))
+            start[:, crossing], gone[crossing] = crossing_z, gone[crossing] + when
+            old = mode[crossing]
+            mode[crossing] = self.next_mode[old, surface]
+            switchings.append((crossing, gone[crossing], crossing_z, old, mode[crossing]))
             end = end.copy()
-            end[:, late] = self.step(there, mode[late], h[late] - gone[late])
+            end[:, crossing] = self.step(crossing_z, mode[crossing], h[crossing] - gone[crossing])
         return end, mode, switchings
 
     def _earliest(self, z, mode, h, end, crossed):
         """The first of the surfaces that each column crosses: (when, z there, which)."""
-        when, there, which = np.full(h.shape, np.inf), end.copy(), np.zeros(h.shape, int)
+        when, crossing_z, which = np.full(h.shape, np.inf), end.copy(), np.zeros(h.shape, int)
         for s in np.flatnonzero(crossed.any(axis=1)):
-            mine = np.flatnonzero(crossed[s])
-            first, place = self.first_zero(
-                z[:, mine], mode[mine], np.full(mine.size, s), h[mine], end[:, mine]
+            candidates = np.flatnonzero(crossed[s])
+            first, zero_z = self.first_zero(
+                z[:, candidates],
+                mode[candidates],
+                np.full(candidates.size, s),
+                h[candidates],
+                end[:, candidates],
             )
-            sooner = first < when[mine]
-            mine = mine[sooner]
-            when[mine], which[mine] = first[sooner], s
-            there[:, mine] = place[:, sooner]
-        return when, there, which
+            earlier = first < when[candidates]
+            candidates = candidates[earlier]
+            when[candidates], which[candidates] = first[earlier], s
+            crossing_z[:, candidates] = zero_z[:, earlier]
+        return when, crossing_z, which
 
     def first_zero(self, z, mode, surface, h, end):
         """Newton's method for surface = 0 in the step, with bisection where it would leave the
@@ -301,33 +313,33 @@ class Plant:
         It begins where the time is zero as a cubic function of the surface, with the values and
         slopes of both ends.
         """
-        columns, demand = np.arange(h.size), self.demand[mode, surface]
-        low, high, when, there = np.zeros(h.shape), h.copy(), h, end
+        columns, required_sign = np.arange(h.size), self.required_sign[mode, surface]
+        low, high, when, zero_z = np.zeros(h.shape), h.copy(), h, end
         first, value = (self.surfaces(y)[surface, columns] for y in (z, end))
         # in time, which runs the other way
-        begun, slope = (self.slope(y, mode, surface) for y in (z, end))
+        first_slope, slope = (self.slope(y, mode, surface) for y in (z, end))
         # What rounding has put beyond the surface, and what goes on beyond it, has crossed it at
         # once.
-        high[(demand * first <= 0) & (demand * begun >= 0)] = 0
+        high[(required_sign * first <= 0) & (required_sign * first_slope >= 0)] = 0
         with np.errstate(all="ignore"):
             share = first / (first - value)
             new = h * share**2 * (3 - 2 * share) - (value - first) * share * (1 - share) * (
-                (1 - share) / begun - share / slope
+                (1 - share) / first_slope - share / slope
             )
         for _ in range(40):
             bad = ~((new >= low) & (new <= high))
             new[bad] = ((low + high) / 2)[bad]
             done = (np.abs(new - when) < 1e-10 * h).all() or not high.any()
             when = new
-            there = self.step(z, mode, when)
+            zero_z = self.step(z, mode, when)
             if done:
                 break
-            value = self.surfaces(there)[surface, columns]
-            late = demand * value < 0
+            value = self.surfaces(zero_z)[surface, columns]
+            late = required_sign * value < 0
             low, high = np.where(late, low, when), np.where(late, when, high)
             with np.errstate(all="ignore"):
-                new = when + value / self.slope(there, mode, surface)
-        return when, there
+                new = when + value / self.slope(zero_z, mode, surface)
+        return when, zero_z
 
 
 def steps_needed(times, longest):
@@ -335,7 +347,7 @@ def steps_needed(times, longest):
     return max(int(np.ceil(np.abs(times).max(initial=0, where=np.isfinite(times)) / longest)), 1)
 
 
-def summed(matrix, growth, rate, z, h):
+def series_step(matrix, growth, rate, z, h):
     """A step of z' = A z + b from its rate at z by the series z + h (1 + hA/2! + (hA)^2/3! + ...)
     z', to rounding; `growth`: a norm of A."""
     size = growth * np.max(np.abs(h), initial=0, where=np.isfinite(h))
@@ -349,34 +361,34 @@ def summed(matrix, growth, rate, z, h):
     return z + h * total
 
 
-def extrapolated(rate, z, h):
+def extrapolated_step(rate, z, h):
     """A step of the extrapolated midpoint rule (Gragg, Bulirsch, Stoer) with four columns, that is,
     of order 8."""
     table, first = [], rate(z)
-    for n in COLUMNS:
+    for n in SUBSTEPS:
         d = h / n
         before, now = z, z + d * first
         for _ in range(n - 1):
             before, now = now, before + 2 * d * rate(now)
         row = [(before + now + d * rate(now)) / 2]
         for k, earlier in enumerate(table[-1] if table else []):
-            row.append(row[k] + (row[k] - earlier) / ((n / COLUMNS[len(table) - k - 1]) ** 2 - 1))
+            row.append(row[k] + (row[k] - earlier) / ((n / SUBSTEPS[len(table) - k - 1]) ** 2 - 1))
         table.append(row)
     return table[-1][-1]
 
 
-def stacked(arguments, expressions):
+def array_function(arguments, expressions):
     """A NumPy function with values of shape (len(expressions), N), also for constants."""
     # The module itself, not its name, for which SymPy would import all that NumPy has, which takes
     # half a second.
     raw = sp.lambdify(list(arguments), list(expressions), [np], cse=True)
 
     def value(*numbers):
-        parts = raw(*numbers)
+        rows = raw(*numbers)
         shape = np.broadcast(*numbers).shape
-        result = np.empty((len(parts), *shape))
-        for k, part in enumerate(parts):
-            result[k] = part
+        result = np.empty((len(rows), *shape))
+        for k, row in enumerate(rows):
+            result[k] = row
         return result
 
     return value

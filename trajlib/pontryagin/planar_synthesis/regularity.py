@@ -79,11 +79,11 @@ def regularity(synthesis):
 
 
 def _cells(synthesis):
-    field = synthesis._field
+    value_function = synthesis._value_function
     (left, right), (bottom, top) = synthesis.window
     X, Y = np.meshgrid(np.linspace(left, right, RASTER), np.linspace(bottom, top, RASTER))
-    triangle = field.interpolated(np.array([X.ravel(), Y.ravel()]))[1]
-    modes = field.modes(triangle).reshape(X.shape)
+    triangle = value_function.interpolated(np.array([X.ravel(), Y.ravel()]))[1]
+    modes = value_function.modes(triangle).reshape(X.shape)
     walls = np.zeros(X.shape, bool)
     step = np.array([right - left, top - bottom]) / (RASTER - 1)
     curves = (
@@ -141,7 +141,7 @@ def _vanishes_inside(synthesis):
 
 def _curves(synthesis):
     """Condition B: the smallest angle at which a crossed switching curve is crossed."""
-    smallest, followed, bad = np.inf, 0, []
+    smallest, followed, mixed = np.inf, 0, []
     for curve in synthesis.switching_curves:
         if curve.kind == "followed":
             followed += 1
@@ -152,16 +152,16 @@ def _curves(synthesis):
             continue
         smallest = min(smallest, np.abs(angles).min())
         if curve.kind == "mixed" or (angles[0] * angles[1] <= 0).any():
-            bad.append(curve)
+            mixed.append(curve)
     degrees = np.rad2deg(smallest) if np.isfinite(smallest) else np.nan
     smooth = "smooth" if synthesis.plant.has_interior else "constant"
     text = f"the control is {smooth} in every region; {followed} switching curves are followed (first type)"
     crossed = len(synthesis.switching_curves) - followed
     if crossed:
         text += f", {crossed} are crossed (second type), at {degrees:.3g} degrees or more"
-    if bad:
-        text += f"; {len(bad)} are neither throughout"
-    return Condition("B", not bad, float(degrees), text)
+    if mixed:
+        text += f"; {len(mixed)} are neither throughout"
+    return Condition("B", not mixed, float(degrees), text)
 
 
 def _arrival(synthesis):
@@ -172,8 +172,8 @@ def _arrival(synthesis):
     if not synthesis.reached:
         slow = min(
             np.hypot(*plant.velocity(fan.motion[0][:, lives], fan.mode[0, lives])).min()
-            for fan in synthesis._field.fans
-            if (lives := fan.life > 0).any()
+            for fan in synthesis._value_function.fans
+            if (lives := fan.last_step > 0).any()
         )
         return Condition(
             "C",
@@ -185,23 +185,25 @@ def _arrival(synthesis):
         return Condition(
             "C", True, np.nan, "optimal trajectories cross the target at a non-zero angle"
         )
-    places = ", ".join(
+    points = ", ".join(
         "({:.4g}, {:.4g})".format(*(np.round(b.points[0], 6) + 0.0)) for b in tangent
     )
     return Condition(
         "C",
         False,
         0.0,
-        f"optimal trajectories end at the angle zero at {places}: there lambda_0 = 0",
+        f"optimal trajectories end at the angle zero at {points}: there lambda_0 = 0",
     )
 
 
 def _passages(synthesis):
     most = 0
-    for fan in synthesis._field.fans:
+    for fan in synthesis._value_function.fans:
         if fan.switchings.shape[1]:
             index = fan.switchings[0].astype(int)
-            inside = synthesis._inside(fan.switchings[2:]) & (fan.switchings[1] <= fan.cut[index])
+            inside = synthesis._inside(fan.switchings[2:]) & (
+                fan.switchings[1] <= fan.optimal_until[index]
+            )
             most = max(most, int(np.bincount(index[inside], minlength=1).max()))
     return Condition(
         "D", True, most, f"at most {most} switchings on a trajectory in the window, then the target"
@@ -212,15 +214,15 @@ def _maximum(synthesis):
     """Condition E, from the stored covectors: the signs of the surfaces between the levels, and H =
     0."""
     worst, plant = 0.0, synthesis.plant
-    for fan in synthesis._field.fans:
-        k, j = np.nonzero(np.isfinite(fan.path[:, 0]) & (fan.mode >= 0) & (fan.life > 0))
+    for fan in synthesis._value_function.fans:
+        k, j = np.nonzero(np.isfinite(fan.path[:, 0]) & (fan.mode >= 0) & (fan.last_step > 0))
         z, mode = fan.motion[k, :, j].T, fan.mode[k, j]
-        v, price = plant.velocity(z, mode), plant.costs(z, mode)
+        v, cost_rate = plant.velocity(z, mode), plant.costs(z, mode)
         size = np.hypot(*z[2:4]) * (np.hypot(*v) + np.hypot(*z[:2]) + 1) + z[4] * (
-            np.abs(price) + 1
+            np.abs(cost_rate) + 1
         )
-        against = -plant.surfaces(z) * plant.demand[mode].T
-        energy = (z[2:4] * v).sum(axis=0) - z[4] * price
+        against = -plant.surfaces(z) * plant.required_sign[mode].T
+        energy = (z[2:4] * v).sum(axis=0) - z[4] * cost_rate
         worst = max(
             worst, np.max(against / size, initial=0), np.max(np.abs(energy) / size, initial=0)
         )
@@ -235,23 +237,25 @@ def _maximum(synthesis):
 def _continuity(synthesis):
     barriers = synthesis.barriers
     if not barriers:
-        return Condition("F", True, 0.0, f"the {_what(synthesis)} is continuous across all curves")
+        return Condition(
+            "F", True, 0.0, f"the {_cost_name(synthesis)} is continuous across all curves"
+        )
     jump = max(b.jump for b in barriers)
     if np.isinf(jump):
         finite = [b.jump for b in barriers if np.isfinite(b.jump)]
         text = f"{len(barriers) - len(finite)} barriers border points from which the target is not reached"
         if finite:
-            text += f"; across {len(finite)} others the {_what(synthesis)} jumps by up to {max(finite):.3g}"
+            text += f"; across {len(finite)} others the {_cost_name(synthesis)} jumps by up to {max(finite):.3g}"
         return Condition("F", not finite, jump, text)
     return Condition(
         "F",
         False,
         float(jump),
-        f"{len(barriers)} barriers; across them the {_what(synthesis)} jumps by up to {jump:.3g}",
+        f"{len(barriers)} barriers; across them the {_cost_name(synthesis)} jumps by up to {jump:.3g}",
     )
 
 
-def _what(synthesis):
+def _cost_name(synthesis):
     if synthesis.plant.counts_time:
         return "least time"
     return "greatest value" if synthesis.problem.maximise else "least cost"

@@ -23,11 +23,11 @@ def switching_curves(fans, window):
         before, after = fan.switchings[4:6, order].astype(int)
         velocities = fan.switchings[6:, order].reshape(2, 2, -1)
         number = np.arange(index.size) - np.searchsorted(index, index)
-        optimal = tau <= fan.cut[index] + 1e-9
+        optimal = tau <= fan.optimal_until[index] + 1e-9
         for n, old, new in np.unique(np.stack([number, before, after]), axis=1).T:
-            mine = np.flatnonzero((number == n) & (before == old) & (after == new) & optimal)
-            for run in consecutive_runs(index[mine]):
-                rows = mine[np.isin(index[mine], run)]
+            members = np.flatnonzero((number == n) & (before == old) & (after == new) & optimal)
+            for run in consecutive_runs(index[members]):
+                rows = members[np.isin(index[members], run)]
                 points = x[:, rows].T
                 torn = np.abs(np.diff(points, axis=0) / size).max(axis=1, initial=0) > APART
                 torn |= np.abs(np.diff(tau[rows])) > STEPS_APART * fan.times[1]

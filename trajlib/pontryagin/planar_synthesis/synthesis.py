@@ -9,7 +9,7 @@ from trajlib.pontryagin.planar_synthesis.borders import border_extremals
 from trajlib.pontryagin.planar_synthesis.curves import consecutive_runs
 from trajlib.pontryagin.planar_synthesis.drawing import draw
 from trajlib.pontryagin.planar_synthesis.regularity import regularity
-from trajlib.pontryagin.planar_synthesis.value_function import ON_TARGET, ValueField
+from trajlib.pontryagin.planar_synthesis.value_function import ON_TARGET, ValueFunction
 from trajlib.pontryagin.problem.statement import Statement
 
 
@@ -32,38 +32,43 @@ class Synthesis:
     dispersal_curves: list
     reached: list
     _target: object = field(repr=False)
-    _field: ValueField = field(repr=False)
+    _value_function: ValueFunction = field(repr=False)
     _touching: list = field(repr=False)
     _end_cost: object = field(repr=False)
 
     @cached_property
     def borders(self):
         """Extremals that touch the target or end a family; computed when first asked for."""
-        return border_extremals(self._field.fans, self._field, self._touching)
+        return border_extremals(self._value_function.fans, self._value_function, self._touching)
 
     @property
     def barriers(self):
         """The borders across which the optimal cost jumps."""
-        least = 1e-3 * self.horizon * self._field.grain / self._field.fans[0].times[1]
+        least = (
+            1e-3
+            * self.horizon
+            * self._value_function.step_cost
+            / self._value_function.fans[0].times[1]
+        )
         return [curve for curve in self.borders if curve.jump > least]
 
     @property
     def plant(self):
-        return self._field.fans[0].plant
+        return self._value_function.fans[0].plant
 
     def cost(self, x1, x2):
         """Optimal cost from the points (arrays of one shape); nan where no extremal leads to the
         target within the horizon."""
-        found, x, shape = self._best(x1, x2)
-        cost = np.where(self._on_target(x), self._end_cost(x), found.cost)
+        best, x, shape = self._best(x1, x2)
+        cost = np.where(self._on_target(x), self._end_cost(x), best.cost)
         cost = np.where(np.isfinite(cost), -cost if self.problem.maximise else cost, np.nan)
-        return _as_given(cost, shape)
+        return _in_shape(cost, shape)
 
     def time(self, x1, x2):
         """The time that the optimal process takes from the points (arrays of one shape); nan where
         the target is not reached within the horizon."""
-        found, x, shape = self._best(x1, x2)
-        return _as_given(np.where(self._on_target(x), 0, found.time), shape)
+        best, x, shape = self._best(x1, x2)
+        return _in_shape(np.where(self._on_target(x), 0, best.time), shape)
 
     def control(self, x1, x2):
         """The feedback u(x1, x2), arrays of one shape (with a row for each of several controls);
@@ -72,28 +77,28 @@ class Synthesis:
         On a switching curve it is the control that follows. Where a control is open (`unique`), it
         is one of the values that it may have.
         """
-        found, _, shape = self._best(x1, x2)
+        best, _, shape = self._best(x1, x2)
         if len(self.problem.control) == 1:
-            return _as_given(found.control[:, 0], shape)
-        return found.control.T.reshape(-1, *shape)
+            return _in_shape(best.control[:, 0], shape)
+        return best.control.T.reshape(-1, *shape)
 
     def level(self, x1, x2):
         """The names of the controls' levels at the points: "u-", "interior", "zero", "u+" or "open"
         (tuples for several controls), "" where the target is not reached. One name, or an array of
         them in the points' shape."""
-        found, _, shape = self._best(x1, x2)
+        best, _, shape = self._best(x1, x2)
         names = [self.plant.name(mode) for mode in range(len(self.plant.modes))] + [""]
-        result = np.empty(len(found.mode), dtype=object)
-        for k, mode in enumerate(found.mode):
+        result = np.empty(len(best.mode), dtype=object)
+        for k, mode in enumerate(best.mode):
             result[k] = names[mode]
         return result.reshape(shape) if shape else result[0]
 
     def unique(self, x1, x2):
         """Whether the maximum condition tells every control along the optimal process from the
         points; where it does not, many controls cost the same."""
-        found, _, shape = self._best(x1, x2)
-        held = np.array([fan.ends.held is not None for fan in self._field.fans])
-        values = (found.fan < 0) | ~held[found.fan]
+        best, _, shape = self._best(x1, x2)
+        held = np.array([fan.ends.held is not None for fan in self._value_function.fans])
+        values = (best.fan < 0) | ~held[best.fan]
         return values.reshape(shape) if shape else bool(values[0])
 
     def reaches(self, x1, x2):
@@ -109,9 +114,9 @@ class Synthesis:
                 f"time: expected a number between 0 and the horizon {self.horizon}, got {time}"
             )
         pieces = []
-        for fan in self._field.fans:
+        for fan in self._value_function.fans:
             z, _ = fan.flow(fan.s, np.full(fan.s.size, float(time)))
-            keep = (fan.cut >= time) & self._inside(z[:2])
+            keep = (fan.optimal_until >= time) & self._inside(z[:2])
             pieces += [
                 z[:2, run].T for run in consecutive_runs(np.flatnonzero(keep)) if run.size > 1
             ]
@@ -121,13 +126,14 @@ class Synthesis:
         """About `count` optimal trajectories: a list of (points, controls), points of shape (K, 2)
         from far to the target."""
         chosen = []
-        for fan in self._field.fans:
-            long = np.flatnonzero((fan.cut > 0) & (fan.life > 1))
+        for fan in self._value_function.fans:
+            long = np.flatnonzero((fan.optimal_until > 0) & (fan.last_step > 1))
             share = max(
-                round(count * long.size / max(sum(f.s.size for f in self._field.fans), 1)), 2
+                round(count * long.size / max(sum(f.s.size for f in self._value_function.fans), 1)),
+                2,
             )
             for j in self._spread(fan, long, share):
-                keep = fan.times <= fan.cut[j]
+                keep = fan.times <= fan.optimal_until[j]
                 u = self.plant.control(fan.motion[keep, :, j].T, fan.mode[keep, j])
                 chosen.append((fan.path[keep, :, j][::-1], (u[0] if len(u) == 1 else u.T)[::-1]))
         return chosen
@@ -153,9 +159,9 @@ class Synthesis:
         """The best extremals from points, with the points (2, N) and their shape; the last question
         is remembered."""
         x, shape = self._points(x1, x2)
-        last = self.__dict__.get("_asked")
+        last = self.__dict__.get("_last_query")
         if last is None or last[0].shape != x.shape or (last[0] != x).any():
-            last = self.__dict__["_asked"] = (x, self._field.exact(x))
+            last = self.__dict__["_last_query"] = (x, self._value_function.exact(x))
         return last[1], x, shape
 
     def _points(self, x1, x2):
@@ -180,7 +186,9 @@ class Synthesis:
         cover."""
         if not long.size:
             return []
-        last = np.array([fan.path[np.flatnonzero(fan.times <= fan.cut[j])[-1], :, j] for j in long])
+        last = np.array(
+            [fan.path[np.flatnonzero(fan.times <= fan.optimal_until[j])[-1], :, j] for j in long]
+        )
         along = np.append(0, np.cumsum(np.hypot(*np.diff(last, axis=0).T)))
         return long[
             np.unique(
@@ -191,5 +199,5 @@ class Synthesis:
         ]
 
 
-def _as_given(values, shape):
+def _in_shape(values, shape):
     return values.reshape(shape) if shape else float(values[0])

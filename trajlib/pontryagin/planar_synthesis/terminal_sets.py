@@ -29,7 +29,7 @@ ROUNDS = 12
 
 
 @dataclass(frozen=True)
-class Ends:
+class EndFamily:
     """End points and covectors of a family of extremals: `point(s)`, shape (2, N), `covector(s)`,
     (3, N), the cost `cost(s)` of ending there, (N,), for low <= s <= high.
 
@@ -178,13 +178,13 @@ class Transversality:
     def cost(self, s):
         return self.final.value(*self.target.point(s))[0]
 
-    def widest(self, s, sign=1):
+    def crossing_rate(self, s, sign=1):
         """w(s): the greatest rate at which the target can be crossed, for the normal or its
         opposite."""
         x, n = self.target.point(s), sign * self.target.normal(s, self.side)
         return np.max(
             [
-                (n * self.plant.at(x, self._spread(u, x))[0]).sum(axis=0)
+                (n * self.plant.at(x, self._columns(u, x))[0]).sum(axis=0)
                 for u in self.plant.corners()
             ],
             axis=0,
@@ -192,7 +192,7 @@ class Transversality:
 
     def admissible(self, s):
         """w(s) where some covector satisfies H = 0 in the end, a negative number elsewhere."""
-        w, (_, exists) = self.widest(s), self._solved(s)
+        w, (_, exists) = self.crossing_rate(s), self._solved(s)
         return np.where((w <= 0) | exists, w, -np.abs(w) - 1e-300)
 
     def covector(self, s):
@@ -209,25 +209,25 @@ class Transversality:
         gradient = self.final.gradient(*x)
         best, a, b, rates = np.full(s.shape, np.inf), np.zeros(s.shape), np.ones(s.shape), []
         for u in self.plant.corners():
-            rate, price = self._rates(x, n, gradient, self._spread(u, x))
+            rate, cost_rate = self._rates(x, n, gradient, self._columns(u, x))
             if not rates:
-                b = np.where(price < 0, -b, b)
-            rates.append((rate, price))
+                b = np.where(cost_rate < 0, -b, b)
+            rates.append((rate, cost_rate))
             with np.errstate(all="ignore"):
-                ratio = np.where(rate > 0, price / rate, np.inf)
-            sooner = ratio < best
+                ratio = np.where(rate > 0, cost_rate / rate, np.inf)
+            smaller = ratio < best
             best, a, b = (
-                np.where(sooner, ratio, best),
-                np.where(sooner, rate, a),
-                np.where(sooner, price, b),
+                np.where(smaller, ratio, best),
+                np.where(smaller, rate, a),
+                np.where(smaller, cost_rate, b),
             )
         if self.plant.has_interior:
             a, b = self._between(x, n, gradient, a, b)
             rates.append((a, b))
         size = np.hypot(a, b) + 1e-300
         exists = np.isfinite(best) & (a > 0)
-        for rate, price in rates:
-            exists &= b * rate - a * price <= 1e-9 * size * (np.hypot(rate, price) + 1e-300)
+        for rate, cost_rate in rates:
+            exists &= b * rate - a * cost_rate <= 1e-9 * size * (np.hypot(rate, cost_rate) + 1e-300)
         return np.vstack([b * n - a * gradient, a]) / size, exists
 
     def _between(self, x, n, gradient, a, b):
@@ -240,34 +240,38 @@ class Transversality:
             with np.errstate(all="ignore"):
                 mode = np.maximum(self.plant.first_mode(z), 0)
                 u = self.plant.control(z, mode)
-            rate, price = self._rates(x, n, gradient, np.where(normal, u, 0))
+            rate, cost_rate = self._rates(x, n, gradient, np.where(normal, u, 0))
             # With nu = b/a the next value is that of the control which maximises H now.
-            go = normal & (rate > 0)
-            a, b = np.where(go, rate, a), np.where(go, price, b)
+            update = normal & (rate > 0)
+            a, b = np.where(update, rate, a), np.where(update, cost_rate, b)
         return a, b
 
     def _rates(self, x, n, gradient, u):
-        f, price = self.plant.at(x, u)
-        return (n * f).sum(axis=0), price + (gradient * f).sum(axis=0)
+        f, cost_rate = self.plant.at(x, u)
+        return (n * f).sum(axis=0), cost_rate + (gradient * f).sum(axis=0)
 
-    def _spread(self, u, x):
+    def _columns(self, u, x):
         return np.repeat(np.asarray(u, dtype=float)[:, None], x.shape[1], axis=1)
 
 
-def families(ends):
-    """The families of ends (`Ends`) of a `Transversality`, and the abnormal ends (s, sign) at which
+def end_families(transversality):
+    """The families of ends (`EndFamily`) of a `Transversality`, and the abnormal ends (s, sign) at which
     an extremal touches the target.
 
     The sign is -1 where the covector points the other way: all velocities lead back to the side one
     comes from, but one.
     """
-    found, touching = [], []
-    for low, high, closed in ends.target.pieces():
+    families, touching = [], []
+    for low, high, closed in transversality.target.pieces():
         s = np.linspace(low, high, SAMPLES)
-        for sign in (1, -1) if ends.side else (1,):
+        for sign in (1, -1) if transversality.side else (1,):
 
             def greatest(values, sign=sign):
-                return ends.admissible(values) if sign == 1 else ends.widest(values, -1)
+                return (
+                    transversality.admissible(values)
+                    if sign == 1
+                    else transversality.crossing_rate(values, -1)
+                )
 
             w = greatest(s)
             scale = max(np.abs(w).max(), 1e-300)
@@ -275,11 +279,13 @@ def families(ends):
             touching += [
                 (z, sign)
                 for z in zeros
-                if np.abs(ends.widest(np.array([z]), sign))[0] <= 1e-6 * scale
+                if np.abs(transversality.crossing_rate(np.array([z]), sign))[0] <= 1e-6 * scale
             ]
             if sign == 1:
-                found += _joined(_intervals(s, w, zeros, scale, ends), low, high, closed)
-    return found, touching
+                families += _joined(
+                    _intervals(s, w, zeros, scale, transversality), low, high, closed
+                )
+    return families, touching
 
 
 def _last_admissible(function, low, high):
@@ -335,7 +341,7 @@ def _joined(ends, low, high, closed):
     return [*ends[1:-1], replace(first, low=float(last.low - shift), special=special)]
 
 
-def _intervals(s, w, zeros, scale, ends_at):
+def _intervals(s, w, zeros, scale, transversality):
     """The intervals of s on which w > 0, joined where w only touches zero."""
     positive = w > TOUCHES * scale
     for z in zeros:  # a touched zero does not end an interval
@@ -356,13 +362,13 @@ def _intervals(s, w, zeros, scale, ends_at):
         if high > low:
             inside = tuple(z for z in zeros if low < z < high)
             result.append(
-                Ends(
-                    ends_at.point,
-                    ends_at.covector,
-                    ends_at.cost,
+                EndFamily(
+                    transversality.point,
+                    transversality.covector,
+                    transversality.cost,
                     float(low),
                     float(high),
-                    ends_at.side,
+                    transversality.side,
                     inside,
                 )
             )

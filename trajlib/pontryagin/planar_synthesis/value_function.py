@@ -12,12 +12,12 @@ import numpy as np
 
 #: Share of the window's size: cells are sorted into squares of this size to find those around a
 #: point.
-SQUARES = 192
+GRID = 192
 #: How far outside of a triangle (in its barycentric coordinates) a point still counts as inside:
 #: borders are curved.
 SLACK = 0.02
 #: For so many points at once the numbers of all their candidates stay close to the processor.
-TOGETHER = 2000
+CHUNK = 2000
 #: How many steps an interpolated cost may be wrong.
 SOONEST = 1.5
 #: Values of the terminal expression this close to zero count as zero.
@@ -25,10 +25,10 @@ ON_TARGET = 1e-10
 
 
 @dataclass
-class Best:
+class BestExtremals:
     """The best extremals from N points, each an array (N,): `cost` (inf where there is none), the
     `time` they take, `mode` of the controls at the point, `control` (N, k), `fan` (-1 where there
-    is none), the parameter `s` there, and the structure, `word`.
+    is none), the parameter `s` there, and the structure, `sequence`.
     """
 
     cost: np.ndarray
@@ -37,11 +37,11 @@ class Best:
     control: np.ndarray
     fan: np.ndarray
     s: np.ndarray
-    word: np.ndarray
+    sequence: np.ndarray
 
     @classmethod
     def none(cls, size, controls):
-        mode, fan, word = (np.full(size, -1) for _ in range(3))
+        mode, fan, sequence = (np.full(size, -1) for _ in range(3))
         return cls(
             np.full(size, np.inf),
             np.full(size, np.nan),
@@ -49,36 +49,36 @@ class Best:
             np.full((size, controls), np.nan),
             fan,
             np.full(size, np.nan),
-            word,
+            sequence,
         )
 
     def at(self, which):
         """Those from some of the points."""
-        return Best(*(getattr(self, f.name)[which] for f in fields(self)))
+        return BestExtremals(*(getattr(self, f.name)[which] for f in fields(self)))
 
-    def put(self, which, others):
+    def assign(self, which, others):
         """Put others in the places of some."""
         for f in fields(self):
             getattr(self, f.name)[which] = getattr(others, f.name)
 
 
-class ValueField:
+class ValueFunction:
     """All triangles of several fans, with a search for those that contain given points."""
 
     def __init__(self, fans, window):
         self.fans, self.plant = fans, fans[0].plant
         (left, right), (bottom, top) = window
         self.corner = np.array([left, bottom])
-        self.square = np.array([right - left, top - bottom]) / SQUARES
+        self.square = np.array([right - left, top - bottom]) / GRID
         parts = [self._triangles(number, fan) for number, fan in enumerate(fans)]
         self.points = np.concatenate([p[0] for p in parts])  # (M, 3, 2)
         # (M, 3, 3): s, tau, cost at the corners
         self.values = np.concatenate([p[1] for p in parts])
         # (M, 3): the structures so far
-        self.word = np.concatenate([p[2] for p in parts])
+        self.sequence = np.concatenate([p[2] for p in parts])
         self.fan = np.concatenate([p[3] for p in parts])
         #: What a step of time costs, about.
-        self.grain = self.fans[0].times[1] * self._usual_price()
+        self.step_cost = self.fans[0].times[1] * self._usual_price()
         s = self.values[:, :, 0]
         low, high = (
             np.array([getattr(fan.ends, side) for fan in fans])[self.fan]
@@ -92,8 +92,8 @@ class ValueField:
         steps = np.arange(fan.times.size - 1)[:, None]
         # A cell belongs to the fan if one of its extremals is alive at its begin; its other end may
         # be the step beyond.
-        alive = steps < np.maximum(fan.life + 1, 0)[None, :]
-        alive &= (fan.life > 0)[None, :]
+        alive = steps < np.maximum(fan.last_step + 1, 0)[None, :]
+        alive &= (fan.last_step > 0)[None, :]
         either = alive[:, :-1] | alive[:, 1:]
         k, j = np.nonzero(either)
         corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
@@ -108,15 +108,15 @@ class ValueField:
         inside = first >= 0
         k, j, first, known, x = k[inside], j[inside], first[inside], known[:, inside], x[:, inside]
         corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
-        words = np.array([_seen_from(fan, first, a, b) for a, b in corners])
+        sequences = np.array([_seen_from(fan, first, a, b) for a, b in corners])
         points = np.concatenate([x[[0, 1, 2]], x[[1, 3, 2]]], axis=1).transpose(1, 0, 2)
         values = np.concatenate([known[[0, 1, 2]], known[[1, 3, 2]]], axis=1).transpose(1, 0, 2)
-        words = np.concatenate([words[[0, 1, 2]], words[[1, 3, 2]]], axis=1).T
+        sequences = np.concatenate([sequences[[0, 1, 2]], sequences[[1, 3, 2]]], axis=1).T
         a, b = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]
         area = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
         size = np.maximum((a**2).sum(axis=1), (b**2).sum(axis=1))
-        keep = np.isfinite(area) & (area > 1e-9 * size) & (area > 0) & (words >= 0).all(axis=1)
-        return points[keep], values[keep], words[keep], np.full(keep.sum(), number)
+        keep = np.isfinite(area) & (area > 1e-9 * size) & (area > 0) & (sequences >= 0).all(axis=1)
+        return points[keep], values[keep], sequences[keep], np.full(keep.sum(), number)
 
     def _usual_price(self):
         if self.plant.counts_time:
@@ -135,36 +135,36 @@ class ValueField:
         self._shape = np.column_stack([corner, a1, a2, b1, b2, a1 * b2 - a2 * b1])
         low = self._square(self.points.min(axis=1) - SLACK * np.ptp(self.points, axis=1))
         high = self._square(self.points.max(axis=1) + SLACK * np.ptp(self.points, axis=1))
-        inside = ((high >= 0) & (low < SQUARES)).all(axis=1)
-        low, high = np.clip(low, 0, SQUARES - 1), np.clip(high, 0, SQUARES - 1)
+        inside = ((high >= 0) & (low < GRID)).all(axis=1)
+        low, high = np.clip(low, 0, GRID - 1), np.clip(high, 0, GRID - 1)
         wide = np.where(inside[:, None], high - low + 1, 0)
         count = wide[:, 0] * wide[:, 1]
         triangle = np.repeat(np.arange(count.size), count)
         within = np.arange(count.sum()) - np.repeat(np.cumsum(count) - count, count)
         column = low[triangle, 0] + within % np.maximum(wide[triangle, 0], 1)
         row = low[triangle, 1] + within // np.maximum(wide[triangle, 0], 1)
-        cell = row * SQUARES + column
+        cell = row * GRID + column
         order = np.argsort(cell, kind="stable")
         self._in_cell = triangle[order]
-        self._begin = np.searchsorted(cell[order], np.arange(SQUARES**2 + 1))
+        self._begin = np.searchsorted(cell[order], np.arange(GRID**2 + 1))
 
     def _square(self, points):
         return np.floor((points - self.corner) / self.square).astype(int)
 
     def candidates(self, x, slack=SLACK):
         """Pairs (point, triangle) with (s, tau, cost) there, for points `x` of shape (2, N)."""
-        begins = range(0, max(x.shape[1], 1), TOGETHER)
-        parts = [self._candidates(x[:, begin : begin + TOGETHER], slack) for begin in begins]
+        begins = range(0, max(x.shape[1], 1), CHUNK)
+        parts = [self._candidates(x[:, begin : begin + CHUNK], slack) for begin in begins]
         points, triangles, values = zip(*parts)
         points = [begin + point for begin, point in zip(begins, points)]
         return np.concatenate(points), np.concatenate(triangles), np.hstack(values)
 
     def _candidates(self, x, slack):
-        place = np.clip(self._square(x.T), -1, SQUARES)
+        square = np.clip(self._square(x.T), -1, GRID)
         # The upper and the right edge belong to the window.
-        place -= (place == SQUARES) & (x.T <= self.corner + SQUARES * self.square * (1 + 1e-9))
-        ok = ((place >= 0) & (place < SQUARES)).all(axis=1)
-        cell = np.where(ok, place[:, 1] * SQUARES + place[:, 0], 0)
+        square -= (square == GRID) & (x.T <= self.corner + GRID * self.square * (1 + 1e-9))
+        ok = ((square >= 0) & (square < GRID)).all(axis=1)
+        cell = np.where(ok, square[:, 1] * GRID + square[:, 0], 0)
         begin, end = self._begin[cell], np.where(ok, self._begin[cell + 1], self._begin[cell])
         count = end - begin
         point = np.repeat(np.arange(count.size), count)
@@ -201,25 +201,25 @@ class ValueField:
     def modes(self, triangle):
         """The mode in triangles (N,) whose corners agree; elsewhere that of the corner with the
         middle number of switchings. -1 where there is none."""
-        words = self.plant.words
-        corner = np.argsort(words.length[self.word[triangle]], axis=1, kind="stable")[:, 1]
-        return np.where(triangle >= 0, words.mode[self.word[triangle, corner]], -1)
+        sequences = self.plant.sequences
+        corner = np.argsort(sequences.length[self.sequence[triangle]], axis=1, kind="stable")[:, 1]
+        return np.where(triangle >= 0, sequences.mode[self.sequence[triangle, corner]], -1)
 
     def exact(self, x):
-        """For points (2, N): the best extremals, `Best`."""
-        found = self.polished(x)
-        self._fall_back(x, found)
-        return found
+        """For points (2, N): the best extremals, `BestExtremals`."""
+        best = self.by_newton(x)
+        self._interpolate_failures(x, best)
+        return best
 
-    def polished(self, x):
-        """The best extremals from points (2, N) that Newton's method finds: `Best`."""
-        found = Best.none(x.shape[1], len(self.plant.controls))
-        self._polish(x, np.arange(x.shape[1]), found, SOONEST)
+    def by_newton(self, x):
+        """The best extremals from points (2, N) that Newton's method finds: `BestExtremals`."""
+        best = BestExtremals.none(x.shape[1], len(self.plant.controls))
+        self._newton(x, np.arange(x.shape[1]), best, SOONEST)
         # Where the cheapest cells only seemed to contain the point, others count too.
-        self._polish(x, np.flatnonzero(~np.isfinite(found.cost)), found, np.inf)
-        return found
+        self._newton(x, np.flatnonzero(~np.isfinite(best.cost)), best, np.inf)
+        return best
 
-    def _polish(self, x, which, found, later):
+    def _newton(self, x, which, best, later):
         """Newton's method for the points `which` in cells that are not more than `later` steps
         behind the cheapest."""
         point, triangle, s, tau = self._distinct(x[:, which], later)
@@ -229,64 +229,66 @@ class ValueField:
         low, width = corner.min(axis=1), np.ptp(corner, axis=1)
         s = np.clip(s, low + 0.1 * width, low + 0.9 * width)
         for number, family in enumerate(self.fans):
-            mine = np.flatnonzero(self.fan[triangle] == number)
-            if not mine.size:
+            members = np.flatnonzero(self.fan[triangle] == number)
+            if not members.size:
                 continue
-            pick, words = self.plant.words.between(self.word[triangle[mine]])
-            mine = mine[pick]
-            exact_s, exact_tau, cost, modes, controls, ok = polish(
-                family, x[:, point[mine]], s[mine], tau[mine], words
+            pick, sequences = self.plant.sequences.between(self.sequence[triangle[members]])
+            members = members[pick]
+            exact_s, exact_tau, cost, modes, controls, ok = newton_extremals(
+                family, x[:, point[members]], s[members], tau[members], sequences
             )
             order = np.flatnonzero(ok)[np.argsort(-cost[ok], kind="stable")]
-            order = order[cost[order] < found.cost[point[mine[order]]]]
+            order = order[cost[order] < best.cost[point[members[order]]]]
             # the last one written is the cheapest
-            for_point = point[mine[order]]
+            for_point = point[members[order]]
             for name, values in (
                 ("cost", cost),
                 ("time", exact_tau),
                 ("mode", modes),
                 ("s", exact_s),
-                ("word", words),
+                ("sequence", sequences),
                 ("control", controls),
             ):
-                getattr(found, name)[for_point] = values[order]
-            found.fan[for_point] = number
+                getattr(best, name)[for_point] = values[order]
+            best.fan[for_point] = number
 
-    def _fall_back(self, x, found):
+    def _interpolate_failures(self, x, best):
         """Where Newton's method failed inside of a cell (next to a fold of the family) the
         interpolated values stand.
 
         Not in the last cells of a family: their edges are chords of its last extremal, and reach a
         little beyond it.
         """
-        open_ = np.flatnonzero(~np.isfinite(found.cost))
+        open_ = np.flatnonzero(~np.isfinite(best.cost))
         if not open_.size:
             return
         cost, triangle, s, tau = self.interpolated(x[:, open_], slack=0)
         inner = (triangle >= 0) & ~self.last[triangle]
         open_, triangle, s, tau = open_[inner], triangle[inner], s[inner], tau[inner]
-        found.cost[open_], found.time[open_], found.fan[open_] = (
+        best.cost[open_], best.time[open_], best.fan[open_] = (
             cost[inner],
             tau,
             self.fan[triangle],
         )
-        found.mode[open_] = self.modes(triangle)
+        best.mode[open_] = self.modes(triangle)
         for number, family in enumerate(self.fans):
-            mine = np.flatnonzero(self.fan[triangle] == number)
-            if mine.size:
-                z, _ = family.flow(s[mine], tau[mine])
-                found.control[open_[mine]] = self.plant.control(z, found.mode[open_[mine]]).T
+            members = np.flatnonzero(self.fan[triangle] == number)
+            if members.size:
+                z, _ = family.flow(s[members], tau[members])
+                best.control[open_[members]] = self.plant.control(z, best.mode[open_[members]]).T
 
     def _distinct(self, x, later):
         """Of all candidates of a point those that may be the best: the cheapest of each structure,
         if not far behind."""
         point, triangle, (s, tau, cost) = self.candidates(x)
-        words = self.word[triangle]
-        kind = self.fan[triangle] * (self.plant.words.length.size + 1)
+        sequences = self.sequence[triangle]
+        kind = self.fan[triangle] * (self.plant.sequences.length.size + 1)
         if triangle.size:
             kind = (
                 kind
-                + words[np.arange(triangle.size), self.plant.words.length[words].argmin(axis=1)]
+                + sequences[
+                    np.arange(triangle.size), self.plant.sequences.length[sequences].argmin(axis=1)
+                ]
             )
         order = np.lexsort((cost, kind, point))
         point, triangle, s, tau, cost, kind = (
@@ -300,78 +302,89 @@ class ValueField:
         np.minimum.at(least, point, cost)
         # A few cells of each structure: a point next to the border of one may belong to its
         # neighbour.
-        keep = (rank < 4) & (cost < least[point] + later * self.grain)
+        keep = (rank < 4) & (cost < least[point] + later * self.step_cost)
         return point[keep], triangle[keep], s[keep], tau[keep]
 
 
 def _seen_from(fan, first, steps, columns):
     """The words at corners of cells that begin with the modes `first`."""
-    words, root = fan.word[steps, columns], fan.mode[0, columns]
-    other = np.flatnonzero((root != first) & (words >= 0))
+    sequences, root = fan.sequence[steps, columns], fan.mode[0, columns]
+    other = np.flatnonzero((root != first) & (sequences >= 0))
     if other.size:
-        words = words.copy()
-        words[other] = fan.plant.words.prefixed(first[other], words[other])
+        sequences = sequences.copy()
+        sequences[other] = fan.plant.sequences.prefixed(first[other], sequences[other])
     # The extremal itself may be singular: it stands still, and only its end is a corner.
-    lost = (words < 0) & (steps == 0)
-    words = np.where(lost, fan.plant.words.after(-1, first), words)
-    return words
+    singular = (sequences < 0) & (steps == 0)
+    sequences = np.where(singular, fan.plant.sequences.after(-1, first), sequences)
+    return sequences
 
 
-def polish(fan, x, s, tau, word, rounds=20):
+def newton_extremals(fan, x, s, tau, sequence, rounds=20):
     """Newton's method on x(s, tau) = x for extremals of given structures; returns s, tau, costs,
     the modes at the points, the controls there (N, k), and which are good.
 
     On a switching curve the mode is that of the control that follows.
     """
-    plant, words = fan.plant, fan.plant.words
+    plant, sequences = fan.plant, fan.plant.sequences
     tau, count = tau.copy(), s.size
     s = np.clip(s, fan.ends.low, fan.ends.high)
     size = np.abs(x).max(initial=0) + 1
     ds = 1e-6 * (fan.ends.high - fan.ends.low)
     reach = 4 * np.abs(np.diff(fan.s)).max(initial=0)
-    good, cost, mode = np.zeros(count, bool), np.full(count, np.inf), words.mode[word]
+    good, cost, mode = np.zeros(count, bool), np.full(count, np.inf), sequences.mode[sequence]
     last, controls = mode.copy(), np.full((count, len(plant.controls)), np.nan)
-    busy = np.arange(count)
+    active = np.arange(count)
     for number in range(rounds):
         # One-sided where the parameter ends.
-        up, down = np.minimum(s[busy] + ds, fan.ends.high), np.maximum(s[busy] - ds, fan.ends.low)
-        z, start = fan.arcs(
-            np.concatenate([s[busy], up, down]), np.tile(tau[busy], 3), np.tile(word[busy], 3)
+        up, down = (
+            np.minimum(s[active] + ds, fan.ends.high),
+            np.maximum(s[active] - ds, fan.ends.low),
         )
-        n = busy.size
-        here = z[:, :n]
-        miss = x[:, busy] - here[:2]
+        z, start = fan.arcs(
+            np.concatenate([s[active], up, down]),
+            np.tile(tau[active], 3),
+            np.tile(sequence[active], 3),
+        )
+        n = active.size
+        current = z[:, :n]
+        miss = x[:, active] - current[:2]
         error = np.hypot(*miss)
         done = error < 1e-11 * size
         # The structure must be real: the last arc has a positive length, and the control maximises
         # on it.
-        consistent = (tau[busy] >= start[:n] - 1e-9) & plant.maximises(here, last[busy], 1e-9)
-        settled = busy[done]
-        good[settled], cost[settled] = consistent[done], here[5, done]
-        on_curve = (tau[settled] - start[:n][done] < 1e-8) & (words.length[word[settled]] > 0)
-        mode[settled[on_curve]] = words.mode[words.parent[word[settled[on_curve]]]]
-        controls[settled] = plant.control(here[:, done], mode[settled]).T
+        consistent = (tau[active] >= start[:n] - 1e-9) & plant.maximises(
+            current, last[active], 1e-9
+        )
+        settled = active[done]
+        good[settled], cost[settled] = consistent[done], current[5, done]
+        on_curve = (tau[settled] - start[:n][done] < 1e-8) & (
+            sequences.length[sequence[settled]] > 0
+        )
+        mode[settled[on_curve]] = sequences.mode[sequences.parent[sequence[settled[on_curve]]]]
+        controls[settled] = plant.control(current[:, done], mode[settled]).T
         # Whoever is still far away after some rounds belongs to another cell.
-        go = ~done & (error < (np.inf if number < 6 else 1e-3 * size))
-        if not go.any():
+        continuing = ~done & (error < (np.inf if number < 6 else 1e-3 * size))
+        if not continuing.any():
             break
         slope = (z[:2, n : 2 * n] - z[:2, 2 * n :]) / (up - down)
-        rate = -plant.velocity(here, last[busy])
+        rate = -plant.velocity(current, last[active])
         with np.errstate(all="ignore"):
-            step_s, step_tau = _solve(slope[:, go], rate[:, go], miss[:, go])
+            step_s, step_tau = _solve(
+                slope[:, continuing], rate[:, continuing], miss[:, continuing]
+            )
         # Next to a fold two solutions exist, one with a last arc of negative length: such a guess
         # is reflected.
-        short = (start[:n] - tau[busy])[go]
-        busy = busy[go]
+        short = (start[:n] - tau[active])[continuing]
+        active = active[continuing]
         back = short > 1e-12
         step_s[back], step_tau[back] = 0, 2 * short[back]
-        new = s[busy] + np.clip(step_s, -reach, reach)
+        new = s[active] + np.clip(step_s, -reach, reach)
         # The end of a family is approached by halves: there x(s, tau) may have a fold, at which
         # Newton's method stops.
-        new = np.where(new <= fan.ends.low, (s[busy] + fan.ends.low) / 2, new)
-        s[busy] = np.where(new >= fan.ends.high, (s[busy] + fan.ends.high) / 2, new)
-        tau[busy] = np.maximum(
-            tau[busy] + np.clip(step_tau, -4 * fan.times[1], 4 * fan.times[1]), 0
+        new = np.where(new <= fan.ends.low, (s[active] + fan.ends.low) / 2, new)
+        s[active] = np.where(new >= fan.ends.high, (s[active] + fan.ends.high) / 2, new)
+        tau[active] = np.maximum(
+            tau[active] + np.clip(step_tau, -4 * fan.times[1], 4 * fan.times[1]), 0
         )
     return s, tau, cost, mode, controls, good
 

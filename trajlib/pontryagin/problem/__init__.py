@@ -1,1 +1,1 @@
-"""The statement of an optimal control problem, its conditions in symbols, and its numeric form."""
+"""Optimal control problems: statement, conditions in symbols, numeric form."""

@@ -1,10 +1,9 @@
-"""Angles as vectors: where an angle occurs in cos u and sin u only, and linearly, its vector may
-lie in a disc.
+"""Relaxation of angles: the vector (cos u, sin u) may lie in the disc |e| <= 1.
 
-With e = (cos u, sin u) in place of the angle a plant may be linear though it is not linear in u.
-The circle |e| = 1 lies in the disc |e| <= 1: what the disc cannot reach, the circle cannot. And H,
-linear in e, is largest on the circle, so that an extremal of the problem is one of the problem with
-discs.
+Where an angle occurs in cos u and sin u only, and linearly, a plant may be linear in the vector
+e = (cos u, sin u) though it is not linear in u. The circle |e| = 1 lies in the disc |e| <= 1: what
+the disc cannot reach, the circle cannot. And H, linear in e, is largest on the circle, so that an
+extremal of the problem is one of the problem with discs.
 """
 
 from dataclasses import dataclass, replace
@@ -13,24 +12,34 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.problem.statement import Statement
+
 
 @dataclass(frozen=True)
-class Relaxed:
-    """A statement in which vectors stand for angles: `problem`; `blocks`, the places of its
-    controls, the two of a disc together.
+class AngleRelaxation:
+    """A statement in which vectors in discs replace angles.
+
+    Attributes
+    ----------
+    problem : Statement
+        With one control for each component of a vector.
+    blocks : tuple of tuple of int
+        Indices of its controls, the two components of a disc together.
     """
 
-    problem: object
-    blocks: tuple
+    problem: Statement
+    blocks: tuple[tuple[int, ...], ...]
 
     @cached_property
-    def bounds(self):
-        """The bounds of the controls as numbers, (k, 2)."""
+    def bounds(self) -> np.ndarray:
+        """The bounds of the controls as numbers, shape (k, 2)."""
         return np.array([[float(b) for b in pair] for pair in self.problem.controls.values()])
 
-    def least(self, gains):
-        """The least of gains^T u over the admissible controls, for gains (..., k); -inf where
-        nothing bounds it."""
+    def least(self, gains: np.ndarray) -> np.ndarray:
+        """Return the minimum of gains^T u over the admissible controls.
+
+        `gains` has shape (..., k); the minimum is -inf where no bound limits it.
+        """
         total = np.zeros(gains.shape[:-1])
         for block in self.blocks:
             g = [gains[..., i] for i in block]
@@ -43,24 +52,24 @@ class Relaxed:
 
 
 def is_angle(problem, u):
-    """Whether a control without bounds occurs only in sines and cosines of whole multiples of
-    it."""
-    turning = {}
+    """Check whether an unbounded control occurs only in sines and cosines of its multiples."""
+    waves = {}
     for e in (*problem.field, problem.running):
         for wave in e.atoms(sp.sin, sp.cos):
             if sp.diff(wave.args[0], u).is_integer:
-                turning[wave] = sp.Dummy()
-    rest = set().union(
-        *(e.xreplace(turning).free_symbols for e in (*problem.field, problem.running))
-    )
+                waves[wave] = sp.Dummy()
+    rest = set().union(*(e.xreplace(waves).free_symbols for e in (*problem.field, problem.running)))
     return problem.controls[u] == (-sp.oo, sp.oo) and u not in rest
 
 
-def relaxed(problem):
-    """`Relaxed`, without angles the problem itself; None if an angle occurs otherwise than linearly
-    in cos u, sin u.
+def relax_angles(problem: Statement) -> AngleRelaxation | None:
+    """Return the relaxation of a problem; without angles that of the problem itself.
+
+    None if an angle occurs otherwise than linearly in cos u, sin u.
     """
-    controls, table, blocks = {}, {}, []
+    controls: dict = {}
+    table: dict = {}
+    blocks: list[tuple[int, ...]] = []
     for u, bounds in problem.controls.items():
         parts = {u: bounds}
         if is_angle(problem, u):
@@ -72,7 +81,7 @@ def relaxed(problem):
         blocks.append(tuple(range(len(controls), len(controls) + len(parts))))
         controls |= parts
     if not table:
-        return Relaxed(problem, tuple(blocks))
+        return AngleRelaxation(problem, tuple(blocks))
     rates, vectors = [e.xreplace(table) for e in _rates(problem)], list(table.values())
     if any(
         e.has(*(set(problem.control) - set(controls))) or not sp.hessian(e, vectors).is_zero_matrix
@@ -80,7 +89,7 @@ def relaxed(problem):
     ):
         return None
     *field, running = rates
-    return Relaxed(
+    return AngleRelaxation(
         replace(
             problem, dynamics=dict(zip(problem.state, field)), controls=controls, running=running
         ),

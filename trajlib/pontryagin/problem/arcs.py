@@ -18,7 +18,7 @@ CONSTANT_ANGLES = {"ahead": 0.0, "back": np.pi}
 class Arc:
     """An arc that is still to be refined: its kinds (one for each control), begin and end."""
 
-    kinds: tuple
+    kinds: tuple[str, ...]
     begin: float
     end: float
 

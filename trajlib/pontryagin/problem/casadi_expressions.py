@@ -1,4 +1,4 @@
-"""SymPy expressions as CasADi functions, for speed and exact derivatives."""
+"""SymPy expressions as CasADi expressions, for speed and exact derivatives."""
 
 from functools import reduce
 
@@ -35,18 +35,17 @@ _RELATIONS = {
 
 
 def to_casadi(expressions, table):
-    """Translate SymPy expressions by `table`, {SymPy symbol: CasADi expression}; a list of CasADi
-    expressions.
+    """Translate SymPy expressions to a list of CasADi expressions.
 
-    Equal subexpressions become one node. Raises ValueError for a function that CasADi does not
-    have.
+    `table` is {SymPy symbol: CasADi expression}. Equal subexpressions become one node. Raises
+    ValueError for a function that CasADi does not have.
     """
-    memory = dict(table)
+    translated = dict(table)
 
     def walk(e):
-        if e not in memory:
-            memory[e] = _node(e, walk)
-        return memory[e]
+        if e not in translated:
+            translated[e] = _node(e, walk)
+        return translated[e]
 
     return [walk(sp.sympify(e)) for e in expressions]
 

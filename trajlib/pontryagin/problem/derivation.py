@@ -1,5 +1,4 @@
-"""The conditions of the maximum principle for a problem, in symbols (Theorem 5.1 of the problem
-book).
+"""The conditions of the maximum principle in symbols (Theorem 5.1 of the problem book).
 
 With H = psi^T f - lambda_0 f_0 (for a maximum of the cost: + lambda_0 f_0), lambda_0 >= 0,
 (lambda_0, psi) not zero:
@@ -9,9 +8,9 @@ With H = psi^T f - lambda_0 f_0 (for a maximum of the cost: + lambda_0 f_0), lam
     psi(t_k) + lambda_0 grad phi_0 is orthogonal to the target:  = -sum_j lambda_j grad phi_j              (5.6)
     H = 0 along the trajectory if the final time is free, H = const if it is given                         (5.7)
 
-psi_i(0) = 0 for a state that is free at the start. The pair (lambda_0, psi) matters up to a
-positive factor: lambda_0 = 1 is the normal case; lambda_0 = 0, in which the cost takes no part, the
-abnormal one.
+psi_i(0) = 0 for a state that is free at t = 0. The pair (lambda_0, psi) is determined up to a
+positive factor: lambda_0 = 1 is the normal case; lambda_0 = 0, in which the cost has no influence,
+the abnormal one.
 """
 
 from dataclasses import dataclass
@@ -31,20 +30,30 @@ from trajlib.pontryagin.problem.statement import Statement
 class Conditions:
     """The conditions of the maximum principle; shows itself typeset in a notebook.
 
-    - `costate`: the symbols psi1, ..., psin; `multiplier`: lambda0; `terminal_multipliers`:
-      lambda1, ..., lambdam
-    - `hamiltonian`: H(psi, y, u); `adjoint`: {psi_i: right-hand side of psi_i'}
-    - `switching`: {control: dH/du} for the controls in which H is linear
-    - `maximising`: {control: the control that makes H largest, a Piecewise}
-    - `singular`: {control: SingularArc} for the controls in `switching`
-    - `control_field`: {control: its rate, state: ...}, the motion of a control inside its bounds
-      without the costates
-    - `transversality`: expressions that vanish at the end, `reduced_transversality` the same
-      without lambda1, ..., lambdam
-    - `initial_transversality`: the psi_i that vanish at the start
-    - `stationarity`: the equation H = 0 if the final time is free, else None (H is then constant)
-    - `normal`, `abnormal`: H with lambda0 = 1 and with lambda0 = 0
+    Attributes
+    ----------
+    problem : Problem
+        The problem from which they are derived.
+    costate : tuple of sympy.Symbol
+        psi1, ..., psin.
+    multiplier : sympy.Symbol
+        lambda0, nonnegative.
+    terminal_multipliers : tuple of sympy.Symbol
+        lambda1, ..., lambdam, one for each terminal equation.
+    hamiltonian : sympy.Expr
+        The Pontryagin function H(psi, y, u), with lambda0.
+    adjoint : dict
+        {psi_i: right-hand side of psi_i'}.
+    switching : dict
+        {control: dH/du} for the controls in which H is linear.
 
+    Notes
+    -----
+    H = psi^T f - lambda_0 f_0 is maximised by the optimal control. Source: Theorem 5.1 of the problem
+    book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
     >>> x1, x2, u = sp.symbols("x1 x2 u")
@@ -56,27 +65,31 @@ class Conditions:
     """
 
     problem: Statement
-    costate: tuple
+    costate: tuple[sp.Symbol, ...]
     multiplier: sp.Symbol
-    terminal_multipliers: tuple
+    terminal_multipliers: tuple[sp.Symbol, ...]
     hamiltonian: sp.Expr
-    adjoint: dict
-    switching: dict
+    adjoint: dict[sp.Symbol, sp.Expr]
+    switching: dict[sp.Symbol, sp.Expr]
 
     @cached_property
-    def maximising(self):
+    def maximising(self) -> dict[sp.Symbol, sp.Expr | None]:
+        """{control: the control that makes H largest}, a Piecewise; None without a closed form."""
         return maximising_control(self)
 
     @cached_property
     def singular(self) -> dict[sp.Symbol, SingularArc]:
+        """{control: SingularArc} for the controls in `switching`."""
         return {u: singular_arc(self, u) for u in self.switching}
 
     @cached_property
-    def control_field(self):
+    def control_field(self) -> dict[sp.Symbol, sp.Expr]:
+        """{control: u', state: ...}: the control inside its bounds, with the costates eliminated."""
         return control_field(self.problem)
 
     @cached_property
-    def transversality(self):
+    def transversality(self) -> tuple[sp.Expr, ...]:
+        """Expressions that vanish at the final time, with lambda1, ..., lambdam."""
         problem, sign = self.problem, -1 if self.problem.maximise else 1
         return tuple(
             psi
@@ -86,8 +99,11 @@ class Conditions:
         )
 
     @cached_property
-    def reduced_transversality(self):
-        """Products of psi + lambda_0 grad phi_0 with the tangent vectors of the target."""
+    def reduced_transversality(self) -> tuple[sp.Expr, ...]:
+        """Products of psi + lambda_0 grad phi_0 with the tangent vectors of the target.
+
+        They vanish at the final time and do not contain lambda1, ..., lambdam.
+        """
         problem, sign = self.problem, -1 if self.problem.maximise else 1
         normal = sp.Matrix(
             [
@@ -104,7 +120,8 @@ class Conditions:
         return tuple(sp.expand(sp.cancel((normal.T * tangent)[0])) for tangent in cleared)
 
     @property
-    def initial_transversality(self):
+    def initial_transversality(self) -> tuple[sp.Symbol, ...]:
+        """The costates psi_i that vanish at t = 0, those of free initial states."""
         return tuple(
             psi
             for psi, y in zip(self.costate, self.problem.state)
@@ -112,21 +129,33 @@ class Conditions:
         )
 
     @property
-    def stationarity(self):
-        # Between bounds the duration may stop at one of them, where H need not vanish.
+    def stationarity(self) -> sp.Eq | None:
+        """The equation H = 0 if the final time is free, else None (H is then constant)."""
         return sp.Eq(self.hamiltonian, 0) if self.problem.duration is None else None
 
     @property
-    def normal(self):
+    def normal(self) -> sp.Expr:
+        """H with lambda0 = 1."""
         return self.hamiltonian.subs(self.multiplier, 1)
 
     @property
-    def abnormal(self):
+    def abnormal(self) -> sp.Expr:
+        """H with lambda0 = 0."""
         return self.hamiltonian.subs(self.multiplier, 0)
 
-    def derivative(self, expression):
-        """Time derivative of a function of state and costate along the trajectories (the controls
-        constant)."""
+    def derivative(self, expression: sp.Expr) -> sp.Expr:
+        """Return the time derivative along the trajectories, the controls being constant.
+
+        Parameters
+        ----------
+        expression : sympy.Expr
+            A function of state and costate.
+
+        Returns
+        -------
+        sympy.Expr
+            Its Lie derivative along y' = f and psi' = -dH/dy.
+        """
         return lie_derivative(expression, {**self.problem.dynamics, **self.adjoint})
 
     def _repr_markdown_(self):

@@ -1,16 +1,15 @@
-"""What can go wrong with an optimal control problem, each with a name of its own.
+"""The errors of optimal control problems, one class for each reason.
 
-Every message says what was asked, why it cannot be, and what to try.
+Every message names what was asked, why it is impossible, and what to try.
 """
 
 
 class PontryaginError(ValueError):
-    """A well-formed problem without the extremal that was asked for; the classes below say why."""
+    """A well-formed problem has no extremal of the kind asked for; subclasses name the reason."""
 
 
 class Infeasible(PontryaginError):
-    """No admissible control leads to the target (in the time given), by a proof that the message
-    names."""
+    """No admissible control leads to the target (in the given time); the message has the proof."""
 
 
 class Unbounded(PontryaginError):
@@ -20,8 +19,11 @@ class Unbounded(PontryaginError):
 class Chattering(PontryaginError):
     """Switchings accumulate: the extremal has infinitely many arcs.
 
-    `numbers`: the optimal cost and the ratio of the arcs with their errors,
-    `accumulation.Accumulation`; None where there are none.
+    Attributes
+    ----------
+    numbers : Accumulation or None
+        The optimal cost and the ratio of successive arcs with their errors, where they are known; see
+        `indirect.accumulation`.
     """
 
     def __init__(self, message, numbers=None):
@@ -34,12 +36,11 @@ class WrongStructure(PontryaginError):
 
 
 class NotUnique(WrongStructure):
-    """The maximum principle leaves a control open on an arc: several controls may be equally
-    good."""
+    """The maximum principle does not determine a control on an arc; several may be equally good."""
 
 
 class NotConverged(PontryaginError):
-    """No process was found, or none could be computed; nothing follows about the problem itself."""
+    """No process was found or computed; nothing follows about the problem itself."""
 
 
 class StartOnTarget(PontryaginError):

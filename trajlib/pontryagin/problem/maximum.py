@@ -1,20 +1,18 @@
-"""The control that makes the Pontryagin function largest, in closed form where there is one
-(equation (5.5)).
+"""The control that maximises the Pontryagin function, in closed form (equation (5.5)).
 
 Linear in u: a bound, by the sign of the switching function. Strictly concave in u: the stationary
-point, cut off at the bounds. Otherwise the largest of the stationary points and the bounds, which
-is left to numbers.
+point, clipped to the bounds. Otherwise the largest of the stationary points and the bounds, which is
+found numerically.
 """
 
 import sympy as sp
 
 
 def maximising_control(derived):
-    """{control: expression}: a Piecewise, the stationary point, or None where no closed form was
-    found.
+    """Return {control: expression}, None where no closed form was found.
 
-    On the zeros of a switching function, where the maximum principle says nothing, the Piecewise is
-    nan.
+    An expression is a Piecewise or the stationary point. The Piecewise is nan on the zeros of a
+    switching function, where the maximum condition does not determine the control.
     """
     curved = [u for u in derived.problem.control if u not in derived.switching]
     result = {u: _bang(derived, u) for u in derived.switching}
@@ -25,7 +23,7 @@ def maximising_control(derived):
 
 
 def stationary_controls(derived, controls):
-    """All solutions of dH/du = 0 for these controls, a list of dicts; empty if SymPy finds none."""
+    """Return all solutions of dH/du = 0 as a list of dicts; empty if SymPy finds none."""
     equations = [sp.diff(derived.hamiltonian, u) for u in controls]
     if not all(_solvable(equation, controls) for equation in equations):
         return []
@@ -36,11 +34,10 @@ def stationary_controls(derived, controls):
 
 
 def _solvable(equation, controls):
-    """Whether an equation is algebraic in the controls, or of low degree in one function of one of
-    them.
+    """Check whether an equation is algebraic in the controls or of low degree in one function.
 
-    Elsewhere (rates exp(-2500/u) and exp(-5000/u) of two reactions) SymPy may look for a closed
-    form for minutes.
+    Elsewhere (rates exp(-2500/u) and exp(-5000/u) of two reactions) SymPy may search for a closed form
+    for minutes.
     """
     if equation.is_algebraic_expr(*controls):
         return True
@@ -65,7 +62,7 @@ def _stationary(derived, curved):
 
 
 def _cut_off(derived, u, point):
-    """The stationary point within the bounds: right where H is strictly concave in u alone."""
+    """Clip the stationary point to the bounds, valid where H is strictly concave in u alone."""
     if point is None:
         return None
     curvature = sp.diff(derived.hamiltonian, u, 2).subs(

@@ -1,5 +1,4 @@
-"""A problem with numbers for everything, as CasADi expressions: what transcription and shooting
-both start from."""
+"""Problems in CasADi expressions, from which transcription and shooting begin."""
 
 from functools import cached_property
 
@@ -7,9 +6,10 @@ import casadi as ca
 import numpy as np
 import sympy as sp
 
-from trajlib.pontryagin.problem.angle_relaxation import is_angle, relaxed
+from trajlib.pontryagin.problem.angle_relaxation import is_angle, relax_angles
 from trajlib.pontryagin.problem.casadi_expressions import to_casadi
 from trajlib.pontryagin.problem.derivation import conditions
+from trajlib.pontryagin.problem.statement import Statement
 
 # Values tried for a control in which H is not linear.
 GRID = 41
@@ -18,17 +18,27 @@ GRID = 41
 class NumericProblem:
     """CasADi expressions (SX) of a problem without parameters.
 
-    `x`, `psi`, `u`: vectors of length n, n, k; `multiplier`: lambda_0. `field`, `density`, `final`,
-    `target`: f, f_0, phi_0 and phi_1, ..., phi_m, the signs of f_0 and phi_0 being those of a
-    minimum. `lower`, `upper`: bounds of the controls (k,); `start`: initial values, nan for a free
-    one (n,); `duration`: a number or None; `shortest`, `longest`.
+    Attributes
+    ----------
+    x, psi, u : casadi.SX
+        Symbols of length n, n, k; `multiplier` is lambda_0.
+    field, density, final, target : casadi.SX
+        f, f_0, phi_0 and phi_1, ..., phi_m; f_0 and phi_0 with the signs of a minimum.
+    lower, upper : ndarray, shape (k,)
+        Bounds of the controls.
+    start : ndarray, shape (n,)
+        Initial values, nan for a free one.
+    duration : float or None
+        The given duration; a free one lies between `shortest` and `longest`.
+    affine, angles : list of bool
+        Whether H is linear in a control; whether a control is an angle without bounds.
     """
 
     # A free final time is bounded by default: from below since it would shrink to zero or beyond,
     # from above since a problem without a minimum would run away. In the user's units of time.
     SHORTEST, LONGEST = 1e-6, 1e3
 
-    def __init__(self, problem):
+    def __init__(self, problem: Statement):
         if problem.parameters:
             names = ", ".join(map(str, problem.parameters))
             raise ValueError(f"solve: no value for {names}; give values by problem.subs({{...}})")
@@ -67,54 +77,58 @@ class NumericProblem:
         self.shortest, self.longest = max(_number(low), self.SHORTEST), min(_number(high), 1e6)
         self.time_bounds_given = isinstance(problem.duration, tuple)
 
-    def made(self, what, make):
-        """What `make()` returns, kept under the name `what`: a CasADi function is made once for a
-        problem."""
-        made = self.__dict__.setdefault("_made", {})
-        if what not in made:
-            made[what] = make()
-        return made[what]
+    def cached(self, name, compute):
+        """Return the result of `compute()`, kept under a name: a CasADi function is built once."""
+        results = self.__dict__.setdefault("_cached", {})
+        if name not in results:
+            results[name] = compute()
+        return results[name]
 
     @cached_property
     def hamiltonian(self):
+        """H, with lambda_0."""
         return ca.dot(self.psi, self.field) - self.multiplier * self.density
 
     @cached_property
     def slopes(self):
-        """dH/du, (k,)."""
+        """dH/du, shape (k,)."""
         return ca.gradient(self.hamiltonian, self.u)
 
     @cached_property
     def adjoint(self):
+        """-dH/dx, shape (n,)."""
         return -ca.gradient(self.hamiltonian, self.x)
 
     @cached_property
-    def relaxed(self):
-        """The problem with discs for its angles, or None (see `discs`)."""
-        return relaxed(self.problem)
+    def angle_relaxation(self):
+        """The problem with discs for its angles, or None (see the module `angle_relaxation`)."""
+        return relax_angles(self.problem)
 
     @cached_property
     def target_value(self):
+        """Function of x: the terminal expressions and their Jacobian."""
         return ca.Function("target", [self.x], [self.target, ca.jacobian(self.target, self.x)])
 
     @cached_property
     def final_value(self):
+        """Function of x: phi_0."""
         return ca.Function("final", [self.x], [self.final])
 
     def concave(self, i, states, costates, controls):
-        """Whether H is strictly concave in control i, at its bounds and where it is, in N points
-        (rows)."""
+        """Check whether H is strictly concave in control i at N points (rows), also at its bounds."""
         if self.affine[i]:
             return False
-        tried = [controls.copy() for _ in range(3)]
-        tried[0][:, i], tried[1][:, i] = self.lower[i], self.upper[i]
+        trials = [controls.copy() for _ in range(3)]
+        trials[0][:, i], trials[1][:, i] = self.lower[i], self.upper[i]
         return all(
-            self.curvature(i, *point) < 0 for one in tried for point in zip(states, costates, one)
+            self.curvature(i, *point) < 0
+            for trial in trials
+            for point in zip(states, costates, trial)
         )
 
     def curvature(self, i, state, costate, controls, multiplier=1.0):
-        """d2H/du_i2 in a point."""
-        value = self.made(
+        """Return d2H/du_i2 at a point."""
+        value = self.cached(
             f"curvature {i}",
             lambda: ca.Function(
                 "curvature",
@@ -125,11 +139,12 @@ class NumericProblem:
         return float(value(state, costate, controls, multiplier))
 
     def best_controls(self, states, costates, controls):
-        """The controls in N points (rows) with those between two bounds in which H is not linear
-        changed, one after the other, to what makes H with lambda_0 = 1 largest on a grid; and by
-        how much H grows, (N,).
+        """Return controls at N points (rows) that maximise H on a grid, and the growth of H, (N,).
+
+        With lambda_0 = 1, the controls between two bounds in which H is not linear are changed one after the
+        other; the others stay.
         """
-        value = self.made(
+        value = self.cached(
             "hamiltonian",
             lambda: ca.Function(
                 "hamiltonian", [self.x, self.psi, self.u, self.multiplier], [self.hamiltonian]
@@ -140,18 +155,18 @@ class NumericProblem:
             points = (np.tile(part, (times, 1)).T for part in (states, costates))
             return value.map(len(u))(*points, u.T, 1.0).full().reshape(times, -1)
 
-        best, first, rows = controls.copy(), values(controls, 1)[0], np.arange(len(controls))
-        largest = first
+        best, before, rows = controls.copy(), values(controls, 1)[0], np.arange(len(controls))
+        largest = before
         for i in np.nonzero(~np.array(self.affine) & np.isfinite(self.upper - self.lower))[0]:
             trials = np.tile(best, (GRID + 1, 1, 1))
             trials[1:, :, i] = np.linspace(self.lower[i], self.upper[i], GRID)[:, None]
             H = values(trials.reshape(-1, self.k), GRID + 1)
             chosen = np.argmax(H, axis=0)
             best, largest = trials[chosen, rows], H[chosen, rows]
-        return best, largest - first
+        return best, largest - before
 
     def middle(self):
-        """A control inside the bounds, (k,)."""
+        """Return a control inside the bounds, (k,)."""
         low = np.where(
             np.isfinite(self.lower),
             self.lower,
@@ -166,8 +181,7 @@ class NumericProblem:
 
 
 def runge_kutta(numeric):
-    """One classical Runge-Kutta step: (x, u, h) -> (x at its end, the part of the integral of
-    f_0)."""
+    """Return one classical Runge-Kutta step (x, u, h) -> (x after h, integral of f_0 over it)."""
     h = ca.SX.sym("h")
     rate = ca.Function("rate", [numeric.x, numeric.u], [numeric.field, numeric.density])
     x, u = numeric.x, numeric.u
@@ -183,8 +197,7 @@ def runge_kutta(numeric):
 
 
 def _refuse_kinks(problem):
-    """H has to be smooth in the controls: ValueError if Abs, sign, Max, Min or Piecewise holds
-    one."""
+    """Raise ValueError where H is not smooth in the controls (Abs, sign, Max, Min, Piecewise)."""
     for e in (*problem.field, problem.running):
         for kink in e.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
             if kink.free_symbols & set(problem.control):

@@ -1,11 +1,10 @@
-"""Problems and their conditions as a reader would write them on the blackboard (Markdown with
-LaTeX)."""
+"""Problems and their conditions in Markdown with LaTeX, as on a blackboard."""
 
 import sympy as sp
 
 
 def problem_markdown(problem):
-    """A problem as a block of formulas."""
+    """Return a problem as a block of formulas."""
     lines = [rf"{_dot(y)} = {sp.latex(f)}" for y, f in problem.dynamics.items()]
     lines += [_bounds(u, *bounds) for u, bounds in problem.controls.items()]
     starts = [
@@ -27,7 +26,7 @@ def problem_markdown(problem):
 
 
 def conditions_markdown(derived):
-    """The conditions one after another, each under its name."""
+    """Return the conditions one after another, each under its name."""
     problem = derived.problem
     parts = [
         "**Pontryagin function**",
@@ -40,14 +39,14 @@ def conditions_markdown(derived):
     for u, slope in derived.switching.items():
         arc = derived.singular[u]
         parts.append(f"**Switching function of** ${sp.latex(u)}$ **and its derivatives**")
-        ticks = [rf"\frac{{\partial H}}{{\partial {sp.latex(u)}}} = {sp.latex(slope)}"]
-        ticks += [
+        derivatives = [rf"\frac{{\partial H}}{{\partial {sp.latex(u)}}} = {sp.latex(slope)}"]
+        derivatives += [
             rf"\frac{{d{_power(k)}}}{{dt{_power(k)}}}\frac{{\partial H}}{{\partial {sp.latex(u)}}} "
             r"= "
             rf"{sp.latex(d)}"
             for k, d in enumerate(arc.derivatives[1:], 1)
         ]
-        parts += [_block(ticks), _singular(arc)]
+        parts += [_block(derivatives), _singular(arc)]
     parts.append(r"**Transversality** at $t_k$")
     parts.append(_block([f"{sp.latex(e)} = 0" for e in derived.transversality]))
     if derived.terminal_multipliers and derived.reduced_transversality:

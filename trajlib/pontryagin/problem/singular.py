@@ -1,5 +1,4 @@
-"""Singular arcs: where the switching function vanishes on an interval, and the control that keeps
-it zero.
+"""Singular arcs: their order, control, surface and Kelley's condition.
 
 H is linear in u and dH/du = 0 on an interval. Its time derivatives along the trajectory vanish too;
 the first that contains u is of even order 2q,
@@ -19,39 +18,60 @@ import sympy as sp
 
 #: Derivatives of the switching function are looked at up to so many terms. Those of a robot's arm
 #: grow sixfold with each and would take hours; those of the problems of this book have a dozen.
-MOST_TERMS = 100
+MAX_TERMS = 100
 
 
 @dataclass(frozen=True, eq=False)
 class SingularArc:
-    """What can be said of the singular arcs of one control.
+    """The singular arcs of one control.
 
-    - `order`: q, or None if no derivative of the switching function contains the control, as far as
-      they were looked at
-    - `derivatives`: dH/du and its time derivatives, of orders 0 to 2q-1, which vanish on the arc
-    - `control`: the singular control -a/b, with what these equations say about (psi, lambda_0) put
-      in; None if unknown
-    - `kelley`: (-1)^q b; a minimum needs kelley <= 0
-    - `surface`: expressions in the state alone that vanish on the arc (none: the state is not
-      restricted)
-    - `excluded`: True if the equations leave only (psi, lambda_0) = 0, so that there is no such arc
-    - `reason`: the result in words
+    Attributes
+    ----------
+    control_symbol : sympy.Symbol
+        The control u.
+    order : int or None
+        q; None if no derivative of the switching function contains u, as far as they were computed.
+    derivatives : tuple of sympy.Expr
+        dH/du and its time derivatives of orders 0 to 2q-1, which vanish on the arc.
+    control : sympy.Expr or None
+        The singular control -a/b, with the costates eliminated by these equations; None if unknown.
+    kelley : sympy.Expr or None
+        (-1)^q b; a minimum needs kelley <= 0.
+    surface : tuple of sympy.Expr
+        Expressions in the state alone that vanish on the arc; empty if the state is not restricted.
+    excluded : bool
+        Whether the equations leave only (psi, lambda_0) = 0, so that there is no such arc.
+    reason : str
+        The result in words.
     """
 
     control_symbol: sp.Symbol
     order: int | None
-    derivatives: tuple
+    derivatives: tuple[sp.Expr, ...]
     control: sp.Expr | None
     kelley: sp.Expr | None
-    surface: tuple
+    surface: tuple[sp.Expr, ...]
     excluded: bool
     reason: str
 
 
-def singular_arc(derived, u):
-    """`SingularArc` of the control `u` in the `Conditions` given; the other controls are taken to
-    be constant.
+def singular_arc(derived, u: sp.Symbol) -> SingularArc:
+    """Return the singular arcs of a control, the other controls being constant.
 
+    Parameters
+    ----------
+    derived : Conditions
+        The conditions of a problem.
+    u : sympy.Symbol
+        A control in which H is linear.
+
+    Returns
+    -------
+    SingularArc
+        Order, singular control, surface and Kelley's sign.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
     >>> x, u = sp.symbols("x u")
@@ -60,8 +80,8 @@ def singular_arc(derived, u):
     >>> arc.order, arc.surface, arc.control, arc.kelley
     (1, (x,), 0, -2*lambda0)
     """
-    derivatives, highest = raw_derivatives(derived, u, MOST_TERMS)
-    if highest is None and len(sp.Add.make_args(derivatives[-1])) > MOST_TERMS:
+    derivatives, highest = raw_derivatives(derived, u, MAX_TERMS)
+    if highest is None and len(sp.Add.make_args(derivatives[-1])) > MAX_TERMS:
         return SingularArc(
             u,
             None,
@@ -70,7 +90,7 @@ def singular_arc(derived, u):
             None,
             (),
             False,
-            f"the derivatives of the switching function have more than {MOST_TERMS} terms before "
+            f"the derivatives of the switching function have more than {MAX_TERMS} terms before "
             f"it is known what keeps it zero: singular arcs of {u} are not looked for",
         )
     order = len(derivatives) // 2 if highest is not None else None
@@ -104,6 +124,7 @@ def singular_arc(derived, u):
             f"no derivative of the switching function contains {u}: it is not determined on a "
             "singular arc",
         )
+    order = len(derivatives) // 2
     highest = sp.expand(sp.simplify(highest), power_exp=False)
     a, b = highest.subs(u, 0), sp.diff(highest, u)
     known = _eliminated(derivatives, derived, unknowns, surface)
@@ -113,7 +134,7 @@ def singular_arc(derived, u):
     control = None
     if kelley != 0:
         control = _on(surface, sp.simplify((-a / b).subs(known)), derived.problem.state)
-    words = (
+    sign = (
         "zero, so that the control is not determined"
         if kelley == 0
         else "negative"
@@ -132,31 +153,35 @@ def singular_arc(derived, u):
         kelley,
         surface,
         False,
-        f"order {order}; (-1)^q b = {kelley} is {words}",
+        f"order {order}; (-1)^q b = {kelley} is {sign}",
     )
 
 
 def raw_derivatives(derived, u, most=None):
-    """dH/du and its derivatives as long as they do not contain u, and the first that does (None if
-    none). One of more than `most` terms is the last, whether it contains u or not."""
+    """Return dH/du with its derivatives that do not contain u, and the first that does, or None.
+
+    A derivative of more than `most` terms is the last, whether it contains u or not.
+    """
     derivatives = [derived.switching[u]]
     for _ in range(2 * len(derived.costate)):
-        following = sp.expand(derived.derivative(derivatives[-1]), power_exp=False)
-        if most and len(sp.Add.make_args(following)) > most:
-            return (*derivatives, following), None
-        if len(derivatives) % 2 == 0 and not _vanishes(sp.diff(following, u)):
-            return tuple(derivatives), following
-        if following == 0:
+        derivative = sp.expand(derived.derivative(derivatives[-1]), power_exp=False)
+        if most and len(sp.Add.make_args(derivative)) > most:
+            return (*derivatives, derivative), None
+        if len(derivatives) % 2 == 0 and not _vanishes(sp.diff(derivative, u)):
+            return tuple(derivatives), derivative
+        if derivative == 0:
             break
         # With several controls u may appear in an odd derivative, where (Goh's condition) its
         # factor vanishes.
-        derivatives.append(following.subs(u, 0))
+        derivatives.append(derivative.subs(u, 0))
     return tuple(derivatives), None
 
 
 def _vanishes(expression):
-    """Whether an expression is zero identically: values decide that it is not, much faster than
-    rules that it is."""
+    """Check whether an expression is zero identically.
+
+    Values decide that it is not, much faster than rules decide that it is.
+    """
     point = {
         s: sp.Rational(2 * k + 3, 2 * k + 5)
         for k, s in enumerate(sorted(expression.free_symbols, key=str))
@@ -168,7 +193,7 @@ def _vanishes(expression):
 
 
 def _surface(matrix, state):
-    """Where the linear equations for the multipliers have a solution that is not zero.
+    """Return where the linear equations for the multipliers have a non-zero solution.
 
     A tuple of expressions that vanish there, empty if this is everywhere, None if it is nowhere.
     """
@@ -195,8 +220,7 @@ def _surface(matrix, state):
 
 
 def _state_factors(expression, state):
-    """The factors of the numerator that contain the state, each once; 1 if there are none, 0 for
-    zero."""
+    """Return the product of the numerator's distinct factors that contain the state; 0 for zero."""
     numerator = sp.numer(sp.together(expression))
     if sp.expand(numerator) == 0:
         return sp.Integer(0)
@@ -210,38 +234,40 @@ def _state_factors(expression, state):
 
 
 def _eliminated(derivatives, derived, unknowns, surface):
-    """The costates that the equations determine, in terms of the other ones."""
-    matrix, known = sp.Matrix(derivatives).jacobian(unknowns), {}
+    """Express the costates that the equations determine by the other ones."""
+    matrix, costates = sp.Matrix(derivatives).jacobian(unknowns), {}
     matrix = matrix.applyfunc(lambda e: _on(surface, e, derived.problem.state))
     reduced, pivots = matrix.rref(simplify=True)
     # On a surface that cannot be put in, the equations still seem to leave only zero: there the
     # others imply the last.
-    stays = not all(_can_be_put_in(equation, derived.problem.state) for equation in surface)
-    while stays and pivots and len(pivots) == sum(any(matrix.col(j)) for j in range(matrix.cols)):
+    redundant = not all(_is_explicit(equation, derived.problem.state) for equation in surface)
+    while (
+        redundant and pivots and len(pivots) == sum(any(matrix.col(j)) for j in range(matrix.cols))
+    ):
         matrix = matrix[:-1, :]
         reduced, pivots = matrix.rref(simplify=True)
     for row, pivot in enumerate(pivots):
         # On the surface an equation for lambda_0 alone is satisfied.
         if unknowns[pivot] != derived.multiplier:
-            known[unknowns[pivot]] = -sum(
+            costates[unknowns[pivot]] = -sum(
                 (reduced[row, j] * unknowns[j] for j in range(len(unknowns)) if j != pivot),
                 sp.Integer(0),
             )
-    return known
+    return costates
 
 
-def _can_be_put_in(equation, state):
-    """Whether `_on` can use an equation of the surface."""
+def _is_explicit(equation, state):
+    """Check whether `_on` can use an equation of the surface."""
     return isinstance(equation, (sp.sin, sp.cos, sp.tan)) or any(
         equation.is_polynomial(y) and sp.degree(equation, y) == 1 for y in state
     )
 
 
 def _on(surface, expression, state):
-    """The shortest form of an expression on the surface.
+    """Return the shortest form of an expression on the surface.
 
-    One state is eliminated where the surface is linear in it; on a surface sin(g) = 0 (cos, tan)
-    the function is zero.
+    One state is eliminated where the surface is linear in it; on a surface sin(g) = 0 (cos, tan) the
+    function is zero.
     """
     candidates = [expression]
     for equation in surface:

@@ -1,5 +1,4 @@
-"""The statement of an optimal control problem: dynamics, bounds on the controls, ends of the
-trajectory, cost.
+"""The statement of an optimal control problem: dynamics, bounds, end conditions, cost.
 
     y' = f(y, u),   u_- <= u <= u_+,   y(0) = y*,   phi_i(y(t_k)) = 0,   J = phi_0(y(t_k)) + int_0^t_k f_0(y, u) dt
 
@@ -10,9 +9,9 @@ All functions of the package work on a `Statement`; the public class `optimal_co
 the methods that call them.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
-from typing import Any
+from typing import Any, Self
 
 import sympy as sp
 
@@ -34,7 +33,7 @@ class Statement:
     dynamics: Mapping
     controls: Mapping
     initial: Mapping
-    terminal: Iterable = ()
+    terminal: Sequence | Mapping = ()
     running: sp.Expr = None
     final: sp.Expr = None
     duration: sp.Expr = None
@@ -44,7 +43,7 @@ class Statement:
     def __post_init__(self):
         # Neither part given: the time. One of them given: the other is zero.
         time_optimal = self.running is None and self.final is None
-        put = {
+        values = {
             "dynamics": read_table(self.dynamics),
             "controls": read_bounds(self.controls),
             "terminal": read_terminal(self.terminal),
@@ -56,8 +55,8 @@ class Statement:
             "initial": read_initial(self.initial),
         }
         for name in ("running", "final"):
-            put[name] = exact_decimals(put[name])
-        for name, value in put.items():
+            values[name] = exact_decimals(values[name])
+        for name, value in values.items():
             object.__setattr__(self, name, value)
         for name in ("maximise", "first_return"):
             if not isinstance(getattr(self, name), bool):
@@ -66,65 +65,82 @@ class Statement:
         self._check_ends()
 
     @property
-    def state(self):
+    def state(self) -> tuple[sp.Symbol, ...]:
         """The state symbols, a tuple of length n."""
         return tuple(self.dynamics)
 
     @property
-    def control(self):
-        """The control symbols, a tuple."""
+    def control(self) -> tuple[sp.Symbol, ...]:
+        """The control symbols, a tuple of length k."""
         return tuple(self.controls)
 
     @property
-    def field(self):
+    def field(self) -> tuple[sp.Expr, ...]:
         """The right-hand sides f(y, u), a tuple of length n."""
         return tuple(self.dynamics.values())
 
     @property
-    def parameters(self):
-        """The symbols that have no value yet, sorted by name."""
-        found = set().union(*(e.free_symbols for e in self._expressions()))
-        return tuple(sorted(found - set(self.state) - set(self.control), key=lambda s: s.name))
+    def parameters(self) -> tuple[sp.Symbol, ...]:
+        """The symbols without a value, sorted by name."""
+        symbols = set().union(*(e.free_symbols for e in self._expressions()))
+        return tuple(sorted(symbols - set(self.state) - set(self.control), key=lambda s: s.name))
 
     @property
-    def free_time(self):
+    def free_time(self) -> bool:
         """Whether the final time is to be found."""
         return self.duration is None or isinstance(self.duration, tuple)
 
     @property
-    def time_optimal(self):
+    def time_optimal(self) -> bool:
         """Whether the cost is the duration itself."""
         return self.running == 1 and self.final == 0 and self.free_time
 
-    def subs(self, values):
-        """The same problem with values (numbers or expressions) for some of its parameters.
+    def subs(self, values) -> Self:
+        """Return the same problem with values for some of its parameters.
 
-        Raises ValueError for a symbol that is not a parameter of this problem.
+        Parameters
+        ----------
+        values : dict
+            {parameter: number or expression}.
+
+        Returns
+        -------
+        Problem
+            With the values substituted everywhere.
+
+        Raises
+        ------
+        TypeError
+            If `values` is not a dict.
+        ValueError
+            If a symbol is not a parameter of this problem.
         """
         if not isinstance(values, Mapping):
             raise TypeError(f"subs: expected a dict from parameters to values, got {values!r}")
         values = {s: exact_decimals(read_expression(v, f"subs, {s}")) for s, v in values.items()}
-        strangers = set(values) - set(self.parameters)
-        if strangers:
+        unknown = set(values) - set(self.parameters)
+        if unknown:
             known = ", ".join(map(str, self.parameters)) or "none"
             raise ValueError(
-                f"subs: {', '.join(sorted(map(str, strangers)))} is no parameter here (parameters: "
+                f"subs: {', '.join(sorted(map(str, unknown)))} is no parameter here (parameters: "
                 f"{known})"
             )
 
-        def put(e):
+        def substituted(e):
             return None if e is None else e.subs(values, simultaneous=True)
 
         pair = isinstance(self.duration, tuple)
         return replace(
             self,
-            dynamics={s: put(f) for s, f in self.dynamics.items()},
-            controls={u: tuple(put(b) for b in bounds) for u, bounds in self.controls.items()},
-            initial={s: put(v) for s, v in self.initial.items()},
-            terminal=[put(g) for g in self.terminal],
-            running=put(self.running),
-            final=put(self.final),
-            duration=tuple(map(put, self.duration)) if pair else put(self.duration),
+            dynamics={s: substituted(f) for s, f in self.dynamics.items()},
+            controls={
+                u: tuple(substituted(b) for b in bounds) for u, bounds in self.controls.items()
+            },
+            initial={s: substituted(v) for s, v in self.initial.items()},
+            terminal=[substituted(g) for g in self.terminal],
+            running=substituted(self.running),
+            final=substituted(self.final),
+            duration=tuple(map(substituted, self.duration)) if pair else substituted(self.duration),
         )
 
     def cached(self, name: str, compute: Callable[[], Any]) -> Any:
@@ -184,15 +200,15 @@ class Statement:
                 raise ValueError(
                     f"controls: {u} acts neither on the dynamics nor on the running cost"
                 )
-        others = [v for v in self.initial.values() if v is not None]
-        others += (
+        values = [v for v in self.initial.values() if v is not None]
+        values += (
             list(self.duration)
             if isinstance(self.duration, tuple)
             else [self.duration]
             if self.duration is not None
             else []
         )
-        for e in others:
+        for e in values:
             if e.free_symbols & (states | controls):
                 raise ValueError(f"initial, duration: expected numbers or parameters, got {e}")
 

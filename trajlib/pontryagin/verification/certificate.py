@@ -12,7 +12,7 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
-from trajlib.pontryagin.verification.residuals import Evidence
+from trajlib.pontryagin.verification.residuals import TrajectoryResiduals
 
 # Panels an arc, one number after another, until the integrals agree with the trajectory to within
 # INTEGRATED: a rapid turn needs many. What stays is a defect of the trajectory, not of the formula.
@@ -122,7 +122,7 @@ def certify(
     ['maximum', 'stationarity']
     """
     for panels in PANELS if points is None else [points]:
-        values = Evidence(
+        values = TrajectoryResiduals(
             problem, state, costate, control, duration, switching_times, multiplier, panels
         )
         dynamics, adjoint = values.defects()

@@ -64,8 +64,10 @@ class LinearArcs:
 
     def _ends(self, problem, y, psi):
         sign = -1 if problem.maximise else 1
-        both = [*y, *psi]
-        self.target = _rows(problem.terminal, both) if problem.terminal else sp.zeros(0, self.size)
+        symbols = [*y, *psi]
+        self.target = (
+            _rows(problem.terminal, symbols) if problem.terminal else sp.zeros(0, self.size)
+        )
         tangents = (
             self.target[:, : self.n].nullspace()
             if problem.terminal
@@ -75,16 +77,16 @@ class LinearArcs:
         products = [
             sum((t * e for t, e in zip(tangent, normals)), sp.Integer(0)) for tangent in tangents
         ]
-        self.transversality = _rows(products, both) if products else sp.zeros(0, self.size)
+        self.transversality = _rows(products, symbols) if products else sp.zeros(0, self.size)
 
     def arc(self, kinds):
         """The `LinearArc` of a tuple of kinds. Raises `NotLinear` where the controls are not
         determined."""
         if kinds not in self._arcs:
-            self._arcs[kinds] = self._made(kinds)
+            self._arcs[kinds] = self._built(kinds)
         return self._arcs[kinds]
 
-    def _made(self, kinds):
+    def _built(self, kinds):
         U = sp.zeros(len(kinds), self.size)
         for j, kind in enumerate(kinds):
             if kind in ("u-", "u+"):
@@ -116,10 +118,10 @@ class LinearArcs:
         rate, gain = self._rate + self._gain * U, self._gain[:, j]
         rows = [self._slope[j, :] + self._curvature[j, :] * U]
         while len(rows) <= self.size:
-            following, factor = rows[-1] * rate, (rows[-1] * gain)[0]
+            derivative, factor = rows[-1] * rate, (rows[-1] * gain)[0]
             if factor != 0:
-                return rows, -following / factor
-            rows.append(following)
+                return rows, -derivative / factor
+            rows.append(derivative)
         raise NotLinear("no derivative of the switching function contains the singular control")
 
     def hamiltonian(self, arc):
@@ -133,11 +135,14 @@ class LinearArcs:
         y, u = list(self.problem.state), list(self.problem.control)
         zero = dict.fromkeys([*y, *u], 0)
         # f_0 = w^T Q w with w = (y, u, 1) = W z.
-        f, both = self.problem.running, [*y, *u]
-        slope = sp.Matrix([sp.diff(f, v).subs(zero) for v in both])
+        f, symbols = self.problem.running, [*y, *u]
+        slope = sp.Matrix([sp.diff(f, v).subs(zero) for v in symbols])
         Q = sp.Matrix(
             sp.BlockMatrix(
-                [[sp.hessian(f, both) / 2, slope / 2], [slope.T / 2, sp.Matrix([[f.subs(zero)]])]]
+                [
+                    [sp.hessian(f, symbols) / 2, slope / 2],
+                    [slope.T / 2, sp.Matrix([[f.subs(zero)]])],
+                ]
             )
         )
         last = sp.zeros(1, self.size)

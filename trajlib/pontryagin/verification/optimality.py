@@ -22,7 +22,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib.pontryagin.problem.angle_relaxation import relaxed
+from trajlib.pontryagin.problem.angle_relaxation import relax_angles
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Optimality:
         return f"{self.kind} ({self.reason}), {best}; a better process is not excluded"
 
 
-def theorem(problem):
+def sufficiency_theorem(problem):
     """The theorem under which an extremal of the problem is optimal: (name, needs lambda_0 > 0), or
     None.
 
@@ -67,15 +67,15 @@ def theorem(problem):
     return problem.cached("theorem", lambda: _theorem(problem, blocks))
 
 
-def theorem_with_discs(problem):
-    """As `theorem`, for angles as vectors in discs too. A process that is stationary need not be
+def relaxed_sufficiency_theorem(problem):
+    """As `sufficiency_theorem`, for angles as vectors in discs too. A process that is stationary need not be
     the best one then: a thrust against q is stationary as well; an extremal is.
     """
-    one = relaxed(problem)
+    relaxation = relax_angles(problem)
     return (
-        theorem(problem)
-        if one is None or one.problem is problem
-        else _theorem(one.problem, one.blocks)
+        sufficiency_theorem(problem)
+        if relaxation is None or relaxation.problem is problem
+        else _theorem(relaxation.problem, relaxation.blocks)
     )
 
 
@@ -104,7 +104,7 @@ def _theorem(problem, blocks):
     return None
 
 
-def held(problem):
+def target_can_be_held(problem):
     """Whether the plant and the target are linear and the target is a point at which the plant can
     be held."""
     y, u = sp.Matrix(problem.state), sp.Matrix(problem.control)

@@ -30,7 +30,7 @@ from trajlib.pontryagin.verification.ball_arithmetic import (
     to_balls,
 )
 from trajlib.pontryagin.verification.linear_arcs import LinearArcs, NotLinear
-from trajlib.pontryagin.verification.optimality import theorem
+from trajlib.pontryagin.verification.optimality import sufficiency_theorem
 from trajlib.typesetting import typeset
 
 # Bits of the arithmetic: more where errors grow along the arcs. The box in which the zero is looked
@@ -99,8 +99,8 @@ def prove(problem, arcs, state, costate, multiplier=1.0):
             "a proof needs ball arithmetic, which is not installed here: pip install python-flint"
         ) from None
 
-    named, reason = theorem(problem), ""
-    if named is None or problem.first_return:
+    theorem, reason = sufficiency_theorem(problem), ""
+    if theorem is None or problem.first_return:
         return Proof(
             False, "no theorem is known here that makes an extremal of this problem optimal"
         )
@@ -109,7 +109,7 @@ def prove(problem, arcs, state, costate, multiplier=1.0):
     for precision in PRECISIONS:
         with ctx.workprec(precision):
             try:
-                return _Proof(problem, arcs, state, costate).proof(named[0])
+                return _ProofAttempt(problem, arcs, state, costate).proof(theorem[0])
             except Undetermined as error:
                 reason = str(error)
             except (NotProved, NotLinear) as error:
@@ -117,8 +117,8 @@ def prove(problem, arcs, state, costate, multiplier=1.0):
     return Proof(False, reason)
 
 
-class _Proof:
-    """The equations for one structure, and what is known exactly at the ends of the arcs (`known`,
+class _ProofAttempt:
+    """The equations for one structure, and what is known exactly at the ends of the arcs (`vanishing_rows`,
     rows for z)."""
 
     def __init__(self, problem, arcs, state, costate):
@@ -128,23 +128,23 @@ class _Proof:
         ]
         self.rates = [to_balls(arc.rate) for arc in self.arcs]
         n = self.model.n
-        given = list(problem.initial.values())
+        initial_values = list(problem.initial.values())
         # Unknown at t = 0: the costate of a given state, and the state where it is free (its
         # costate is zero).
-        self.unknown = [i if value is None else n + i for i, value in enumerate(given)]
+        self.unknown = [i if value is None else n + i for i, value in enumerate(initial_values)]
         self.count = n + len(arcs)
         self.guess = [
             *(float(state[i] if i < n else costate[i - n]) for i in self.unknown),
             *(end - begin for _, begin, end in arcs),
         ]
-        self.start = to_balls(sp.Matrix([*(value or 0 for value in given), *[0] * n, 1]))
+        self.start = to_balls(sp.Matrix([*(value or 0 for value in initial_values), *[0] * n, 1]))
         fixed = sp.eye(self.model.size)
-        fixed[:n, -1] = -sp.Matrix([value or 0 for value in given])
+        fixed[:n, -1] = -sp.Matrix([value or 0 for value in initial_values])
         starts = fixed.extract(
-            [i if value is not None else n + i for i, value in enumerate(given)],
+            [i if value is not None else n + i for i, value in enumerate(initial_values)],
             list(range(self.model.size)),
         )
-        self.rows, self.known = self._equations_at_nodes(starts)
+        self.rows, self.vanishing_rows = self._equations_at_nodes(starts)
         self.ball_rows = [to_balls(rows) for rows in self.rows]
         equations = sum(rows.rows for rows in self.rows) + 1
         if equations != self.count:
@@ -162,10 +162,10 @@ class _Proof:
         It follows from the initial conditions, and along a singular arc from what vanished where
         the arc began.
         """
-        wanted = [self._at_switching(k) for k in range(len(self.arcs))]
-        wanted.append(sp.Matrix.vstack(self.model.target, self.model.transversality))
-        rows, known = [], []
-        for k, candidates in enumerate(wanted):
+        conditions = [self._at_switching(k) for k in range(len(self.arcs))]
+        conditions.append(sp.Matrix.vstack(self.model.target, self.model.transversality))
+        rows, vanishing_rows = [], []
+        for k, candidates in enumerate(conditions):
             vanishing = (
                 starts if k == 0 else self._stacked(sum(self.arcs[k - 1].invariants.values(), []))
             )
@@ -173,8 +173,8 @@ class _Proof:
             for row in map(candidates.row, range(candidates.rows)):
                 if not _follows(row, vanishing):
                     rows[k], vanishing = rows[k].col_join(row), vanishing.col_join(row)
-            known.append(vanishing)
-        return rows, known
+            vanishing_rows.append(vanishing)
+        return rows, vanishing_rows
 
     def _stacked(self, rows):
         return sp.Matrix.vstack(sp.zeros(0, self.model.size), *rows)
@@ -284,10 +284,10 @@ class _Proof:
     def _maximum_condition(self, k, first, last, length):
         """That the slopes have the signs of the bounds along arc k, and that other controls are
         between theirs."""
-        arc, wanted = self.arcs[k], []
+        arc, inequalities = self.arcs[k], []
         for j, (kind, (low, high)) in enumerate(zip(arc.kinds, self.model.bounds)):
             if kind in ("u-", "u+"):
-                wanted.append(
+                inequalities.append(
                     (arc.slopes[j, :] * (1 if kind == "u+" else -1), "the switching function")
                 )
                 continue
@@ -295,8 +295,8 @@ class _Proof:
                 if bound.is_finite:
                     row = sign * arc.control[j, :]
                     row[-1] -= sign * bound
-                    wanted.append((row, "the control's distance from a bound"))
-        for row, name in wanted:
+                    inequalities.append((row, "the control's distance from a bound"))
+        for row, name in inequalities:
             if not self._positive(row, k, first, last, length):
                 raise NotProved(
                     f"{name} was not proved to have one sign on arc {k + 1} "
@@ -311,9 +311,14 @@ class _Proof:
             derivatives.append(derivatives[-1] * self.arcs[k].rate)
             balls.append(to_balls(derivatives[-1]))
         zeros = []
-        for z, known in ((first, self.known[k]), (last, self.known[k + 1])):
+        for z, vanishing_rows in (
+            (first, self.vanishing_rows[k]),
+            (last, self.vanishing_rows[k + 1]),
+        ):
             order = 0
-            while (balls[order] * z)[0, 0].contains(0) and _follows(derivatives[order], known):
+            while (balls[order] * z)[0, 0].contains(0) and _follows(
+                derivatives[order], vanishing_rows
+            ):
                 order += 1
                 if order == self.model.size:
                     # All derivatives vanish: zero on the whole arc.
@@ -360,8 +365,11 @@ class _Proof:
         return total + to_ball(sp.expand(self.problem.final), values)
 
 
-def _follows(row, known):
+def _follows(row, vanishing_rows):
     """Whether row z = 0 follows exactly from the linear equations known."""
     if not any(row):
         return True
-    return bool(known.rows) and sp.Matrix.vstack(known, row).rank() == known.rank()
+    return (
+        bool(vanishing_rows.rows)
+        and sp.Matrix.vstack(vanishing_rows, row).rank() == vanishing_rows.rank()
+    )

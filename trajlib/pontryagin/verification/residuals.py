@@ -17,7 +17,7 @@ from trajlib.pontryagin.problem.singular import raw_derivatives
 _GAUSS = np.polynomial.legendre.leggauss(12)
 
 
-class Evidence:
+class TrajectoryResiduals:
     """The trajectory on its panels: `times` (N,) and the values there, `edges` the ends of the
     panels."""
 
@@ -57,7 +57,7 @@ class Evidence:
         self.last_control = self.u[:, -1]
         derived = conditions(problem)
         self.derived, lam = derived, derived.multiplier
-        both = [*problem.state, *derived.costate, *problem.control, lam]
+        symbols = [*problem.state, *derived.costate, *problem.control, lam]
         self.curved = [u for u in problem.control if u not in derived.switching]
         # One function for what is wanted once or twice, since making it takes longer than calling
         # it.
@@ -72,8 +72,8 @@ class Evidence:
             self._parts[name] = slice(len(expressions), len(expressions) + len(group))
             expressions += group
         self._rates, self._hamiltonian = (
-            _function(tuple(both), tuple(expressions)),
-            _function(tuple(both), (derived.hamiltonian,)),
+            _function(tuple(symbols), tuple(expressions)),
+            _function(tuple(symbols), (derived.hamiltonian,)),
         )
         self.rates = self._at("field", self.y, self.psi, self.u)
         self.densities = self._at("running", self.y, self.psi, self.u)
@@ -99,16 +99,16 @@ class Evidence:
         return results
 
     def initial(self):
-        given = [
+        fixed = [
             (i, float(v)) for i, v in enumerate(self.problem.initial.values()) if v is not None
         ]
         free = [i for i, v in enumerate(self.problem.initial.values()) if v is None]
-        missed = [abs(self.y_edges[i, 0] - v) / (1 + abs(v)) for i, v in given]
-        missed += [abs(self.psi_edges[i, 0]) / (1 + np.max(np.abs(self.psi_edges))) for i in free]
+        errors = [abs(self.y_edges[i, 0] - v) / (1 + abs(v)) for i, v in fixed]
+        errors += [abs(self.psi_edges[i, 0]) / (1 + np.max(np.abs(self.psi_edges))) for i in free]
         duration = self.problem.duration
         if duration is not None and not isinstance(duration, tuple):
-            missed.append(abs(self.edges[-1] - float(duration)) / (1 + float(duration)))
-        return float(max(missed))
+            errors.append(abs(self.edges[-1] - float(duration)) / (1 + float(duration)))
+        return float(max(errors))
 
     @cached_property
     def _end_values(self):
@@ -155,15 +155,15 @@ class Evidence:
         y = np.column_stack([self.y, self.y_edges[:, -1]])
         psi = np.column_stack([self.psi, self.psi_edges[:, -1]])
         u = np.column_stack([self.u, self.last_control])
-        reached = self.hamiltonian(y, psi, u)
-        best = reached.copy()
+        H = self.hamiltonian(y, psi, u)
+        best = H.copy()
         for _ in range(2 if len(u) > 1 else 1):
             u_best = u.copy()
             # Control after control; a second round where several controls act on one another.
             for j in range(len(u)):
                 best, u_best = self._improved(y, psi, u_best, best, j)
             u = u_best
-        return (best - reached)[:-1], float(best[-1])
+        return (best - H)[:-1], float(best[-1])
 
     def _improved(self, y, psi, u, best, j):
         low, high = (float(b) for b in self.problem.controls[self.problem.control[j]])
@@ -171,10 +171,10 @@ class Evidence:
         candidates = _candidates(u[j], low, high, linear)
         if not linear:
             with np.errstate(all="ignore"):
-                place = self.curved.index(self.problem.control[j])
+                index = self.curved.index(self.problem.control[j])
                 newton = (
                     u[j]
-                    - (self._at("slopes", y, psi, u) / self._at("curvatures", y, psi, u))[place]
+                    - (self._at("slopes", y, psi, u) / self._at("curvatures", y, psi, u))[index]
                 )
             candidates.append(np.clip(np.where(np.isfinite(newton), newton, u[j]), low, high))
         for candidate in candidates:
@@ -201,22 +201,22 @@ class Evidence:
         per_arc = len(self.times) // self.arc_count
         worst = None
         for index, kind in enumerate(arcs or []):
-            for j, one in enumerate([kind] if isinstance(kind, str) else kind):
-                if one != "singular":
+            for j, kind_of_control in enumerate([kind] if isinstance(kind, str) else kind):
+                if kind_of_control != "singular":
                     continue
                 u = self.problem.control[j]
                 derivatives, highest = raw_derivatives(self.derived, u)
                 if highest is None:
                     return np.inf
                 b = (-1) ** (len(derivatives) // 2) * sp.diff(highest, u)
-                both = [
+                symbols = [
                     *self.problem.state,
                     *self.derived.costate,
                     *self.problem.control,
                     self.derived.multiplier,
                 ]
                 part = slice(index * per_arc, (index + 1) * per_arc)
-                values = _function(tuple(both), (b,))(
+                values = _function(tuple(symbols), (b,))(
                     *self.y[:, part], *self.psi[:, part], *self.u[:, part], self.multiplier
                 )
                 worst = max(float(np.max(values)), -np.inf if worst is None else worst)

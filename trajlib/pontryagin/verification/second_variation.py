@@ -89,12 +89,12 @@ def second_variation(numeric, process):
     change = np.zeros((N + 1, n, count))
     starts = np.nonzero(np.isnan(numeric.start))[0]
     change[0, starts, np.arange(len(starts))] = 1 / np.sqrt(weights[: len(starts)])
-    both = np.zeros((N, n + k + 1, count))
-    both[:, n:] = varied
+    variations = np.zeros((N, n + k + 1, count))
+    variations[:, n:] = varied
     for i in range(N):
-        both[i, :n] = change[i]
-        change[i + 1] = slopes[:, i] @ both[i]
-    form = np.einsum("iav,aib,ibw->vw", both, curvatures, both, optimize=True)
+        variations[i, :n] = change[i]
+        change[i + 1] = slopes[:, i] @ variations[i]
+    form = np.einsum("iav,aib,ibw->vw", variations, curvatures, variations, optimize=True)
     end = _end(numeric)(process.states[-1], process.multiplier, process.terminal_multipliers)
     form += change[-1].T @ end[0].full() @ change[-1]
     tangents = _null_space(end[1].full() @ change[-1]) if numeric.m else np.eye(count)
@@ -102,7 +102,7 @@ def second_variation(numeric, process):
         return SecondVariation(np.inf, np.inf)
     values, vectors = np.linalg.eigh(tangents.T @ form @ tangents)
     direction = tangents @ vectors[:, 0]
-    along = both @ direction
+    along = variations @ direction
     # On few variations the eigenvalues may cancel: then rounding is judged by the form on all
     # variations.
     largest = max(float(np.max(np.abs(values))), 1e-6 * float(np.max(np.abs(form))))
@@ -111,7 +111,7 @@ def second_variation(numeric, process):
     )
 
 
-def along_extremal(numeric, extremal, duration):
+def extremal_second_variation(numeric, extremal, duration):
     """`SecondVariation` of an extremal; `duration`: None if it is free. A least eigenvalue that
     tends to zero counts as zero.
 
@@ -120,13 +120,15 @@ def along_extremal(numeric, extremal, duration):
     value is extrapolated from N and 2N. On a singular arc the eigenvalues themselves fall like
     1/N^2, and their sign is what counts.
     """
-    variation = second_variation(numeric, of_extremal(numeric, extremal, duration))
+    variation = second_variation(numeric, process_of_extremal(numeric, extremal, duration))
     singular = any(
         "singular" in (kind if isinstance(kind, tuple) else (kind,)) for kind, _, _ in extremal.arcs
     )
     if singular or not abs(variation.least) < 1e-2 * variation.largest:
         return variation
-    finer = second_variation(numeric, of_extremal(numeric, extremal, duration, 2 * INTERVALS))
+    finer = second_variation(
+        numeric, process_of_extremal(numeric, extremal, duration, 2 * INTERVALS)
+    )
     limit = (4 * finer.least - variation.least) / 3
     return variation if abs(limit) > 1e-5 * variation.largest else replace(variation, least=0.0)
 
@@ -137,12 +139,12 @@ def _varied(numeric, process):
     """
     N, k = process.free.shape
     first = int(np.isnan(numeric.start).sum())
-    places, moments = np.argwhere(process.free), process.shifts.shape[1]
-    weights = np.concatenate([np.ones(first + moments), process.widths[places[:, 0]]])
+    free_controls, instants = np.argwhere(process.free), process.shifts.shape[1]
+    weights = np.concatenate([np.ones(first + instants), process.widths[free_controls[:, 0]]])
     varied = np.zeros((N, k + 1, len(weights)))
-    varied[:, k, first : first + moments] = process.shifts
-    columns = first + moments + np.arange(len(places))
-    varied[places[:, 0], places[:, 1], columns] = 1 / np.sqrt(weights[columns])
+    varied[:, k, first : first + instants] = process.shifts
+    columns = first + instants + np.arange(len(free_controls))
+    varied[free_controls[:, 0], free_controls[:, 1], columns] = 1 / np.sqrt(weights[columns])
     return varied, weights
 
 
@@ -156,7 +158,7 @@ def _intervals(numeric):
     derivatives of the summand.
     """
 
-    def made():
+    def build():
         h = ca.SX.sym("h")
         end, piece = runge_kutta(numeric)(numeric.x, numeric.u, h)
         both = ca.vertcat(numeric.x, numeric.u, h)
@@ -167,12 +169,14 @@ def _intervals(numeric):
             [ca.densify(ca.jacobian(end, both)), ca.densify(curvature)],
         )
 
-    one = numeric.made("second variation of an interval", made)
-    return lambda x, u, h, psi, multiplier: one.map(x.shape[1])(x, u, ca.DM(h).T, psi, multiplier)
+    function = numeric.cached("second variation of an interval", build)
+    return lambda x, u, h, psi, multiplier: function.map(x.shape[1])(
+        x, u, ca.DM(h).T, psi, multiplier
+    )
 
 
 def _end(numeric):
-    def made():
+    def build():
         nu = ca.SX.sym("nu", numeric.m)
         value = numeric.multiplier * numeric.final + (
             ca.dot(nu, numeric.target) if numeric.m else 0
@@ -184,31 +188,31 @@ def _end(numeric):
             [ca.densify(ca.hessian(value, numeric.x)[0]), ca.densify(slope)],
         )
 
-    return numeric.made("second variation of the end", made)
+    return numeric.cached("second variation of the end", build)
 
 
-def of_picture(numeric, picture, terminal_multipliers):
+def process_of_solution(numeric, solution, terminal_multipliers):
     """The `Process` of a discrete picture on equal intervals: free are the controls inside their
     bounds."""
     width = np.where(np.isfinite(numeric.upper - numeric.lower), numeric.upper - numeric.lower, 1.0)
-    inside = (picture.controls > numeric.lower + 1e-4 * width) & (
-        picture.controls < numeric.upper - 1e-4 * width
+    inside = (solution.controls > numeric.lower + 1e-4 * width) & (
+        solution.controls < numeric.upper - 1e-4 * width
     )
-    N = len(picture.controls)
+    N = len(solution.controls)
     shifts = np.full((N, 1), 1 / N) if numeric.duration is None else np.zeros((N, 0))
     return Process(
-        picture.states,
-        picture.costates,
-        picture.controls,
+        solution.states,
+        solution.costates,
+        solution.controls,
         inside,
-        np.diff(picture.times),
+        np.diff(solution.times),
         shifts,
         1.0,
         terminal_multipliers,
     )
 
 
-def of_extremal(numeric, extremal, duration, intervals=INTERVALS):
+def process_of_extremal(numeric, extremal, duration, intervals=INTERVALS):
     """The `Process` of an extremal, the arcs being cut into intervals.
 
     `duration`: None if it is free. What varies are the controls on interior and singular arcs, the
@@ -231,7 +235,7 @@ def of_extremal(numeric, extremal, duration, intervals=INTERVALS):
         free += [[kind in ("interior", "singular") for kind in kinds]] * count
     ends, widths, free = np.array(ends), np.array(widths), np.array(free)
     # The moments that vary, each with the arcs before and after it (none after the end).
-    moments = [
+    instants = [
         index
         for index in range(len(arcs) - 1)
         if any(
@@ -239,9 +243,9 @@ def of_extremal(numeric, extremal, duration, intervals=INTERVALS):
             for a, b in zip(arcs[index][0], arcs[index + 1][0])
         )
     ]
-    moments += [len(arcs) - 1] * (duration is None)
-    shifts = np.zeros((len(widths), len(moments)))
-    for column, index in enumerate(moments):
+    instants += [len(arcs) - 1] * (duration is None)
+    shifts = np.zeros((len(widths), len(instants)))
+    for column, index in enumerate(instants):
         shifts[offsets[index] : offsets[index + 1], column] = 1 / counts[index]
         if index + 1 < len(arcs):
             shifts[offsets[index + 1] : offsets[index + 2], column] = -1 / counts[index + 1]
