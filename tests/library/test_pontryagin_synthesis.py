@@ -11,7 +11,8 @@ from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
 from trajlib.pontryagin.planar_synthesis.arguments import read_plant
-from trajlib.pontryagin.planar_synthesis.plant import Plant, series_step
+from trajlib.pontryagin.planar_synthesis.integration import series_step
+from trajlib.pontryagin.planar_synthesis.plant import Plant
 
 pytestmark = pytest.mark.slow
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)

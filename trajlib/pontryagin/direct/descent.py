@@ -1,4 +1,4 @@
-"""From a discrete solution to one of less cost: by needle variations and away from saddles."""
+"""From a discrete solution to one of lower cost: needle variations and escape from saddles."""
 
 import numpy as np
 
@@ -8,6 +8,7 @@ from trajlib.pontryagin.direct.transcription import (
     Transcription,
     target_multipliers,
 )
+from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.verification.second_variation import (
     ABNORMAL,
     process_of_solution,
@@ -18,10 +19,8 @@ from trajlib.pontryagin.verification.second_variation import (
 NEEDLES = 1e-3
 
 
-def descend(numeric, solution, side):
-    """The picture, or a better one to which the cost falls from it: along the controls that make H
-    largest, and from a saddle along its steepest direction.
-    """
+def descend(numeric: NumericProblem, solution: DirectSolution, side: int | None) -> DirectSolution:
+    """Return a solution that needle variations and the second variation do not improve."""
     for _ in range(4):
         if np.max(np.abs(solution.costates)) > ABNORMAL:
             return solution
@@ -42,11 +41,10 @@ def descend(numeric, solution, side):
 
 
 def _improved_by_needles(numeric, solution, side):
-    """A picture of less cost, found from the controls that make H largest in each interval; None if
-    there is none.
+    """Return a solution of lower cost from controls that maximise H on each interval, or None.
 
-    Stationary controls need not make H largest where it is not concave, and the integral of what is
-    missing is by how much short changes of the control (needles) lower the cost to first order.
+    Stationary controls need not maximise H where it is not concave. The integral of what H lacks is the
+    first-order decrease of the cost by short changes of the control (needle variations).
     """
     if not any(
         curved and bounded
@@ -66,7 +64,7 @@ def _improved_by_needles(numeric, solution, side):
 
 
 def solution_from_controls(numeric, solution, side, controls):
-    """The picture to which other controls lead, or None."""
+    """Return the solution that the search finds from other controls, or None."""
     result = Transcription(numeric, len(controls), None, side).solve(
         (solution.duration, solution.states, controls)
     )
@@ -74,8 +72,7 @@ def solution_from_controls(numeric, solution, side, controls):
 
 
 def escape_saddle(numeric, solution, variation, side):
-    """A picture of less cost, found along the least direction of the second variation; None if
-    there is none."""
+    """Return a solution of lower cost along the second variation's least eigenvector, or None."""
     programme, best = Transcription(numeric, len(solution.controls), None, side), None
     width = np.where(
         np.isfinite(numeric.upper - numeric.lower), (numeric.upper - numeric.lower) / 2, 1.0
@@ -101,7 +98,7 @@ def escape_saddle(numeric, solution, variation, side):
 
 
 def finer_solution(numeric, solution, side, factor):
-    """The picture on a grid that is finer by a factor, or None."""
+    """Return the solution on a grid that is finer by a factor, or None."""
     programme = Transcription(numeric, factor * INTERVALS, side=side)
     result = programme.solve((solution.duration, solution.states, solution.controls))
     return result if isinstance(result, DirectSolution) else None

@@ -1,4 +1,4 @@
-"""A free duration: the best one, or the reason why there is none."""
+"""Free durations: the best one, or the reason why there is none."""
 
 from dataclasses import replace
 
@@ -22,11 +22,10 @@ FALLS = 1e-3
 SETTLED = 0.05
 
 
-def fixed_duration(numeric, solution):
-    """The duration if it is given, or if the best one lies at the user's bound; None if it is free
-    inside.
+def fixed_duration(numeric: NumericProblem, solution: DirectSolution) -> float | None:
+    """Return the duration if it is given or lies at a bound of the user's, None if it is free.
 
-    Raises `Unbounded` where a free duration ran into the bounds that it has by default.
+    Raises `Unbounded` where a free duration reached the bounds that it has by default.
     """
     if numeric.duration is not None:
         return numeric.duration
@@ -52,11 +51,10 @@ def fixed_duration(numeric, solution):
 
 
 def refuse_falling_cost(numeric, search_result):
-    """Raise `Unbounded` before any arcs are joined, if twice as much time costs less, and four
-    times as much even less.
+    """Raise `Unbounded` if the cost falls with twice the duration, and further with four times.
 
-    At such a picture nothing is stationary but the errors of its steps, and to join its arcs takes
-    minutes and fails. With longer steps it has another duration: where it keeps its own, nothing
+    Then nothing in the solution is stationary but the errors of its steps, and joining its arcs takes
+    minutes and fails. With longer steps it has another duration: where the duration is the same, nothing
     has to be tried.
     """
     problem, (solution, side) = numeric.problem, search_result.solutions[0]
@@ -83,8 +81,7 @@ def refuse_falling_cost(numeric, search_result):
 
 
 def _solution_with_duration(numeric, solution, side, factor, patience=400):
-    """The picture, or the failure, for another duration, with steps as long as those of the
-    picture."""
+    """Return the solution or failure for another duration, with steps of the same length."""
     duration = factor * solution.duration
     fixed = NumericProblem(replace(numeric.problem, duration=duration))
     programme = Transcription(
@@ -94,9 +91,7 @@ def _solution_with_duration(numeric, solution, side, factor, patience=400):
 
 
 def refuse_unbounded_duration(numeric, solution, side):
-    """Raise `Unbounded` if more time never costs more: the infimum is approached as the duration
-    grows; `NotUnique` if more time costs the same.
-    """
+    """Raise `Unbounded` if a longer duration never costs more, `NotUnique` if it costs the same."""
     durations, costs = [], []
     for factor in (2, 1, 1 / 2, 1 / 4, 1 / 8):
         duration = factor * solution.duration
@@ -128,8 +123,8 @@ def refuse_unbounded_duration(numeric, solution, side):
     )
 
 
-def least_time(numeric):
-    """The least time to the target, by transcription; None if none was found."""
+def least_time(numeric: NumericProblem) -> float | None:
+    """Return the least time to the target by transcription; None if none was found."""
     fastest = NumericProblem(
         replace(numeric.problem, running=1, final=0, duration=None, maximise=False)
     )
@@ -139,5 +134,5 @@ def least_time(numeric):
 
 
 def user_cost(numeric, value):
-    """The cost with the sign that it has in the statement."""
+    """Return a cost with the sign that it has in the statement."""
     return -value if numeric.problem.maximise else value

@@ -1,17 +1,17 @@
-"""Where the transcription starts from when the user gives nothing but the statement."""
+"""Starting guesses for the transcription: found from the statement, or given by the user."""
 
 import casadi as ca
 import numpy as np
 
 from trajlib.pontryagin.problem.errors import StartOnTarget
-from trajlib.pontryagin.problem.numeric import runge_kutta
+from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 
 
 def starting_guesses(numeric, intervals, side=None):
-    """Guesses (duration, states (N+1, n), controls (N, k)), the likeliest first.
+    """Yield guesses (duration, states (N+1, n), controls (N, k)), the likeliest first.
 
-    First motions under constant controls, each until it comes closest to the target; then straight
-    lines to the target at several paces.
+    First trajectories under constant controls, each until it comes closest to the target; then straight
+    lines to the target with several durations.
     """
     drifts = sorted(
         (
@@ -41,10 +41,9 @@ def starting_guesses(numeric, intervals, side=None):
 
 
 def oscillating_guesses(numeric, intervals, duration, sign=1):
-    """Motions under controls that swing between their bounds, each control at a pace of its own; as
-    `starting_guesses`.
+    """Return guesses with controls that oscillate between their bounds.
 
-    `sign` = -1: they begin at the other bounds.
+    Each control has a frequency of its own; with `sign` = -1 they begin at the other bounds.
     """
     result = []
     half = np.where(
@@ -66,11 +65,10 @@ def oscillating_guesses(numeric, intervals, duration, sign=1):
 
 
 def target_sides(numeric):
-    """On which side of the target the process runs before it ends: [1], [-1], both, or [None] where
-    it does not matter.
+    """Return the possible sides of the target before its end: [1], [-1], both, or [None].
 
-    It matters for `first_return`; and the fastest process does not pass the target, which keeps
-    local minima away.
+    The side matters for `first_return`; and the fastest process does not pass the target, which excludes
+    local minima.
     """
     problem = numeric.problem
     fastest = (
@@ -95,9 +93,8 @@ def target_sides(numeric):
     return sorted(slopes) or [-1, 1]
 
 
-def refuse_start_on_target(numeric):
-    """A start on the target with a free final time: zero time is an answer already; `StartOnTarget`
-    says so."""
+def refuse_start_on_target(numeric: NumericProblem) -> None:
+    """Raise `StartOnTarget` if the initial state is on the target and the final time is free."""
     problem = numeric.problem
     if (
         problem.first_return
@@ -118,8 +115,7 @@ def refuse_start_on_target(numeric):
 
 
 def _constant_controls(numeric):
-    """The middle of the bounds, and each control at its bounds while the others stay in the
-    middle."""
+    """Return the middle of the bounds, and this with one control after the other at its bounds."""
     middle = numeric.middle()
     controls = [middle]
     for i in range(numeric.k):
@@ -130,8 +126,7 @@ def _constant_controls(numeric):
 
 
 def _drift_guess(numeric, u, intervals, side):
-    """(distance, guess) for a constant control: the motion until it comes closest to the target, or
-    crosses it."""
+    """Return (distance, guess) for a constant control, until closest to the target or across it."""
     horizon = numeric.duration or min(numeric.longest, 10.0)
     path, _ = runge_kutta(numeric).mapaccum(400)(
         np.nan_to_num(numeric.start), ca.DM(u), horizon / 400
@@ -163,8 +158,10 @@ def _drift_guess(numeric, u, intervals, side):
 
 
 def _nearest_target_point(numeric):
-    """A point of the target near the start, by Gauss-Newton steps; the start itself if there are no
-    terminal equations."""
+    """Return a point of the target near the initial state, by Gauss-Newton steps.
+
+    Without terminal equations it is the initial state itself.
+    """
     point = np.nan_to_num(numeric.start)
     for _ in range(20 if numeric.m else 0):
         value, slope = (v.full() for v in numeric.target_value(point))
@@ -176,8 +173,10 @@ def _nearest_target_point(numeric):
 
 
 def read_guess(numeric, guess):
-    """The user's guess as (duration, states (M+1, n), controls (M, k)), or None; raises TypeError
-    or ValueError."""
+    """Return the user's guess as (duration, states (M+1, n), controls (M, k)), or None.
+
+    Raises TypeError or ValueError if it is not of that form.
+    """
     if guess is None:
         return None
     problem, M = numeric.problem, 100

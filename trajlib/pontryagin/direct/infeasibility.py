@@ -1,32 +1,29 @@
-"""Proofs that no admissible control leads to the target. `Infeasible` is said with one of them
-only, or where the terminal equations are linear and contradict one another.
+"""Proofs that no admissible control leads to the target; `Infeasible` names one of them.
 
-1. *A quantity that goes one way.* l = p^T y with l' = mu l + g(u), p being a left eigenvector of a linear plant, or y_i
-   itself if its rate depends on the controls alone. Whatever the control, l stays between the solutions for the least
-   and the greatest g, each of which is monotone in time. If the target asks for a value beyond them, it cannot be
-   reached.
-2. *A quantity that no control moves.* For a linear plant l = q^T G y, G y = d being the target, with q^T G A^k B = 0
-   for all k: it is what the free motion makes of it. If this is not q^T d, the target cannot be reached.
-3. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of
-   a hyperplane, and the target on the other: q^T (G y(T) - d) > 0 for the control that makes it least.
+1. *A monotone quantity.* l = p^T y with l' = mu l + g(u), p being a left eigenvector of a linear plant, or y_i itself
+   if its rate depends on the controls alone. Whatever the control, l stays between the solutions for the least and the
+   greatest g, each of which is monotone in time. If the target asks for a value beyond them, it cannot be reached.
+2. *An uncontrollable quantity.* For a linear plant l = q^T G y, G y = d being the target, with q^T G A^k B = 0 for all
+   k: it follows the free motion. If this is not q^T d, the target cannot be reached.
+3. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of a
+   hyperplane, and the target on the other: q^T (G y(T) - d) > 0 for the control that minimises it.
 
-Angles count as vectors in discs (`discs`): a plant that is linear in cos u and sin u is linear
-here.
+Contradictory linear terminal equations are refused too. Angles count as vectors in discs
+(`angle_relaxation`): a plant that is linear in cos u and sin u is linear here.
 """
 
 import numpy as np
 import sympy as sp
 
 from trajlib.pontryagin.problem.errors import Infeasible
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 # What counts as beyond, relative to the size of the values.
 MARGIN = 1e-9
 
 
-def refuse_infeasible(numeric):
-    """Raise `Infeasible` if no state is on the target, if a quantity that goes one way cannot come
-    to the value that the target asks for, or if one that no control moves does not have it.
-    """
+def refuse_infeasible(numeric: NumericProblem) -> None:
+    """Raise `Infeasible` for an empty target, or by a monotone or uncontrollable quantity."""
     target = _linear_target(numeric.problem)
     if target is None:
         return
@@ -74,18 +71,17 @@ def _refuse_contradiction(G, d):
 
 
 def _refuse_unmoved(numeric):
-    """Raise `Infeasible` if a combination of the terminal equations is out of reach of all
-    controls, bounded or not."""
+    """Raise `Infeasible` if an uncontrollable combination of the target's equations fails."""
     problem = numeric.angle_relaxation.problem
     plant = _linear_plant(problem)
     if plant is None:
         return
     A, _B, c = plant
     state, n = sp.Matrix(problem.state), numeric.n
-    G, *powers = sp.Matrix(problem.terminal).jacobian(problem.state), *_exact_powers(problem)
+    G = sp.Matrix(problem.terminal).jacobian(problem.state)
     d = -sp.Matrix(problem.terminal).subs(dict.fromkeys(problem.state, 0))
     duration = numeric.duration
-    for q in sp.Matrix.hstack(*(G * part for part in powers)).T.nullspace():
+    for q in sp.Matrix.hstack(*(G * part for part in _exact_powers(problem))).T.nullspace():
         row, required = (q.T * G), float((q.T * d)[0])
         p = np.array(row.evalf(), dtype=float).ravel()
         if duration is None:
@@ -110,7 +106,7 @@ def _refuse_unmoved(numeric):
 
 
 def _exact_powers(problem):
-    """B, A B, ..., A^(n-1) B of a linear plant, as SymPy matrices."""
+    """Yield B, A B, ..., A^(n-1) B of a linear plant as SymPy matrices."""
     field = sp.Matrix(problem.field)
     A, part = field.jacobian(problem.state), field.jacobian(problem.control)
     for _ in problem.state:
@@ -119,7 +115,7 @@ def _exact_powers(problem):
 
 
 def _free_motion(A, c, start, duration):
-    """The state at the duration without control."""
+    """Return the state at the duration without control."""
     from scipy.linalg import expm
 
     extended = np.zeros((len(A) + 1, len(A) + 1))
@@ -128,11 +124,10 @@ def _free_motion(A, c, start, duration):
 
 
 def is_separated(numeric, duration, final_state):
-    """Whether the target lies strictly beyond all states that can be reached at a time, on the side
-    of the `final_state` found.
+    """Check whether a hyperplane separates the target from all states reachable at a time.
 
-    A proof for linear plants and targets; False elsewhere, and where the separation is not clear of
-    errors of integration.
+    `final_state`: the reachable state closest to the target. A proof for linear plants and targets;
+    False elsewhere, and where the separation is not clear of errors of integration.
     """
     target = _linear_target(numeric.problem)
     plant = _linear_plant(numeric.angle_relaxation.problem) if numeric.angle_relaxation else None
@@ -164,7 +159,7 @@ def is_separated(numeric, duration, final_state):
 
 
 def _linear_target(problem):
-    """(G, d) of the terminal equations G y = d, or None."""
+    """Return (G, d) of the terminal equations G y = d, or None."""
     if not problem.terminal:
         return None
     G = sp.Matrix(problem.terminal).jacobian(problem.state)
@@ -175,7 +170,7 @@ def _linear_target(problem):
 
 
 def _linear_plant(problem):
-    """(A, B, c) of the plant y' = A y + B u + c, or None."""
+    """Return (A, B, c) of the plant y' = A y + B u + c, or None."""
     slopes = sp.Matrix(problem.field).jacobian([*problem.state, *problem.control])
     if slopes.free_symbols:
         return None
@@ -185,7 +180,7 @@ def _linear_plant(problem):
 
 
 def _quantities(numeric):
-    """(p, mu, drift, gains): l = p^T y with l' = mu l + drift + gains^T u."""
+    """Yield (p, mu, drift, gains) of quantities l = p^T y with l' = mu l + drift + gains^T u."""
     problem, n = numeric.angle_relaxation.problem, numeric.n
     plant = _linear_plant(problem)
     if plant is not None:
@@ -210,7 +205,7 @@ def _quantities(numeric):
 
 
 def _range(value, mu, drift, gains, numeric):
-    """The least and the greatest value of l at the duration, or at any time if it is free."""
+    """Return the least and the greatest value of l at the duration, or at any time."""
     least, greatest = numeric.angle_relaxation.least(gains), -numeric.angle_relaxation.least(-gains)
     result = []
     for rate, choose in ((drift + float(least), min), (drift + float(greatest), max)):
@@ -221,7 +216,7 @@ def _range(value, mu, drift, gains, numeric):
 
 
 def _after(value, mu, drift, time):
-    """l after a time, l' = mu l + push."""
+    """Return l after a time, for l' = mu l + drift."""
     if np.isinf(drift):
         return drift
     if np.isinf(time):

@@ -1,4 +1,4 @@
-"""Discrete solutions of a problem from several starting guesses, or the reason why there is none."""
+"""Discrete solutions from several starting guesses, or the reason why there is none."""
 
 from dataclasses import dataclass
 from itertools import zip_longest
@@ -22,6 +22,7 @@ from trajlib.pontryagin.direct.transcription import (
 )
 from trajlib.pontryagin.problem.arcs import arc_name
 from trajlib.pontryagin.problem.errors import Infeasible, NotConverged, Unbounded
+from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.verification.optimality import sufficiency_theorem, target_can_be_held
 
 # Where several starts are compared, they are on fewer intervals; those within this share of the
@@ -36,23 +37,32 @@ OSCILLATIONS = 4
 
 @dataclass(frozen=True)
 class SearchResult:
-    """Discrete pictures, each with its side of the target, the best first; from how many starts,
-    and how many differ; the durations that these had on few intervals.
+    """Discrete solutions, the best first, and how they were found.
+
+    Attributes
+    ----------
+    solutions : list of tuple
+        (DirectSolution, side of the target).
+    starts : int
+        Number of starting guesses that were tried.
+    found : int
+        Number of different processes to which they led.
+    coarse_durations : list of float
+        The durations that the solutions had on few intervals.
     """
 
-    solutions: list
+    solutions: list[tuple[DirectSolution, int | None]]
     starts: int
     found: int
-    coarse_durations: list
+    coarse_durations: list[float]
 
 
-def search(numeric, guess=None, structure=None):
-    """`SearchResult`: the pictures over the sides of the target. Raises what `raise_reason` finds if there is
-    none.
+def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
+    """Search for discrete solutions over the sides of the target.
 
-    Where a theorem makes every extremal optimal one picture is enough, and so with a guess or given
-    arcs. Otherwise motions of several kinds are started from, on few intervals, and the best
-    pictures are refined.
+    Where a theorem makes every extremal optimal one solution is enough, and so with a guess or given
+    arcs. Otherwise guesses of several kinds are tried on few intervals, and the best solutions are
+    refined. Raises `PontryaginError` with the reason if there is none.
     """
     refuse_start_on_target(numeric)
     refuse_infeasible(numeric)
@@ -75,7 +85,7 @@ def search(numeric, guess=None, structure=None):
 
 
 class _Multistart:
-    """The starts that were tried, with what failed and the least distance from the target."""
+    """The guesses tried, the failures, and the least distance from the target."""
 
     def __init__(self, numeric, structure):
         self.numeric, self.structure = numeric, structure
@@ -84,7 +94,7 @@ class _Multistart:
         self.coarse_durations = []
 
     def solve(self, programme, start):
-        """The picture that a start leads to, in a list; what fails is noted."""
+        """Return the solution found from a guess in a list; a failure is noted."""
         self.starts += 1
         result = programme.solve(start)
         if isinstance(result, DirectSolution):
@@ -93,7 +103,7 @@ class _Multistart:
         return []
 
     def first_solution(self, side, guess):
-        """The first picture, from the guess or from the likeliest starts, in a list."""
+        """Return the first solution, from the guess or from the likeliest guesses, in a list."""
         numeric = self.numeric
         programme = Transcription(numeric, INTERVALS, self.structure, side)
         # A point is hard to hit by chance: begin with some way to it.
@@ -115,7 +125,7 @@ class _Multistart:
         return []
 
     def best_solutions(self, side):
-        """The best of the pictures from several starts, refined, in a list."""
+        """Return the best of the solutions from several guesses, refined, in a list."""
         numeric = self.numeric
         coarse = Transcription(numeric, COARSE, None, side, patience=PATIENCE)
         point = numeric.duration is None and numeric.m > 1
@@ -153,10 +163,9 @@ class _Multistart:
         return [(solution, side) for solution in _distinct(solutions)]
 
     def _diverse_guesses(self, side, ladder=False):
-        """Starts of several kinds in turn: motions under constant controls, straight lines,
-        controls that swing.
+        """Yield guesses of several kinds in turn: constant controls, straight lines, oscillations.
 
-        `ladder`: a way to the target as the last one, which is looked for only if the others are
+        `ladder`: at last a process that reaches the target, which is searched for only if the others are
         not enough.
         """
         starts = list(starting_guesses(self.numeric, COARSE, side))
@@ -171,9 +180,7 @@ class _Multistart:
                 yield from oscillating_guesses(self.numeric, COARSE, share * process[0])
 
     def _distinct_solutions(self, programme, starts):
-        """The different pictures that the starts lead to, the best first; enough where AGREEING in
-        a row are the same.
-        """
+        """Return the different solutions, the best first; AGREEING equal ones in a row are enough."""
         solutions, repeats = [], 0
         for start in starts:
             for solution in self.solve(programme, start):
@@ -184,10 +191,9 @@ class _Multistart:
         return solutions
 
     def _improved_by_oscillations(self, programme, solutions):
-        """The pictures, and those that the best one's duration leads to from swings, as long as a
-        better one is found.
+        """Return the solutions with better ones from oscillations in the duration of the best.
 
-        Where different processes reach a point, how long the first starts took was chance.
+        Where different processes reach a point, the durations of the first guesses were chance.
         """
         for _ in range(OSCILLATIONS):
             best = solutions[0]
@@ -203,11 +209,10 @@ class _Multistart:
         return solutions
 
     def process_to_target(self, side):
-        """A process that ends on the target, in a list; empty if none was found, the least distance
-        being noted.
+        """Return a process that ends on the target in a list; empty if none was found.
 
-        A free duration is fixed at one trial value after another, up and down a ladder: with it the
-        search is convex for a linear system, and finds a way if there is one.
+        The least distance is noted. A free duration is fixed at one trial value after another, up and down a
+        ladder: then the search is convex for a linear system, and finds a process if there is one.
         """
         numeric = self.numeric
         programme = Transcription(
@@ -251,7 +256,7 @@ class _Multistart:
         return processes
 
     def divergence(self):
-        """The failure in which the cost fell without bound, if there is one."""
+        """Return the failure in which the cost fell without bound, or None."""
         for failure in self.failures:
             large = failure.cost < -1e8 or failure.largest_state > 1e12
             if failure.status == "Diverging_Iterates" or (
@@ -261,7 +266,7 @@ class _Multistart:
         return None
 
     def raise_reason(self):
-        """Raise the reason why no picture was found."""
+        """Raise the reason why no solution was found."""
         numeric, failure = self.numeric, self.divergence()
         if failure:
             raise Unbounded(
@@ -294,8 +299,7 @@ class _Multistart:
         )
 
     def _refuse_separated(self, distance_text):
-        """Raise `Infeasible` if the target is separated from what can be reached in the time given,
-        or in less."""
+        """Raise `Infeasible` if the target is separated from all states reachable in the time."""
         numeric, (duration, end) = self.numeric, self.nearest
         longest = numeric.duration if numeric.duration is not None else numeric.longest
         if duration != longest or (
@@ -318,10 +322,10 @@ class _Multistart:
 
 
 def _distinct(solutions):
-    """The pictures without those that show the same process as another one, the best first.
+    """Return the solutions without those that show the same process, the best first.
 
-    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to
-    the next.
+    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to the
+    next.
     """
     kept = []
     for solution in sorted(solutions, key=lambda p: np.sum(np.abs(np.diff(p.controls, axis=0)))):

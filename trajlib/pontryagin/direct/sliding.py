@@ -1,4 +1,4 @@
-"""Sliding: controls that want to have two values at once, so that no process is the best one.
+"""Sliding regimes: ever faster switching between two values, without an optimal process.
 
 Where H is not concave in the controls, ever faster switching between two values u and v may cost
 ever less (min of int (u^2 - 1)^2 + x^2). The limit is a process of the relaxed problem
@@ -25,8 +25,7 @@ GAIN, USED = 1e-3, 0.1
 
 
 def relaxed_solution(numeric, solution, side):
-    """The relaxed problem's `DirectSolution`, its controls being (u, v, a); None if relaxing gains
-    nothing, or little."""
+    """Return the relaxed problem's solution with controls (u, v, a), or None without a gain."""
     if all(numeric.affine):
         return None
     problem = numeric.problem
@@ -71,8 +70,7 @@ def relaxed_solution(numeric, solution, side):
 
 
 def sequential_controls(numeric, relaxed):
-    """Controls that take the two values of a relaxed picture one after the other instead of both at
-    once, (N, k).
+    """Return controls (N, k) that take the two values of a relaxed solution one after the other.
 
     Where the cost does not ask for both at once, such a process is as good.
     """
@@ -89,10 +87,10 @@ def sequential_controls(numeric, relaxed):
 
 
 def refuse_sliding(numeric, solution, relaxed, sequential):
-    """Raise `Unbounded`: the relaxed infimum is approached, as it seems, by ever faster switching.
+    """Raise `Unbounded`: ever faster switching seems to approach the relaxed infimum.
 
-    Not if the picture `sequential`, to which the controls `sequential_controls` lead, comes as near to it as a
-    picture can.
+    Not if the solution `sequential`, found from the `sequential_controls`, comes as close to it as a
+    discrete solution can.
     """
     if sequential and sequential.cost < relaxed.cost + GAIN * (GAIN + abs(relaxed.cost)):
         return
@@ -115,7 +113,7 @@ def refuse_sliding(numeric, solution, relaxed, sequential):
 
 
 def _mixing(controls, k):
-    """On which intervals two different values are used at once, (N,)."""
+    """Return on which intervals two different values are used at once, (N,)."""
     share, distance = (
         controls[:, -1],
         np.max(np.abs(controls[:, :k] - controls[:, k : 2 * k]), axis=1),

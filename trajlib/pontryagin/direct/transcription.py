@@ -1,10 +1,9 @@
-"""The first picture of an extremal: direct transcription with piecewise-constant controls, solved
-by IPOPT.
+"""Direct transcription with piecewise-constant controls, solved by IPOPT.
 
 The controls are constant on N equal intervals, as bang arcs are; polynomial controls would pass
-their bounds between the nodes. The states at the nodes are joined by Runge-Kutta steps. The
-multipliers of these joints are the costates. IPOPT relaxes bounds by 1e-8 unless told not to, and
-its status is heeded.
+their bounds between the nodes. The states at the nodes are joined by Runge-Kutta steps; the
+multipliers of these continuity equations are the costates. IPOPT relaxes bounds by 1e-8 unless an
+option forbids it, and its return status decides.
 """
 
 from dataclasses import dataclass
@@ -12,7 +11,7 @@ from dataclasses import dataclass
 import casadi as ca
 import numpy as np
 
-from trajlib.pontryagin.problem.numeric import runge_kutta
+from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 
 # Intervals of a discrete solution.
 INTERVALS = 80
@@ -22,10 +21,20 @@ PATIENCE = 100
 
 @dataclass(frozen=True)
 class DirectSolution:
-    """A discrete extremal: `times` (N+1,), `states` and `costates` (N+1, n), `controls` (N, k),
-    with lambda_0 = 1.
+    """A discrete extremal with lambda_0 = 1 from direct transcription.
 
-    `lengths`: of the arcs, where their structure was given.
+    Attributes
+    ----------
+    times : ndarray, shape (N+1,)
+        Ends of the intervals.
+    states, costates : ndarray, shape (N+1, n)
+        At these times.
+    controls : ndarray, shape (N, k)
+        On the intervals.
+    cost : float
+        With the sign of a minimum.
+    lengths : ndarray or None
+        Of the arcs, where their structure was given.
     """
 
     times: np.ndarray
@@ -33,16 +42,17 @@ class DirectSolution:
     costates: np.ndarray
     controls: np.ndarray
     cost: float
-    lengths: np.ndarray = None
+    lengths: np.ndarray | None = None
 
     @property
-    def duration(self):
+    def duration(self) -> float:
+        """The final time."""
         return self.times[-1]
 
 
 @dataclass(frozen=True)
 class Failure:
-    """Why there is no picture: IPOPT's status, with the last iterate's cost and duration."""
+    """A failure of IPOPT: its status, with cost, duration and size of the last iterate."""
 
     status: str
     cost: float
@@ -53,12 +63,23 @@ class Failure:
 class Transcription:
     """The nonlinear programme of a numeric problem on about N intervals.
 
-    `structure`: kinds of the arcs, as for `ArcFlow`; each arc then has intervals of its own and a
-    length of its own, and its controls are kept at their bounds or left free. None: all intervals
-    are equal and all controls free. `side`: the side of the target to stay on before the end (first
-    return). `distance_only`: minimise the distance of the end from the target instead of the cost.
-    `patience`: iterations at most. `near`: starts will be nearly solutions, from which IPOPT may
-    step without its filter.
+    Parameters
+    ----------
+    numeric : NumericProblem
+        The problem.
+    intervals : int
+        Number of intervals, at least 12 for each arc of a structure.
+    structure : list of tuple of str, optional
+        Kinds of the arcs; each arc then has its own intervals and length, and its controls are at their
+        bounds or free. None: all intervals are equal and all controls free.
+    side : int, optional
+        Side of the target to stay on before the final time (first return).
+    distance_only : bool, optional
+        Minimise the distance of the final state from the target instead of the cost.
+    patience : int, optional
+        Most iterations.
+    near : bool, optional
+        Whether the guesses will be nearly solutions, from which IPOPT may step without its filter.
     """
 
     def __init__(
@@ -146,11 +167,11 @@ class Transcription:
                     lower[rows, j] = upper[rows, j]
         return lower, upper
 
-    def solve(self, guess, duration=None):
-        """`DirectSolution`, or `Failure` if IPOPT does not report a solution.
+    def solve(self, guess, duration: float | None = None) -> DirectSolution | Failure:
+        """Return the solution, or a `Failure` if IPOPT does not report one.
 
-        `guess`: (duration, states (M+1, n), controls (M, k)) on M equal intervals. `duration`: keep
-        it at this number, whatever the problem says.
+        `guess`: (duration, states (M+1, n), controls (M, k)) on M equal intervals. `duration`: fixes it at
+        this number, whatever the problem says.
         """
         limits = dict(self.limits)
         if duration is not None:
@@ -201,9 +222,10 @@ class Transcription:
         return DirectSolution(times, states, costates, controls, float(result["f"]), lengths)
 
 
-def target_multipliers(numeric, solution, multiplier=1.0):
-    """nu from psi + lambda_0 grad phi_0 = -(grad phi)^T nu at the end of a picture, in least
-    squares, (m,)."""
+def target_multipliers(
+    numeric: NumericProblem, solution: DirectSolution, multiplier=1.0
+) -> np.ndarray:
+    """Return nu, (m,): psi + lambda_0 grad phi_0 = -(grad phi)^T nu at the end of a solution."""
     if not numeric.m:
         return np.zeros(0)
     end = solution.states[-1]

@@ -1,9 +1,9 @@
-"""Numbers for switchings that accumulate: the best processes with K arcs, K = 2, 3, ...
+"""Accumulating switchings, numerically: the best processes with K arcs, K = 2, 3, ...
 
 With the control at its bounds in turn on K arcs, and the singular control after them where there is
-time left, only the lengths of the arcs are to be found. Each such process is admissible, so that
-its cost is an upper bound; in Fuller's problem the excess falls by the factor 4.13^5 = 1200 with
-every arc. What the last arcs still change is the error of breaking off.
+time left, only the lengths of the arcs are unknown. Each such process is admissible, so that its
+cost is an upper bound; in Fuller's problem the excess falls by the factor 4.13^5 = 1200 with every
+arc. The change by the last arc bounds the error of truncation.
 """
 
 from dataclasses import dataclass
@@ -22,20 +22,25 @@ SHORTER = 4.0
 
 @dataclass(frozen=True)
 class Accumulation:
-    """The best process with finitely many arcs, and what the limit of infinitely many is.
+    """The best process with finitely many arcs, and the limit of infinitely many.
 
-    - `cost`, `cost_error`: the cost of the process, and by how much one arc less is worse, more
-      than what all further arcs still gain
-    - `ratio`, `ratio_error`: of the length of an arc to that of the next (the geometric mean over
-      two), and how much of it one arc more still changed, or changes from arc to arc
-    - `lengths`: of the arcs at the bounds, the first of which is a part of an arc
+    Attributes
+    ----------
+    cost, cost_error : float
+        The cost of the process, and by how much it is higher with one arc less, which is more than all
+        further arcs gain.
+    ratio, ratio_error : float
+        Of the length of an arc to that of the next (the geometric mean over two); how much one further
+        arc changed it, or how much it varies from arc to arc.
+    lengths : tuple of float
+        Of the arcs at the bounds, the first of which is a part of an arc.
     """
 
     cost: float
     cost_error: float
     ratio: float
     ratio_error: float
-    lengths: tuple
+    lengths: tuple[float, ...]
 
     def __str__(self):
         return (
@@ -46,11 +51,10 @@ class Accumulation:
 
 
 def estimate_accumulation(numeric, arcs, singular, duration):
-    """`Accumulation` for arcs that begin with bounds; None where other arcs follow, or nothing
-    settles.
+    """Return the `Accumulation` of arcs that begin with bounds, or None.
 
-    `arcs`: as `detect_arcs` shows them; `singular`: the `ArcFlow` of the singular arc; `duration`: None
-    if it is free.
+    `arcs`: as `detect_arcs` returns them; `singular`: the `ArcFlow` of the singular arc; `duration`:
+    None if it is free. None where other arcs follow, or the costs do not converge.
     """
     kinds = [arc.kinds[0] for arc in arcs]
     leading = next((i for i, kind in enumerate(kinds) if kind == "singular"), len(kinds))
@@ -78,6 +82,7 @@ def estimate_accumulation(numeric, arcs, singular, duration):
 
 
 def _limit(numeric, processes):
+    """Return the cost, the ratio of the arcs, and their errors from the processes with K arcs."""
     (before, shorter), (cost, lengths) = processes[-2:]
     # Over two arcs, since the arcs at one bound may be longer than those at the other; the first is
     # a part of an arc.
@@ -99,8 +104,7 @@ def _limit(numeric, processes):
 
 
 def _best_process(numeric, first, guess, rest, duration):
-    """(cost, lengths) of the best process with as many arcs as guessed; None if it was not
-    found."""
+    """Return (cost, lengths) of the best process with as many arcs as guessed, or None."""
     lengths, state = ca.SX.sym("lengths", len(guess)), ca.vertcat(*numeric.start, 0.0)
     bounds = [numeric.lower, numeric.upper] if first == "u-" else [numeric.upper, numeric.lower]
     for i in range(len(guess)):
@@ -142,8 +146,10 @@ def _best_process(numeric, first, guess, rest, duration):
 
 
 def _newton(lengths, cost, target, result_lengths, multipliers):
-    """Newton's method for the stationary lengths, each in units of its own, since the last ones are
-    very short."""
+    """Solve for the stationary lengths by Newton's method, or return None.
+
+    Each length is scaled, since the last ones are very short.
+    """
     multiplier = ca.SX.sym("multiplier", target.numel())
     unknown = ca.vertcat(lengths, multiplier)
     equations = ca.vertcat(ca.gradient(cost + ca.dot(multiplier, target), lengths), target)
@@ -167,6 +173,7 @@ def _newton(lengths, cost, target, result_lengths, multipliers):
 
 
 def _integrated(numeric, control, state, length):
+    """Return the state with the cost after an arc of a given length."""
     rate = ca.Function(
         "rate",
         [numeric.x],

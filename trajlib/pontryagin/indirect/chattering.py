@@ -1,14 +1,14 @@
-"""Chattering: switchings that accumulate where a bang arc meets a singular arc of even order.
+"""Chattering: switchings accumulate where a bang arc meets a singular arc of even order.
 
 On a singular arc of even order q with (-1)^q b < 0 and a control inside the bounds, no bang arc can
 join it with a jump of the control: the optimal control switches infinitely often before it gets
 there (Fuller's problem, q = 2, where the arcs shrink by the factor 4.13). No finite list of arcs
-describes such an extremal, so it is refused, with the numbers of `estimate_accumulation` where they can be
-had.
+describes such an extremal, so it is refused, with the numbers of `accumulation` where they are
+known.
 
-A bang arc can join a singular arc of odd order q > 1, but only from the few states of one motion:
-from the others the cost may fall with every further arc as well (the third derivative of x as
-control, the cost x^2, q = 3). There the numbers decide.
+A bang arc can join a singular arc of odd order q > 1, but only from the few states of one
+trajectory: from the others the cost may fall with every further arc as well (the third derivative of
+x as control, the cost x^2, q = 3). There the numbers decide.
 """
 
 import casadi as ca
@@ -20,12 +20,11 @@ from trajlib.pontryagin.problem.errors import Chattering, WrongStructure
 
 
 def refuse_chattering(numeric, arcs, end, duration):
-    """Raise `Chattering` if the arcs join a bang arc to a singular arc of even order, or end on
-    one; of odd order above one only if further arcs lower the cost.
+    """Raise `Chattering` if the arcs reach a singular arc that bang arcs cannot join.
 
-    `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. A free
-    final time in which the target lies on the singular arc is the case of Fuller: resting there
-    costs nothing more.
+    `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. At a singular
+    arc of odd order above one it is raised only if further arcs lower the cost. A free final time in
+    which the target lies on the singular arc is the case of Fuller: resting there costs nothing more.
     """
     for j in range(numeric.k):
         if not numeric.affine[j] or not np.isfinite([numeric.lower[j], numeric.upper[j]]).all():
@@ -68,11 +67,11 @@ def refuse_chattering(numeric, arcs, end, duration):
 
 
 def _may_rest(numeric, end):
-    """Whether resting at the end may cost nothing, as far as the running cost alone tells.
+    """Check whether resting at the end may cost nothing, by the running cost alone.
 
-    A process that rests keeps to the target, G f = 0, so that psi^T f = 0 by transversality if the
-    end itself has no cost, and H = -f_0. To ask this first saves the derivatives of the switching
-    function, which fill pages where the plant is not simple.
+    A process that rests keeps to the target, G f = 0, so that psi^T f = 0 by transversality if the end
+    itself has no cost, and H = -f_0. This cheap test saves the derivatives of the switching function,
+    which fill pages where the plant is not simple.
     """
     if numeric.problem.final != 0 or any(ca.which_depends(numeric.density, numeric.u)):
         return True
@@ -82,12 +81,11 @@ def _may_rest(numeric, end):
 
 
 def _rests_on_arc(numeric, flow, j, end):
-    """Whether the end state lies on the singular arc with lambda_0 = 1, H = 0 and a control
-    strictly inside its bounds, and the arc keeps to the target.
+    """Check whether the end state lies on the singular arc and can rest there at no cost.
 
-    H = 0, since the final time is free: where the cost runs on along the arc, resting there is not
-    free of charge. Nor does the process rest there where other controls, at their bounds, drive it
-    away from the target.
+    It needs lambda_0 = 1, a control strictly inside its bounds, an arc that keeps to the target, and
+    H = 0, since the final time is free: where the arc has a running cost, resting there is not free. Nor
+    does the process rest there where other controls, at their bounds, drive it away from the target.
     """
     n = numeric.n
     # Where its switching function vanishes H does not depend on the singular control.

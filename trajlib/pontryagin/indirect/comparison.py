@@ -1,23 +1,33 @@
-"""Several extremals of one problem: the maximum principle is necessary, the cost decides."""
+"""Comparison of extremals: the maximum principle is necessary, the cost decides."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
+from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.indirect.solve import solve
 from trajlib.pontryagin.problem.arcs import arc_latex
 from trajlib.pontryagin.problem.errors import PontryaginError
+from trajlib.pontryagin.problem.statement import Statement
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """Several extremals of one problem, the best first. `refused`: [(structure or guess, reason)]
-    for what led to none.
+    """Several extremals of one problem, the best first; shows itself as a table in a notebook.
+
+    Attributes
+    ----------
+    extremals : tuple of Extremal
+        Sorted by cost.
+    refused : tuple of tuple
+        (structure or guess, reason) for those that led to none.
     """
 
-    extremals: tuple
-    refused: tuple
+    extremals: tuple[Extremal, ...]
+    refused: tuple[tuple, ...]
 
     @property
-    def best(self):
+    def best(self) -> Extremal:
+        """The extremal with the best cost."""
         return self.extremals[0]
 
     def _repr_markdown_(self):
@@ -33,20 +43,42 @@ class Comparison:
         return f"| arcs | $J$ | $t_k$ | switchings |\n|---|---|---|---|\n{rows}"
 
 
-def compare(problem, structures=(), guess=None, guesses=()):
-    """The extremals with the structures given and those near the guesses, the best first:
-    `Comparison`.
+def compare(
+    problem: Statement, structures: Iterable = (), guess=None, guesses: Iterable = ()
+) -> Comparison:
+    """Compare the extremals with given structures and those near given guesses.
 
-    `structures`: lists of arcs, each started from `guess`; `guesses`: as for `solve`, the arcs
-    being found. Structures and guesses that lead to no extremal are listed with the reason. Raises
-    ValueError if there is nothing to compare, `PontryaginError` if nothing leads to an extremal.
+    Parameters
+    ----------
+    problem : Problem
+        Without parameters.
+    structures : list of list, optional
+        Lists of arcs, each solved from `guess`.
+    guess : Extremal or dict, optional
+        As for `Problem.solve`.
+    guesses : list, optional
+        Guesses from which the arcs are found.
 
+    Returns
+    -------
+    Comparison
+        The extremals, the best first; structures and guesses without one are listed with the reason.
+
+    Raises
+    ------
+    ValueError
+        If there is nothing to compare.
+    PontryaginError
+        If nothing leads to an extremal.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
     >>> x1, x2, u = sp.symbols("x1 x2 u")
     >>> transfer = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 1, x2: 0}, terminal=[x1, x2])
-    >>> found = compare(transfer, [["u-", "u+"], ["u+", "u-"]])
-    >>> round(found.best.duration, 9), len(found.refused)
+    >>> comparison = compare(transfer, [["u-", "u+"], ["u+", "u-"]])
+    >>> round(comparison.best.duration, 9), len(comparison.refused)
     (2.0, 1)
     >>> len(compare(transfer, guesses=[{"duration": 2}, {"duration": 5}]).extremals)
     2

@@ -1,4 +1,4 @@
-"""The pictures of an extremal: its phase plane and its course in time, arc by arc."""
+"""Figures of an extremal: its phase plane and its time plots, arc by arc."""
 
 import numpy as np
 import sympy as sp
@@ -18,11 +18,10 @@ _POINTS = 120
 
 
 def draw_extremal(extremal, axes=None):
-    """Phase plane (two states or more), states, controls with dH/du, costates; returns the Axes, an
-    array.
+    """Draw phase plane, states, controls with dH/du, and costates; return the array of Axes.
 
-    `axes`: three Axes, or four with the phase plane first. The arcs are bands of colour with their
-    names; the phase plane marks the start, the switchings and the end.
+    `axes`: three Axes, or four with the phase plane first, for two states or more. The arcs are coloured
+    bands with their names; the phase plane marks the initial state, the switchings and the end.
     """
     planar = len(extremal.problem.state) > 1
     count = 3 + planar
@@ -46,8 +45,7 @@ def draw_extremal(extremal, axes=None):
 
 
 def phase_plane(extremal, ax=None):
-    """The trajectory in the plane of the first two states, with start, switchings and end; returns
-    the Axes."""
+    """Draw the trajectory in the plane of the first two states; return the Axes."""
     ax = _new_axes(1)[0] if ax is None else ax
     for _kind, begin, end in extremal.arcs:
         path = extremal.state(np.linspace(begin, max(begin, end - 1e-12 * (1 + end)), _POINTS))
@@ -79,7 +77,7 @@ def phase_plane(extremal, ax=None):
 
 
 def _time_plots(extremal, ax, functions, label):
-    """Components against time, broken at the switchings where they jump."""
+    """Draw components against time, broken at the switchings where they jump."""
     for function, symbols in functions:
         lines = {}
         for _, begin, end in extremal.arcs:
@@ -99,7 +97,7 @@ def _time_plots(extremal, ax, functions, label):
 
 
 def _slopes(extremal, ax):
-    """The switching functions, scaled into the picture of the controls."""
+    """Draw the switching functions, scaled to the figure of the controls."""
     derived = conditions(extremal.problem)
     times = np.linspace(0, extremal.duration, 4 * _POINTS)
     values = extremal.switching(times)
@@ -121,6 +119,7 @@ def _slopes(extremal, ax):
 
 
 def _bands(extremal, ax):
+    """Draw the arcs as coloured bands with their names."""
     for index, (kind, begin, end) in enumerate(extremal.arcs):
         first = kind if isinstance(kind, str) else kind[0]
         ax.axvspan(begin, end, color=_BAND[first], alpha=0.16 if index % 2 else 0.10, linewidth=0)

@@ -7,8 +7,11 @@ import numpy as np
 
 from trajlib.pontryagin.indirect.drawing import draw_extremal
 from trajlib.pontryagin.indirect.refinement import arc_lengths
+from trajlib.pontryagin.indirect.shooting import ShootingSolution
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, arc_latex
 from trajlib.pontryagin.problem.errors import WrongStructure
+from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.certificate import certify
 from trajlib.pontryagin.verification.optimality import Optimality, relaxed_sufficiency_theorem
 from trajlib.pontryagin.verification.proof import prove
@@ -17,74 +20,143 @@ from trajlib.pontryagin.verification.second_variation import extremal_second_var
 
 @dataclass(frozen=True, eq=False)
 class Extremal:
-    """An extremal: a trajectory with a control and a costate that satisfy the conditions of the
-    maximum principle.
+    """A trajectory with control and costate that satisfies the maximum principle.
 
-    - `cost`, `duration`: J and t_k
-    - `arcs`: [(kind, begin, end)], kind being "u-", "u+" (at a bound), "interior" or "singular", or
-      "zero" (u = 0 where the cost holds |u|); with several controls a tuple of them
-    - `switching_times`: the times between the arcs
-    - `multiplier`: lambda_0, 1 in the normal case and 0 in the abnormal one (then |psi(0)| = 1)
-    - `terminal_multipliers`: lambda_1, ..., lambda_m of the terminal equations
-    - `residual`: the largest residual of the boundary value problem that was solved
-    - `optimality`: what is known beyond the necessary conditions, `Optimality`: proved optimal,
-      locally minimal, or best of the extremals found
-    - `state(t)`, `costate(t)`, `control(t)`, `switching(t)` = dH/du, `hamiltonian(t)`
+    Attributes
+    ----------
+    problem : Problem
+        The problem that was solved.
+    cost, duration : float
+        J and t_k.
+    arcs : tuple of tuple
+        (kind, begin, end), kind being "u-", "u+" (at a bound), "interior", "singular", or "zero" (u = 0
+        where the cost contains |u|); with several controls a tuple of them.
+    multiplier : float
+        lambda_0: 1 in the normal case, 0 in the abnormal one (then |psi(0)| = 1).
+    terminal_multipliers : tuple of float
+        lambda_1, ..., lambda_m of the terminal equations.
+    residual : float
+        The largest residual of the boundary value problem that was solved.
     """
 
-    problem: object
+    problem: Statement
     cost: float
     duration: float
-    arcs: tuple
+    arcs: tuple[tuple, ...]
     multiplier: float
-    terminal_multipliers: tuple
+    terminal_multipliers: tuple[float, ...]
     residual: float
-    _numeric: object
-    _shot: object
+    _numeric: NumericProblem
+    _shot: ShootingSolution
     _starts: int = 1
     _found: int = 1
 
     @property
-    def switching_times(self):
+    def switching_times(self) -> tuple[float, ...]:
+        """The times between the arcs."""
         return tuple(begin for _, begin, _ in self.arcs[1:])
 
     @property
-    def normal(self):
+    def normal(self) -> bool:
+        """Whether lambda_0 > 0."""
         return self.multiplier > 0
 
-    def state(self, t):
-        """State at time t: an array (n,) for a number, (n, N) for an array of N times in [0,
-        duration].
+    def state(self, t) -> np.ndarray:
+        """Return the state at given times.
 
-        Raises ValueError for times outside.
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (n,) or (n, N)
+            As exact as the nodes of the integrator.
+
+        Raises
+        ------
+        ValueError
+            For times outside of [0, duration].
         """
         return self._along(t, lambda flow, y: y[: self._numeric.n])
 
-    def costate(self, t):
-        """Costate psi at time t, shaped like the state."""
+    def costate(self, t) -> np.ndarray:
+        """Return the costate psi at given times.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (n,) or (n, N)
+            With lambda_0 = `multiplier`.
+        """
         return self._along(t, lambda flow, y: y[self._numeric.n : 2 * self._numeric.n])
 
-    def control(self, t):
-        """Controls at time t, (k,) or (k, N); at a switching the value after it."""
+    def control(self, t) -> np.ndarray:
+        """Return the controls at given times; at a switching the value after it.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (k,) or (k, N)
+            The controls in the order of the problem.
+        """
         return self._along(t, lambda flow, y: flow.values("control", y, self.multiplier))
 
-    def switching(self, t):
-        """dH/du at time t, (k,) or (k, N): the switching functions of the controls in which H is
-        linear."""
+    def switching(self, t) -> np.ndarray:
+        """Return dH/du at given times: the switching function of a control in which H is linear.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (k,) or (k, N)
+            One row for each control.
+        """
         return self._along(t, lambda flow, y: flow.values("slopes", y, self.multiplier))
 
-    def hamiltonian(self, t):
-        """The Pontryagin function at time t, a number or (N,)."""
+    def hamiltonian(self, t) -> float | np.ndarray:
+        """Return the Pontryagin function H at given times.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        float or ndarray, shape (N,)
+            Constant along the extremal; zero for a free final time.
+        """
         value = self._along(t, lambda flow, y: flow.values("hamiltonian", y, self.multiplier))
         return float(value[0]) if np.ndim(t) == 0 else value[0]
 
-    def certificate(self, points=None, proved=False):
-        """Evidence that this is an extremal, from the trajectory alone: `Certificate` (see
-        `certify`).
+    def certificate(self, points: int | None = None, proved: bool = False):
+        """Return evidence that this is an extremal, computed from the trajectory alone.
 
-        With `proved=True` a `Proof` in ball arithmetic that the exact extremal next to it is
-        optimal, or the reason why there is none (see `proof.prove`). For linear plants and costs
-        that are at most quadratic; needs python-flint.
+        Parameters
+        ----------
+        points : int, optional
+            Number of panels on an arc; see `certify`.
+        proved : bool, optional
+            Whether to prove in ball arithmetic that the exact extremal next to it is optimal, for linear
+            plants and costs that are at most quadratic; needs python-flint.
+
+        Returns
+        -------
+        Certificate or Proof
+            The residuals of all conditions; with `proved` the proof, or the reason why there is none.
         """
         if proved:
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
@@ -108,8 +180,8 @@ class Extremal:
         )
 
     @cached_property
-    def optimality(self):
-        """What is known beyond the necessary conditions: `Optimality`."""
+    def optimality(self) -> Optimality:
+        """What is known beyond the necessary conditions: proved, locally minimal, or best found."""
 
         def optimality(kind, reason):
             return Optimality(kind, reason, self._starts, self._found)
@@ -135,6 +207,7 @@ class Extremal:
 
     @cached_property
     def _variation(self):
+        """The second variation along the extremal; at a bound of the duration this is fixed."""
         duration = self._numeric.duration
         if duration is None and self._numeric.time_bounds_given:
             ends = np.array([self._numeric.shortest, self._numeric.longest])
@@ -145,14 +218,24 @@ class Extremal:
             )
         return extremal_second_variation(self._numeric, self, duration)
 
-    def plot(self, axes=None):
-        """Phase plane and time plots of states, controls, costates and switching function; returns
-        the Axes."""
+    def plot(self, axes=None) -> np.ndarray:
+        """Draw the phase plane, and states, controls, costates and switching functions against time.
+
+        Parameters
+        ----------
+        axes : array of matplotlib.axes.Axes, optional
+            Three Axes, or four with the phase plane first, for two states or more; new ones if left out.
+
+        Returns
+        -------
+        ndarray of matplotlib.axes.Axes
+            The Axes.
+        """
         return draw_extremal(self, axes)
 
     @cached_property
     def _nodes(self):
-        """For each arc the motion at the ends of its steps, (size, steps+1)."""
+        """For each arc the trajectory at the ends of its steps, (size, steps+1)."""
         shot = self._shot
         return [
             flow.nodes(np.append(start, 0.0), shot.multiplier, length, steps).T[:-1]
@@ -160,6 +243,7 @@ class Extremal:
         ]
 
     def _along(self, t, evaluate):
+        """Evaluate a function of (flow, y) at times."""
         times = np.atleast_1d(np.asarray(t, dtype=float))
         if times.ndim != 1:
             raise ValueError(
@@ -202,8 +286,13 @@ class Extremal:
         )
 
 
-def extremal_of_shot(problem, numeric, shot, starts, found):
-    """An `Extremal` of a converged shot, with lambda_0 scaled to one in the normal case."""
+def extremal_of_shot(
+    problem: Statement, numeric: NumericProblem, shot: ShootingSolution, starts: int, found: int
+) -> Extremal:
+    """Return the extremal of a converged solution, with lambda_0 = 1 in the normal case.
+
+    Raises `WrongStructure` if it meets the target before its end, against first_return.
+    """
     n = numeric.n
     largest = max(np.max(np.abs(start[n : 2 * n])) for start in shot.starts)
     normal = shot.multiplier > 1e-9 * largest
@@ -248,7 +337,7 @@ def extremal_of_shot(problem, numeric, shot, starts, found):
 
 
 def _passes_target(extremal):
-    """Whether the single terminal equation changes its sign before the end."""
+    """Check whether the single terminal equation changes its sign before the end."""
     between = extremal.state(np.linspace(0, extremal.duration, 402)[1:-1])
     values = extremal._numeric.target_value.map(400)(between)[0].full().ravel()
     largest = np.max(np.abs(values))

@@ -1,18 +1,17 @@
-"""Motion of states and costates along an arc of one kind, to rounding error, with its exact
-derivatives.
+"""Flow of states and costates along an arc, to rounding error, with exact derivatives.
 
 The kinds, one for each control: "u-" and "u+" (at a bound), "interior" (dH/du = 0 between the
-bounds; the direction of a thrust that is off has the limit of those of weak thrusts) and "singular"
-(H linear in u, dH/du = 0 on the arc). On an interior arc the control w is carried along as a
-component of the motion,
+bounds; the direction of a zero thrust has the limit of those of weak thrusts) and "singular"
+(H linear in u, dH/du = 0 on the arc). On an interior arc the control w is a further component of
+the flow,
 
     w' = -(d2H/du2)^-1 d/dt(dH/du with u held),
 
 so that no equation has to be solved on the way and no root be chosen. An angle whose part of H
-vanishes at one moment jumps there by half a turn: where it is constant before and after, the arcs
-are "ahead" (u = w) and "back" (u = w + pi) with w' = 0 (a motion along a line under a thrust that
-only turns round). The integrator is the extrapolated explicit midpoint rule (Gragg) with 2, 4, 6
-and 8 substeps, of order 8; it needs no table of coefficients.
+vanishes at one instant jumps there by half a turn: where it is constant before and after, the arcs
+are "ahead" (u = w) and "back" (u = w + pi) with w' = 0 (motion along a line under a thrust that only
+reverses). The integrator is the extrapolated explicit midpoint rule (Gragg) with 2, 4, 6 and 8
+substeps, of order 8; it needs no table of coefficients.
 """
 
 from functools import cached_property
@@ -22,19 +21,28 @@ import numpy as np
 
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 _SUBSTEPS = (2, 4, 6, 8)
 
 
 class ArcFlow:
-    """The motion y = (x, psi, w) along arcs of the kinds given (a tuple, one for each control).
+    """The flow of y = (x, psi, w) along arcs of given kinds (a tuple, one for each control).
 
-    `control`: the controls as a CasADi expression in `y` and `multiplier`; `entry`: what vanishes
-    where an arc begins (dH/du for interior controls, the switching function and its derivatives for
-    singular ones).
+    Attributes
+    ----------
+    control : casadi.SX
+        The controls as an expression in `y` and `multiplier`.
+    entry : casadi.SX
+        Expressions that vanish where an arc begins: dH/du for interior controls, the switching function
+        and its derivatives for singular ones.
+    size : int
+        Length of y.
+    orders : dict
+        {index of a singular control: q}.
     """
 
-    def __init__(self, numeric, kinds):
+    def __init__(self, numeric: NumericProblem, kinds: tuple[str, ...]):
         self.numeric, self.kinds = numeric, kinds
         self.interior = [
             i for i, kind in enumerate(kinds) if kind == "interior" or kind in CONSTANT_ANGLES
@@ -74,9 +82,10 @@ class ArcFlow:
         return ca.substitute(expression, self.numeric.u, self.control)
 
     def _stationary(self, i):
-        """What vanishes for an interior control: dH/du_i; where it does so whatever u_i, since
-        another control is zero (the direction of a thrust that is off), its derivative with respect
-        to that control.
+        """Return the expression that vanishes for an interior control: dH/du_i.
+
+        Where it vanishes for every u_i, since another control is zero (the direction of a zero thrust), its
+        derivative with respect to that control.
         """
         numeric, slope = self.numeric, self.numeric.slopes[i]
         for j, kind in enumerate(self.kinds):
@@ -105,8 +114,7 @@ class ArcFlow:
 
     @cached_property
     def functions(self):
-        """{name: CasADi function of (y, lambda_0)}: control, hamiltonian, slopes (dH/du), entry
-        with its derivatives."""
+        """{name: function of (y, lambda_0)}: control, hamiltonian, slopes (dH/du), entry."""
         numeric, arguments = self.numeric, [self.y, self.numeric.multiplier]
         hamiltonian = self._with_control(numeric.hamiltonian)
         variables = ca.vertcat(self.y, numeric.multiplier)
@@ -124,7 +132,7 @@ class ArcFlow:
 
     @cached_property
     def step(self):
-        """(y with the cost, lambda_0, h) -> the same after time h."""
+        """Function (y with the cost, lambda_0, h) -> the same after time h."""
         cost, h = ca.SX.sym("cost"), ca.SX.sym("h")
         rate = ca.Function(
             "rate",
@@ -139,8 +147,7 @@ class ArcFlow:
 
     @cached_property
     def variational_step(self):
-        """(y, its derivatives with respect to the start and lambda_0; lambda_0, h) -> the same
-        after time h."""
+        """Function (y with its derivatives by start and lambda_0; lambda_0, h) -> the same after h."""
         size, h = self.size, ca.SX.sym("h")
         Phi = ca.SX.sym("Phi", size, size + 1)
         arguments = ca.vertcat(self.y, self.numeric.multiplier)
@@ -155,7 +162,7 @@ class ArcFlow:
         return ca.Function("step", [joined, self.numeric.multiplier, h], [after])
 
     def nodes(self, start, multiplier, length, steps, fractions=None):
-        """States, costates, interior controls and cost at the ends of the steps, (steps+1, size+1).
+        """Return y and the cost at the ends of the steps, (steps+1, size+1).
 
         The steps are equal, or end at the given `fractions` of the length, (steps,).
         """
@@ -168,13 +175,15 @@ class ArcFlow:
         return np.vstack([start, after.T])
 
     def values(self, name, points, multiplier):
-        """One of `functions` at several points (columns): an array with a column for each."""
+        """Evaluate one of `functions` at several points (columns)."""
         value = self.functions[name].map(points.shape[1])(points, multiplier)
         return (value[0] if isinstance(value, (tuple, list)) else value).full()
 
     def transition(self, start, multiplier, length, steps):
-        """End of the arc and its derivatives: (size,), (size, size) by the start, (size,) by
-        lambda_0, (size,) by the length."""
+        """Return the end of the arc and its derivatives by the start, lambda_0 and the length.
+
+        Their shapes are (size,), (size, size), (size,), (size,).
+        """
         size = self.size
         joined = np.concatenate([start, np.eye(size, size + 1).ravel(order="F")])
         after = (
@@ -197,8 +206,10 @@ class ArcFlow:
 
 
 def extrapolated_midpoint(rate, start, h):
-    """One step of length h of y' = rate(y): explicit midpoint rule with 2, 4, 6, 8 substeps,
-    extrapolated to h -> 0."""
+    """Return one step of length h of y' = rate(y) by the extrapolated midpoint rule.
+
+    The explicit midpoint rule with 2, 4, 6, 8 substeps is extrapolated to h -> 0.
+    """
     slope, result = rate(start), start
     for m in _SUBSTEPS:
         # Increments instead of values: the weights add up to one, and rounding errors stay those of
@@ -212,12 +223,11 @@ def extrapolated_midpoint(rate, start, h):
 
 
 def singular_control(numeric, i, control, kinds):
-    """The switching function of control i with its derivatives of orders 0 to 2q-1, and the control
-    -a/b.
+    """Return dH/du with its derivatives of orders 0 to 2q-1 for control i, and the control -a/b.
 
     Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises
-    `NotUnique` if no derivative contains the control, `WrongStructure` if another control that is
-    not at a bound acts on them.
+    `NotUnique` if no derivative contains the control, `WrongStructure` if another control that is not at
+    a bound acts on them.
     """
     if not numeric.affine[i]:
         raise WrongStructure(
@@ -252,8 +262,7 @@ def singular_control(numeric, i, control, kinds):
 
 
 def constant_angle_conditions(numeric, i):
-    """dH/du of an angle and its time derivatives while it does not turn: all of them vanish on its
-    arc."""
+    """Return dH/du of a constant angle and its time derivatives, which vanish on its arc."""
     motion, point = ca.vertcat(numeric.field, numeric.adjoint), ca.vertcat(numeric.x, numeric.psi)
     derivatives = [numeric.slopes[i]]
     for _ in range(2 * numeric.n - 1):
@@ -265,14 +274,16 @@ def constant_angle_conditions(numeric, i):
 
 
 def _without(expression, u, moving):
-    """The expression without controls that are known not to act on it."""
+    """Set controls to zero that do not act on an expression."""
     symbols = ca.vertcat(u, *moving)
     return ca.substitute(expression, symbols, ca.SX.zeros(symbols.numel()))
 
 
 def _vanishes(numeric, factor):
-    """Whether an expression is zero identically, by its values in fixed points (Lie brackets cancel
-    only after simplification)."""
+    """Check whether an expression is zero identically, by its values at fixed points.
+
+    Lie brackets cancel only after simplification.
+    """
     if factor.nnz() == 0:
         return True
     arguments = [numeric.x, numeric.psi, numeric.u, numeric.multiplier]

@@ -1,8 +1,8 @@
-"""Costs with |u|: the control is split inside, u = p - q with p, q >= 0, and |u| = p + q.
+"""Costs with |u|: the control is split, u = p - q with p, q >= 0, and |u| = p + q.
 
 Every admissible u is such a pair with p q = 0 and the same cost. So the best pair is the best
-control, provided that its p and q are never positive at once; where the cost rewards |u| this
-fails, and the problem is refused.
+control, provided that its p and q are never positive at once; where the cost rewards |u| this fails,
+and the problem is refused.
 """
 
 from dataclasses import dataclass, fields, replace
@@ -22,18 +22,25 @@ REWARDED_MESSAGE = (
 
 @dataclass(frozen=True)
 class L1Split:
-    """The `original` statement, the `problem` with pairs of controls in its place, `pairs` {u: (p, q)}.
+    """A problem with pairs of controls in place of those with |u| in the cost.
 
-    `parts`: for each control of the original the columns of its parts.
+    Attributes
+    ----------
+    original, problem : Statement
+        Before and after.
+    parts : tuple of tuple of int
+        For each control of the original the indices of its parts.
+    pairs : dict
+        {u: (p, q)}.
     """
 
     original: Statement
     problem: Statement
-    parts: tuple
-    pairs: dict
+    parts: tuple[tuple[int, ...], ...]
+    pairs: dict[sp.Symbol, tuple]
 
     def arc(self, kind):
-        """The arc of the pairs for an arc of the statement: "zero" where u = 0."""
+        """Return the kinds of the pairs on an arc of the original: "zero" where u = 0."""
         kinds = (kind,) if isinstance(kind, str) else tuple(kind)
         pairs = {"u+": ("u+", "u-"), "u-": ("u-", "u+"), "zero": ("u-", "u-")}
         split = []
@@ -46,7 +53,7 @@ class L1Split:
         return tuple(split)
 
     def joined(self, kind):
-        """The arc of the statement for an arc of the pairs."""
+        """Return the kinds of the original on an arc of the pairs."""
         kinds = (kind,) if isinstance(kind, str) else kind
         result = []
         for columns in self.parts:
@@ -61,13 +68,13 @@ class L1Split:
         return result[0] if len(result) == 1 else tuple(result)
 
     def structure(self, structure):
-        """The arcs of the pairs for the arcs of the statement."""
+        """Return the arcs of the pairs for arcs of the original."""
         if structure is None or isinstance(structure, str):
             return structure
         return [self.arc(kind) for kind in structure]
 
     def guess(self, guess):
-        """A guess of the statement as one of the pairs."""
+        """Return a guess for the pairs from one for the original."""
         if isinstance(guess, SplitExtremal):
             return guess.inner
         if not isinstance(guess, dict):
@@ -78,8 +85,8 @@ class L1Split:
                 result |= {part: _positive(guess[u], sign) for part, sign in zip(pair, (1, -1))}
         return result
 
-    def restore(self, extremal):
-        """The extremal of the statement for one of the pairs: `SplitExtremal`."""
+    def restore(self, extremal: Extremal) -> "SplitExtremal":
+        """Return the extremal of the original from one of the pairs."""
         values = {f.name: getattr(extremal, f.name) for f in fields(Extremal)}
         values |= {
             "problem": self.original,
@@ -88,13 +95,15 @@ class L1Split:
         return SplitExtremal(**values, inner=extremal, split=self)
 
 
-def split_l1_controls(problem):
-    """`L1Split` of a problem whose running cost holds |u| of controls u alone; None for any other
-    problem."""
+def split_l1_controls(problem: Statement) -> L1Split | None:
+    """Split the controls u with |u| in the running cost; return None if there are none."""
     kinks = {e.args[0] for e in problem.running.atoms(sp.Abs)} & set(problem.control)
     if not kinks:
         return None
-    values, controls, parts, pairs, zero = {}, {}, [], {}, sp.Integer(0)
+    values: dict = {}
+    controls: dict = {}
+    pairs: dict = {}
+    parts, zero = [], sp.Integer(0)
     sign = -1 if problem.maximise else 1
     for u, (low, high) in problem.controls.items():
         first = len(controls)
@@ -123,25 +132,29 @@ def split_l1_controls(problem):
 
 @dataclass(frozen=True, eq=False, repr=False)
 class SplitExtremal(Extremal):
-    """An extremal of a problem with |u| in its cost; on an arc "zero" u = 0. `inner`: the extremal
-    of the pairs."""
+    """An extremal of a problem with |u| in its cost, u = 0 on an arc "zero".
+
+    `inner`: the extremal of the pairs.
+    """
 
     inner: Extremal | None = None
     split: L1Split | None = None
 
     def control(self, t):
+        """Return the controls p - q at given times, as `Extremal.control`."""
         return self._joined(self.inner.control(t), lambda p, q: p - q)
 
     def switching(self, t):
-        """Half the difference of the slopes for p and q: the switching function without the term of
-        |u|."""
+        """Return the switching functions without the term of |u|."""
         return self._joined(self.inner.switching(t), lambda p, q: (p - q) / 2)
 
     def certificate(self, points=None, proved=False):
+        """Return evidence for the extremal of the pairs, as `Extremal.certificate`."""
         return self.inner.certificate(points, proved)
 
     @property
     def optimality(self):
+        """What is known of the extremal of the pairs, as `Extremal.optimality`."""
         return self.inner.optimality
 
     def _joined(self, values, join):
@@ -154,6 +167,7 @@ class SplitExtremal(Extremal):
 
 
 def _positive(value, sign):
+    """Return the positive part of a guess or of its negative."""
     if callable(value):
         return lambda t: max(sign * float(value(t)), 0.0)
     return np.maximum(sign * np.asarray(value, dtype=float), 0.0)

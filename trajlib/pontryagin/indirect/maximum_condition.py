@@ -1,5 +1,4 @@
-"""Which arcs the maximum condition asks for along a trajectory that satisfies the boundary value
-problem."""
+"""The arcs that the maximum condition requires along a given trajectory."""
 
 import numpy as np
 
@@ -17,7 +16,10 @@ FRACTIONS = np.concatenate(
 
 
 def required_arcs(numeric, shot):
-    """(description, arcs) that the maximum condition asks for along the shot's trajectory."""
+    """Return (description, arcs) that the maximum condition requires along the trajectory.
+
+    The description is empty if they are those of the trajectory.
+    """
     rows, lengths, description = [], [], ""
     for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
         points = flow.nodes(
@@ -48,8 +50,7 @@ def required_arcs(numeric, shot):
 
 
 def _required_kinds(numeric, kind, j, slopes, controls, shot):
-    """The kind that makes H largest at each point, the present one where the difference is
-    rounding."""
+    """Return the kind that maximises H at each point; the present one up to rounding."""
     low, high = numeric.lower[j], numeric.upper[j]
     margin = 1e-9 * (
         1 + max(np.max(np.abs(start[numeric.n : 2 * numeric.n])) for start in shot.starts)

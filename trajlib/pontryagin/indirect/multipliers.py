@@ -1,10 +1,10 @@
-"""Costates of a bang-bang trajectory that has several: the maximum condition chooses among them.
+"""Multipliers of a bang-bang trajectory that are not unique: the maximum condition chooses.
 
 Along arcs at the bounds the state does not depend on the costate, and all equations for lambda_0,
 psi(0) and the multipliers of the target are linear and homogeneous. With few switchings they leave
-more than one solution (a start on a switching curve, or on a corner of one), of which Newton's
-method finds any. The maximum condition is linear too, slope times sign >= 0 along the arcs, so a
-linear programme finds the solution that keeps away from its border as far as possible.
+more than one solution (an initial state on a switching curve, or on a corner of one), of which
+Newton's method finds any. The maximum condition is linear too, slope times sign >= 0 along the arcs,
+so a linear programme finds the solution that is farthest from its border.
 """
 
 from copy import copy
@@ -19,10 +19,9 @@ RANK = 1e-9
 
 
 def choose_multipliers(numeric, shot, duration):
-    """The shot with multipliers that satisfy the maximum condition on its arcs, or None.
+    """Return the solution with multipliers that satisfy the maximum condition, or None.
 
-    None also where arcs are not all at the bounds, and where the multipliers are unique but for a
-    factor.
+    None also where arcs are not all at the bounds, and where the multipliers are unique up to a factor.
     """
     if any(kind not in ("u-", "u+") for flow in shot.flows for kind in flow.kinds):
         return None
@@ -50,11 +49,9 @@ def choose_multipliers(numeric, shot, duration):
 
 
 class _Basis:
-    """The costates that belong to lambda_0 = 1 alone and to each psi_i(0) = 1 alone; all others are
-    their combinations.
+    """The costates for lambda_0 = 1 alone and for each psi_i(0) = 1 alone, a basis of all.
 
-    `starts`: (segments + 1, n, 1 + n), the costates at the beginnings of the segments and at the
-    end.
+    `starts`: (segments + 1, n, 1 + n), the costates at the beginnings of the segments and at the end.
     """
 
     def __init__(self, numeric, shot):
@@ -70,7 +67,7 @@ class _Basis:
             self.starts.append(costates)
 
     def equations(self, duration):
-        """All linear equations for (lambda_0, psi(0), multipliers of the target), each a row."""
+        """Return all linear equations for (lambda_0, psi(0), multipliers of the target), each a row."""
         numeric, shot, n, m = self.numeric, self.shot, self.numeric.n, self.numeric.m
         rows = [np.eye(1, n + 1, 1 + i) for i in range(n) if np.isnan(numeric.start[i])]
         for left, right, start, costates in zip(
@@ -99,10 +96,9 @@ class _Basis:
         return np.block([[transversality, normals], [conditions, np.zeros((len(conditions), m))]])
 
     def signed_slopes(self):
-        """(rows, room): dH/du times the sign of u along the arcs, for every point and control, and
-        its share of room.
+        """Return dH/du times the sign of u along the arcs, and the margin that each may need.
 
-        The room is nothing at the ends of the segments, where slopes may vanish.
+        The margin is zero at the ends of the segments, where slopes may vanish.
         """
         n, rows, room = self.numeric.n, [], []
         fractions = np.concatenate([[0.0], FRACTIONS, [1.0]])
@@ -131,7 +127,7 @@ class _Basis:
         return np.vstack(rows), np.concatenate(room)
 
     def _along(self, name, flow, states, costates):
-        """One of the flow's functions, linear in (lambda_0, psi), for every member of the basis.
+        """Evaluate a function of the flow, linear in (lambda_0, psi), for every member of the basis.
 
         `states`: (n, N), `costates`: (n, N, 1 + n); the result has the shape (values, N, 1 + n).
         """
@@ -144,7 +140,7 @@ class _Basis:
         )
 
     def with_multipliers(self, multipliers):
-        """The same trajectory with the multipliers (lambda_0, psi(0), of the target)."""
+        """Return the same trajectory with multipliers (lambda_0, psi(0), of the target)."""
         n, changed = self.numeric.n, copy(self.shot)
         changed.multiplier = max(float(multipliers[0]), 0.0)
         changed.terminal_multipliers = multipliers[n + 1 :]

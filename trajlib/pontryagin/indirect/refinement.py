@@ -1,5 +1,4 @@
-"""From a discrete picture and its arcs to an extremal: starting values, Newton, step control, and
-mended structures."""
+"""Refinement of a discrete solution to an extremal by Newton's method."""
 
 from copy import copy
 
@@ -19,6 +18,7 @@ from trajlib.pontryagin.indirect.shooting import (
 from trajlib.pontryagin.indirect.structure import axis_of
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, Arc, arc_name
 from trajlib.pontryagin.problem.errors import WrongStructure
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 # Largest relative residual of an accepted solution; most end near 1e-15.
 ACCEPTED = 1e-10
@@ -37,11 +37,18 @@ MAX_STEPS = 1024
 MAX_SEGMENTS, MAX_GROWTH = 48, 1e20
 
 
-def refine(numeric, solution, arcs, duration, flow_cache, keep_structure=False):
-    """A `ShootingSolution` for the arcs of a picture.
+def refine(
+    numeric: NumericProblem,
+    solution: DirectSolution,
+    arcs: list[Arc],
+    duration: float | None,
+    flow_cache: dict,
+    keep_structure: bool = False,
+) -> ShootingSolution:
+    """Refine a discrete solution with given arcs by multiple shooting.
 
-    Arcs that vanish are left out, and where the maximum condition fails the arcs are read off the
-    trajectory anew, unless the structure is to be kept. `cached` holds the flows built so far. Raises
+    Arcs that vanish are left out, and where the maximum condition fails the arcs are detected anew on
+    the trajectory, unless the structure is to be kept. `flow_cache` holds the flows built so far. Raises
     `WrongStructure` if nothing leads to an extremal.
     """
     tried_structures, reason = set(), ""
@@ -86,10 +93,10 @@ def refine(numeric, solution, arcs, duration, flow_cache, keep_structure=False):
 
 
 def shoot(numeric, solution, arcs, duration, flow_cache):
-    """Newton's solution for these arcs from the picture's values.
+    """Solve the equations of these arcs by Newton's method from a discrete solution.
 
-    If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution
-    may be found from a larger lambda_0; if none is, the abnormal one is looked for.
+    If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution may be
+    found from a larger lambda_0; if none is, the abnormal one is searched for.
     """
     flows = build_flows(numeric, [arc.kinds for arc in arcs], flow_cache)
     guess = _starting_values(numeric, solution, arcs, flows)
@@ -111,7 +118,7 @@ def shoot(numeric, solution, arcs, duration, flow_cache):
 
 
 def _with_chosen_multipliers(numeric, shot, duration):
-    """A shot along the same trajectory whose multipliers satisfy the maximum condition, or None."""
+    """Return the same trajectory with multipliers that satisfy the maximum condition, or None."""
     chosen = choose_multipliers(numeric, shot, duration)
     if chosen is None:
         return None
@@ -128,7 +135,7 @@ def _nearly_abnormal(numeric, shot):
 
 
 def arc_lengths(shot):
-    """Lengths of the arcs, the segments of one arc being added."""
+    """Return the lengths of the arcs, the segments of one arc being added."""
     lengths = []
     for index, (flow, length) in enumerate(zip(shot.flows, shot.lengths)):
         if index and flow is shot.flows[index - 1]:
@@ -139,11 +146,10 @@ def arc_lengths(shot):
 
 
 def _starting_values(numeric, solution, arcs, flows):
-    """A `ShootingSolution` from the picture's values, the arcs being cut into segments along which errors grow
-    by CANCELLING at most.
+    """Cut arcs into segments along which errors grow by CANCELLING at most.
 
-    Every segment begins with the values of the picture: followed from the beginning of a long arc,
-    its errors would grow.
+    Every segment begins with the values of the discrete solution: integrated from the beginning of a
+    long arc, its errors would grow.
     """
     scale = np.linalg.norm(np.append(solution.costates[0], 1.0))
     segment_flows, starts, lengths = [], [], []
@@ -187,7 +193,7 @@ def _starting_values(numeric, solution, arcs, flows):
 
 
 def _swept(numeric, flow, point, multiplier, length):
-    """The part of a short arc after which an interior control passes a bound; 1 if none does."""
+    """Return the part of a short arc before an interior control passes a bound."""
     path = flow.nodes(np.append(point, 0.0), multiplier, length, SAMPLES)[:, :-1]
     controls = flow.values("control", path.T, multiplier).T[:, flow.interior]
     slack = 1e-3 * (numeric.upper - numeric.lower)[flow.interior]
@@ -199,10 +205,10 @@ def _swept(numeric, flow, point, multiplier, length):
 
 
 def _point(numeric, solution, flow, begin, length, scale):
-    """State, costate and interior controls of the picture where a segment begins.
+    """Return y of the discrete solution where a segment begins.
 
-    Where a control jumps or swings, it is between two samples that of neither: there the first
-    sample on the segment is taken, or, if there is none, what makes H largest.
+    Where a control jumps or swings, it is between two samples that of neither: there the first sample on
+    the segment is taken, or, if there is none, the control that maximises H.
     """
     middles = (solution.times[:-1] + solution.times[1:]) / 2
     x = [np.interp(begin, solution.times, column) for column in solution.states.T]
@@ -229,8 +235,7 @@ def _point(numeric, solution, flow, begin, length, scale):
 
 
 def _growth(flow, points, multiplier, length):
-    """By how much errors grow along the worst of the segments; infinite if one cannot be followed
-    to its end and on."""
+    """Return the largest growth of errors along segments; infinite if one cannot be integrated."""
     growth = 0.0
     for point in points:
         _, by_start, _, by_length = flow.transition(point, multiplier, length, 8)
@@ -240,7 +245,7 @@ def _growth(flow, points, multiplier, length):
 
 
 def _solved(numeric, shot, duration, abnormal):
-    """Newton with steps that are halved until the integration is exact to rounding."""
+    """Apply Newton's method with steps halved until the integration is exact to rounding."""
     first = np.concatenate([[shot.multiplier], shot.starts[0][numeric.n : 2 * numeric.n]])
     shot.multiplier, scale = (0.0 if abnormal else shot.multiplier), np.linalg.norm(first)
     before, jumping = np.inf, control_jumps(numeric, shot)
@@ -265,8 +270,9 @@ def _solved(numeric, shot, duration, abnormal):
 
 
 def _finer_steps(shot, accuracy):
-    """The steps of each arc, doubled as often as an error of order 8 needs where its end changes by
-    more than the accuracy when they are halved.
+    """Return the numbers of steps, doubled as often as the accuracy needs at order 8.
+
+    The error of an arc is the change of its end when the steps are halved.
     """
     finer = list(shot.steps)
     for i, (flow, start, length) in enumerate(zip(shot.flows, shot.starts, shot.lengths)):
@@ -282,7 +288,7 @@ def _finer_steps(shot, accuracy):
 
 
 def to_direct_solution(numeric, shot):
-    """A `DirectSolution` of a shot, with lambda_0 = 1 where it can be."""
+    """Sample a solution of the boundary value problem, with lambda_0 = 1 where possible."""
     scale = shot.multiplier if shot.multiplier > 1e-8 else 1.0
     times, states, costates, controls = (
         [0.0],
@@ -308,7 +314,7 @@ def to_direct_solution(numeric, shot):
 
 
 def _without(arcs, index):
-    """The arcs without one that vanished; its neighbours, if of one kind, become one arc."""
+    """Remove an arc that vanished; its neighbours, if of one kind, become one arc."""
     remaining = []
     for arc in arcs[:index] + arcs[index + 1 :]:
         if remaining and remaining[-1].kinds == arc.kinds:

@@ -1,5 +1,4 @@
-"""Multiple shooting over arcs: the boundary value problem of the maximum principle for a given
-structure.
+"""Multiple shooting over arcs: the boundary value problem for a given structure.
 
 Unknown are the states, costates and interior controls at the beginning of each arc, the lengths of
 the arcs, lambda_0 and the multipliers of the terminal equations. The equations:
@@ -12,9 +11,9 @@ the arcs, lambda_0 and the multipliers of the terminal equations. The equations:
     between two segments of one arc: equal lengths
     terminal equations, transversality, H = 0 or the given duration         c (lambda_0, psi(0)) = 1
 
-The last one takes one of the proportional multipliers, and leaves the abnormal case lambda_0 = 0
-within reach. Equations may be redundant (a singular arc from the start) and multipliers not unique,
-so Newton's steps are least-squares steps.
+The last one selects one of the proportional multipliers, and admits the abnormal case lambda_0 = 0.
+Equations may be redundant (a singular arc from the start) and multipliers not unique, so Newton's
+steps are least-squares steps.
 """
 
 import itertools
@@ -25,6 +24,7 @@ import numpy as np
 
 from trajlib.pontryagin.indirect.flow import ArcFlow
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 # Size of cancelling terms up to which residuals are judged against them: what may grow along a
 # segment.
@@ -39,35 +39,62 @@ STAGNATION, PATIENCE = 0.9, 10
 
 @dataclass
 class ShootingSolution:
-    """A trajectory over segments: `starts` (y at the beginning of each), `lengths`, lambda_0, the
-    target's multipliers.
+    """A trajectory over segments, one or (where errors would grow) several for an arc.
 
-    An arc is one segment, or several of equal length where errors would grow too much on the way.
-    `steps`: of the integrator on each segment; `residual`: the largest of the equations;
-    `uncertainty`: how far Newton's last step would still move the ends of the segments.
+    Attributes
+    ----------
+    flows : list of ArcFlow
+        One for each segment.
+    starts : list of ndarray
+        y = (x, psi, w) at the beginning of each segment.
+    lengths : ndarray
+        Of the segments; those of one arc are equal.
+    multiplier : float
+        lambda_0.
+    terminal_multipliers : ndarray, shape (m,)
+        Of the target.
+    steps : list of int
+        Of the integrator on each segment.
+    residual : float
+        The largest of the equations.
+    uncertainty : float
+        How far Newton's last step would still move the ends of the segments.
     """
 
-    flows: list
-    starts: list
+    flows: list[ArcFlow]
+    starts: list[np.ndarray]
     lengths: np.ndarray
     multiplier: float
     terminal_multipliers: np.ndarray
-    steps: list
+    steps: list[int]
     residual: float = np.inf
     uncertainty: float = np.inf
 
 
 class ArcEquations:
-    """The equations for one structure; `residual(z)` gives them with their Jacobian.
+    """The equations for one structure; `residual(z)` returns them with their Jacobian.
 
-    `flows`: an `ArcFlow` for each arc; `duration`: a number, or None for a free final time;
-    `weights` (1+n,): c above; `abnormal`: lambda_0 is kept at zero; `control_jumps`: as the function of
-    this name finds them.
+    Parameters
+    ----------
+    numeric : NumericProblem
+        The problem.
+    flows : list of ArcFlow
+        One for each segment.
+    steps : list of int
+        Of the integrator on each segment.
+    duration : float or None
+        None for a free final time.
+    weights : ndarray, shape (1+n,)
+        c above.
+    abnormal : bool, optional
+        Whether lambda_0 is kept at zero.
+    jumps : set of tuple, optional
+        As `control_jumps` returns them.
     """
 
-    def __init__(self, numeric, flows, steps, duration, weights, abnormal=False, control_jumps=()):
+    def __init__(self, numeric, flows, steps, duration, weights, abnormal=False, jumps=()):
         self.numeric, self.flows, self.steps, self.duration = numeric, flows, list(steps), duration
-        self.weights, self.abnormal, self.jumps = weights, abnormal, control_jumps
+        self.weights, self.abnormal, self.jumps = weights, abnormal, jumps
         offsets = np.cumsum([0] + [flow.size for flow in flows])
         self.blocks = [slice(a, b) for a, b in itertools.pairwise(offsets)]
         self.lengths = slice(offsets[-1], offsets[-1] + len(flows))
@@ -88,11 +115,13 @@ class ArcEquations:
         )
 
     def pack(self, shot):
+        """Return the unknowns z of a solution."""
         return np.concatenate(
             [*shot.starts, shot.lengths, [shot.multiplier], shot.terminal_multipliers]
         )
 
     def unpack(self, z, residual, uncertainty):
+        """Return the solution of unknowns z."""
         return ShootingSolution(
             self.flows,
             [z[b] for b in self.blocks],
@@ -105,7 +134,7 @@ class ArcEquations:
         )
 
     def residual(self, z):
-        """All equations at z, and their Jacobian."""
+        """Return all equations at z, and their Jacobian."""
         self.z, self.rows, self.jacobian = z, [], []
         n, numeric = self.numeric.n, self.numeric
         lam = z[self.multiplier]
@@ -137,7 +166,7 @@ class ArcEquations:
         return np.array(self.rows), np.array(self.jacobian)
 
     def _add(self, value, row):
-        """One equation; `row`: its derivatives, an array or {column: value}."""
+        """Append one equation; `row`: its derivatives, an array or {column: value}."""
         if isinstance(row, dict):
             full = np.zeros(self.count)
             for column, entry in row.items():
@@ -147,7 +176,7 @@ class ArcEquations:
         self.jacobian.append(row)
 
     def _at_start(self, index, function, components=None):
-        """Equations that a function of (y, lambda_0) vanishes at the beginning of an arc."""
+        """Append equations that a function of (y, lambda_0) vanishes at the beginning of an arc."""
         value, slope = (
             v.full() for v in function(self.z[self.blocks[index]], self.z[self.multiplier])
         )
@@ -161,6 +190,7 @@ class ArcEquations:
             self._at_start(index, function)
 
     def _junction(self, index, end, derivative):
+        """Append the equations between two segments."""
         left, right = self.flows[index], self.flows[index + 1]
         block, n = self.blocks[index + 1], self.numeric.n
         same = left.kinds == right.kinds
@@ -201,6 +231,7 @@ class ArcEquations:
                 self._add(self.z[column] - bounds[before], {column: 1.0})
 
     def _same_hamiltonian(self, index, end, derivative):
+        """Append the equation that H is the same before and after a switching."""
         lam, block = self.z[self.multiplier], self.blocks[index + 1]
         before, by_end = (v.full() for v in self.flows[index].functions["hamiltonian"](end, lam))
         after, by_start = (
@@ -213,6 +244,7 @@ class ArcEquations:
         self._add(after[0, 0] - before[0, 0], row)
 
     def _end(self, flow, end, derivative, lam):
+        """Append the equations at the end: target, transversality, duration or H = 0."""
         n, m = self.numeric.n, self.numeric.m
         nu = self.z[self.multiplier + 1 :]
         value, slope = (v.full() for v in self.terminal(end[:n], end[n : 2 * n], lam, nu))
@@ -233,11 +265,10 @@ class ArcEquations:
 
 
 def control_jumps(numeric, shot):
-    """{(index, j)}: control j jumps between a bound and an interior arc, at the end of segment
-    `index`.
+    """Return {(index, j)} for controls j that jump to or from a bound after segment `index`.
 
-    It does so where H is convex in it at the bound: there no stationary value that makes H largest
-    can come near.
+    A control jumps between a bound and an interior arc where H is convex in it at the bound: there no
+    stationary value that maximises H can come near.
     """
     result, n = set(), numeric.n
     for index, (left, right) in enumerate(zip(shot.flows, shot.flows[1:])):
@@ -253,11 +284,11 @@ def control_jumps(numeric, shot):
 
 
 def newton(equations, z, iterations=80):
-    """Damped least-squares Newton steps; the lengths of the arcs stay positive.
+    """Solve by damped least-squares Newton steps; the lengths of the arcs stay positive.
 
-    Returns (z, largest residual, uncertainty of the lengths): each residual relative to the terms
-    that cancel in its equation (at least to one, at most to CANCELLING), the uncertainty relative
-    to the duration.
+    Returns (z, largest residual, uncertainty of the lengths): each residual relative to the terms that
+    cancel in its equation (at least to one, at most to CANCELLING), the uncertainty relative to the
+    duration.
     """
     r, J = equations.residual(z)
     sizes = []
@@ -295,8 +326,7 @@ def newton(equations, z, iterations=80):
 
 
 def _shortened(equations, z, r, step, shortest):
-    """(z, r, J) after a step along which the residual falls, its length being halved down to the
-    shortest; or None."""
+    """Return (z, r, J) after a step that lowers the residual, halved as needed, or None."""
     size = np.linalg.norm(r)
     lengths, change = z[equations.lengths], step[equations.lengths]
     shrinking = change < 0
@@ -316,11 +346,11 @@ def _shortened(equations, z, r, step, shortest):
 
 
 def _least_squares(J, r, rank):
-    """The shortest step for which J step + r is least, directions below the share `rank` of the
-    largest singular value of J being left out.
+    """Return the shortest step that minimises |J step + r|.
 
-    Where there are none, the step solves a square system, and no singular values are needed, which
-    take most of the time of long arcs with many segments.
+    Directions below the share `rank` of the largest singular value of J are left out. Where there are
+    none, the step solves a square system without singular values, which take most of the time of long
+    arcs with many segments.
     """
     count = len(r)
     if J.shape[1] == count:
@@ -336,12 +366,12 @@ def _least_squares(J, r, rank):
 
 
 def _rounded(z, size):
-    """Whether residuals of this size are near rounding error."""
+    """Check whether residuals of this size are near rounding error."""
     return size <= 1e-12 * (1 + np.linalg.norm(z))
 
 
-def build_flows(numeric, kinds, flow_cache):
-    """An `ArcFlow` for each arc; `cached` keeps them between attempts."""
+def build_flows(numeric: NumericProblem, kinds, flow_cache: dict) -> list[ArcFlow]:
+    """Return an `ArcFlow` for each arc; `flow_cache` keeps them between attempts."""
     for arc_kinds in kinds:
         if arc_kinds not in flow_cache:
             flow_cache[arc_kinds] = ArcFlow(numeric, arc_kinds)

@@ -1,8 +1,8 @@
 """From a problem to an extremal: reformulate, solve, restore.
 
 A problem with |u| in its cost or with large states is solved in another form (`l1_control`,
-`state_scaling`), and its extremal restored. In between: a direct solution (`direct.multistart`), its
-arcs (`structure`), and Newton's method for the boundary value problem over these arcs
+`state_scaling`), and its extremal restored. Between them: discrete solutions (`direct.multistart`),
+their arcs (`structure`), and Newton's method for the boundary value problem over these arcs
 (`refinement`, `shooting`, `flow`).
 """
 
@@ -19,7 +19,7 @@ from trajlib.pontryagin.direct.multistart import search
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
 from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
-from trajlib.pontryagin.indirect.extremal import extremal_of_shot
+from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
 from trajlib.pontryagin.indirect.l1_control import split_l1_controls
 from trajlib.pontryagin.indirect.refinement import refine
 from trajlib.pontryagin.indirect.state_scaling import scale_large_states
@@ -27,31 +27,58 @@ from trajlib.pontryagin.indirect.structure import candidate_structures, detect_a
 from trajlib.pontryagin.problem.arcs import Arc, arc_name
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
 
 
-def solve(problem, structure=None, guess=None):
-    """An extremal of a problem: `Extremal`. Called as `problem.solve(...)`.
+def solve(problem: Statement, structure=None, guess=None) -> Extremal:
+    """Find an extremal of a problem; called as `problem.solve(...)`.
 
-    `structure`: the arcs, as a list of "u-", "u+", "interior", "singular" (of tuples of them, for
-    several controls); with |u| in the running cost also "zero", where u = 0. Found by itself if
-    left out. `guess`: what to start from, an `Extremal` of a similar problem or a dict with any of
-    "duration": number, and state or control: a number, a list of values at equal steps, or a
-    function of time.
+    Parameters
+    ----------
+    problem : Problem
+        Without parameters.
+    structure : list, optional
+        The arcs in order, "u-", "u+", "interior", "singular" (tuples of them for several controls);
+        with |u| in the running cost also "zero", where u = 0. Found if left out.
+    guess : Extremal or dict, optional
+        An extremal of a similar problem, or {"duration": number, state or control: number, list of
+        values at equal steps, or function of time}, any of them.
 
-    The result satisfies the conditions of the maximum principle to about 1e-12: its own certificate
-    holds. Beyond that `Extremal.optimality` says what is known. For linear plants with a convex
-    cost and a given duration, and for the least time to a point at which a linear plant can be
-    held, the extremal is proved optimal. Otherwise the search goes from several starts, leaves
-    saddles and maxima along the second variation, and returns the best extremal it found; a better
-    one is not excluded (see `compare`).
+    Returns
+    -------
+    Extremal
+        Satisfies the conditions of the maximum principle to about 1e-12: its own certificate holds.
 
-    Raises ValueError if a parameter has no value; `StartOnTarget`; `Infeasible` with a proof (also
-    for a duration that is too short); `Unbounded`; `Chattering`; `WrongStructure` if the arcs
-    cannot be joined to an extremal, `NotUnique` where a control or a free duration is left open;
-    `NotConverged` if no process was found, which proves nothing. All of them are `PontryaginError`.
-    Source: Theorem 5.1 of the problem book.
+    Raises
+    ------
+    ValueError
+        If a parameter has no value, or an argument is not of this form.
+    StartOnTarget
+        If the initial state is on the target and the final time is free.
+    Infeasible
+        With a proof, also for a duration that is too short.
+    Unbounded
+        If the cost has no minimum.
+    Chattering
+        If switchings accumulate.
+    WrongStructure
+        If the arcs cannot be joined to an extremal.
+    NotUnique
+        If a control or a free duration is not determined.
+    NotConverged
+        If no process was found, which proves nothing.
 
+    Notes
+    -----
+    `Extremal.optimality` has what is known beyond the necessary conditions. For linear plants with a
+    convex cost and a given duration, and for the least time to a point at which a linear plant can be
+    held, the extremal is proved optimal. Otherwise the search begins at several guesses, leaves saddles
+    and maxima along the second variation, and returns the best extremal it found; a better one is not
+    excluded (see `compare`). Source: Theorem 5.1 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
     >>> x, u = sp.symbols("x u")
@@ -73,7 +100,7 @@ def solve(problem, structure=None, guess=None):
 
 
 def _solved(problem, structure, guess):
-    """An extremal of a problem that is smooth in its controls and well scaled."""
+    """Return an extremal of a problem that is smooth in its controls and well scaled."""
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
     search_result = search(numeric, read_guess(numeric, guess), kinds)
@@ -138,6 +165,7 @@ def _solved(problem, structure, guess):
 
 
 def _arcs_of_structure(kinds, solution):
+    """Return the arcs of a given structure with the lengths that they have in the solution."""
     ends = np.concatenate([[0.0], np.cumsum(solution.lengths)])
     if min(solution.lengths) < 1e-6 * solution.duration:
         short = int(np.argmin(solution.lengths))
@@ -150,8 +178,10 @@ def _arcs_of_structure(kinds, solution):
 
 
 def _certified_extremal(problem, numeric, solution, side, search_result, flow_cache, reasons):
-    """A certified extremal next to the picture, found on finer and finer grids; None, with the
-    reasons noted."""
+    """Return a certified extremal next to the solution, on finer and finer grids, or None.
+
+    The reasons of failures are appended to `reasons`.
+    """
     factor = 1
     while factor is not None:
         duration = fixed_duration(numeric, solution)
@@ -189,8 +219,7 @@ def _certified_extremal(problem, numeric, solution, side, search_result, flow_ca
 
 
 def _certificate_failure(extremal):
-    """Why an extremal is not to be returned: conditions that its own certificate finds violated; ""
-    if all hold."""
+    """Return which conditions the extremal's certificate finds violated; "" if all hold."""
     failures = extremal.certificate().failures()
     if not failures:
         return ""
@@ -202,7 +231,7 @@ def _certificate_failure(extremal):
 
 
 def _solution_beside_saddle(numeric, extremal, side):
-    """A discrete picture with less cost than an extremal that is a saddle, or None."""
+    """Return a discrete solution of lower cost than an extremal that is a saddle, or None."""
     times = np.linspace(0, extremal.duration, INTERVALS + 1)
     sign = -1 if extremal.problem.maximise else 1
     solution = DirectSolution(

@@ -20,18 +20,28 @@ from trajlib.pontryagin.problem.statement import Statement
 
 @dataclass(frozen=True)
 class StateScaling:
-    """The `original` problem as `numeric`, the `problem` for the scaled states, and the scales (n,)."""
+    """The scaling x = s X of a problem.
+
+    Attributes
+    ----------
+    numeric : NumericProblem
+        The original problem.
+    problem : Statement
+        For the scaled states, under the same names.
+    scales : ndarray, shape (n,)
+        Powers of two, 1 for states that are not scaled.
+    """
 
     numeric: NumericProblem
     problem: Statement
     scales: np.ndarray
 
     def structure(self, structure):
-        """The arcs are the same."""
+        """Return the arcs, which are the same."""
         return structure
 
     def guess(self, guess):
-        """A guess for the scaled states."""
+        """Return a guess for the scaled states."""
         start = read_guess(self.numeric, guess)
         if start is None:
             return None
@@ -43,7 +53,7 @@ class StateScaling:
         }
 
     def restore(self, extremal: Extremal) -> Extremal:
-        """The extremal in the original states."""
+        """Return the extremal in the original states."""
         shot, n = copy(extremal._shot), self.numeric.n
         shot.flows = build_flows(self.numeric, [flow.kinds for flow in shot.flows], {})
         shot.starts = [
@@ -55,8 +65,8 @@ class StateScaling:
         )
 
 
-def scale_large_states(problem):
-    """`StateScaling` of a problem with initial values beyond CANCELLING; None for any other problem."""
+def scale_large_states(problem: Statement) -> StateScaling | None:
+    """Scale the states with initial values beyond CANCELLING; return None if there are none."""
     start = {x: abs(float(v)) for x, v in problem.initial.items() if v is not None and v.is_number}
     scales = {x: 2 ** round(np.log2(v)) for x, v in start.items() if v > CANCELLING}
     if not scales:
@@ -73,7 +83,7 @@ def scale_large_states(problem):
 
 
 def _scaled(problem, scales):
-    """The same problem for x = s X, under the same names."""
+    """Return the same problem for x = s X, under the same names."""
 
     def substituted(e):
         return e.subs({x: s * x for x, s in scales.items()}, simultaneous=True)

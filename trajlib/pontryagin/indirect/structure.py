@@ -1,10 +1,12 @@
-"""The arcs of an extremal, read off a discrete picture of it."""
+"""The arc structure of an extremal, detected in a discrete solution."""
 
 import itertools
 
 import numpy as np
 
+from trajlib.pontryagin.direct.transcription import DirectSolution
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, KINDS, Arc
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 # The share of the distance between its bounds up to which a control counts as being at one of them,
 # and the same where only the bound itself does: what IPOPT leaves at a bound that presses.
@@ -15,11 +17,11 @@ OFF_AXIS = 0.1
 
 
 def candidate_structures(numeric, solution):
-    """The lists of arcs that a `DirectSolution` may show, the likeliest first.
+    """Yield the lists of arcs that a discrete solution may have, the likeliest first.
 
-    Where an angle points to and fro along a line, it may be constant on its arcs. A control that
-    comes to its bound ever more slowly, as where psi has a multiple zero at the end, is near the
-    bound long before: it may be on an interior arc to the end.
+    Where an angle alternates along an axis, it may be constant on its arcs. A control that approaches
+    its bound ever more slowly, as where psi has a multiple zero at the end, is near the bound long
+    before: it may be on an interior arc to the end.
     """
     on_axis = any(stays_on_axis(numeric, solution, i) for i in range(numeric.k))
     seen = []
@@ -31,13 +33,17 @@ def candidate_structures(numeric, solution):
             yield arcs
 
 
-def detect_arcs(numeric, solution, tolerance=NEAR, constant_angles=False):
-    """The arcs of a `DirectSolution`, a list of `Arc`.
+def detect_arcs(
+    numeric: NumericProblem,
+    solution: DirectSolution,
+    tolerance: float = NEAR,
+    constant_angles: bool = False,
+) -> list[Arc]:
+    """Return the arcs of a discrete solution.
 
-    `constant_angles`: an angle that keeps to one line is taken to be constant but for jumps by half a turn.
-    An interval belongs to a bound if its control is there to within `tolerance` of the distance
-    between the bounds. One or two intervals between different bounds are a switching that falls
-    between the nodes.
+    `constant_angles`: an angle along one axis is taken to be constant but for jumps by half a turn. An
+    interval belongs to a bound if its control is there to within `tolerance` of the distance between the
+    bounds. One or two intervals between different bounds are a switching between the nodes.
     """
     N = len(solution.controls)
     columns = [
@@ -58,13 +64,12 @@ def detect_arcs(numeric, solution, tolerance=NEAR, constant_angles=False):
 
 
 def axis_of(angles):
-    """The direction along which, or against which, angles point in the mean."""
+    """Return the direction of the axis along which angles point in the mean."""
     return np.angle(np.mean(np.exp(2j * angles))) / 2
 
 
 def stays_on_axis(numeric, solution, i):
-    """Whether a control is an angle that points along one line, to and fro, on nearly all
-    intervals."""
+    """Check whether a control is an angle that alternates along one axis nearly always."""
     angles = solution.controls[:, i]
     turned = np.cos(angles - axis_of(angles)) > 0
     off_axis = np.abs(np.sin(angles - axis_of(angles))) > OFF_AXIS
@@ -77,7 +82,7 @@ def _constant_angle_labels(angles):
 
 
 def _labels(numeric, solution, i, tolerance):
-    """ "u-", "u+" or "between" for each interval."""
+    """Return "u-", "u+" or "between" for each interval."""
     u, low, high = solution.controls[:, i], numeric.lower[i], numeric.upper[i]
     width = high - low if np.isfinite(high - low) else 1 + np.ptp(u)
     return np.where(
@@ -86,7 +91,7 @@ def _labels(numeric, solution, i, tolerance):
 
 
 def _runs(numeric, solution, i, labels):
-    """[(kind, begin, end)] in units of the intervals."""
+    """Return [(kind, begin, end)] in units of the intervals."""
     runs = _run_lengths(labels)
     between = "singular" if numeric.affine[i] else "interior"
     # Where H is concave in the control, it goes through from bound to bound; elsewhere it jumps.
@@ -119,7 +124,7 @@ def _runs(numeric, solution, i, labels):
 
 
 def _without_ringing(runs):
-    """Single intervals at a bound within a singular stretch are numerical ringing: they join it."""
+    """Join single intervals at a bound within a singular arc to it: numerical ringing."""
     changed = list(runs)
     for index, (label, begin, end) in enumerate(runs):
         neighbours = [
@@ -157,11 +162,10 @@ def _merged(runs):
 
 
 def _split(numeric, solution, i, result, runs, index):
-    """A short run between the bounds, shared out to the bounds around it by the mean of the
-    control.
+    """Divide a short run between the bounds among its neighbours by the mean of the control.
 
-    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a
-    share: a short arc there does not show otherwise. It shrinks to nothing later if it is not one.
+    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a share: a
+    short arc there is not visible otherwise. It shrinks to nothing later if it is not one.
     """
     _, begin, end = runs[index]
     value = {"u-": numeric.lower[i], "u+": numeric.upper[i]}
@@ -195,15 +199,17 @@ def _split(numeric, solution, i, result, runs, index):
     return result, runs
 
 
-def read_structure(numeric, structure):
-    """The user's arcs as a list of kinds, one tuple an arc; TypeError or ValueError if they are not
-    of that form."""
+def read_structure(numeric: NumericProblem, structure) -> list[tuple[str, ...]]:
+    """Return the user's arcs as a list of kinds, one tuple for each arc.
+
+    Raises TypeError or ValueError if they are not of that form.
+    """
     if isinstance(structure, str) or not hasattr(structure, "__iter__"):
         raise TypeError(
             "structure: expected a list of arcs such as ['u-', 'singular', 'u+'], got "
             f"{structure!r}"
         )
-    result = []
+    result: list[tuple[str, ...]] = []
     for arc in structure:
         kinds = (arc,) if isinstance(arc, str) else tuple(arc)
         if len(kinds) != numeric.k or any(kind not in KINDS for kind in kinds):

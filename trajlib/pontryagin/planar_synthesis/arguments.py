@@ -1,17 +1,18 @@
-"""What a planar synthesis is asked for, read and checked: the plant, the target, the window."""
+"""The arguments of a planar synthesis, read and checked: plant, target, window."""
 
 from itertools import product
 
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.planar_synthesis.array_functions import array_function
 from trajlib.pontryagin.planar_synthesis.control_terms import ControlTerm
-from trajlib.pontryagin.planar_synthesis.plant import array_function
 from trajlib.pontryagin.planar_synthesis.terminal_sets import CurveTarget, PointTarget
 from trajlib.pontryagin.problem.statement import Statement
 
 
 def read_window(window):
+    """Return the window as two pairs of floats. Raises ValueError if it is not of that form."""
     try:
         window = tuple((float(low), float(high)) for low, high in window)
     except (TypeError, ValueError):
@@ -29,6 +30,7 @@ def read_window(window):
 
 
 def read_positive(value, name):
+    """Return a positive finite float. Raises TypeError or ValueError for anything else."""
     try:
         number = float(value)
     except (TypeError, ValueError):
@@ -38,8 +40,8 @@ def read_positive(value, name):
     return number
 
 
-def read_plant(problem):
-    """The parts of the controls, a `ControlTerm` each."""
+def read_plant(problem: Statement) -> list[ControlTerm]:
+    """Return the term of H for each control. Raises TypeError or ValueError for other problems."""
     if not isinstance(problem, Statement):
         raise TypeError(f"problem: expected a Problem, got {type(problem).__name__}")
     if len(problem.state) != 2:
@@ -71,8 +73,7 @@ def read_plant(problem):
 
 
 class TerminalCost:
-    """The terminal cost, with the sign of a minimum: `value`, shape (1, N), and `gradient`, (2,
-    N)."""
+    """The terminal cost with the sign of a minimum: `value`, (1, N), and `gradient`, (2, N)."""
 
     def __init__(self, problem):
         cost = -problem.final if problem.maximise else problem.final
@@ -81,8 +82,7 @@ class TerminalCost:
 
 
 def refuse_singular_arcs(problem, plant, window):
-    """An error where det(F, F_j, [F, F_j]) vanishes on a curve in the window that an admissible
-    control follows."""
+    """Raise ValueError where an admissible control can follow det(F, F_j, [F, F_j]) = 0."""
     x, y = (v.ravel() for v in np.meshgrid(*(np.linspace(*pair, 121) for pair in window)))
     for term in plant.terms:
         drift = sp.Matrix(problem.field).subs(dict.fromkeys(problem.control, 0))
@@ -107,7 +107,8 @@ def refuse_singular_arcs(problem, plant, window):
                 )
 
 
-def read_target(problem, sides, box, curve):
+def read_target(problem: Statement, sides, box, curve) -> PointTarget | CurveTarget:
+    """Return the target of a problem: a point or a curve."""
     if len(problem.terminal) == 2:
         points = sp.solve(problem.terminal, problem.state, dict=True)
         points = [p for p in points if len(p) == 2 and all(v.is_real for v in p.values())]
@@ -132,8 +133,7 @@ def read_target(problem, sides, box, curve):
 
 
 def _refuse_free_rest(problem, point):
-    """At a target point every moment has to cost something: else one would rest there, or switch
-    without end."""
+    """Raise ValueError if time costs nothing at a target point."""
     cost = sp.expand((-problem.running if problem.maximise else problem.running).subs(point))
     values = array_function(problem.control, [cost])(
         *np.meshgrid(
@@ -150,6 +150,7 @@ def _refuse_free_rest(problem, point):
 
 
 def _read_curve(curve):
+    """Return (function of s, low, high) of a parametrised curve."""
     if curve is None:
         return None
     try:
@@ -169,15 +170,15 @@ def _read_curve(curve):
     return point, low, high
 
 
-def greatest_rate(problem, window):
-    """The greatest norm of df/dx in the window: the steps have to follow the fastest motion."""
+def greatest_rate(problem: Statement, window) -> float:
+    """Return the greatest norm of df/dx in the window, by which the steps are chosen."""
     jacobian = sp.Matrix(problem.field).jacobian(problem.state)
     value = array_function([*problem.state, *problem.control], list(jacobian))
-    x, y = (v.ravel() for v in np.meshgrid(*(np.linspace(*pair, 15) for pair in window)))
+    x, y = (v.ravel() for v in np.meshgrid(*(np.linspace(low, high, 15) for low, high in window)))
     rates = []
     with np.errstate(all="ignore"):
         for bounds in product(*problem.controls.values()):
             e = np.abs(value(x, y, *(np.full(x.shape, float(bound)) for bound in bounds)))
             rates.append(np.maximum(e[0] + e[1], e[2] + e[3]))
-    rates = np.concatenate(rates)
-    return float(np.max(rates[np.isfinite(rates)], initial=0))
+    values = np.concatenate(rates)
+    return float(np.max(values[np.isfinite(values)], initial=0))

@@ -1,5 +1,4 @@
-"""The borders of a planar synthesis: extremals that touch the target or end a family, and the jump
-of the optimal cost across them."""
+"""The borders of a planar synthesis: extremals that touch the target or end a family."""
 
 import numpy as np
 
@@ -11,8 +10,10 @@ SMALLEST_JUMP = 2
 
 
 def border_extremals(fans, value_function, touching):
-    """Extremals that touch the target (fans of one, `touching`) or end a family, with the jump of
-    the least cost across them."""
+    """Return these extremals as curves with the jump of the least cost across them.
+
+    `touching`: fans of one extremal, those that touch the target.
+    """
     candidates = [("abnormal", alone, 0) for alone in touching if alone.last_step[0] > 1]
     for fan in fans:
         ends = np.array([fan.ends.low, fan.ends.high])
@@ -59,8 +60,7 @@ def border_extremals(fans, value_function, touching):
 
 
 def _border(value_function, trace, on_border, *sides):
-    """The curve of a border from the least costs on it, and on both sides of it at two
-    distances."""
+    """Return the curve of a border from the costs on it and on both sides at two distances."""
     kind, fan, j, k, x = trace
     step_cost, tau = value_function.step_cost, fan.times[k]
     # At a fold of high order the cost is as uncertain as a root of the accuracy of the point.
@@ -95,5 +95,5 @@ def _border(value_function, trace, on_border, *sides):
 
 
 def _one_or_all(u):
-    """The values of one control, or rows of several, from an array (k, N)."""
+    """Return the values of one control, or rows of several, from an array (k, N)."""
     return u[0] if len(u) == 1 else u.T

@@ -1,21 +1,21 @@
 """Planar synthesis by backward integration of extremals from the target.
 
-For the least (or greatest) phi_0(x(t_k)) + int f_0(x, u) dt, the end being free in time, at a point
-or on a smooth curve g(x) = 0, the maximum principle leaves one-parameter families of extremals:
-they end on the target with a covector that transversality and H = 0 determine (`terminal_sets`).
-Followed backwards their controls change where H asks for another level (`plant`); they are given up
-where they meet the target again (the process ends at the first hit) and where another extremal is
-better. What is left is the synthesis:
+For the least (or greatest) phi_0(x(t_k)) + int f_0(x, u) dt, the final time being free, at a point
+or on a smooth curve g(x) = 0, the maximum principle leaves one-parameter families of extremals: they
+end on the target with a covector that transversality and H = 0 determine (`terminal_sets`).
+Integrated backwards their controls change where H asks for another level (`plant`); they are given
+up where they meet the target again (the process ends at the first hit) and where another extremal is
+better. The remaining ones are the synthesis:
 
     switching curve    where a control of optimal trajectories changes its level,
     dispersal curve    where two extremals of equal cost start: beyond it the other one is better,
     barrier            an extremal, mostly one that touches the target, across which the least cost jumps.
 
-Extremals with singular arcs are not looked for. They need det(F, F_j, [F, F_j]) = 0 for the fields
+Extremals with singular arcs are not searched for. They need det(F, F_j, [F, F_j]) = 0 for the fields
 with the cost as a third state, which is det(f1, [f0, f1]) for the least time: where this is
-possible, `regularity()` says so, and for other costs such a problem is refused if an arc could be
-followed. A control whose switching function can vanish only for good is left open there, and what
-it may do is shown by the motions that hold it at one value.
+possible, `regularity()` reports it, and for other costs such a problem is refused if an admissible
+control can follow an arc. A control whose switching function can vanish only for good is open there,
+and its possible values are shown by the trajectories that hold it at one value.
 
 Source: chapter 5 of the problem book (worked example 2, figure 5.1); V. G. Boltyansky's regular
 synthesis.
@@ -41,39 +41,69 @@ from trajlib.pontryagin.planar_synthesis.switching_curves import switching_curve
 from trajlib.pontryagin.planar_synthesis.synthesis import Synthesis
 from trajlib.pontryagin.planar_synthesis.terminal_sets import Transversality, end_families
 from trajlib.pontryagin.planar_synthesis.value_function import ValueFunction
+from trajlib.pontryagin.problem.statement import Statement
 
 SIDES = {"both": (1, -1), "positive": (1,), "negative": (-1,), "outside": (1,), "inside": (-1,)}
 
 
-def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", curve=None):
-    """The synthesis of the optimal control of a planar system with bounded controls.
+def synthesis(
+    problem: Statement,
+    *,
+    window=((-3, 3), (-3, 3)),
+    horizon: float = 6.0,
+    side: str = "both",
+    curve=None,
+) -> Synthesis:
+    """Compute the optimal synthesis of a planar system with bounded controls.
 
-    `problem`: a `Problem` with two states, a free final time and numbers for all parameters; two
-    terminal equations (a point) or one (a smooth curve), at which the process ends when it first
-    meets it. Its initial state is not used. The cost may be the time or another one, to be least or
-    greatest: the dynamics are linear in the controls, the running cost is of the second degree in
-    each, with multiples of |u|, without products of two; the bounds are finite. `window`: ((left,
-    right), (bottom, top)); `horizon`: the longest process looked at. `side`: for a curve, from
-    which side it is met, "positive" or "negative" by the sign of the terminal expression
-    ("outside", "inside" are the same words for closed curves), or "both". `curve`: ((x1(s), x2(s)),
-    (s, low, high)), a parametrisation of the terminal curve in SymPy; `reached` then speaks of its
-    parameter. Without it the curve is traced and the parameter is its length.
+    Parameters
+    ----------
+    problem : Problem
+        Two states, a free final time and numbers for all parameters; two terminal equations (a point)
+        or one (a smooth curve), at which the process ends when it first meets it. The initial state is
+        not used. The cost may be the time or another one, to be least or greatest: the dynamics are
+        linear in the controls, the running cost is of the second degree in each, with multiples of |u|,
+        without products of two; the bounds are finite.
+    window : tuple, optional
+        ((left, right), (bottom, top)) in the phase plane.
+    horizon : float, optional
+        The longest duration of a process, in the unit of time of the dynamics.
+    side : str, optional
+        For a curve, the side from which it is met: "positive" or "negative" by the sign of the terminal
+        expression ("outside", "inside" are synonyms for closed curves), or "both".
+    curve : tuple, optional
+        ((x1(s), x2(s)), (s, low, high)), a parametrisation of the terminal curve in SymPy, to which
+        `reached` then refers. Without it the curve is traced and the parameter is its length.
 
-    Raises TypeError or ValueError for a problem of another kind (a given duration, for which the
-    law depends on the time that is left; a running cost that is not positive at a target point;
-    singular arcs that would have to be part of it), and where no extremal ends on the target.
+    Returns
+    -------
+    Synthesis
+        Optimal cost, time and control in the window, and the curves on which they change.
 
+    Raises
+    ------
+    TypeError, ValueError
+        For a problem of another kind (a given duration, for which the law depends on the remaining
+        time; a running cost that is not positive at a target point; singular arcs that would have to be
+        part of it), and where no extremal ends on the target.
+
+    Notes
+    -----
+    Source: chapter 5 of the problem book (worked example 2, figure 5.1).
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> from trajlib.pontryagin import Problem
     >>> x1, x2, u = sp.symbols("x1 x2 u")
     >>> plant, bounds, anywhere = {x1: x2, x2: u}, {u: (-1, 1)}, {x1: None, x2: None}
     >>> to_rest = Problem(plant, bounds, anywhere, terminal=[x1, x2])
-    >>> found = synthesis(to_rest, window=((-2, 2), (-2, 2)))
-    >>> round(float(found.time(1, 0)), 9), float(found.control(1, 0)), float(found.control(-1, 0))
+    >>> fastest = synthesis(to_rest, window=((-2, 2), (-2, 2)))
+    >>> round(float(fastest.time(1, 0)), 9), float(fastest.control(1, 0)), float(fastest.control(-1, 0))
     (2.0, -1.0, 1.0)
     >>> saving = Problem(plant, bounds, anywhere, terminal=[x1, x2], running=1 + u**2/2)
-    >>> found = synthesis(saving, window=((-2, 2), (-2, 2)))
-    >>> round(float(found.cost(1, 0))**2, 9), found.level(1, 0), found.level(1, -1)
+    >>> cheapest = synthesis(saving, window=((-2, 2), (-2, 2)))
+    >>> round(float(cheapest.cost(1, 0))**2, 9), cheapest.level(1, 0), cheapest.level(1, -1)
     (7.666666667, 'u-', 'interior')
     """
     window = read_window(window)
@@ -128,8 +158,7 @@ def synthesis(problem, *, window=((-3, 3), (-3, 3)), horizon=6.0, side="both", c
 
 
 def _reached(families_):
-    """Where w > 0 a trajectory that starts near enough is optimal: the target lies at once before
-    it."""
+    """Return the parts of the target at which optimal trajectories end, where w > 0."""
     arcs = []
     for family in families_:
         s = np.linspace(family.low, family.high, 201)

@@ -1,24 +1,27 @@
-"""The structures of extremals: which controls follow one another, backwards from the target, as
-numbered words.
+"""Control sequences: the modes of extremals, backwards from the target, as numbers.
 
-A word is a sequence of modes (numbers of combinations of the controls' levels); it is known by its
-last mode and the word before it, so that a whole fan of extremals carries one integer each.
+A mode is a combination of the controls' levels. A sequence of modes is identified by its last mode
+and the sequence before it, so that a whole fan of extremals needs one integer for each.
 """
 
 import numpy as np
 
 
 class ControlSequences:
-    """All words that have occurred: for each its last `mode`, its `parent` (-1 for none), its
-    number of switchings `length`."""
+    """All sequences that have occurred, numbered.
+
+    Attributes
+    ----------
+    mode, parent, length : ndarray of int
+        For each sequence its last mode, the sequence before it (-1 for none), its number of switchings.
+    """
 
     def __init__(self, modes):
         self._modes, self._known = modes, {}
         self.mode, self.parent, self.length = (np.empty(0, int) for _ in range(3))
 
     def after(self, sequence, mode):
-        """The words that continue others by a mode, arrays of one shape; -1 continued is the mode
-        alone."""
+        """Return the sequences continued by a mode; -1 continued is the mode alone."""
         sequence, mode = np.broadcast_arrays(sequence, mode)
         keys, inverse = np.unique((sequence + 1) * self._modes + mode, return_inverse=True)
         return np.array([self._number(int(key)) for key in keys], int)[inverse].reshape(
@@ -26,7 +29,7 @@ class ControlSequences:
         )
 
     def modes_of(self, sequence):
-        """The modes of one word, a list."""
+        """Return the modes of one sequence, a list."""
         modes = []
         while sequence >= 0:
             modes.append(int(self.mode[sequence]))
@@ -34,7 +37,7 @@ class ControlSequences:
         return modes[::-1]
 
     def prefixed(self, mode, sequence):
-        """The words that begin with another mode, arrays of one shape."""
+        """Return the sequences that begin with another mode, arrays of one shape."""
         pairs, inverse = np.unique(np.stack([mode, sequence]), axis=1, return_inverse=True)
         result = []
         for first, old in pairs.T:
@@ -45,8 +48,7 @@ class ControlSequences:
         return np.array(result, int)[inverse.ravel()]
 
     def table(self, sequences):
-        """The modes of words, one row each, shape (N, longest); the last one is repeated where a
-        word is shorter."""
+        """Return the modes of sequences, one row each, the last one repeated in shorter ones."""
         kinds, inverse = np.unique(sequences, return_inverse=True)
         modes = [self.modes_of(sequence) for sequence in kinds]
         longest = max(map(len, modes), default=1)
@@ -55,8 +57,10 @@ class ControlSequences:
         )[inverse]
 
     def between(self, corners):
-        """Which words occur in cells with words at their corners, shape (N, 3): (number of the
-        cell, word) in pairs."""
+        """Return pairs (number of the cell, sequence) of all that occur in cells.
+
+        `corners`: the sequences at the corners of the cells, shape (N, 3).
+        """
         kinds, inverse = np.unique(np.sort(corners, axis=1), axis=0, return_inverse=True)
         groups = []
         for kind in kinds:
@@ -72,6 +76,7 @@ class ControlSequences:
         return pick, np.array([sequence for number in inverse for sequence in groups[number]], int)
 
     def _number(self, key):
+        """Return the number of a key, a new one if it has not occurred."""
         if key not in self._known:
             sequence, mode = divmod(key, self._modes)
             sequence -= 1

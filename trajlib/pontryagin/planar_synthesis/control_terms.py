@@ -1,9 +1,9 @@
-"""What one control of a planar problem contributes to H, and the levels at which H is greatest.
+"""The term of H of one control of a planar problem, and the levels that maximise it.
 
     H_j = (psi^T f_j - lambda_0 g) u - lambda_0 (k |u| + r u^2/2),   u_- <= u <= u_+
 
-Where this is concave in u the greatest value is taken at a bound, between the bounds (r > 0) or at
-the corner u = 0 (k > 0); where it is convex, at a bound.
+Where this is concave in u the maximum is at a bound, between the bounds (r > 0) or at the corner
+u = 0 (k > 0); where it is convex, at a bound.
 """
 
 from itertools import product
@@ -12,20 +12,24 @@ import sympy as sp
 
 
 class Level:
-    """One level of a control: its name as in the arcs of `solve`, and its value, None where psi
-    tells it."""
+    """A level of a control: its name as in `Extremal.arcs`, and its value, None if psi gives it."""
 
     def __init__(self, name, value=None):
         self.name, self.value = name, value
 
 
 class ControlTerm:
-    """The part of the control u in a problem; `cost` is its f_0, with the sign of a minimum.
+    """The term of H of the control u; `cost` is f_0 of the problem with the sign of a minimum.
 
-    `levels` in growing order of u; `surfaces` are the functions that separate one from the next.
-    `singular`: where they can vanish on an arc. `open`: whether one that vanishes once vanishes on
-    the whole extremal, so that the control is left open there (only where there are other
-    controls).
+    Attributes
+    ----------
+    levels : list of Level
+        In increasing order of u.
+    singular : list of sympy.Expr
+        They vanish where a switching function can vanish on an arc.
+    open : bool
+        Whether a switching function that vanishes once vanishes on the whole extremal, so that the
+        control is open there (only with other controls).
     """
 
     def __init__(self, problem, cost, u):
@@ -50,7 +54,7 @@ class ControlTerm:
         self._make_singular(problem, f, cost, x, others)
 
     def surfaces(self, psi, lambda_0):
-        """[(expression, its size)], positive where the control is above."""
+        """Return [(expression, its size)] between the levels, positive where the control is above."""
         return [
             (
                 (psi.T * self.input_field)[0] - lambda_0 * shift,
@@ -60,7 +64,7 @@ class ControlTerm:
         ]
 
     def between(self, psi, lambda_0):
-        """{number of the level: value} for the levels between the bounds."""
+        """Return {number of the level: value} for the levels between the bounds."""
         slope = (psi.T * self.input_field)[0] - lambda_0 * self.linear
         values = {}
         for i, level in enumerate(self.levels):
@@ -151,6 +155,7 @@ class ControlTerm:
 
 
 def _sign(expression, name):
+    """Return the sign of a number. Raises ValueError if it is not known."""
     if expression == 0:
         return 0
     if expression.is_positive or expression.is_negative:

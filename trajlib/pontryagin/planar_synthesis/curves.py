@@ -9,16 +9,30 @@ from trajlib.pontryagin.planar_synthesis.value_function import GRID
 
 @dataclass(frozen=True)
 class Curve:
-    """A curve of the phase plane: `points`, shape (N, 2), with the time `times` that an optimal
-    motion takes from each.
+    """A curve of the phase plane; one that leaves the window ends one point outside of it.
 
-    Curves that leave the window end one point outside of it. `kind`: for switching curves "crossed"
-    (second type), "followed" (first type: it is a trajectory) or "mixed"; for borders "abnormal" or
-    "end of a family". For switching curves, `change`: the levels of the control before and after
-    ("u-", "interior", "zero", "u+"; tuples for several controls), `velocities`: before and after,
-    shape (2, 2, N). For borders, `jump`: the greatest jump of the least cost across it, `optimal`:
-    whether the extremal is optimal all along, `arrives`: whether it is so at least next to the
-    target, `controls`: u at the points. For parts of the target, `parameter`: from where to where.
+    Attributes
+    ----------
+    points : ndarray, shape (N, 2)
+        Points of the curve.
+    times : ndarray, shape (N,)
+        The time that an optimal process takes from each point.
+    jump : float
+        For borders: the greatest jump of the least cost across it.
+    kind : str
+        For switching curves "crossed" (second type), "followed" (first type: it is a trajectory) or
+        "mixed"; for borders "abnormal" or "end of a family".
+    optimal, arrives : bool
+        For borders: whether the extremal is optimal everywhere, or at least next to the target.
+    parameter : tuple of float
+        For parts of the target: (from, to).
+    controls : tuple
+        For borders: u at the points.
+    change : tuple
+        For switching curves: the levels of the control before and after ("u-", "interior", "zero",
+        "u+"; tuples for several controls).
+    velocities : ndarray, shape (2, 2, N), or None
+        For switching curves: the velocities before and after.
     """
 
     points: np.ndarray
@@ -30,7 +44,7 @@ class Curve:
     parameter: tuple = ()
     controls: tuple = ()
     change: tuple = ()
-    velocities: np.ndarray = None
+    velocities: np.ndarray | None = None
 
     def __repr__(self):
         begin, end = (tuple(float(round(v, 6)) for v in self.points[k]) for k in (0, -1))
@@ -39,8 +53,10 @@ class Curve:
 
 
 def crossing_angles(points, velocities):
-    """Angles (radians, signed) from a curve to the velocities before and after the switching, at
-    the middles of its pieces; shape (2, N - 1)."""
+    """Return the angles (radians, signed) from a curve to the velocities before and after it.
+
+    They belong to the middles of its pieces; shape (2, N - 1).
+    """
     tangent = np.diff(points, axis=0).T
     angles = []
     for v in velocities:
@@ -59,11 +75,12 @@ def crossing_angles(points, velocities):
 
 
 def in_window(x, value_function):
+    """Check which points (2, N) lie in the window."""
     size = GRID * value_function.square
     low, high = value_function.corner - 1e-9 * size, value_function.corner + (1 + 1e-9) * size
     return ((x >= low[:, None]) & (x <= high[:, None])).all(axis=0)
 
 
 def consecutive_runs(index):
-    """Stretches of consecutive integers."""
+    """Split indices into runs of consecutive integers."""
     return np.split(index, np.flatnonzero(np.diff(index) > 1) + 1) if index.size else []

@@ -1,4 +1,4 @@
-"""Where extremals meet others of the same cost: the dispersal curves, beyond which they are not optimal."""
+"""Dispersal curves, where extremals meet others of the same cost."""
 
 import numpy as np
 
@@ -19,11 +19,10 @@ GAP = 0.05
 
 
 def find_overtakings(fan, value_function):
-    """Find the time at which each extremal is overtaken (`fan.cut`); returns where it meets the
-    better one.
+    """Set the time at which each extremal is overtaken; return where it meets the better one.
 
-    Rows: number of one fan and its s, number of the other and its s, time, x1, x2; those of the fan
-    that comes first in front.
+    The time is `fan.optimal_until`. Rows of the result: number of one fan and its s, number of the other
+    and its s, time, x1, x2; the fan that comes first in front.
     """
     h, own, meetings = fan.times[1], value_function.fans.index(fan), []
     sequences = fan.plant.sequences
@@ -83,18 +82,17 @@ def find_overtakings(fan, value_function):
 
 
 def _shortened(sequences, sequence, back):
-    """Words without their last mode if `back` is 1; -1 where nothing is left."""
+    """Remove the last mode of sequences if `back` is 1; -1 where nothing is left."""
     return np.where(sequence >= 0, sequences.parent[sequence], -1) if back else sequence
 
 
 def dispersal_curves(meetings, value_function):
-    """The curves of the places where extremals meet, from the rows of `find_overtakings` for all
-    fans.
+    """Return the curves of the points where extremals meet, from `find_overtakings` of all fans.
 
-    Each extremal meets once, and along a curve its parameter grows: so the places are sorted by it.
-    A curve is drawn by the extremals of both its sides, since those of one side may be sparse where
-    those of the other are dense. If it is itself an extremal, which all of the other side meet, the
-    parameter of these decides.
+    Each extremal meets once, and along a curve its parameter grows: so the points are sorted by it. A
+    curve is drawn by the extremals of both its sides, since those of one side may be sparse where those
+    of the other are dense. If it is itself an extremal, which all of the other side meet, the parameter
+    of these decides.
     """
     curves = []
     meetings = meetings[:, in_window(meetings[5:], value_function)]
@@ -117,12 +115,10 @@ def dispersal_curves(meetings, value_function):
 
 
 def _overtaken(fan, value_function):
-    """(which extremals are overtaken in the window, the first step of each at which another is
-    better, these: `BestExtremals`).
+    """Return the overtaken extremals, the first step at which each is, and the better ones.
 
-    Once overtaken, always overtaken: interpolated costs show it, and exact ones then lead back to
-    the first step. Where two extremals run side by side the gain grows so slowly that it lies far
-    before.
+    Once overtaken, always overtaken: interpolated costs show it, and exact ones then lead back to the
+    first step. Where two extremals run side by side the gain grows so slowly that it lies far before.
     """
     k, j = np.nonzero(np.arange(fan.times.size)[:, None] <= fan.last_step[None, :])
     inside = in_window(fan.path[k, :, j].T, value_function)
@@ -165,8 +161,7 @@ def _overtaken(fan, value_function):
 
 
 def _better(fan, value_function, which, step):
-    """The best extremals from the points of a fan at given steps, and whether they are better than
-    those of the fan."""
+    """Return the best extremals from points of a fan, and whether the fan's are worse."""
     x, cost = fan.path[step, :, which].T, fan.value[step, which]
     best = value_function.by_newton(x)
     is_better = best.cost < cost - GAIN * value_function.step_cost
@@ -180,8 +175,7 @@ def _better(fan, value_function, which, step):
 
 
 def _meet(fan, which, sequence, other, tau, s2, tau2, sequence2):
-    """Newton's method for x(s, tau) = y(s2, tau2): two extremals that start at one point and cost
-    the same."""
+    """Find where two extremals meet at the same cost, x(s, tau) = y(s2, tau2), by Newton."""
     s2, tau, tau2, good = s2.copy(), tau.copy(), tau2.copy(), np.zeros(which.size, bool)
     plant, low, high = fan.plant, other.ends.low, other.ends.high
     ds, longest = 1e-6 * (high - low), 4 * fan.times[1]
@@ -230,7 +224,7 @@ def _meet(fan, which, sequence, other, tau, s2, tau2, sequence2):
 
 
 def _cramer(a, b, c, right):
-    """Solutions (p, q, r) of a p + b q + c r = right in space, columns of (3, N)."""
+    """Solve a p + b q + c r = right in space, for columns of (3, N)."""
     normal = np.cross(b.T, c.T).T
     det = (a * normal).sum(axis=0)
     return (

@@ -1,5 +1,4 @@
-"""The picture of a planar synthesis, readable in greyscale: every kind of curve has a line style of
-its own."""
+"""The figure of a planar synthesis; each kind of curve has its own line style."""
 
 import numpy as np
 import sympy as sp
@@ -8,8 +7,7 @@ from trajlib.plotting import BLACK, BLUE, GREEN, GREY, ORANGE, PURPLE, RED, SKY,
 
 
 def draw(synthesis, ax=None, isochrones=(), extremals=24):
-    """Regions of the controls' levels (u_+ hatched), extremals, curves on which they change,
-    barriers; returns the Axes."""
+    """Draw regions of the levels (u_+ hatched), extremals, curves and barriers; return the Axes."""
     import matplotlib.pyplot as plt
 
     with style():
@@ -50,7 +48,7 @@ LOOKS = (
 
 
 def _regions(synthesis, ax):
-    """A colour and a hatching for each mode of the controls."""
+    """Draw a colour and a hatching for each mode of the controls."""
     (left, right), (bottom, top) = synthesis.window
     value_function, plant = synthesis._value_function, synthesis.plant
     X, Y = np.meshgrid(np.linspace(left, right, 301), np.linspace(bottom, top, 301))
@@ -90,7 +88,7 @@ def _regions(synthesis, ax):
 
 
 def _legend_order(shown, count):
-    """The modes in the order of `LOOKS`: the lowest, the highest, then what lies between."""
+    """Return the modes in the order of `LOOKS`: the lowest, the highest, those between."""
     if count == 2:
         return [0, 1]
     return [shown[0], shown[-1], *shown[1:-1]] if len(shown) > 1 else shown
@@ -120,7 +118,7 @@ def _mode_label(synthesis, mode):
 
 
 def _line(ax, points, label, **look):
-    """Draw a line; a label is shown once, however many lines there are of the kind."""
+    """Draw a line; a label is shown once for all lines of its kind."""
     known = ax.get_legend_handles_labels()[1]
     ax.plot(*points.T, label=None if label in known else label, **look)
 

@@ -1,16 +1,17 @@
-"""Extremals of a planar problem, integrated backwards from the target, all at once.
+"""Fans: extremals of a planar problem, integrated backwards from the target together.
 
 With reversed time tau = t_k - t
 
     dx/dtau = -f,   dpsi/dtau = (df/dx)^T psi - lambda_0 df_0/dx,   dV/dtau = f_0,
 
-and the controls at the levels at which H is greatest (`plant`). Steps are taken by extrapolation of
-the midpoint rule; where a level changes the step is divided.
+and the controls at the levels that maximise H (`plant`). Steps are taken by extrapolation of the
+midpoint rule; where a level changes the step is divided.
 """
 
 import numpy as np
 
-from trajlib.pontryagin.planar_synthesis.plant import HELD, ROWS, steps_needed
+from trajlib.pontryagin.planar_synthesis.integration import steps_needed
+from trajlib.pontryagin.planar_synthesis.plant import HELD, ROWS
 
 #: For so many steps an extremal that has met the target again is followed further, for neighbours
 #: that live longer: the cells between them have to reach as far as these.
@@ -20,15 +21,22 @@ POSITION_ROWS = 4
 
 
 class Fan:
-    """Extremals for the parameters s of a family of ends, on a grid of reversed times; `add` puts
-    more between them.
+    """Extremals for parameters s of a family of ends, on a grid of K + 1 reversed times.
 
-    `motion`: shape (K + 1, 7, N), nan some steps after an extremal has died; `path` is its part of
-    the states, `value` the cost. `mode`, `sequence`: of the controls, and of the structure so far, (K +
-    1, N). `switchings`: rows index of the extremal, tau, x1, x2, modes before and after (in forward
-    time), the velocities before and after. `last_step`: the last step at which it lives; `outcome`: 1 if it
-    then met the target again, 2 if it left the box. `optimal_until`: when it stops to be optimal (set by
-    `find_overtakings`).
+    Attributes
+    ----------
+    motion : ndarray, shape (K + 1, 7, N)
+        The columns z of `plant`, nan some steps after the end of an extremal; `path` are its states,
+        `value` its cost.
+    mode, sequence : ndarray of int, shape (K + 1, N)
+        Of the controls, and of the control sequence so far.
+    switchings : ndarray
+        Rows: index of the extremal, tau, x1, x2, modes before and after (in forward time), velocities
+        before and after.
+    last_step, outcome : ndarray of int, shape (N,)
+        The last step of an extremal; 1 if it then met the target again, 2 if it left the box.
+    optimal_until : ndarray, shape (N,)
+        Reversed time at which another extremal is better, set by `find_overtakings`.
     """
 
     def __init__(self, plant, target, ends, horizon, steps, box):
@@ -47,14 +55,16 @@ class Fan:
 
     @property
     def path(self):
+        """The states, shape (K + 1, 2, N)."""
         return self.motion[:, :2]
 
     @property
     def value(self):
+        """The cost to the target, shape (K + 1, N)."""
         return self.motion[:, 5]
 
     def start(self, s):
-        """The motion at the end and the mode before it."""
+        """Return z at the end of the process and the mode before it."""
         s = np.atleast_1d(np.asarray(s, dtype=float))
         z = np.zeros((ROWS, s.size))
         z[:2], z[2:5], z[5] = self.ends.point(s), self.ends.covector(s), self.ends.cost(s)
@@ -142,7 +152,7 @@ class Fan:
         )
 
     def flow(self, s, tau):
-        """Motion and mode at the reversed times `tau` on the extremals `s`, one to one."""
+        """Return z and mode at the reversed times `tau` on the extremals `s`, one to one."""
         s, tau = np.atleast_1d(np.asarray(s, float)), np.atleast_1d(np.asarray(tau, float))
         z, mode = self.start(np.clip(s, self.ends.low, self.ends.high))
         mode = np.maximum(mode, 0)
@@ -153,12 +163,11 @@ class Fan:
         return z, mode
 
     def arcs(self, s, tau, sequence):
-        """Extremals with given structures, the words `sequence`.
+        """Return z at the ends of extremals with given sequences, and where their last arcs begin.
 
-        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that
-        is earlier: so the end is a smooth function of s and tau, to which Newton's method can be
-        applied. Returns the motion at the end and the reversed time at which the last arc begins;
-        nan where there are not so many switchings.
+        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that is
+        earlier: so the end is a smooth function of s and tau, to which Newton's method can be applied. nan
+        where there are fewer switchings.
         """
         plant = self.plant
         z, _ = self.start(s)

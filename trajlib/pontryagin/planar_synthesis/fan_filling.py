@@ -1,4 +1,4 @@
-"""Extremals put into fans until neighbours stay close together."""
+"""Filling of fans: extremals are added until neighbours stay close together."""
 
 from dataclasses import replace
 
@@ -14,8 +14,10 @@ MAX_EXTREMALS = 1500
 
 
 def fill(fan, window):
-    """Put extremals into a fan until neighbours stay close, and those around a jump (a second hit)
-    are as good as equal."""
+    """Add extremals to a fan until neighbours stay close.
+
+    Those around a jump (a second hit of the target) become nearly equal.
+    """
     ends = fan.ends
     span = ends.high - ends.low
     fan.add(
@@ -61,16 +63,14 @@ def fill(fan, window):
 
 
 def _first_control_changes(fan):
-    """The parameters at which a control next to the target changes: they have to be corners of the
-    cells."""
+    """Return the parameters at which the control next to the target changes: corners of cells."""
     if fan.ends.held is not None:
         return []
     return np.concatenate([[], *(values for _, values in _changes(fan))])
 
 
 def _changes(fan):
-    """(number of a surface, the parameters s at which it vanishes and the first mode changes) for
-    all surfaces."""
+    """Return (surface, parameters s at which it vanishes and the first mode changes)."""
     from scipy.optimize import brentq
 
     s = np.linspace(fan.ends.low, fan.ends.high, 721)
@@ -96,8 +96,7 @@ def _changes(fan):
 
 
 def held_fans(fan, window):
-    """The motions from ends at which a control is open for good: one fan for each such end, over
-    the values held."""
+    """Return a fan over the held values for each end at which a control is open for good."""
     plant, ends, fans = fan.plant, fan.ends, []
     if not any(term.open for term in plant.terms):
         return []
@@ -131,12 +130,12 @@ def held_fans(fan, window):
 
 
 def _constant(value):
-    """The function of s with this value, arrays with as many columns as numbers s."""
+    """Return the function of s with this value, with as many columns as numbers s."""
     return lambda s: np.repeat(np.asarray(value)[..., :1], np.size(s), axis=-1)
 
 
 def single_extremal(transversality, touch, horizon, steps, box):
-    """One extremal by itself, for an abnormal end whose covector may point the other way."""
+    """Return a fan of one extremal, for an abnormal end whose covector may point the other way."""
     s, sign = touch
     ends = EndFamily(
         transversality.point,

@@ -1,5 +1,4 @@
-"""The right-hand sides of extremals in the plane, for controls whose levels the maximum condition
-tells one by one.
+"""The right-hand sides of extremals in the plane, for controls that H determines one by one.
 
 For x' = f(x, u), the least int f_0(x, u) dt and lambda_0 >= 0, the controls enter
 
@@ -7,12 +6,11 @@ For x' = f(x, u), the least int f_0(x, u) dt and lambda_0 >= 0, the controls ent
 
 each by itself, if f is linear in them and f_0 has no products of two. So u_j is a function of one
 number, its switching function, with the levels u_-, between, 0, between, u_+, as far as they occur;
-a surface e = 0 in the space of (x, psi, lambda_0) separates each from the next (`control_parts`). A
+a surface e = 0 in the space of (x, psi, lambda_0) separates each from the next (`control_terms`). A
 *mode* is one level for every control.
 
-A motion is a column z = (x1, x2, psi1, psi2, lambda_0, cost, held): the cost is what is left to pay
-until the target, and `held` is the value of a control that the maximum condition leaves open for
-good.
+A point of an extremal is a column z = (x1, x2, psi1, psi2, lambda_0, cost, held): the cost from there
+to the target, and `held` the value of a control that the maximum condition leaves open for good.
 """
 
 from itertools import product
@@ -20,22 +18,24 @@ from itertools import product
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.planar_synthesis.array_functions import array_function
 from trajlib.pontryagin.planar_synthesis.control_sequences import ControlSequences
+from trajlib.pontryagin.planar_synthesis.integration import (
+    SERIES_NORM,
+    extrapolated_step,
+    series_step,
+    steps_needed,
+)
 
-#: Numbers of substeps of the extrapolated midpoint rule.
-SUBSTEPS = (2, 4, 6, 8)
 ROWS = 7
 COST, HELD = 5, 6
-#: Norm of matrix and time up to which the terms of a matrix series have few digits to lose to each
-#: other.
-SERIES_NORM = 3.0
 
 
 class Plant:
-    """The numeric right-hand sides; motions are arrays of shape (7, N), modes of shape (N,)."""
+    """The numeric right-hand sides; points z are arrays of shape (7, N), modes of shape (N,)."""
 
     def __init__(self, problem, terms):
-        """`terms`: a `ControlTerm` for each control."""
+        """Compile the functions of a problem; `terms`: a `ControlTerm` for each control."""
         self.terms = terms
         #: Whether the cost is the time.
         self.counts_time = problem.time_optimal and not problem.maximise
@@ -89,8 +89,7 @@ class Plant:
         self.singular_at = array_function(problem.state, self.singular or [sp.Integer(1)])
 
     def _tabulate(self):
-        """Modes as combinations of levels; what each demands of the surfaces; where a crossed
-        surface leads."""
+        """Tabulate the modes, the signs that each requires, and the modes beyond the surfaces."""
         self.modes = list(product(*(range(len(levels)) for levels in self._levels)))
         number = {mode: m for m, mode in enumerate(self.modes)}
         self._value = np.array(
@@ -123,26 +122,26 @@ class Plant:
                     self.crossing[m, other] = s
 
     def name(self, mode):
-        """The names of the levels of a mode: a word for one control, a tuple for several."""
+        """Return the names of the levels of a mode: a string for one control, a tuple for several."""
         names = tuple(levels[i].name for levels, i in zip(self._levels, self.modes[mode]))
         return names[0] if len(names) == 1 else names
 
     def open_mode(self, mode, j):
-        """The mode in which control j is held at a value of its own."""
+        """Return the mode in which control j is held at a value of its own."""
         other = (*self.modes[mode][:j], len(self._levels[j]) - 1, *self.modes[mode][j + 1 :])
         return self.modes.index(other)
 
     def owner(self, surface):
-        """The number of the control whose levels a surface separates."""
+        """Return the number of the control whose levels a surface separates."""
         return int(self._owner[surface])
 
     @property
     def has_interior(self):
-        """Whether a control may lie between its bounds, where psi tells it."""
+        """Whether a control may lie between its bounds, where psi determines it."""
         return any(level.name == "interior" for levels in self._levels for level in levels)
 
     def corners(self):
-        """The combinations of bounds, and of zero where |u| is paid: shape (number, k)."""
+        """Return the combinations of bounds, and of zero where |u| has a cost: shape (number, k)."""
         return np.array(
             list(
                 product(
@@ -155,12 +154,14 @@ class Plant:
         )
 
     def control(self, z, mode):
-        """The controls, shape (k, N)."""
+        """Return the controls, shape (k, N)."""
         return self._filled(z, *self._plan(np.broadcast_to(mode, z.shape[1:])))
 
     def _plan(self, mode):
-        """What is known of the controls from modes alone, shape (k, N), and what z has to tell:
-        (control, its level, columns), ..."""
+        """Return the controls that modes determine, (k, N), and those that depend on z.
+
+        The latter as a list of (control, its level, columns).
+        """
         u, moving = self._value[mode].T, []
         if not self._plain[mode].all():
             for m, j in np.argwhere(np.isnan(self._value)):
@@ -170,6 +171,7 @@ class Plant:
         return u, moving
 
     def _filled(self, z, u, moving):
+        """Return the controls with those that depend on z."""
         if not moving:
             return u
         u = u.copy()
@@ -183,32 +185,32 @@ class Plant:
         return u
 
     def rate(self, z, mode):
-        """dz/dtau backwards in time."""
+        """Return dz/dtau backwards in time."""
         return self._rate(*z[:5], *self.control(z, mode))
 
     def velocity(self, z, mode):
-        """x', shape (2, N)."""
+        """Return x', shape (2, N)."""
         return -self._rate(*z[:5], *self.control(z, mode))[:2]
 
     def costs(self, z, mode):
-        """f_0 (with the opposite sign for a maximum), shape (N,)."""
+        """Return f_0 (with the opposite sign for a maximum), shape (N,)."""
         return self._rate(*z[:5], *self.control(z, mode))[COST]
 
     def at(self, x, u):
-        """x' and f_0 for given controls: arrays (2, N) and (N,)."""
+        """Return x', (2, N), and f_0, (N,), for given controls."""
         values = self._rate(*x, *np.zeros((3, np.shape(x)[1])), *u)
         return -values[:2], values[COST]
 
     def surfaces(self, z):
-        """The functions whose signs tell the levels, shape (S, N)."""
+        """Return the functions whose signs determine the levels, shape (S, N)."""
         return self._surfaces(*z[:5])
 
     def slope(self, z, mode, surface):
-        """d/dt of one surface for every column."""
+        """Return d/dt of one surface for every column."""
         return self._slopes(*z[:5], *self.control(z, mode))[surface, np.arange(z.shape[1])]
 
     def first_mode(self, z):
-        """The mode just before the end; -1 where a surface and its derivative vanish."""
+        """Return the mode just before the end; -1 where a surface and its derivative vanish."""
         e, size = self.surfaces(z), self._sizes(*z[:5]) + 1e-300
         close = np.abs(e) <= 1e-9 * size
         mode = self._mode(np.where(close, -1.0, e))
@@ -221,7 +223,7 @@ class Plant:
         return mode
 
     def _mode(self, e):
-        """The modes that surfaces with these signs demand."""
+        """Return the modes for surfaces with these signs."""
         index = np.zeros((len(self.terms), e.shape[1]), int)
         for s, j in enumerate(self._owner):
             index[j] += e[s] > 0
@@ -231,13 +233,12 @@ class Plant:
         return result
 
     def maximises(self, z, mode, accuracy):
-        """Whether the modes are those that the maximum condition asks for, up to a share of the
-        sizes, shape (N,)."""
+        """Check which modes satisfy the maximum condition up to a relative accuracy, (N,)."""
         size = np.hypot(*z[2:4]) * (1 + np.hypot(*z[:2])) + np.abs(z[4])
         return (self.surfaces(z) * self.required_sign[mode].T >= -accuracy * size).all(axis=0)
 
     def step(self, z, mode, h):
-        """One step of length `h` (a number or one a column) backwards in time in the same mode."""
+        """Return z after a step of length `h` (a number, or one a column) in the same mode."""
         # what runs away to infinity leaves the box
         with np.errstate(over="ignore", invalid="ignore"):
             u, moving = self._plan(mode)
@@ -248,8 +249,10 @@ class Plant:
             )
 
     def follow(self, z, mode, times, longest):
-        """The motions after `times`, one a column, in the same modes; in steps of at most `longest`
-        where no series gives longer ones."""
+        """Return z after `times`, one a column, in the same modes.
+
+        The steps are at most `longest`, unless a series allows longer ones.
+        """
         if self._matrix is not None and self._plain[mode].all():
             longest = np.inf if self._growth == 0 else SERIES_NORM / self._growth
         steps = steps_needed(times, longest)
@@ -258,10 +261,10 @@ class Plant:
         return z
 
     def advance(self, z, mode, h):
-        """A step in which the mode changes where the motion crosses a surface.
+        """Take a step in which the mode changes where a surface is crossed.
 
-        Returns z and mode at its end, and the switchings on the way: (columns, share of time h
-        gone, z there, modes before and after).
+        Returns z and mode at its end, and the switchings on the way: (columns, time since the beginning of
+        the step, z there, modes before and after).
         """
         h = np.broadcast_to(np.asarray(h, dtype=float), mode.shape)
         gone, switchings = np.zeros(mode.shape), []
@@ -289,7 +292,7 @@ class Plant:
         return end, mode, switchings
 
     def _earliest(self, z, mode, h, end, crossed):
-        """The first of the surfaces that each column crosses: (when, z there, which)."""
+        """Return when each column first crosses a surface, z there, and which surface it is."""
         when, crossing_z, which = np.full(h.shape, np.inf), end.copy(), np.zeros(h.shape, int)
         for s in np.flatnonzero(crossed.any(axis=1)):
             candidates = np.flatnonzero(crossed[s])
@@ -307,11 +310,9 @@ class Plant:
         return when, crossing_z, which
 
     def first_zero(self, z, mode, surface, h, end):
-        """Newton's method for surface = 0 in the step, with bisection where it would leave the
-        bracket.
+        """Solve surface = 0 in the step by Newton's method, with bisection outside of the bracket.
 
-        It begins where the time is zero as a cubic function of the surface, with the values and
-        slopes of both ends.
+        It begins at the zero of the inverse cubic interpolation with the values and slopes of both ends.
         """
         columns, required_sign = np.arange(h.size), self.required_sign[mode, surface]
         low, high, when, zero_z = np.zeros(h.shape), h.copy(), h, end
@@ -340,55 +341,3 @@ class Plant:
             with np.errstate(all="ignore"):
                 new = when + value / self.slope(zero_z, mode, surface)
         return when, zero_z
-
-
-def steps_needed(times, longest):
-    """In how many steps of at most `longest` all these times have gone."""
-    return max(int(np.ceil(np.abs(times).max(initial=0, where=np.isfinite(times)) / longest)), 1)
-
-
-def series_step(matrix, growth, rate, z, h):
-    """A step of z' = A z + b from its rate at z by the series z + h (1 + hA/2! + (hA)^2/3! + ...)
-    z', to rounding; `growth`: a norm of A."""
-    size = growth * np.max(np.abs(h), initial=0, where=np.isfinite(h))
-    terms, left = 1, 1.0
-    while 1e-17 < left < np.inf:
-        terms += 1
-        left *= size / terms
-    total = rate
-    for k in range(terms, 1, -1):
-        total = rate + h / k * (matrix @ total)
-    return z + h * total
-
-
-def extrapolated_step(rate, z, h):
-    """A step of the extrapolated midpoint rule (Gragg, Bulirsch, Stoer) with four columns, that is,
-    of order 8."""
-    table, first = [], rate(z)
-    for n in SUBSTEPS:
-        d = h / n
-        before, now = z, z + d * first
-        for _ in range(n - 1):
-            before, now = now, before + 2 * d * rate(now)
-        row = [(before + now + d * rate(now)) / 2]
-        for k, earlier in enumerate(table[-1] if table else []):
-            row.append(row[k] + (row[k] - earlier) / ((n / SUBSTEPS[len(table) - k - 1]) ** 2 - 1))
-        table.append(row)
-    return table[-1][-1]
-
-
-def array_function(arguments, expressions):
-    """A NumPy function with values of shape (len(expressions), N), also for constants."""
-    # The module itself, not its name, for which SymPy would import all that NumPy has, which takes
-    # half a second.
-    raw = sp.lambdify(list(arguments), list(expressions), [np], cse=True)
-
-    def value(*numbers):
-        rows = raw(*numbers)
-        shape = np.broadcast(*numbers).shape
-        result = np.empty((len(rows), *shape))
-        for k, row in enumerate(rows):
-            result[k] = row
-        return result
-
-    return value

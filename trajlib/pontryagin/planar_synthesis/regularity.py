@@ -1,14 +1,14 @@
-"""The conditions of Boltyansky's regular synthesis, tested on a computed synthesis of the plane.
+"""The conditions of Boltyansky's regular synthesis, tested on a computed planar synthesis.
 
     A  finitely many cells: open regions, curves, points;
     B  in a cell the control is smooth; a curve is followed by the motion (first type) or crossed at an angle (second
     type); C  the target is met at a non-zero angle and with a non-zero velocity; D  a trajectory passes through
     finitely many cells and ends on the target; E  all trajectories satisfy the maximum principle; F  the time to the
-    target is a continuous function of the start.
+    target is a continuous function of the initial state.
 
 If all hold in a region that trajectories do not leave, all of them are optimal there. C and F are
-the ones that fail in earnest: F on barriers. The numbers belong to the window and the horizon of
-the synthesis.
+those that fail in practice: F on barriers. The numbers belong to the window and the horizon of the
+synthesis.
 """
 
 import itertools
@@ -25,7 +25,19 @@ RASTER = 240
 
 @dataclass(frozen=True)
 class Condition:
-    """One condition: its letter, whether it `holds`, the number that decides, and a sentence."""
+    """One condition of a regular synthesis.
+
+    Attributes
+    ----------
+    letter : str
+        "A" to "F".
+    holds : bool
+        Whether it holds in the window.
+    value : float
+        The number that decides.
+    text : str
+        The result in a sentence.
+    """
 
     letter: str
     holds: bool
@@ -35,12 +47,19 @@ class Condition:
 
 @dataclass(frozen=True)
 class Regularity:
-    """All conditions; `regular` if every one holds. `regularity["F"]` is one of them."""
+    """All conditions; `regularity["F"]` is one of them.
 
-    conditions: tuple
+    Attributes
+    ----------
+    conditions : tuple of Condition
+        A to F.
+    """
+
+    conditions: tuple[Condition, ...]
 
     @property
-    def regular(self):
+    def regular(self) -> bool:
+        """Whether every condition holds."""
         return all(c.holds for c in self.conditions)
 
     def __getitem__(self, letter):
@@ -64,7 +83,7 @@ class Regularity:
         return "\n".join(["| condition | verdict | what was found |", "|---|---|---|", *rows])
 
 
-def regularity(synthesis):
+def regularity(synthesis) -> Regularity:
     """Test the conditions; see `Synthesis.regularity`."""
     return Regularity(
         (
@@ -79,6 +98,7 @@ def regularity(synthesis):
 
 
 def _cells(synthesis):
+    """Test condition A: count regions and curves, exclude singular points."""
     value_function = synthesis._value_function
     (left, right), (bottom, top) = synthesis.window
     X, Y = np.meshgrid(np.linspace(left, right, RASTER), np.linspace(bottom, top, RASTER))
@@ -122,7 +142,7 @@ def _count_regions(modes, walls):
 
 
 def _raster(points, corner, step):
-    """Rows and columns of the raster that a polyline runs through."""
+    """Return the rows and columns of the raster through which a polyline runs."""
     fine = [
         np.linspace(a, b, max(int(np.ceil(2 * np.max(np.abs(b - a) / step))), 2))
         for a, b in itertools.pairwise(points)
@@ -140,7 +160,7 @@ def _vanishes_inside(synthesis):
 
 
 def _curves(synthesis):
-    """Condition B: the smallest angle at which a crossed switching curve is crossed."""
+    """Test condition B by the smallest angle at which a crossed switching curve is crossed."""
     smallest, followed, mixed = np.inf, 0, []
     for curve in synthesis.switching_curves:
         if curve.kind == "followed":
@@ -165,7 +185,7 @@ def _curves(synthesis):
 
 
 def _arrival(synthesis):
-    """Condition C: where trajectories meet the target at the angle zero."""
+    """Test condition C: find where trajectories meet the target at the angle zero."""
     plant = synthesis.plant
     # How far back they stay optimal does not matter here.
     tangent = [b for b in synthesis.borders if b.arrives and b.kind == "abnormal"]
@@ -197,6 +217,7 @@ def _arrival(synthesis):
 
 
 def _passages(synthesis):
+    """Test condition D by the largest number of switchings."""
     most = 0
     for fan in synthesis._value_function.fans:
         if fan.switchings.shape[1]:
@@ -211,8 +232,7 @@ def _passages(synthesis):
 
 
 def _maximum(synthesis):
-    """Condition E, from the stored covectors: the signs of the surfaces between the levels, and H =
-    0."""
+    """Test condition E on the stored covectors: the signs of the surfaces, and H = 0."""
     worst, plant = 0.0, synthesis.plant
     for fan in synthesis._value_function.fans:
         k, j = np.nonzero(np.isfinite(fan.path[:, 0]) & (fan.mode >= 0) & (fan.last_step > 0))
@@ -235,6 +255,7 @@ def _maximum(synthesis):
 
 
 def _continuity(synthesis):
+    """Test condition F by the jumps of the cost across barriers."""
     barriers = synthesis.barriers
     if not barriers:
         return Condition(

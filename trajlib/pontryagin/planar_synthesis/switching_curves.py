@@ -12,7 +12,7 @@ SHORTEST = 1e-3
 
 
 def switching_curves(fans, window):
-    """The curves on which the controls of optimal extremals change their levels."""
+    """Return the curves on which the controls of optimal extremals change their levels."""
     (left, right), (bottom, top) = window
     size = np.array([right - left, top - bottom])
     curves = []
@@ -58,7 +58,7 @@ def switching_curves(fans, window):
 
 
 def _kind(points, velocities):
-    """Whether the curve is followed (it is a trajectory for one of the two levels) or crossed."""
+    """Return whether the curve is "followed" (a trajectory for one of both levels) or "crossed"."""
     step = np.hypot(*np.diff(points, axis=0).T)
     angles = np.abs(crossing_angles(points, velocities))[:, step > 1e-9]
     if not angles.size:

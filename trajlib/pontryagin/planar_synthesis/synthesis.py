@@ -1,48 +1,59 @@
-"""A planar synthesis: optimal cost, time and control in a window of the phase plane, and its curves."""
+"""Planar syntheses: optimal cost, time and control in a window of the phase plane."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
 from trajlib.pontryagin.planar_synthesis.borders import border_extremals
-from trajlib.pontryagin.planar_synthesis.curves import consecutive_runs
+from trajlib.pontryagin.planar_synthesis.curves import Curve, consecutive_runs
 from trajlib.pontryagin.planar_synthesis.drawing import draw
-from trajlib.pontryagin.planar_synthesis.regularity import regularity
+from trajlib.pontryagin.planar_synthesis.plant import Plant
+from trajlib.pontryagin.planar_synthesis.regularity import Regularity, regularity
 from trajlib.pontryagin.planar_synthesis.value_function import ON_TARGET, ValueFunction
 from trajlib.pontryagin.problem.statement import Statement
 
 
 @dataclass(frozen=True)
 class Synthesis:
-    """What `synthesis` returns: the optimal cost, time and control in the window, and the curves on
-    which they change.
+    """The optimal synthesis of a planar problem in a window, as `synthesis` computes it.
 
-    `switching_curves`, `dispersal_curves`: lists of `Curve` (`points`, shape (N, 2), `times` to the
-    target). `borders`: extremals that touch the target or end a family, as `Curve` with `jump`, the
-    greatest jump of the optimal cost across it (inf at the edge of the set from which the target is
-    reached); `barriers` are those whose jump is not zero. `reached`: the parts of the target at
-    which optimal trajectories end, as `Curve`; its `parameter` is (from, to).
+    Attributes
+    ----------
+    problem : Problem
+        The problem.
+    window : tuple
+        ((left, right), (bottom, top)).
+    horizon : float
+        The longest duration of a process.
+    switching_curves, dispersal_curves : list of Curve
+        Their points, with the times to the target.
+    reached : list of Curve
+        The parts of the target at which optimal trajectories end; their `parameter` is (from, to).
     """
 
     problem: Statement
-    window: tuple
+    window: tuple[tuple[float, float], tuple[float, float]]
     horizon: float
-    switching_curves: list
-    dispersal_curves: list
-    reached: list
+    switching_curves: list[Curve]
+    dispersal_curves: list[Curve]
+    reached: list[Curve]
     _target: object = field(repr=False)
     _value_function: ValueFunction = field(repr=False)
     _touching: list = field(repr=False)
-    _end_cost: object = field(repr=False)
+    _end_cost: Callable = field(repr=False)
 
     @cached_property
-    def borders(self):
-        """Extremals that touch the target or end a family; computed when first asked for."""
+    def borders(self) -> list[Curve]:
+        """Extremals that touch the target or end a family, with the `jump` of the cost across them.
+
+        The jump is inf at the edge of the set from which the target is reached. Computed on first access.
+        """
         return border_extremals(self._value_function.fans, self._value_function, self._touching)
 
     @property
-    def barriers(self):
+    def barriers(self) -> list[Curve]:
         """The borders across which the optimal cost jumps."""
         least = (
             1e-3
@@ -53,39 +64,93 @@ class Synthesis:
         return [curve for curve in self.borders if curve.jump > least]
 
     @property
-    def plant(self):
+    def plant(self) -> Plant:
+        """The right-hand sides of the extremals."""
         return self._value_function.fans[0].plant
 
-    def cost(self, x1, x2):
-        """Optimal cost from the points (arrays of one shape); nan where no extremal leads to the
-        target within the horizon."""
+    def cost(self, x1, x2) -> float | np.ndarray:
+        """Return the optimal cost from given points.
+
+        Parameters
+        ----------
+        x1, x2 : float or array_like
+            Points in the window, arrays of one shape.
+
+        Returns
+        -------
+        float or ndarray
+            In that shape; nan where no extremal leads to the target within the horizon.
+
+        Raises
+        ------
+        ValueError
+            For points outside of the window.
+        """
         best, x, shape = self._best(x1, x2)
         cost = np.where(self._on_target(x), self._end_cost(x), best.cost)
         cost = np.where(np.isfinite(cost), -cost if self.problem.maximise else cost, np.nan)
         return _in_shape(cost, shape)
 
-    def time(self, x1, x2):
-        """The time that the optimal process takes from the points (arrays of one shape); nan where
-        the target is not reached within the horizon."""
+    def time(self, x1, x2) -> float | np.ndarray:
+        """Return the time that the optimal process takes from given points.
+
+        Parameters
+        ----------
+        x1, x2 : float or array_like
+            Points in the window, arrays of one shape.
+
+        Returns
+        -------
+        float or ndarray
+            In that shape; nan where the target is not reached within the horizon.
+
+        Raises
+        ------
+        ValueError
+            For points outside of the window.
+        """
         best, x, shape = self._best(x1, x2)
         return _in_shape(np.where(self._on_target(x), 0, best.time), shape)
 
-    def control(self, x1, x2):
-        """The feedback u(x1, x2), arrays of one shape (with a row for each of several controls);
-        nan where the target is not reached within the horizon.
+    def control(self, x1, x2) -> float | np.ndarray:
+        """Return the feedback u(x1, x2) at given points.
 
-        On a switching curve it is the control that follows. Where a control is open (`unique`), it
-        is one of the values that it may have.
+        Parameters
+        ----------
+        x1, x2 : float or array_like
+            Points in the window, arrays of one shape.
+
+        Returns
+        -------
+        float or ndarray
+            In that shape, with a row for each of several controls; nan where the target is not reached
+            within the horizon. On a switching curve it is the control that follows. Where a control is open
+            (`unique`), it is one of its possible values.
+
+        Raises
+        ------
+        ValueError
+            For points outside of the window.
         """
         best, _, shape = self._best(x1, x2)
         if len(self.problem.control) == 1:
             return _in_shape(best.control[:, 0], shape)
         return best.control.T.reshape(-1, *shape)
 
-    def level(self, x1, x2):
-        """The names of the controls' levels at the points: "u-", "interior", "zero", "u+" or "open"
-        (tuples for several controls), "" where the target is not reached. One name, or an array of
-        them in the points' shape."""
+    def level(self, x1, x2) -> str | tuple | np.ndarray:
+        """Return the names of the controls' levels at given points.
+
+        Parameters
+        ----------
+        x1, x2 : float or array_like
+            Points in the window, arrays of one shape.
+
+        Returns
+        -------
+        str, tuple or ndarray
+            "u-", "interior", "zero", "u+" or "open" (tuples for several controls), "" where the target is
+            not reached; one name, or an array of them in the points' shape.
+        """
         best, _, shape = self._best(x1, x2)
         names = [self.plant.name(mode) for mode in range(len(self.plant.modes))] + [""]
         result = np.empty(len(best.mode), dtype=object)
@@ -93,22 +158,58 @@ class Synthesis:
             result[k] = names[mode]
         return result.reshape(shape) if shape else result[0]
 
-    def unique(self, x1, x2):
-        """Whether the maximum condition tells every control along the optimal process from the
-        points; where it does not, many controls cost the same."""
+    def unique(self, x1, x2) -> bool | np.ndarray:
+        """Check whether the maximum condition determines every control along the optimal process.
+
+        Parameters
+        ----------
+        x1, x2 : float or array_like
+            Points in the window, arrays of one shape.
+
+        Returns
+        -------
+        bool or ndarray
+            False where many controls cost the same.
+        """
         best, _, shape = self._best(x1, x2)
         held = np.array([fan.ends.held is not None for fan in self._value_function.fans])
         values = (best.fan < 0) | ~held[best.fan]
         return values.reshape(shape) if shape else bool(values[0])
 
-    def reaches(self, x1, x2):
-        """Whether the target can be reached from the points within the horizon."""
+    def reaches(self, x1, x2) -> bool | np.ndarray:
+        """Check whether the target can be reached from given points within the horizon.
+
+        Parameters
+        ----------
+        x1, x2 : float or array_like
+            Points in the window, arrays of one shape.
+
+        Returns
+        -------
+        bool or ndarray
+            In that shape.
+        """
         time = self.time(x1, x2)
         return np.isfinite(time) if np.ndim(time) else bool(np.isfinite(time))
 
-    def isochrone(self, time):
-        """The points in the window from which the optimal process takes the time `time`: a list of
-        arrays, (N, 2)."""
+    def isochrone(self, time: float) -> list[np.ndarray]:
+        """Return the points in the window from which the optimal process takes a given time.
+
+        Parameters
+        ----------
+        time : float
+            Positive, at most the horizon.
+
+        Returns
+        -------
+        list of ndarray, shape (N, 2)
+            The pieces of the isochrone.
+
+        Raises
+        ------
+        ValueError
+            For another time.
+        """
         if not 0 < time <= self.horizon:
             raise ValueError(
                 f"time: expected a number between 0 and the horizon {self.horizon}, got {time}"
@@ -122,9 +223,19 @@ class Synthesis:
             ]
         return pieces
 
-    def extremals(self, count=24):
-        """About `count` optimal trajectories: a list of (points, controls), points of shape (K, 2)
-        from far to the target."""
+    def extremals(self, count: int = 24) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Return optimal trajectories that cover the window evenly.
+
+        Parameters
+        ----------
+        count : int, optional
+            About how many.
+
+        Returns
+        -------
+        list of tuple
+            (points, controls) of each, points of shape (K, 2) with the target last.
+        """
         chosen = []
         for fan in self._value_function.fans:
             long = np.flatnonzero((fan.optimal_until > 0) & (fan.last_step > 1))
@@ -138,14 +249,33 @@ class Synthesis:
                 chosen.append((fan.path[keep, :, j][::-1], (u[0] if len(u) == 1 else u.T)[::-1]))
         return chosen
 
-    def regularity(self):
-        """The conditions of Boltyansky's regular synthesis, each with what was found:
-        `Regularity`."""
+    def regularity(self) -> Regularity:
+        """Test the conditions of Boltyansky's regular synthesis.
+
+        Returns
+        -------
+        Regularity
+            The conditions A to F, each with the number that decides.
+        """
         return regularity(self)
 
-    def plot(self, ax=None, isochrones=(), extremals=24):
-        """The synthesis in the phase plane; returns the Axes. `isochrones`: times whose lines are
-        drawn."""
+    def plot(self, ax=None, isochrones=(), extremals: int = 24):
+        """Draw the synthesis in the phase plane.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            A new one if left out.
+        isochrones : list of float, optional
+            Times whose isochrones are drawn.
+        extremals : int, optional
+            About how many extremals are drawn; 0 for none.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The Axes.
+        """
         return draw(self, ax, isochrones, extremals)
 
     def __repr__(self):
@@ -156,8 +286,10 @@ class Synthesis:
         )
 
     def _best(self, x1, x2):
-        """The best extremals from points, with the points (2, N) and their shape; the last question
-        is remembered."""
+        """Return the best extremals from points, the points (2, N) and their shape.
+
+        The last result is kept.
+        """
         x, shape = self._points(x1, x2)
         last = self.__dict__.get("_last_query")
         if last is None or last[0].shape != x.shape or (last[0] != x).any():
@@ -182,8 +314,7 @@ class Synthesis:
         return np.abs(self._target.outside(x, 1)) < ON_TARGET
 
     def _spread(self, fan, long, share):
-        """Indices of extremals whose far ends are evenly spread along the border of what they
-        cover."""
+        """Return indices of extremals whose far ends are evenly spread."""
         if not long.size:
             return []
         last = np.array(

@@ -1,4 +1,4 @@
-"""The target of a planar problem, and where extremals can end on it.
+"""The target of a planar problem, and the covectors with which extremals end on it.
 
 Transversality and H = 0 leave a family of one parameter s of end points with covectors (psi,
 lambda_0), from which extremals start backwards: on a curve g = 0 the end point y runs along the
@@ -7,7 +7,7 @@ curve, and with n = -sigma grad g/|grad g|
     psi = nu n - lambda_0 grad phi_0,   max_u [nu a(u) - lambda_0 b(u)] = 0,   a = n^T f,   b = f_0 + grad phi_0^T f,
 
 where sigma = +1, -1 is the sign of g on the side from which the target is met; at a single point n
-= (cos s, sin s) turns. With lambda_0 = 1 the maximum is a convex function of nu, and the motion
+= (cos s, sin s) turns. With lambda_0 = 1 the maximum is a convex function of nu, and the trajectory
 comes from the side sigma where it rises: at the larger one of its zeros, if it has any. There the
 crossing rate a(u) is positive; where the greatest of these rates, w(s), is zero, lambda_0 is zero
 too: the extremal is abnormal and touches the target.
@@ -30,11 +30,18 @@ ROUNDS = 12
 
 @dataclass(frozen=True)
 class EndFamily:
-    """End points and covectors of a family of extremals: `point(s)`, shape (2, N), `covector(s)`,
-    (3, N), the cost `cost(s)` of ending there, (N,), for low <= s <= high.
+    """End points and covectors of a family of extremals, functions of low <= s <= high.
 
-    `special`: values of s inside at which w = 0. `side`: the sign of g before the end, 0 for a
-    single point. `held`: a mode with an open control, whose value is then s.
+    Attributes
+    ----------
+    point, covector, cost : callable
+        Of s, with values (2, N), (3, N) and (N,); the cost is that of ending there.
+    side : int
+        The sign of g before the end, 0 for a single point.
+    special : tuple of float
+        Values of s inside at which w = 0.
+    held : int or None
+        A mode with an open control, whose value is then s.
     """
 
     point: object
@@ -63,7 +70,7 @@ class PointTarget:
         return np.array([np.cos(s), np.sin(s)])
 
     def outside(self, x, side):
-        """Positive away from the target."""
+        """Return the distance from the target, positive away from it."""
         return np.hypot(x[0] - self.at[0], x[1] - self.at[1])
 
     def pieces(self):
@@ -71,8 +78,7 @@ class PointTarget:
 
 
 class CurveTarget:
-    """The curve g = 0, a polyline traced inside a box and put onto the curve by Newton's method, or
-    a given parametrisation."""
+    """The curve g = 0, traced in a box and refined by Newton's method, or parametrised."""
 
     def __init__(self, value, gradient, sides, box=None, parametrised=None):
         self.value, self.gradient, self.sides = value, gradient, sides
@@ -107,6 +113,7 @@ class CurveTarget:
         return self._pieces
 
     def _check(self, points):
+        """Raise ValueError where the gradient vanishes or the points do not lie on the curve."""
         size = np.hypot(*self.gradient(*points))
         if not np.isfinite(size).all() or (size < 1e-12).any():
             raise ValueError(
@@ -117,6 +124,7 @@ class CurveTarget:
             raise ValueError("curve: the parametrisation does not satisfy the terminal equation")
 
     def _trace(self, box):
+        """Trace the curve in the box and parametrise it by its length."""
         from contourpy import contour_generator
         from scipy.interpolate import CubicSpline
 
@@ -158,6 +166,7 @@ class CurveTarget:
         return self._onto_curve(points)
 
     def _onto_curve(self, points):
+        """Move points onto the curve by Newton's method."""
         for _ in range(4):
             gradient = self.gradient(*points)
             points = points - self.value(*points) * gradient / np.maximum(
@@ -179,8 +188,7 @@ class Transversality:
         return self.final.value(*self.target.point(s))[0]
 
     def crossing_rate(self, s, sign=1):
-        """w(s): the greatest rate at which the target can be crossed, for the normal or its
-        opposite."""
+        """Return w(s), the greatest crossing rate for the normal or its opposite."""
         x, n = self.target.point(s), sign * self.target.normal(s, self.side)
         return np.max(
             [
@@ -191,7 +199,7 @@ class Transversality:
         )
 
     def admissible(self, s):
-        """w(s) where some covector satisfies H = 0 in the end, a negative number elsewhere."""
+        """Return w(s) where some covector satisfies H = 0 at the end, a negative number elsewhere."""
         w, (_, exists) = self.crossing_rate(s), self._solved(s)
         return np.where((w <= 0) | exists, w, -np.abs(w) - 1e-300)
 
@@ -199,12 +207,12 @@ class Transversality:
         return self._solved(np.atleast_1d(s))[0]
 
     def abnormal(self, s, sign):
-        """The covector of an extremal that touches the target."""
+        """Return the covector of an extremal that touches the target."""
         n = sign * self.target.normal(np.atleast_1d(s), self.side)
         return np.vstack([n, np.zeros(n.shape[1])])
 
     def _solved(self, s):
-        """(psi, lambda_0), shape (3, N), of length about one; whether H = 0 has a solution."""
+        """Return (psi, lambda_0), (3, N), of length about one, and whether H = 0 has a solution."""
         x, n = self.target.point(s), self.target.normal(s, self.side)
         gradient = self.final.gradient(*x)
         best, a, b, rates = np.full(s.shape, np.inf), np.zeros(s.shape), np.ones(s.shape), []
@@ -231,7 +239,7 @@ class Transversality:
         return np.vstack([b * n - a * gradient, a]) / size, exists
 
     def _between(self, x, n, gradient, a, b):
-        """Newton's method for the larger zero nu of the maximum: from that of a corner down."""
+        """Solve for the larger zero nu of the maximum by Newton's method from that of a corner."""
         z = np.zeros((ROWS, a.size))
         z[:2] = x
         for _ in range(ROUNDS):
@@ -255,11 +263,10 @@ class Transversality:
 
 
 def end_families(transversality):
-    """The families of ends (`EndFamily`) of a `Transversality`, and the abnormal ends (s, sign) at which
-    an extremal touches the target.
+    """Return the families of ends, and the ends (s, sign) of abnormal extremals.
 
-    The sign is -1 where the covector points the other way: all velocities lead back to the side one
-    comes from, but one.
+    Abnormal extremals touch the target. The sign is -1 where the covector points the other way: all
+    velocities but one lead back to the side from which the extremal comes.
     """
     families, touching = [], []
     for low, high, closed in transversality.target.pieces():
@@ -289,8 +296,10 @@ def end_families(transversality):
 
 
 def _last_admissible(function, low, high):
-    """The zero of w between low and high, rounded to the side where w is not negative: on the other
-    one there is no extremal."""
+    """Return the zero of w between low and high, rounded to the side where w is not negative.
+
+    On the other side there is no extremal.
+    """
     from scipy.optimize import brentq
 
     zero, inner = brentq(function, low, high, xtol=1e-13), high if function(high) > 0 else low
@@ -302,7 +311,7 @@ def _last_admissible(function, low, high):
 
 
 def _zeros(function, s, w, scale, closed):
-    """Where w changes its sign, and where it touches zero from above."""
+    """Return where w changes its sign, and where it touches zero from above."""
     from scipy.optimize import minimize_scalar
 
     zeros = [_last_admissible(function, s[k], s[k + 1]) for k in np.flatnonzero(w[:-1] * w[1:] < 0)]
@@ -332,7 +341,7 @@ def _zeros(function, s, w, scale, closed):
 
 
 def _joined(ends, low, high, closed):
-    """On a closed curve the first and the last interval are one, if they meet at the seam."""
+    """Join the first and the last interval of a closed curve if they meet at the seam."""
     if not (closed and len(ends) > 1 and ends[0].low == low and ends[-1].high == high):
         return ends
     first, last = ends[0], ends[-1]
@@ -342,7 +351,7 @@ def _joined(ends, low, high, closed):
 
 
 def _intervals(s, w, zeros, scale, transversality):
-    """The intervals of s on which w > 0, joined where w only touches zero."""
+    """Return the families on intervals of s with w > 0, joined where w only touches zero."""
     positive = w > TOUCHES * scale
     for z in zeros:  # a touched zero does not end an interval
         k = int(np.clip(np.searchsorted(s, z), 1, s.size - 1))

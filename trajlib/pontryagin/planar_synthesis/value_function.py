@@ -1,7 +1,7 @@
-"""The least cost to the target from overlapping families of extremals.
+"""The value function: the least cost to the target from overlapping families of extremals.
 
-Neighbouring extremals and neighbouring moments make cells; a point of the plane may lie in none
-(the target is not reached), in one, or in several, where the extremals overlap and the least cost
+Neighbouring extremals and neighbouring times make cells; a point of the plane may lie in none (the
+target is not reached), in one, or in several, where the extremals overlap and the least cost
 decides. Inside a cell the parameter, the time and the cost are interpolated; Newton's method on
 x(s, tau) = point then makes them exact.
 """
@@ -9,6 +9,8 @@ x(s, tau) = point then makes them exact.
 from dataclasses import dataclass, fields
 
 import numpy as np
+
+from trajlib.pontryagin.planar_synthesis.newton_extremals import newton_extremals
 
 #: Share of the window's size: cells are sorted into squares of this size to find those around a
 #: point.
@@ -26,9 +28,16 @@ ON_TARGET = 1e-10
 
 @dataclass
 class BestExtremals:
-    """The best extremals from N points, each an array (N,): `cost` (inf where there is none), the
-    `time` they take, `mode` of the controls at the point, `control` (N, k), `fan` (-1 where there
-    is none), the parameter `s` there, and the structure, `sequence`.
+    """The best extremals from N points, an array for each quantity.
+
+    Attributes
+    ----------
+    cost, time, s : ndarray, shape (N,)
+        The cost (inf where there is none), the duration, the parameter.
+    mode, fan, sequence : ndarray of int, shape (N,)
+        Mode at the point, fan (-1 where there is none), control sequence.
+    control : ndarray, shape (N, k)
+        At the point.
     """
 
     cost: np.ndarray
@@ -41,6 +50,7 @@ class BestExtremals:
 
     @classmethod
     def none(cls, size, controls):
+        """Return the record of points without extremals."""
         mode, fan, sequence = (np.full(size, -1) for _ in range(3))
         return cls(
             np.full(size, np.inf),
@@ -53,11 +63,11 @@ class BestExtremals:
         )
 
     def at(self, which):
-        """Those from some of the points."""
+        """Return those of some of the points."""
         return BestExtremals(*(getattr(self, f.name)[which] for f in fields(self)))
 
     def assign(self, which, others):
-        """Put others in the places of some."""
+        """Replace those of some points by others."""
         for f in fields(self):
             getattr(self, f.name)[which] = getattr(others, f.name)
 
@@ -89,6 +99,7 @@ class ValueFunction:
 
     @staticmethod
     def _triangles(number, fan):
+        """Return the corners of a fan's triangles, their (s, tau, cost), sequences and fan numbers."""
         steps = np.arange(fan.times.size - 1)[:, None]
         # A cell belongs to the fan if one of its extremals is alive at its begin; its other end may
         # be the step beyond.
@@ -119,6 +130,7 @@ class ValueFunction:
         return points[keep], values[keep], sequences[keep], np.full(keep.sum(), number)
 
     def _usual_price(self):
+        """Return about what a unit of time costs."""
         if self.plant.counts_time:
             return 1.0
         spent = [np.abs(np.diff(fan.value, axis=0)).ravel() / fan.times[1] for fan in self.fans]
@@ -130,6 +142,7 @@ class ValueFunction:
     def _sort(self):
         # A corner, two edges and their determinant: a row each, since rows are fetched in any
         # order.
+        """Sort the triangles into the squares of the grid that they meet."""
         corner, edges = self.points[:, 0], self.points[:, 1:] - self.points[:, :1]
         (a1, a2), (b1, b2) = edges[:, 0].T, edges[:, 1].T
         self._shape = np.column_stack([corner, a1, a2, b1, b2, a1 * b2 - a2 * b1])
@@ -152,7 +165,7 @@ class ValueFunction:
         return np.floor((points - self.corner) / self.square).astype(int)
 
     def candidates(self, x, slack=SLACK):
-        """Pairs (point, triangle) with (s, tau, cost) there, for points `x` of shape (2, N)."""
+        """Return pairs (point, triangle) with (s, tau, cost) there, for points (2, N)."""
         begins = range(0, max(x.shape[1], 1), CHUNK)
         parts = [self._candidates(x[:, begin : begin + CHUNK], slack) for begin in begins]
         points, triangles, values = zip(*parts)
@@ -183,13 +196,14 @@ class ValueFunction:
         return point, triangle, value.T
 
     def _outside(self, x):
-        """Whether points (2, N) lie on the side of the target from which each of the fans comes:
-        (fans, N)."""
+        """Check whether points (2, N) lie on the side from which each fan comes: (fans, N)."""
         return np.array([fan.target.outside(x, fan.ends.side) > -ON_TARGET for fan in self.fans])
 
     def interpolated(self, x, slack=SLACK):
-        """For points (2, N): the least interpolated cost (inf where there is none), its triangle
-        (-1), s and tau."""
+        """Return the least interpolated cost at points (2, N), its triangle, s and tau.
+
+        Where there is none, the cost is inf and the triangle -1.
+        """
         point, triangle, (s, tau, cost) = self.candidates(x, slack)
         least, best = np.full(x.shape[1], np.inf), np.full(x.shape[1], -1)
         parameters = np.full((2, x.shape[1]), np.nan)
@@ -199,20 +213,22 @@ class ValueFunction:
         return least, best, *parameters
 
     def modes(self, triangle):
-        """The mode in triangles (N,) whose corners agree; elsewhere that of the corner with the
-        middle number of switchings. -1 where there is none."""
+        """Return the modes in triangles (N,), -1 where there is none.
+
+        Where the corners differ it is that of the corner with the middle number of switchings.
+        """
         sequences = self.plant.sequences
         corner = np.argsort(sequences.length[self.sequence[triangle]], axis=1, kind="stable")[:, 1]
         return np.where(triangle >= 0, sequences.mode[self.sequence[triangle, corner]], -1)
 
     def exact(self, x):
-        """For points (2, N): the best extremals, `BestExtremals`."""
+        """Return the best extremals from points (2, N)."""
         best = self.by_newton(x)
         self._interpolate_failures(x, best)
         return best
 
     def by_newton(self, x):
-        """The best extremals from points (2, N) that Newton's method finds: `BestExtremals`."""
+        """Return the best extremals from points (2, N) that Newton's method finds."""
         best = BestExtremals.none(x.shape[1], len(self.plant.controls))
         self._newton(x, np.arange(x.shape[1]), best, SOONEST)
         # Where the cheapest cells only seemed to contain the point, others count too.
@@ -220,8 +236,7 @@ class ValueFunction:
         return best
 
     def _newton(self, x, which, best, later):
-        """Newton's method for the points `which` in cells that are not more than `later` steps
-        behind the cheapest."""
+        """Apply Newton's method in cells that are at most `later` steps behind the cheapest."""
         point, triangle, s, tau = self._distinct(x[:, which], later)
         point = which[point]
         # Newton's method starts inside of the cell: at its edge the family may have a fold.
@@ -253,11 +268,10 @@ class ValueFunction:
             best.fan[for_point] = number
 
     def _interpolate_failures(self, x, best):
-        """Where Newton's method failed inside of a cell (next to a fold of the family) the
-        interpolated values stand.
+        """Keep the interpolated values where Newton's method failed inside of a cell (near a fold).
 
-        Not in the last cells of a family: their edges are chords of its last extremal, and reach a
-        little beyond it.
+        Not in the last cells of a family: their edges are chords of its last extremal, and reach a little
+        beyond it.
         """
         open_ = np.flatnonzero(~np.isfinite(best.cost))
         if not open_.size:
@@ -278,8 +292,7 @@ class ValueFunction:
                 best.control[open_[members]] = self.plant.control(z, best.mode[open_[members]]).T
 
     def _distinct(self, x, later):
-        """Of all candidates of a point those that may be the best: the cheapest of each structure,
-        if not far behind."""
+        """Return the candidates that may be best: the cheapest of each sequence, if not far behind."""
         point, triangle, (s, tau, cost) = self.candidates(x)
         sequences = self.sequence[triangle]
         kind = self.fan[triangle] * (self.plant.sequences.length.size + 1)
@@ -307,7 +320,7 @@ class ValueFunction:
 
 
 def _seen_from(fan, first, steps, columns):
-    """The words at corners of cells that begin with the modes `first`."""
+    """Return the sequences at corners of cells that begin with the modes `first`."""
     sequences, root = fan.sequence[steps, columns], fan.mode[0, columns]
     other = np.flatnonzero((root != first) & (sequences >= 0))
     if other.size:
@@ -317,85 +330,3 @@ def _seen_from(fan, first, steps, columns):
     singular = (sequences < 0) & (steps == 0)
     sequences = np.where(singular, fan.plant.sequences.after(-1, first), sequences)
     return sequences
-
-
-def newton_extremals(fan, x, s, tau, sequence, rounds=20):
-    """Newton's method on x(s, tau) = x for extremals of given structures; returns s, tau, costs,
-    the modes at the points, the controls there (N, k), and which are good.
-
-    On a switching curve the mode is that of the control that follows.
-    """
-    plant, sequences = fan.plant, fan.plant.sequences
-    tau, count = tau.copy(), s.size
-    s = np.clip(s, fan.ends.low, fan.ends.high)
-    size = np.abs(x).max(initial=0) + 1
-    ds = 1e-6 * (fan.ends.high - fan.ends.low)
-    reach = 4 * np.abs(np.diff(fan.s)).max(initial=0)
-    good, cost, mode = np.zeros(count, bool), np.full(count, np.inf), sequences.mode[sequence]
-    last, controls = mode.copy(), np.full((count, len(plant.controls)), np.nan)
-    active = np.arange(count)
-    for number in range(rounds):
-        # One-sided where the parameter ends.
-        up, down = (
-            np.minimum(s[active] + ds, fan.ends.high),
-            np.maximum(s[active] - ds, fan.ends.low),
-        )
-        z, start = fan.arcs(
-            np.concatenate([s[active], up, down]),
-            np.tile(tau[active], 3),
-            np.tile(sequence[active], 3),
-        )
-        n = active.size
-        current = z[:, :n]
-        miss = x[:, active] - current[:2]
-        error = np.hypot(*miss)
-        done = error < 1e-11 * size
-        # The structure must be real: the last arc has a positive length, and the control maximises
-        # on it.
-        consistent = (tau[active] >= start[:n] - 1e-9) & plant.maximises(
-            current, last[active], 1e-9
-        )
-        settled = active[done]
-        good[settled], cost[settled] = consistent[done], current[5, done]
-        on_curve = (tau[settled] - start[:n][done] < 1e-8) & (
-            sequences.length[sequence[settled]] > 0
-        )
-        mode[settled[on_curve]] = sequences.mode[sequences.parent[sequence[settled[on_curve]]]]
-        controls[settled] = plant.control(current[:, done], mode[settled]).T
-        # Whoever is still far away after some rounds belongs to another cell.
-        continuing = ~done & (error < (np.inf if number < 6 else 1e-3 * size))
-        if not continuing.any():
-            break
-        slope = (z[:2, n : 2 * n] - z[:2, 2 * n :]) / (up - down)
-        rate = -plant.velocity(current, last[active])
-        with np.errstate(all="ignore"):
-            step_s, step_tau = _solve(
-                slope[:, continuing], rate[:, continuing], miss[:, continuing]
-            )
-        # Next to a fold two solutions exist, one with a last arc of negative length: such a guess
-        # is reflected.
-        short = (start[:n] - tau[active])[continuing]
-        active = active[continuing]
-        back = short > 1e-12
-        step_s[back], step_tau[back] = 0, 2 * short[back]
-        new = s[active] + np.clip(step_s, -reach, reach)
-        # The end of a family is approached by halves: there x(s, tau) may have a fold, at which
-        # Newton's method stops.
-        new = np.where(new <= fan.ends.low, (s[active] + fan.ends.low) / 2, new)
-        s[active] = np.where(new >= fan.ends.high, (s[active] + fan.ends.high) / 2, new)
-        tau[active] = np.maximum(
-            tau[active] + np.clip(step_tau, -4 * fan.times[1], 4 * fan.times[1]), 0
-        )
-    return s, tau, cost, mode, controls, good
-
-
-def _solve(a, b, c):
-    """Solutions of a p + b q = c in the plane, columns of (2, N); where a vanishes (extremals that
-    coincide) only q."""
-    size = np.hypot(*a)
-    det = a[0] * b[1] - a[1] * b[0]
-    parallel = ~(np.abs(det) > 1e-10 * size * np.hypot(*b)) | (size < 1e-10)
-    p = (c[0] * b[1] - c[1] * b[0]) / det
-    q = (a[0] * c[1] - a[1] * c[0]) / det
-    alone = (b * c).sum(axis=0) / (b**2).sum(axis=0)
-    return np.where(parallel, 0, p), np.where(parallel, alone, q)

@@ -1,1 +1,1 @@
-"""Evidence for an extremal: certificate, theorems, second variation, proof in ball arithmetic."""
+"""Verification of extremals: certificate, sufficiency theorems, second variation, proof."""

@@ -7,18 +7,26 @@ import sympy as sp
 
 
 class NotProved(ValueError):
-    """What a proof does not get past."""
+    """A proof is not possible; the message says where it fails."""
 
 
 class Undetermined(NotProved):
-    """What more digits may help against."""
+    """A proof fails, but may succeed with more digits."""
 
 
 @dataclass(frozen=True)
 class Enclosure:
-    """A number known to lie between two fractions, `low` <= value <= `high`; as text with the
-    digits that are certain.
+    """A number known to lie between two fractions.
 
+    Attributes
+    ----------
+    low, high : fractions.Fraction
+        low <= number <= high.
+    text : str
+        The number with the digits that are certain.
+
+    Examples
+    --------
     >>> third = Enclosure(Fraction(33, 100), Fraction(34, 100), "[0.335 +/- 0.006]")
     >>> sp.Rational(1, 3) in third, sp.sqrt(2) in third
     (True, False)
@@ -40,13 +48,14 @@ class Enclosure:
 
 
 def to_balls(matrix):
+    """Return a matrix of exact numbers as a matrix of balls."""
     from flint import arb_mat
 
     return arb_mat(matrix.rows, matrix.cols, [to_ball(e) for e in matrix])
 
 
 def to_ball(expression, values=None):
-    """A real number, or an expression in symbols with values, as a ball."""
+    """Return a real number, or an expression in symbols with values, as a ball."""
     from flint import arb, fmpq
 
     e = sp.sympify(expression)
@@ -81,21 +90,23 @@ def _unknown(expression):
     raise NotProved(f"the number {expression} has no enclosure here")
 
 
-def enclosure(ball):
-    return Enclosure(
-        *(Fraction(*_quotient(end)) for end in (ball.lower(), ball.upper())), ball.str(30)
-    )
+def enclosure(ball) -> Enclosure:
+    """Return the ends of a ball as fractions."""
+    low, high = (Fraction(*_quotient(end)) for end in (ball.lower(), ball.upper()))
+    return Enclosure(low, high, ball.str(30))
 
 
 def _quotient(point):
-    """Numerator and denominator of an exact ball."""
+    """Return numerator and denominator of an exact ball."""
     mantissa, exponent = map(int, point.man_exp())
     return (mantissa * 2**exponent, 1) if exponent >= 0 else (mantissa, 2**-exponent)
 
 
 def taylor_range(derivatives, rate, z, half):
-    """row z over the times within `half` of the point z, by Taylor's formula; `derivatives`: row,
-    row M, ..."""
+    """Enclose row z over the times within `half` of the point z by Taylor's formula.
+
+    `derivatives`: row, row M, row M^2, ...
+    """
     from flint import arb
 
     near = arb(0, half.upper())

@@ -1,17 +1,18 @@
-"""Evidence that a trajectory is an extremal, from the trajectory alone (Theorem 5.1 of the problem
-book).
+"""Certificate of an extremal, from the trajectory alone (Theorem 5.1 of the problem book).
 
 State, costate and control are functions of time here, wherever they come from. On every arc the
 differential equations are tested in integral form, y(b) - y(a) against the integral of the
-right-hand side over panels [a, b] by Gauss's formula, so that nothing is shared with a solver:
+right-hand side over panels [a, b] by Gaussian quadrature, so that nothing is shared with a solver:
 neither its grid, nor its integrator, nor its derivatives (SymPy and NumPy here). All residuals are
 relative: to 1 + the largest state, costate or Hamiltonian that occurs.
 """
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
 
+from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.residuals import TrajectoryResiduals
 
 # Panels an arc, one number after another, until the integrals agree with the trajectory to within
@@ -21,21 +22,33 @@ PANELS, INTEGRATED = (12, 48, 192), 1e-11
 
 @dataclass(frozen=True)
 class Certificate:
-    """Residuals of the conditions of the maximum principle, all to be zero (kelley: not positive).
+    """Residuals of the conditions of the maximum principle, all zero for an exact extremal.
 
-    - `dynamics`, `adjoint`: of y' = f and psi' = -dH/dy, jumps at the switchings included
-    - `initial`, `terminal`: of the conditions at both ends, psi_i(0) = 0 for free initial states
-      included
-    - `transversality`: distance of psi(t_k) + lambda_0 grad phi_0 from the normals of the target
-    - `bounds`: the worst violation of the bounds on the controls
-    - `maximum`: the worst lack of H below its maximum over the admissible controls
-    - `drift`: largest minus smallest value of H along the trajectory
-    - `stationarity`: |H| where it is to vanish (free final time), else 0
-    - `end`: |max H| at t_k where it is to vanish: whether the terminal conditions agree with the
-      maximum condition
-    - `multipliers`: by how much lambda_0 >= 0 or (lambda_0, psi) != 0 fails
-    - `kelley`: the largest (-1)^q b on the singular arcs (None if there are none)
-    - `passage`: how far the trajectory passes the target before the end (with first_return), else 0
+    Attributes
+    ----------
+    dynamics, adjoint : float
+        Of y' = f and psi' = -dH/dy, jumps at the switchings included.
+    initial, terminal : float
+        Of the conditions at both ends, psi_i(0) = 0 for free initial states included.
+    transversality : float
+        Distance of psi(t_k) + lambda_0 grad phi_0 from the normals of the target.
+    bounds : float
+        Largest violation of the bounds on the controls.
+    maximum : float
+        Largest amount by which H is below its maximum over the admissible controls.
+    drift : float
+        Largest minus smallest value of H along the trajectory.
+    stationarity : float
+        max |H| where it is to vanish (free final time), else 0.
+    end : float
+        |max H| at t_k where it is to vanish: whether the terminal conditions agree with the maximum
+        condition.
+    multipliers : float
+        By how much lambda_0 >= 0 or (lambda_0, psi) != 0 fails.
+    passage : float
+        How far the trajectory passes the target before the final time (with first_return), else 0.
+    kelley : float or None
+        Largest (-1)^q b on the singular arcs, not positive for a minimum; None without such arcs.
     """
 
     dynamics: float
@@ -53,12 +66,23 @@ class Certificate:
     kelley: float | None
 
     @property
-    def worst(self):
+    def worst(self) -> float:
         """The largest of the residuals (Kelley's sign apart)."""
         return max(getattr(self, f.name) for f in fields(self) if f.name != "kelley")
 
-    def failures(self, tolerance=1e-9):
-        """Names of the conditions that do not hold to within the tolerance."""
+    def failures(self, tolerance: float = 1e-9) -> list[str]:
+        """Return the names of the conditions that do not hold to within a tolerance.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            Largest residual that counts as zero.
+
+        Returns
+        -------
+        list of str
+            Names of attributes, empty if all conditions hold.
+        """
         names = [
             f.name
             for f in fields(self)
@@ -66,8 +90,19 @@ class Certificate:
         ]
         return names + ["kelley"] * (self.kelley is not None and not self.kelley <= tolerance)
 
-    def holds(self, tolerance=1e-9):
-        """Whether all conditions hold to within the tolerance."""
+    def holds(self, tolerance: float = 1e-9) -> bool:
+        """Check whether all conditions hold to within a tolerance.
+
+        Parameters
+        ----------
+        tolerance : float, optional
+            Largest residual that counts as zero.
+
+        Returns
+        -------
+        bool
+            Whether `failures` is empty.
+        """
         return not self.failures(tolerance)
 
     def _repr_markdown_(self):
@@ -92,25 +127,52 @@ class Certificate:
 
 
 def certify(
-    problem,
-    state,
-    costate,
-    control,
-    duration,
-    switching_times=(),
-    multiplier=1.0,
-    arcs=None,
-    points=None,
-):
-    """Residuals of all conditions for a trajectory given as functions: `Certificate`.
+    problem: Statement,
+    state: Callable,
+    costate: Callable,
+    control: Callable,
+    duration: float,
+    switching_times: Sequence[float] = (),
+    multiplier: float = 1.0,
+    arcs: Sequence | None = None,
+    points: int | None = None,
+) -> Certificate:
+    """Return the residuals of all conditions for a trajectory given as functions of time.
 
-    `state`, `costate`, `control`: functions of an array of N times with values (n, N), (n, N), (k,
-    N); `duration` and `switching_times`: where the control jumps or changes its law; `multiplier`:
-    lambda_0. `arcs`: the kinds of the arcs as in `Extremal.arcs`, for Kelley's sign; `points`:
-    panels an arc, with twelve points each (default 12, more where needed). Raises ValueError if
-    parameters have no value, or if the functions do not give arrays of these shapes. Source: (5.4)
-    - (5.7) and Theorem 5.2 of the problem book.
+    Parameters
+    ----------
+    problem : Problem
+        Without parameters.
+    state, costate, control : callable
+        Functions of an array of N times with values of the shapes (n, N), (n, N), (k, N).
+    duration : float
+        The final time t_k.
+    switching_times : list of float, optional
+        Times at which the control jumps or changes its law.
+    multiplier : float, optional
+        lambda_0.
+    arcs : list of str or tuple, optional
+        The kinds of the arcs as in `Extremal.arcs`, for Kelley's sign.
+    points : int, optional
+        Number of panels on an arc, with twelve points each; by default 12, more where needed.
 
+    Returns
+    -------
+    Certificate
+        All residuals, relative.
+
+    Raises
+    ------
+    ValueError
+        If parameters have no value, if switching times are not increasing inside (0, duration), or if
+        the functions do not return arrays of these shapes.
+
+    Notes
+    -----
+    Source: (5.4) - (5.7) and Theorem 5.2 of the problem book.
+
+    Examples
+    --------
     >>> import numpy as np, sympy as sp
     >>> from trajlib.pontryagin import Problem
     >>> x, u = sp.symbols("x u")

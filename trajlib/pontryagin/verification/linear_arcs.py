@@ -1,10 +1,9 @@
-"""The arcs of a linear plant with a quadratic cost, exactly: linear equations for z = (y, psi, 1),
-with lambda_0 = 1.
+"""Exact arcs of a linear plant with a quadratic cost: linear equations for z = (y, psi, 1).
 
-The plant y' = A y + B u + c, the adjoint system and dH/du are affine in (y, psi, u). On an arc
-every control is affine in (y, psi) too, u = U z: a bound; the zero of dH/du (interior); or -a/b
-from the first derivative of dH/du that contains it (singular). So z' = M z, and an arc is a matrix
-exponential. All entries are exact SymPy numbers.
+With lambda_0 = 1 the plant y' = A y + B u + c, the adjoint system and dH/du are affine in
+(y, psi, u). On an arc every control is affine in (y, psi) too, u = U z: a bound; the zero of dH/du
+(interior); or -a/b from the first derivative of dH/du that contains it (singular). So z' = M z, and
+an arc is a matrix exponential. All entries are exact SymPy numbers.
 """
 
 from dataclasses import dataclass
@@ -12,6 +11,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trajlib.pontryagin.problem.derivation import conditions
+from trajlib.pontryagin.problem.statement import Statement
 
 
 class NotLinear(ValueError):
@@ -20,14 +20,19 @@ class NotLinear(ValueError):
 
 @dataclass(frozen=True)
 class LinearArc:
-    """`control`: U (k, N); `rate`: M (N, N); `slopes`: dH/du (k, N), N = 2n + 1, all to be applied
-    to z.
+    """An arc as matrices that act on z, N = 2n + 1.
 
-    `invariants`: {control: rows} that vanish along a singular arc, dH/du and its derivatives of
-    orders 1 to 2q-1.
+    Attributes
+    ----------
+    kinds : tuple of str
+        One for each control.
+    control, rate, slopes : sympy.Matrix
+        U (k, N), M (N, N) and dH/du (k, N).
+    invariants : dict
+        {control: rows} that vanish along a singular arc: dH/du and its derivatives of orders 1 to 2q-1.
     """
 
-    kinds: tuple
+    kinds: tuple[str, ...]
     control: sp.Matrix
     rate: sp.Matrix
     slopes: sp.Matrix
@@ -35,15 +40,19 @@ class LinearArc:
 
 
 class LinearArcs:
-    """`arc(kinds)` for a problem of this form without parameters; the ends of the process as rows
-    for z.
+    """The arcs of a problem of this form, and its end conditions as rows for z.
 
-    - `target`: the terminal equations, `transversality`: products of psi + grad phi_0 with the
-      tangents of the target
-    - `bounds`: [(lower, upper)] of the controls; `size`: N
+    Attributes
+    ----------
+    target, transversality : sympy.Matrix
+        The terminal equations, and products of psi + grad phi_0 with the tangents of the target.
+    bounds : list of tuple
+        (lower, upper) of the controls.
+    size : int
+        N.
     """
 
-    def __init__(self, problem):
+    def __init__(self, problem: Statement):
         self.problem, derived = problem, conditions(problem)
         y, psi, u = list(problem.state), list(derived.costate), list(problem.control)
         self.n, self.size = len(y), 2 * len(y) + 1
@@ -60,7 +69,7 @@ class LinearArcs:
         self._rate, self._gain = rows[: self.size, inside], rows[: self.size, controls]
         self._slope, self._curvature = rows[self.size :, inside], rows[self.size :, controls]
         self._ends(problem, y, psi)
-        self._arcs = {}
+        self._arcs: dict[tuple[str, ...], LinearArc] = {}
 
     def _ends(self, problem, y, psi):
         sign = -1 if problem.maximise else 1
@@ -79,9 +88,8 @@ class LinearArcs:
         ]
         self.transversality = _rows(products, symbols) if products else sp.zeros(0, self.size)
 
-    def arc(self, kinds):
-        """The `LinearArc` of a tuple of kinds. Raises `NotLinear` where the controls are not
-        determined."""
+    def arc(self, kinds: tuple[str, ...]) -> LinearArc:
+        """Return the arc of these kinds. Raises `NotLinear` where the controls are not determined."""
         if kinds not in self._arcs:
             self._arcs[kinds] = self._built(kinds)
         return self._arcs[kinds]
@@ -112,7 +120,7 @@ class LinearArcs:
         )
 
     def _singular(self, j, U):
-        """dH/du with its derivatives that do not contain the control, and the control."""
+        """Return dH/du with its derivatives that do not contain the control, and the control."""
         if any(self._curvature[:, j]):
             raise NotLinear("a singular control occurs in the maximum condition of another one")
         rate, gain = self._rate + self._gain * U, self._gain[:, j]
@@ -125,13 +133,13 @@ class LinearArcs:
         raise NotLinear("no derivative of the switching function contains the singular control")
 
     def hamiltonian(self, arc):
-        """S with H = z^T S z - 1 on an arc, for the least time."""
+        """Return S with H = z^T S z - 1 on an arc, for the least time."""
         S = sp.zeros(self.size, self.size)
         S[self.n : 2 * self.n, :] = arc.rate[: self.n, :]
         return S
 
     def running(self, arc):
-        """P with f_0 = z^T P z on an arc."""
+        """Return P with f_0 = z^T P z on an arc."""
         y, u = list(self.problem.state), list(self.problem.control)
         zero = dict.fromkeys([*y, *u], 0)
         # f_0 = w^T Q w with w = (y, u, 1) = W z.
@@ -152,6 +160,6 @@ class LinearArcs:
 
 
 def _rows(expressions, symbols):
-    """The coefficients of affine expressions, the constants last."""
+    """Return the coefficients of affine expressions, the constants last."""
     matrix, constants = sp.linear_eq_to_matrix(list(expressions), symbols)
     return matrix.row_join(-constants)

@@ -1,5 +1,4 @@
-"""What is known of an extremal beyond the necessary conditions: proved optimal, locally minimal, or
-best of those found.
+"""Sufficient conditions: extremals that are proved optimal, or locally minimal.
 
 Two theorems make the maximum principle sufficient. Both are for linear plants y' = A y + B u + c
 with bounds on the controls and linear terminal equations.
@@ -14,8 +13,8 @@ with bounds on the controls and linear terminal equations.
   process.
 
 A plant that is linear in the cosine and the sine of an angle is linear in a vector of the disc
-(`discs`): an extremal of the problem is one of the problem with discs, and what is optimal there is
-optimal here.
+(`angle_relaxation`): an extremal of the problem is one of the problem with discs, and what is
+optimal there is optimal here.
 """
 
 from dataclasses import dataclass
@@ -23,17 +22,24 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trajlib.pontryagin.problem.angle_relaxation import relax_angles
+from trajlib.pontryagin.problem.statement import Statement
 
 
 @dataclass(frozen=True)
 class Optimality:
-    """What is known of an extremal.
+    """What is known of an extremal beyond the necessary conditions.
 
-    - `kind`: "proved" (no process is better, by a theorem), "locally minimal" (the second variation
-      is positive), "extremal" (the necessary conditions alone)
-    - `reason`: the theorem, or what the second variation says
-    - `starts`: from how many starts the search went; `found`: how many different processes these
-      led to, this the best
+    Attributes
+    ----------
+    kind : str
+        "proved" (no process is better, by a theorem), "locally minimal" (the second variation is
+        positive) or "extremal" (the necessary conditions alone).
+    reason : str
+        The theorem, or the sign of the second variation.
+    starts : int
+        Number of starting guesses of the search.
+    found : int
+        Number of different processes to which they led; this is the best.
     """
 
     kind: str
@@ -42,7 +48,8 @@ class Optimality:
     found: int
 
     @property
-    def proved(self):
+    def proved(self) -> bool:
+        """Whether no process is better, by a theorem."""
         return self.kind == "proved"
 
     def __str__(self):
@@ -56,20 +63,21 @@ class Optimality:
         return f"{self.kind} ({self.reason}), {best}; a better process is not excluded"
 
 
-def sufficiency_theorem(problem):
-    """The theorem under which an extremal of the problem is optimal: (name, needs lambda_0 > 0), or
-    None.
+def sufficiency_theorem(problem: Statement) -> tuple[str, bool] | None:
+    """Return the theorem by which an extremal is optimal: (name, needs lambda_0 > 0), or None.
 
-    `problem`: without parameters. None means that neither theorem applies, not that extremals are
-    not optimal.
+    `problem`: without parameters. None means that neither theorem applies, not that extremals are not
+    optimal.
     """
     blocks = [(i,) for i in range(len(problem.control))]
     return problem.cached("theorem", lambda: _theorem(problem, blocks))
 
 
-def relaxed_sufficiency_theorem(problem):
-    """As `sufficiency_theorem`, for angles as vectors in discs too. A process that is stationary need not be
-    the best one then: a thrust against q is stationary as well; an extremal is.
+def relaxed_sufficiency_theorem(problem: Statement) -> tuple[str, bool] | None:
+    """Return the theorem as `sufficiency_theorem` does, angles being vectors in discs too.
+
+    A stationary process need not be the best one then (a thrust in the opposite direction is stationary
+    as well); an extremal is.
     """
     relaxation = relax_angles(problem)
     return (
@@ -104,9 +112,8 @@ def _theorem(problem, blocks):
     return None
 
 
-def target_can_be_held(problem):
-    """Whether the plant and the target are linear and the target is a point at which the plant can
-    be held."""
+def target_can_be_held(problem: Statement) -> bool:
+    """Check whether the target of a linear plant is a point at which it can be held."""
     y, u = sp.Matrix(problem.state), sp.Matrix(problem.control)
     slopes = sp.Matrix(problem.field).jacobian([*y, *u])
     targets = sp.Matrix(problem.terminal).jacobian(y)
@@ -123,7 +130,7 @@ def _constant(matrix, symbols):
 
 
 def _convex(expression, symbols):
-    """Whether a quadratic function is convex; False for one that is not quadratic."""
+    """Check whether a quadratic function is convex; False for one that is not quadratic."""
     hessian = sp.hessian(expression, symbols)
     if not _constant(hessian, symbols):
         return False
@@ -131,7 +138,7 @@ def _convex(expression, symbols):
 
 
 def _can_be_held(problem, slopes, targets, blocks):
-    """Whether the target is one point, and some admissible control makes it a point of rest."""
+    """Check whether the target is one point, an equilibrium for some admissible control."""
     n = len(problem.state)
     if targets.rows != n or targets.rank() < n:
         return False
@@ -152,7 +159,7 @@ def _can_be_held(problem, slopes, targets, blocks):
 
 
 def _normal(slopes, n, blocks):
-    """Whether every single control, or vector of a disc, controls the plant."""
+    """Check whether every single control, or vector of a disc, controls the plant."""
     A, B = slopes[:, :n], slopes[:, n:]
     return all(
         sp.Matrix.hstack(*(A**i * B[:, list(block)] for i in range(n))).rank() == n

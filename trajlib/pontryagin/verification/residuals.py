@@ -1,7 +1,6 @@
-"""What a trajectory, given as functions of time, says about each condition of the maximum
-principle.
+"""Residuals of a trajectory in each condition of the maximum principle.
 
-Panels and Gauss's formula for the differential equations, direct comparison of H for the maximum
+Panels and Gaussian quadrature for the differential equations, direct comparison of H for the maximum
 condition; SymPy and NumPy only, so that nothing is shared with the numerical solution.
 """
 
@@ -18,8 +17,7 @@ _GAUSS = np.polynomial.legendre.leggauss(12)
 
 
 class TrajectoryResiduals:
-    """The trajectory on its panels: `times` (N,) and the values there, `edges` the ends of the
-    panels."""
+    """A trajectory on its panels: `times` (N,) and the values there, `edges` of the panels."""
 
     def __init__(
         self, problem, state, costate, control, duration, switching_times, multiplier, panels
@@ -82,9 +80,11 @@ class TrajectoryResiduals:
         return self._rates(*y, *psi, *u, self.multiplier)[self._parts[name]]
 
     def hamiltonian(self, y, psi, u):
+        """Return H at points (columns)."""
         return self._hamiltonian(*y, *psi, *u, self.multiplier)[0]
 
     def defects(self):
+        """Return the largest defects of the dynamics and of the adjoint system in integral form."""
         results = []
         for edges, rates in (
             (self.y_edges, self.rates),
@@ -99,6 +99,7 @@ class TrajectoryResiduals:
         return results
 
     def initial(self):
+        """Return the largest error of the initial conditions and of a given duration."""
         fixed = [
             (i, float(v)) for i, v in enumerate(self.problem.initial.values()) if v is not None
         ]
@@ -112,8 +113,7 @@ class TrajectoryResiduals:
 
     @cached_property
     def _end_values(self):
-        """At the end: the terminal equations, the gradient of phi_0, and the gradients of the
-        terminal equations."""
+        """The terminal equations at the end, the gradient of phi_0, and their gradients."""
         problem, state = self.problem, self.problem.state
         expressions = [
             *problem.terminal,
@@ -123,6 +123,7 @@ class TrajectoryResiduals:
         return _function(state, tuple(expressions))(*self.y_edges[:, -1:])[:, 0]
 
     def terminal(self):
+        """Return the largest error of the terminal equations."""
         if not self.problem.terminal:
             return 0.0
         end = self.y_edges[:, -1]
@@ -130,6 +131,7 @@ class TrajectoryResiduals:
         return float(np.max(np.abs(values)) / (1 + np.max(np.abs(end))))
 
     def transversality(self):
+        """Return the distance of psi + lambda_0 grad phi_0 from the normals of the target."""
         problem, m, n = self.problem, len(self.problem.terminal), len(self.problem.state)
         sign = -1 if problem.maximise else 1
         gradient, normals = self._end_values[m : m + n], self._end_values[m + n :].reshape(m, n).T
@@ -139,6 +141,7 @@ class TrajectoryResiduals:
         return float(np.max(np.abs(vector)) / (1 + np.max(np.abs(self.psi_edges))))
 
     def bound_violation(self):
+        """Return the largest violation of the bounds on the controls."""
         worst = 0.0
         for values, (low, high) in zip(self.u, self.problem.controls.values()):
             low, high = float(low), float(high)
@@ -151,7 +154,7 @@ class TrajectoryResiduals:
         return worst
 
     def excess(self):
-        """max H - H at the times (N,), and max H at the final time."""
+        """Return max H - H at the times (N,), and max H at the final time."""
         y = np.column_stack([self.y, self.y_edges[:, -1]])
         psi = np.column_stack([self.psi, self.psi_edges[:, -1]])
         u = np.column_stack([self.u, self.last_control])
@@ -166,6 +169,7 @@ class TrajectoryResiduals:
         return (best - H)[:-1], float(best[-1])
 
     def _improved(self, y, psi, u, best, j):
+        """Maximise H over control j at all points; return the values of H and the controls."""
         low, high = (float(b) for b in self.problem.controls[self.problem.control[j]])
         linear = self.problem.control[j] in self.derived.switching
         candidates = _candidates(u[j], low, high, linear)
@@ -187,8 +191,7 @@ class TrajectoryResiduals:
         return best, u
 
     def passage(self):
-        """How far the single terminal equation changes its sign before the end, relative to its
-        largest value."""
+        """Return how far the terminal equation changes its sign before the end, relatively."""
         if not self.problem.first_return:
             return 0.0
         values = _function(self.problem.state, tuple(self.problem.terminal))(*self.y)[0]
@@ -197,7 +200,7 @@ class TrajectoryResiduals:
         return float(max(np.max(-side * values), 0.0) / largest) if largest > 0 else 0.0
 
     def kelley(self, arcs):
-        """The largest (-1)^q b on the arcs called singular; None without such arcs."""
+        """Return the largest (-1)^q b on the singular arcs; None without such arcs."""
         per_arc = len(self.times) // self.arc_count
         worst = None
         for index, kind in enumerate(arcs or []):
@@ -224,8 +227,7 @@ class TrajectoryResiduals:
 
 
 def _candidates(u, low, high, linear):
-    """Other values for one control at all times: its bounds, and a grid where H is not linear in
-    it."""
+    """Return other values for one control: its bounds, and a grid where H is not linear in it."""
     candidates = [bound for bound in (low, high) if np.isfinite(bound)]
     if linear:
         # Without a bound on some side, H grows beyond every limit unless its slope is zero.
@@ -239,6 +241,7 @@ def _candidates(u, low, high, linear):
 
 
 def _values(function, times, rows, name):
+    """Evaluate a function at the times. Raises ValueError if the shape is wrong."""
     values = np.asarray(function(times), dtype=float)
     if values.shape != (rows, len(times)):
         raise ValueError(
@@ -250,7 +253,7 @@ def _values(function, times, rows, name):
 
 @lru_cache(maxsize=64)
 def _function(symbols, expressions):
-    """A NumPy function of arrays: one row for each expression (tuples of them)."""
+    """Return a NumPy function of arrays with one row for each expression."""
     # The module itself, not its name, for which SymPy would import all that NumPy has, which takes
     # half a second.
     raw = sp.lambdify(list(symbols), list(expressions), [np], cse=True)

@@ -1,15 +1,15 @@
 """The second variation: whether the cost can fall although all first-order conditions hold.
 
 On an extremal the change of the cost is of second order in the admissible variations: controls
-inside their bounds, moments of jumps between the bounds, a free final time, free initial states.
-With the controls constant on N intervals x_{k+1} = F(x_k, u_k, h_k), this is the quadratic form of
-the Lagrange function
+inside their bounds, times of jumps between the bounds, a free final time, free initial states. With
+the controls constant on N intervals x_{k+1} = F(x_k, u_k, h_k), this is the quadratic form of the
+Lagrange function
 
     lambda_0 (phi_0(x_N) + sum c(x_k, u_k, h_k)) + nu^T phi(x_N) - sum psi_{k+1}^T (F(x_k, u_k, h_k) - x_{k+1})
 
 on the variations that stay on the target to first order, dx_{k+1} = F_x dx_k + F_u du_k + F_h dh_k,
 d phi = 0. A negative eigenvalue is a direction in which the cost falls: the process is a saddle or
-a maximum. Positive eigenvalues are what a minimum needs: no conjugate point (interior arcs),
+a maximum. Positive eigenvalues are necessary for a minimum: no conjugate point (interior arcs),
 Kelley's sign (singular arcs), a minimum over the switching times (bang arcs). The eigenvalues refer
 to the mean square of du over time.
 """
@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 import casadi as ca
 import numpy as np
 
-from trajlib.pontryagin.problem.numeric import runge_kutta
+from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 
 # Into how many intervals an extremal is cut.
 INTERVALS = 80
@@ -31,11 +31,22 @@ ABNORMAL = 1e7
 
 @dataclass(frozen=True)
 class Process:
-    """A process on N intervals: what varies, and the multipliers.
+    """A process on N intervals: its values, the quantities that vary, and the multipliers.
 
-    `states`, `costates` (N+1, n); `controls` (N, k), `free` (N, k) where they vary; `widths` (N,)
-    of the intervals; `shifts` (N, s): derivatives of the widths by the s moments that vary;
-    `terminal_multipliers` (m,) of the target.
+    Attributes
+    ----------
+    states, costates : ndarray, shape (N+1, n)
+        At the ends of the intervals.
+    controls, free : ndarray, shape (N, k)
+        The controls, and whether they vary.
+    widths : ndarray, shape (N,)
+        Of the intervals.
+    shifts : ndarray, shape (N, s)
+        Derivatives of the widths by the s times that vary.
+    multiplier : float
+        lambda_0.
+    terminal_multipliers : ndarray, shape (m,)
+        Of the target.
     """
 
     states: np.ndarray
@@ -50,28 +61,32 @@ class Process:
 
 @dataclass(frozen=True)
 class SecondVariation:
-    """The least eigenvalue, the largest absolute value of all, and the changes of (x, u, widths)
-    along the least one.
+    """The least eigenvalue of the second variation, with its eigenvector.
 
-    Without anything that varies both are infinite: nothing can get better to second order.
+    Attributes
+    ----------
+    least, largest : float
+        The least eigenvalue and the largest absolute value of all; both infinite if nothing varies.
+    states, controls, widths : ndarray or None
+        Changes of (x, u, widths) along the least eigenvector.
     """
 
     least: float
     largest: float
-    states: np.ndarray = None
-    controls: np.ndarray = None
-    widths: np.ndarray = None
+    states: np.ndarray | None = None
+    controls: np.ndarray | None = None
+    widths: np.ndarray | None = None
 
     @property
-    def sign(self):
+    def sign(self) -> int:
         """1: positive on all variations; -1: negative on some; 0: not decided."""
         if self.least == np.inf:
             return 1
         return int(np.sign(self.least)) if abs(self.least) > ROUNDING * self.largest else 0
 
 
-def second_variation(numeric, process):
-    """`SecondVariation` of a process."""
+def second_variation(numeric: NumericProblem, process: Process) -> SecondVariation:
+    """Return the second variation of a process."""
     n, k, N = numeric.n, numeric.k, len(process.widths)
     slopes, curvatures = _intervals(numeric)(
         process.states[:-1].T,
@@ -111,14 +126,15 @@ def second_variation(numeric, process):
     )
 
 
-def extremal_second_variation(numeric, extremal, duration):
-    """`SecondVariation` of an extremal; `duration`: None if it is free. A least eigenvalue that
-    tends to zero counts as zero.
+def extremal_second_variation(
+    numeric: NumericProblem, extremal, duration: float | None
+) -> SecondVariation:
+    """Return the second variation of an extremal; `duration` is None if it is free.
 
-    Constant controls on N intervals shift eigenvalues by a multiple of 1/N^2, so that zero (a
-    family of equally good processes, an inflection) shows as a small number of either sign: the
-    value is extrapolated from N and 2N. On a singular arc the eigenvalues themselves fall like
-    1/N^2, and their sign is what counts.
+    Constant controls on N intervals shift eigenvalues by a multiple of 1/N^2, so that zero (a family of
+    equally good processes, an inflection) shows as a small number of either sign: the value is
+    extrapolated from N and 2N, and a least eigenvalue that tends to zero is set to zero. On a singular
+    arc the eigenvalues themselves fall like 1/N^2, and their sign decides.
     """
     variation = second_variation(numeric, process_of_extremal(numeric, extremal, duration))
     singular = any(
@@ -134,8 +150,9 @@ def extremal_second_variation(numeric, extremal, duration):
 
 
 def _varied(numeric, process):
-    """(derivatives of (u_k, h_k) by the variables, (N, k+1, V); weights (V,)): free initial states,
-    moments, controls.
+    """Return derivatives of (u_k, h_k) by the variables, (N, k+1, V), and weights, (V,).
+
+    The variables are the free initial states, the times and the controls.
     """
     N, k = process.free.shape
     first = int(np.isnan(numeric.start).sum())
@@ -149,13 +166,15 @@ def _varied(numeric, process):
 
 
 def _null_space(matrix):
+    """Return an orthonormal basis of the null space in columns."""
     _, sizes, directions = np.linalg.svd(matrix)
     return directions[np.count_nonzero(sizes > 1e-10 * max(sizes[0], 1e-300)) :].T
 
 
 def _intervals(numeric):
-    """(x, u, h, psi at the end, lambda_0), columns for the intervals -> F' and the second
-    derivatives of the summand.
+    """Return a function with F' and the second derivatives of the summand of each interval.
+
+    Its arguments are (x, u, h, psi at the end, lambda_0), a column for each interval.
     """
 
     def build():
@@ -176,6 +195,8 @@ def _intervals(numeric):
 
 
 def _end(numeric):
+    """Return a function with the Hessian at the end and the Jacobian of the target."""
+
     def build():
         nu = ca.SX.sym("nu", numeric.m)
         value = numeric.multiplier * numeric.final + (
@@ -192,8 +213,7 @@ def _end(numeric):
 
 
 def process_of_solution(numeric, solution, terminal_multipliers):
-    """The `Process` of a discrete picture on equal intervals: free are the controls inside their
-    bounds."""
+    """Return the process of a discrete solution; controls inside their bounds are free."""
     width = np.where(np.isfinite(numeric.upper - numeric.lower), numeric.upper - numeric.lower, 1.0)
     inside = (solution.controls > numeric.lower + 1e-4 * width) & (
         solution.controls < numeric.upper - 1e-4 * width
@@ -212,11 +232,13 @@ def process_of_solution(numeric, solution, terminal_multipliers):
     )
 
 
-def process_of_extremal(numeric, extremal, duration, intervals=INTERVALS):
-    """The `Process` of an extremal, the arcs being cut into intervals.
+def process_of_extremal(
+    numeric: NumericProblem, extremal, duration: float | None, intervals: int = INTERVALS
+) -> Process:
+    """Return the process of an extremal, its arcs being cut into intervals.
 
-    `duration`: None if it is free. What varies are the controls on interior and singular arcs, the
-    moments of jumps from bound to bound, and a free duration, which moves the end of the last arc.
+    `duration`: None if it is free. The controls on interior and singular arcs vary, the times of jumps
+    from bound to bound, and a free duration, which moves the end of the last arc.
     """
     k = numeric.k
     arcs = [
@@ -228,13 +250,18 @@ def process_of_extremal(numeric, extremal, duration, intervals=INTERVALS):
         for _, begin, end in arcs
     ]
     bounds = {"u-": numeric.lower, "u+": numeric.upper}
-    widths, free, ends, offsets = [], [], [0.0], np.cumsum([0, *counts])
-    for (kinds, begin, end), count in zip(arcs, counts):
-        widths += [(end - begin) / count] * count
-        ends += list(begin + (end - begin) * np.arange(1, count + 1) / count)
-        free += [[kind in ("interior", "singular") for kind in kinds]] * count
-    ends, widths, free = np.array(ends), np.array(widths), np.array(free)
-    # The moments that vary, each with the arcs before and after it (none after the end).
+    offsets = np.cumsum([0, *counts])
+    parts = [
+        begin + (end - begin) * np.arange(1, count + 1) / count
+        for (_, begin, end), count in zip(arcs, counts)
+    ]
+    ends = np.concatenate([[0.0], *parts])
+    widths = np.repeat(
+        [(end - begin) / count for (_, begin, end), count in zip(arcs, counts)], counts
+    )
+    inside = [[kind in ("interior", "singular") for kind in kinds] for kinds, _, _ in arcs]
+    free = np.repeat(inside, counts, axis=0)
+    # The times that vary, each with the arcs before and after it (none after the end).
     instants = [
         index
         for index in range(len(arcs) - 1)
