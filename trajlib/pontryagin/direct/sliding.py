@@ -106,7 +106,7 @@ def refuse_sliding(numeric, solution, relaxed, sequential):
         f"control, and the cost falls with ever faster switching, as between {values[0]} and "
         f"{values[1]} at t = {relaxed.times[middle]:.3g}. The infimum is about "
         f"{sign * relaxed.cost:.3g}, that of the relaxed problem y' = a f(y, u) + (1 - a) f(y, v), "
-        "0 <= a <= 1 (a discrete picture; the best ordinary one found has "
+        "0 <= a <= 1 (a discrete solution; the best ordinary one found has "
         f"{sign * solution.cost:.3g}). State that problem, or give each change of the control a "
         "cost."
     )

@@ -153,7 +153,7 @@ def _solved(problem, structure, guess):
         raise NotUnique(
             f"{open_control}. So many controls may be equally good, as where several motions must "
             "end at one moment and only the slowest sets it; one of them has a cost of about "
-            f"{cost:.6g} (a discrete picture). To single one out, give a structure, or the control "
+            f"{cost:.6g} (a discrete solution). To single one out, give a structure, or the control "
             "a small cost."
         )
     raise WrongStructure(
