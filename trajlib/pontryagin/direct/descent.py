@@ -15,7 +15,7 @@ from trajlib.pontryagin.verification.second_variation import (
     second_variation,
 )
 
-# What needles have to lower a cost by, as a share of it, to be tried.
+# Decrease of the cost by needle variations, as a share of it, from which on they are tried.
 NEEDLES = 1e-3
 
 

@@ -14,11 +14,10 @@ from trajlib.pontryagin.direct.transcription import (
 from trajlib.pontryagin.problem.errors import NotUnique, Unbounded
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
-# What a cost has to fall by, as a share of it, when the duration is doubled: more than a discrete
-# solution is wrong by.
+# Decrease of the cost, as a share of it, that is more than the error of a discrete solution.
 FALLS = 1e-3
-# A free duration that changes by a smaller share from few intervals to many is one of the problem,
-# not of its steps.
+# A free duration that changes by a smaller share from few intervals to many is not an effect of the
+# steps.
 SETTLED = 0.05
 
 

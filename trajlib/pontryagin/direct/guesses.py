@@ -27,7 +27,7 @@ def starting_guesses(numeric, intervals, side=None):
     start, end = np.nan_to_num(numeric.start), _nearest_target_point(numeric)
     line = start + np.linspace(0, 1, intervals + 1)[:, None] * (end - start)
     middle = np.tile(numeric.middle(), (intervals, 1))
-    # Without a target the line is the start, and no way.
+    # Without a target the line would be one point.
     for duration in (
         [1.0, 5.0]
         if numeric.duration is None
@@ -133,7 +133,7 @@ def _drift_guess(numeric, u, intervals, side):
     )
     states = np.vstack([np.nan_to_num(numeric.start), path.full().T])
     times = np.linspace(0, horizon, 401)
-    # What runs away leaves the floating-point numbers: keep what comes before.
+    # Diverging trajectories leave the range of floating-point numbers: keep the part before.
     ok = np.all(np.abs(np.nan_to_num(states, nan=np.inf)) < 1e6, axis=1)
     states = states[: np.argmin(ok)] if not ok.all() else states
     if len(states) < 5 or (numeric.duration and len(states) < len(times)):

@@ -18,7 +18,7 @@ import sympy as sp
 from trajlib.pontryagin.problem.errors import Infeasible
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
-# What counts as beyond, relative to the size of the values.
+# Margin by which a value counts as beyond a bound, relative to the size of the values.
 MARGIN = 1e-9
 
 
@@ -85,7 +85,7 @@ def _refuse_unmoved(numeric):
         row, required = (q.T * G), float((q.T * d)[0])
         p = np.array(row.evalf(), dtype=float).ravel()
         if duration is None:
-            # At any time: only what the free motion does not change either.
+            # At any time: only quantities that the free motion does not change either.
             rates = [np.linalg.matrix_power(A, k) @ (A @ numeric.start + c) for k in range(n)]
             if any(
                 abs(p @ rate) > MARGIN * np.abs(p).max() * (1 + np.abs(rate).max())

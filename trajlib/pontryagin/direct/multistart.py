@@ -25,13 +25,13 @@ from trajlib.pontryagin.problem.errors import Infeasible, NotConverged, Unbounde
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.verification.optimality import sufficiency_theorem, target_can_be_held
 
-# Where several starts are compared, they are on fewer intervals; those within this share of the
-# best cost are refined.
+# Several guesses are compared on fewer intervals; solutions within this share of the best cost are
+# refined.
 COARSE, CLOSE = 30, 0.05
-# Iterations on many intervals from a solution on few, at most; how many starts of several kinds
-# have to lead to one process to be enough.
+# Most iterations on many intervals from a solution on few; how many guesses of several kinds in a
+# row have to lead to one process to be enough.
 REFINING, AGREEING = 80, 3
-# How often swings are tried anew in the duration of the best process found.
+# How often oscillations are tried again in the duration of the best process found.
 OSCILLATIONS = 4
 
 
@@ -106,7 +106,7 @@ class _Multistart:
         """Return the first solution, from the guess or from the likeliest guesses, in a list."""
         numeric = self.numeric
         programme = Transcription(numeric, INTERVALS, self.structure, side)
-        # A point is hard to hit by chance: begin with some way to it.
+        # A point is hardly reached by chance: begin with some process that reaches it.
         ladder_first = guess is None and numeric.duration is None and numeric.m > 1
         for attempt in ("ladder", "guesses") if ladder_first else ("guesses", "ladder"):
             if attempt == "guesses":
@@ -151,7 +151,7 @@ class _Multistart:
                 solutions and solution.cost > solutions[0].cost + CLOSE * abs(solutions[0].cost)
             ):
                 break
-            # Where IPOPT does not come to an end on many intervals, the picture on few has to do.
+            # Where IPOPT does not converge on many intervals, the solution on few is used.
             if len(solution.controls) == INTERVALS:
                 solutions.append(solution)
                 continue
@@ -175,7 +175,7 @@ class _Multistart:
         )
         for process in self.process_to_target(side) if ladder else []:
             yield process
-            # The others may have failed for want of time.
+            # The other guesses may have failed because their durations were too short.
             for share in (0.7, 0.5, 0.35):
                 yield from oscillating_guesses(self.numeric, COARSE, share * process[0])
 
@@ -224,7 +224,7 @@ class _Multistart:
         def reached(duration):
             if numeric.duration is None and not numeric.shortest <= duration <= numeric.longest:
                 return False
-            # Zero control is stationary where the plant has no drift: begin with a motion as well.
+            # Zero control is stationary where the plant has no drift: try an oscillation as well.
             start = (duration, states, controls)
             for guess in [start, *oscillating_guesses(numeric, INTERVALS // 3, duration)[:1]]:
                 result = programme.solve(guess, duration)
@@ -247,8 +247,8 @@ class _Multistart:
                     break
         else:
             ladder = (2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 0.25, 128.0, 256.0, 512.0)
-            # The longest time allowed is the one in which a point that can be held is reached, if
-            # it is reached at all.
+            # A point that can be held is reached in the longest time allowed, if it is reached at
+            # all.
             ladder += (numeric.longest,) * numeric.time_bounds_given
             duration = next((d for d in ladder if reached(d)), None)
             if duration is not None and duration > 2:

@@ -19,8 +19,8 @@ from trajlib.pontryagin.direct.transcription import DirectSolution, Transcriptio
 from trajlib.pontryagin.problem.errors import Unbounded
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
-# What relaxing has to gain, as a share of the cost, and on which share of the intervals both values
-# are to be used.
+# Gain of the relaxed problem, as a share of the cost, and share of the intervals on which both
+# values are used, from which on it counts.
 GAIN, USED = 1e-3, 0.1
 
 
@@ -48,8 +48,7 @@ def relaxed_solution(numeric, solution, side):
             running=mixed(problem.running),
         )
     )
-    # From next to the picture, or from one that swings as it does, the search would fall back to
-    # it.
+    # From guesses near the solution, or oscillating as it does, the search would return to it.
     width = np.where(
         np.isfinite(numeric.upper - numeric.lower),
         numeric.upper - numeric.lower,

@@ -215,7 +215,7 @@ class Transcription:
             [[0.0], np.cumsum(np.repeat(lengths / self.intervals_per_arc, self.intervals_per_arc))]
         )
         controls, angles = z[n * (N + 1) : n * (N + 1) + k * N].reshape(N, k), self.numeric.angles
-        # IPOPT may turn an angle round many times.
+        # IPOPT may add whole turns to an angle.
         controls[:, angles] = np.unwrap(
             np.mod(controls[:, angles] + np.pi, 2 * np.pi) - np.pi, axis=0
         )

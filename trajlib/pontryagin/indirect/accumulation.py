@@ -13,10 +13,10 @@ import numpy as np
 
 from trajlib.pontryagin.indirect.flow import extrapolated_midpoint
 
-# Steps of the integrator an arc, most arcs, and the relative change of the cost at which more arcs
-# change nothing.
+# Steps of the integrator on an arc, largest number of arcs, and relative change of the cost below
+# which more arcs change nothing.
 STEPS, MAX_ARCS, SETTLED = 12, 9, 1e-13
-# The factor by which a first further arc is taken to be shorter.
+# The factor by which a further arc is guessed to be shorter than the one before.
 SHORTER = 4.0
 
 
@@ -90,7 +90,7 @@ def _limit(numeric, processes):
         np.sqrt(arc_lengths[1:-2] / arc_lengths[3:]) for arc_lengths in (shorter, lengths)
     )
     truncation = np.abs(ratios[:-1] - old)
-    # The ratio itself may still change from arc to arc, beyond what comes from breaking off.
+    # The ratio itself may still change from arc to arc, beyond the error of truncation.
     changing = np.abs(np.diff(ratios)) - np.append(truncation[1:], np.inf)
     errors = np.maximum(truncation, changing)
     best = int(np.argmin(errors))
@@ -138,7 +138,8 @@ def _best_process(numeric, first, guess, rest, duration):
         ubg=np.append(np.zeros(numeric.m), np.inf if duration is None else duration),
     )
     result_lengths = result["x"].full().ravel()
-    # IPOPT may stop for want of digits: what counts is that the process ends on the target.
+    # IPOPT may stop at the limit of its accuracy: the test is whether the process ends on the
+    # target.
     target_error = float(ca.norm_inf(result["g"][:-1])) if numeric.m else 0.0
     if target_error > 1e-9 or not np.all(result_lengths > 0):
         return None

@@ -125,7 +125,7 @@ def _bands(extremal, ax):
         ax.axvspan(begin, end, color=_BAND[first], alpha=0.16 if index % 2 else 0.10, linewidth=0)
         kinds = [kind] if isinstance(kind, str) else kind
         text = ", ".join(_NAME.get(k, k) for k in kinds)
-        # A name is written where its band has room for it.
+        # Names are written where their bands have room for them.
         if end - begin > (0.03 + 0.02 * len("".join(k[:8] for k in kinds))) * extremal.duration:
             ax.text(
                 (begin + end) / 2,
@@ -143,7 +143,7 @@ def _new_axes(count):
     import matplotlib.pyplot as plt
 
     with plotting.style():
-        # Four in a square; three courses in time below one another.
+        # Four in a square; three time plots below one another.
         rows, columns = (2, 2) if count == 4 else (count, 1)
         _figure, axes = plt.subplots(
             rows,

@@ -212,8 +212,8 @@ def extrapolated_midpoint(rate, start, h):
     """
     slope, result = rate(start), start
     for m in _SUBSTEPS:
-        # Increments instead of values: the weights add up to one, and rounding errors stay those of
-        # the increments.
+        # Increments are extrapolated instead of values: the weights add up to one, and rounding
+        # errors are those of the increments.
         previous, current = 0 * start, h / m * slope
         for _ in range(m - 1):
             previous, current = current, previous + 2 * h / m * rate(start + current)
@@ -234,8 +234,8 @@ def singular_control(numeric, i, control, kinds):
             f"a singular arc of {numeric.problem.control[i]}, in which H is not linear"
         )
     motion = ca.vertcat(numeric.field, numeric.adjoint)
-    # numeric.u[i] stays; bounds are constants of the arc. A control that moves along the arc must
-    # not act here.
+    # numeric.u[i] remains a symbol; bounds are constants of the arc. A control that moves along the
+    # arc must not act here.
     bounded = [j for j in range(numeric.k) if j != i and kinds[j] in ("u-", "u+")]
     moving = [numeric.u[j] for j in range(numeric.k) if j != i and j not in bounded]
     fixed = ca.vertcat(*(numeric.u[j] for j in bounded)), ca.vertcat(*(control[j] for j in bounded))

@@ -4,8 +4,8 @@ import numpy as np
 
 from trajlib.pontryagin.problem.arcs import Arc, arc_name
 
-# Where the maximum condition is looked at on a segment: densely at its ends, where a short arc may
-# be missing.
+# Where the maximum condition is tested on a segment: densely at its ends, where a short arc may be
+# missing.
 FRACTIONS = np.concatenate(
     [
         [1e-5, 1e-4, 1e-3],

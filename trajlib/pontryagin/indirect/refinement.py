@@ -24,16 +24,18 @@ from trajlib.pontryagin.problem.numeric import NumericProblem
 ACCEPTED = 1e-10
 # Change of an arc's end when its steps are halved, at which the steps are short enough.
 INTEGRATED = 2e-13
-# The same for the steps to begin with.
+# The same for the first steps.
 ROUGH = 1e-3
 # How far Newton's last step may move the ends of the arcs, relative to the duration.
 DETERMINED = 1e-8
 SAMPLES = 32
-# Share of the duration below which an interior arc is a swing of the control from bound to bound.
+# Share of the duration below which an interior arc is a rapid change of the control from bound to
+# bound.
 SWEEP = 1e-2
-# Steps of the integrator on one arc, at most.
+# Largest number of steps of the integrator on one arc.
 MAX_STEPS = 1024
-# Segments of one arc, at most, and the growth of errors on one of them with which no digit is left.
+# Largest number of segments of one arc, and growth of errors on one of them beyond which no digit
+# is left.
 MAX_SEGMENTS, MAX_GROWTH = 48, 1e20
 
 
@@ -166,8 +168,8 @@ def _starting_values(numeric, solution, arcs, flows):
                 and length < SWEEP * solution.duration
                 and "interior" in flow.kinds
             ):
-                # No error grows so fast: the control has swept to its bound and beyond, where H is
-                # not concave.
+                # No error grows so fast: the control has passed its bound, beyond which H is not
+                # concave.
                 length *= _swept(numeric, flow, points[0], 1 / scale, length)
                 growth = _growth(flow, points[:1], 1 / scale, length)
             if growth <= CANCELLING or pieces >= MAX_SEGMENTS:
@@ -212,8 +214,8 @@ def _point(numeric, solution, flow, begin, length, scale):
     """
     middles = (solution.times[:-1] + solution.times[1:]) / 2
     x = [np.interp(begin, solution.times, column) for column in solution.states.T]
-    # The multipliers of the ends of the intervals: the first is not reliable where the start is
-    # fixed.
+    # Costates belong to the ends of the intervals: the first is not reliable where the initial
+    # state is fixed.
     psi = [np.interp(begin, solution.times, column) / scale for column in solution.costates.T]
     w = [
         axis_of(solution.controls[:, j])
@@ -262,7 +264,7 @@ def _solved(numeric, shot, duration, abnormal):
         if steps == shot.steps or not np.isfinite(residual):
             break
         shot.steps = steps
-        # What finer steps do not mend is no error of the steps.
+        # A residual that finer steps do not reduce is not an error of the steps.
         if shot.residual > max(ACCEPTED, min(1e-3, before / 2)):
             break
         before = shot.residual

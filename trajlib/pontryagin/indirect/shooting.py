@@ -26,14 +26,14 @@ from trajlib.pontryagin.indirect.flow import ArcFlow
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
-# Size of cancelling terms up to which residuals are judged against them: what may grow along a
+# Size of cancelling terms up to which residuals are relative to them: the growth allowed on a
 # segment.
 CANCELLING = 1e3
 # Share of the largest singular value of the Jacobian below which directions are left out where
 # steps get short.
 RANK = 1e-8
-# Newton's method is given up where the residual has not fallen to this share of itself within so
-# many steps.
+# Newton's method stops where the residual has not fallen to this share of itself within so many
+# steps.
 STAGNATION, PATIENCE = 0.9, 10
 
 

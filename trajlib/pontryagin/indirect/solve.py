@@ -202,7 +202,7 @@ def _certified_extremal(problem, numeric, solution, side, search_result, flow_ca
             if extremal.optimality.proved or not extremal.normal or extremal._variation.sign > 0:
                 return extremal
             if extremal._variation.sign == 0:
-                # More time may change nothing to second order because it costs nothing more at all.
+                # More time may change nothing to second order because it costs nothing at all.
                 if duration is None:
                     refuse_unbounded_duration(numeric, solution, side)
                 return extremal

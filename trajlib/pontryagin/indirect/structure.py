@@ -8,11 +8,10 @@ from trajlib.pontryagin.direct.transcription import DirectSolution
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, KINDS, Arc
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
-# The share of the distance between its bounds up to which a control counts as being at one of them,
-# and the same where only the bound itself does: what IPOPT leaves at a bound that presses.
+# Share of the distance between the bounds up to which a control counts as being at one of them, and
+# the same for the bound alone: the distance that IPOPT leaves at an active bound.
 NEAR, AT = 1e-3, 1e-6
-# The sine of the angle to a line, and the share of the intervals, up to which an angle keeps to
-# that line.
+# Sine of the angle to an axis, and share of the intervals, up to which an angle stays on that axis.
 OFF_AXIS = 0.1
 
 
@@ -94,7 +93,8 @@ def _runs(numeric, solution, i, labels):
     """Return [(kind, begin, end)] in units of the intervals."""
     runs = _run_lengths(labels)
     between = "singular" if numeric.affine[i] else "interior"
-    # Where H is concave in the control, it goes through from bound to bound; elsewhere it jumps.
+    # Where H is concave in the control, it moves continuously from bound to bound; elsewhere it
+    # jumps.
     bounded = np.isfinite([numeric.lower[i], numeric.upper[i]]).all()
     if numeric.affine[i]:
         runs = _without_ringing(runs)
@@ -116,7 +116,7 @@ def _runs(numeric, solution, i, labels):
                 solution.controls[interval],
             )
         ):
-            # A switching inside the interval: where it is, the mean control tells.
+            # A switching inside the interval, located by the mean control.
             result, runs = _split(numeric, solution, i, result, runs, index)
             continue
         result.append((between, float(begin), float(end)))

@@ -54,7 +54,7 @@ def read_plant(problem: Statement) -> list[ControlTerm]:
             "that it is no feedback in the plane of the states; leave the duration free, or use "
             "solve() for the process from one start"
         )
-    # The start is not used, so that its parameters need no values.
+    # The initial state is not used, so that its parameters need no values.
     bounds = [b for pair in problem.controls.values() for b in pair]
     used = set().union(
         *(

@@ -6,7 +6,7 @@ import sympy as sp
 
 def array_function(arguments, expressions):
     """Return a NumPy function with values of shape (len(expressions), N), also for constants."""
-    # The module itself, not its name, for which SymPy would import all that NumPy has, which takes
+    # The module itself, not its name, for which SymPy would import all names of NumPy, which takes
     # half a second.
     raw = sp.lambdify(list(arguments), list(expressions), [np], cse=True)
 

@@ -5,7 +5,8 @@ import numpy as np
 from trajlib.pontryagin.planar_synthesis.curves import Curve, consecutive_runs, in_window
 from trajlib.pontryagin.planar_synthesis.value_function import GRID
 
-#: Jumps of the least cost below so many steps of the grid are not told from a steep rise.
+#: Jumps of the least cost below so many steps of the grid cannot be distinguished from a steep
+#: rise.
 SMALLEST_JUMP = 2
 
 
@@ -69,8 +70,8 @@ def _border(value_function, trace, on_border, *sides):
     controls = tuple(_one_or_all(fan.plant.control(fan.motion[k, :, j].T, fan.mode[k, j])))
     if last < 6:
         return Curve(x.T, tau, 0.0, kind, optimal=False, arrives=False, controls=controls)
-    # Next to the target one side may lie behind it; the jump is read off further away, where one
-    # point alone is no jump.
+    # Next to the target one side may lie behind it; the jump is measured further away, where a
+    # single point is no jump.
     inner = slice(2, last)
     far_left, far_right, left, right = (
         np.where(np.isfinite(side), side, np.nan)[inner] for side in sides

@@ -130,7 +130,7 @@ class ControlTerm:
                     extended_field.jacobian(x) * field[:2, :]
                     - field.jacobian(x) * extended_field[:2, :]
                 )
-                # Without any running cost H says psi^T f = 0, and its third row is zero.
+                # Without running cost H = 0 means psi^T f = 0, and its third row is zero.
                 rows = (
                     (extended_field, bracket)
                     if field[2] == shift == 0

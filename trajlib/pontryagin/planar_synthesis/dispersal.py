@@ -9,7 +9,7 @@ from trajlib.pontryagin.planar_synthesis.value_function import GRID
 GAIN = 1e-4
 #: Interpolated costs may be wrong by less than this share of a step.
 INTERPOLATED = 0.25
-#: Two extremals meet at most so many steps before one is seen to be better.
+#: Largest number of steps between the meeting of two extremals and the step at which one is better.
 BEFORE = 12
 #: Parameters this close, in shares of their range, belong to one extremal.
 SAME = 1e-7
@@ -35,7 +35,7 @@ def find_overtakings(fan, value_function):
             continue
         which, begin = overtaken[members], fan.times[first[members]]
         tau, partner = np.full(members.size, np.inf), np.full(members.size, np.nan)
-        # The place where they meet may lie before the last switching of either.
+        # The point where they meet may lie before the last switching of either.
         for back, back2 in ((0, 0), (1, 0), (0, 1), (1, 1)):
             sequence, sequence2 = (
                 _shortened(sequences, fan.sequence[first[members], which], back),
@@ -134,7 +134,7 @@ def _overtaken(fan, value_function):
     which = np.flatnonzero(high > 0)
     high = high[which]
     better, is_better = _better(fan, value_function, which, high)
-    # Interpolated costs can err: then the last step tells.
+    # Interpolated costs may be wrong: then test the last step.
     again = np.flatnonzero(~is_better & (high < last[which]))
     high[again] = last[which[again]]
     best, is_better[again] = _better(fan, value_function, which[again], high[again])
@@ -165,7 +165,7 @@ def _better(fan, value_function, which, step):
     x, cost = fan.path[step, :, which].T, fan.value[step, which]
     best = value_function.by_newton(x)
     is_better = best.cost < cost - GAIN * value_function.step_cost
-    # Where Newton's method fails (next to a fold of a family) interpolated costs have to do.
+    # Where Newton's method fails (next to a fold of a family) interpolated costs are used.
     missing = np.flatnonzero(~np.isfinite(best.cost))
     is_better[missing] = (
         value_function.interpolated(x[:, missing])[0]

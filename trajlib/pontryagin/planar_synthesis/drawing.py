@@ -35,8 +35,8 @@ def draw(synthesis, ax=None, isochrones=(), extremals=24):
     return ax
 
 
-#: How the regions of a mode look: colour, its strength, hatching, its colour. The last of two is
-#: u_+, as ever.
+#: Looks of the regions of a mode: colour, its strength, hatching, its colour. The last of two is
+#: u_+, as everywhere.
 LOOKS = (
     (GREY, 0.0, None, GREY),
     (SKY, 0.3, "///", "#9CCBE6"),

@@ -13,8 +13,8 @@ import numpy as np
 from trajlib.pontryagin.planar_synthesis.integration import steps_needed
 from trajlib.pontryagin.planar_synthesis.plant import HELD, ROWS
 
-#: For so many steps an extremal that has met the target again is followed further, for neighbours
-#: that live longer: the cells between them have to reach as far as these.
+#: For so many steps an extremal that has met the target again is continued, for neighbours that end
+#: later: the cells between them have to reach as far as these.
 BEYOND = 4
 #: Rows of `Fan.switchings` before the modes and velocities: index, tau, x1, x2.
 POSITION_ROWS = 4

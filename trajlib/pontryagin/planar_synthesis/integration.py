@@ -4,8 +4,8 @@ import numpy as np
 
 #: Numbers of substeps of the extrapolated midpoint rule.
 SUBSTEPS = (2, 4, 6, 8)
-#: Norm of matrix and time up to which the terms of a matrix series have few digits to lose to each
-#: other.
+#: Norm of matrix times time up to which the terms of the exponential series lose few digits by
+#: cancellation.
 SERIES_NORM = 3.0
 
 

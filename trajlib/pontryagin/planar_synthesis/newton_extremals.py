@@ -34,7 +34,7 @@ def newton_extremals(fan, x, s, tau, sequence, rounds=20):
         miss = x[:, active] - current[:2]
         error = np.hypot(*miss)
         done = error < 1e-11 * size
-        # The structure must be real: the last arc has a positive length, and the control maximises
+        # The sequence must occur: the last arc has a positive length, and the control maximises H
         # on it.
         consistent = (tau[active] >= start[:n] - 1e-9) & plant.maximises(
             current, last[active], 1e-9
@@ -46,7 +46,7 @@ def newton_extremals(fan, x, s, tau, sequence, rounds=20):
         )
         mode[settled[on_curve]] = sequences.mode[sequences.parent[sequence[settled[on_curve]]]]
         controls[settled] = plant.control(current[:, done], mode[settled]).T
-        # Whoever is still far away after some rounds belongs to another cell.
+        # Points that are still far away after some rounds belong to another cell.
         continuing = ~done & (error < (np.inf if number < 6 else 1e-3 * size))
         if not continuing.any():
             break

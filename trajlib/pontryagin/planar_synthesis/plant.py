@@ -239,7 +239,7 @@ class Plant:
 
     def step(self, z, mode, h):
         """Return z after a step of length `h` (a number, or one a column) in the same mode."""
-        # what runs away to infinity leaves the box
+        # diverging extremals leave the box
         with np.errstate(over="ignore", invalid="ignore"):
             u, moving = self._plan(mode)
             if self._matrix is not None and not moving:
@@ -317,10 +317,10 @@ class Plant:
         columns, required_sign = np.arange(h.size), self.required_sign[mode, surface]
         low, high, when, zero_z = np.zeros(h.shape), h.copy(), h, end
         first, value = (self.surfaces(y)[surface, columns] for y in (z, end))
-        # in time, which runs the other way
+        # derivatives in forward time
         first_slope, slope = (self.slope(y, mode, surface) for y in (z, end))
-        # What rounding has put beyond the surface, and what goes on beyond it, has crossed it at
-        # once.
+        # A point that rounding has put beyond the surface, and that moves on beyond it, has crossed
+        # it at once.
         high[(required_sign * first <= 0) & (required_sign * first_slope >= 0)] = 0
         with np.errstate(all="ignore"):
             share = first / (first - value)

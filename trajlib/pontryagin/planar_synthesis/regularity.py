@@ -187,7 +187,7 @@ def _curves(synthesis):
 def _arrival(synthesis):
     """Test condition C: find where trajectories meet the target at the angle zero."""
     plant = synthesis.plant
-    # How far back they stay optimal does not matter here.
+    # Until when they are optimal does not matter here.
     tangent = [b for b in synthesis.borders if b.arrives and b.kind == "abnormal"]
     if not synthesis.reached:
         slow = min(

@@ -24,7 +24,7 @@ SAMPLES = 1441
 #: w(s) below this share of its greatest value counts as zero: the extremal touches the target.
 TOUCHES = 1e-9
 #: Steps of Newton's method for nu, where controls lie between their bounds; from the right it
-#: cannot miss.
+#: converges always.
 ROUNDS = 12
 
 

@@ -18,9 +18,9 @@ GRID = 192
 #: How far outside of a triangle (in its barycentric coordinates) a point still counts as inside:
 #: borders are curved.
 SLACK = 0.02
-#: For so many points at once the numbers of all their candidates stay close to the processor.
+#: Number of points at once, for which the data of all candidates stay in the processor's cache.
 CHUNK = 2000
-#: How many steps an interpolated cost may be wrong.
+#: Largest error of an interpolated cost, in steps.
 SOONEST = 1.5
 #: Values of the terminal expression this close to zero count as zero.
 ON_TARGET = 1e-10
@@ -87,7 +87,7 @@ class ValueFunction:
         # (M, 3): the structures so far
         self.sequence = np.concatenate([p[2] for p in parts])
         self.fan = np.concatenate([p[3] for p in parts])
-        #: What a step of time costs, about.
+        #: Approximate cost of a step of time.
         self.step_cost = self.fans[0].times[1] * self._usual_price()
         s = self.values[:, :, 0]
         low, high = (
@@ -101,8 +101,8 @@ class ValueFunction:
     def _triangles(number, fan):
         """Return the corners of a fan's triangles, their (s, tau, cost), sequences and fan numbers."""
         steps = np.arange(fan.times.size - 1)[:, None]
-        # A cell belongs to the fan if one of its extremals is alive at its begin; its other end may
-        # be the step beyond.
+        # A cell belongs to the fan if one of its extremals has not ended before it; its other end
+        # may be the step beyond.
         alive = steps < np.maximum(fan.last_step + 1, 0)[None, :]
         alive &= (fan.last_step > 0)[None, :]
         either = alive[:, :-1] | alive[:, 1:]
@@ -112,8 +112,8 @@ class ValueFunction:
         known = np.array(
             [np.stack([fan.s[b], fan.times[a], fan.value[a, b]], axis=-1) for a, b in corners]
         )
-        # A border of the first mode is an extremal of the fan; seen from the other side it has
-        # switched once, at once.
+        # A border of the first mode is an extremal of the fan; for the cell on its other side it
+        # has switched once, at its end.
         middle = (fan.s[:-1] + fan.s[1:]) / 2
         first = (fan.start(middle)[1] if middle.size else np.empty(0, int))[j]
         inside = first >= 0
@@ -135,12 +135,12 @@ class ValueFunction:
             return 1.0
         spent = [np.abs(np.diff(fan.value, axis=0)).ravel() / fan.times[1] for fan in self.fans]
         spent = np.concatenate(spent)
-        # Where only the end is paid for, what ends differ by tells the size of a difference.
+        # Where only the terminal cost counts, its range gives the size of a difference.
         ends = np.ptp(np.concatenate([fan.value[0] for fan in self.fans]))
         return float(np.median(spent[np.isfinite(spent)])) + float(ends) / self.fans[0].times[-1]
 
     def _sort(self):
-        # A corner, two edges and their determinant: a row each, since rows are fetched in any
+        # A corner, two edges and their determinant, in one row each, since rows are fetched in any
         # order.
         """Sort the triangles into the squares of the grid that they meet."""
         corner, edges = self.points[:, 0], self.points[:, 1:] - self.points[:, :1]
@@ -313,7 +313,7 @@ class ValueFunction:
         rank = np.arange(point.size) - np.flatnonzero(new)[np.cumsum(new) - 1]
         least = np.full(x.shape[1], np.inf)
         np.minimum.at(least, point, cost)
-        # A few cells of each structure: a point next to the border of one may belong to its
+        # A few cells of each sequence: a point next to the border of one may belong to its
         # neighbour.
         keep = (rank < 4) & (cost < least[point] + later * self.step_cost)
         return point[keep], triangle[keep], s[keep], tau[keep]
@@ -326,7 +326,7 @@ def _seen_from(fan, first, steps, columns):
     if other.size:
         sequences = sequences.copy()
         sequences[other] = fan.plant.sequences.prefixed(first[other], sequences[other])
-    # The extremal itself may be singular: it stands still, and only its end is a corner.
+    # The extremal itself may be singular: it does not move, and only its end is a corner.
     singular = (sequences < 0) & (steps == 0)
     sequences = np.where(singular, fan.plant.sequences.after(-1, first), sequences)
     return sequences

@@ -56,7 +56,7 @@ def _node(e, walk):
     if e.is_Add:
         return reduce(lambda a, b: a + b, map(walk, e.args))
     if e.is_Mul:
-        # Divisions as divisions: a*b**(-1) would round twice.
+        # Divisions stay divisions: a*b**(-1) would round twice.
         numerator, denominator = (
             e.as_numer_denom() if any(_is_inverse(a) for a in e.args) else (e, sp.S.One)
         )

@@ -186,15 +186,14 @@ def _derived(problem):
             "rename the symbol of the problem"
         )
     sign = -1 if problem.maximise else 1
-    # exp(-k*(h - 1)) stays whole: exp(k)*exp(-k*h) overflows.
+    # exp(-k*(h - 1)) is not expanded: exp(k)*exp(-k*h) overflows.
     hamiltonian = sp.expand(
         sum(psi * f for psi, f in zip(costate, problem.field))
         - sign * multiplier * problem.running,
         power_exp=False,
     )
     adjoint = {psi: -sp.diff(hamiltonian, y) for psi, y in zip(costate, problem.state)}
-    # Linear in one control while the others stand in the coefficient: still a switching function of
-    # this control.
+    # A coefficient that contains other controls is still the switching function of this control.
     slopes = {u: sp.diff(hamiltonian, u) for u in problem.control}
     switching = {u: slope for u, slope in slopes.items() if not sp.expand(slope).has(u)}
     return Conditions(

@@ -16,7 +16,7 @@ from itertools import combinations, islice
 
 import sympy as sp
 
-#: Derivatives of the switching function are looked at up to so many terms. Those of a robot's arm
+#: Derivatives of the switching function are computed up to so many terms. Those of a robot's arm
 #: grow sixfold with each and would take hours; those of the problems of this book have a dozen.
 MAX_TERMS = 100
 
@@ -199,7 +199,7 @@ def _surface(matrix, state):
     """
     if matrix.rows < matrix.cols:
         return ()
-    # A few minors are enough: what all have in common is the surface.
+    # A few minors are enough: their common factor is the surface.
     minors = {
         _state_factors(matrix.extract(list(rows), list(range(matrix.cols))).det(), state)
         for rows in islice(combinations(range(matrix.rows), matrix.cols), 12)
@@ -238,8 +238,8 @@ def _eliminated(derivatives, derived, unknowns, surface):
     matrix, costates = sp.Matrix(derivatives).jacobian(unknowns), {}
     matrix = matrix.applyfunc(lambda e: _on(surface, e, derived.problem.state))
     reduced, pivots = matrix.rref(simplify=True)
-    # On a surface that cannot be put in, the equations still seem to leave only zero: there the
-    # others imply the last.
+    # On a surface that cannot be substituted, the equations still seem to leave only zero: there
+    # the others imply the last.
     redundant = not all(_is_explicit(equation, derived.problem.state) for equation in surface)
     while (
         redundant and pivots and len(pivots) == sum(any(matrix.col(j)) for j in range(matrix.cols))

@@ -15,8 +15,9 @@ import numpy as np
 from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.residuals import TrajectoryResiduals
 
-# Panels an arc, one number after another, until the integrals agree with the trajectory to within
-# INTEGRATED: a rapid turn needs many. What stays is a defect of the trajectory, not of the formula.
+# Panels on an arc, more and more until the integrals agree with the trajectory to within
+# INTEGRATED: a rapid turn needs many. A remaining defect is one of the trajectory, not of the
+# quadrature.
 PANELS, INTEGRATED = (12, 48, 192), 1e-11
 
 

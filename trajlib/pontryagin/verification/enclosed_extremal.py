@@ -239,7 +239,7 @@ class EnclosedExtremal:
                     # All derivatives vanish: zero on the whole arc.
                     return True
             zeros.append(order)
-        # Pieces of the arc, each from a share of its length on, and as often halved.
+        # Pieces of the arc as (begin as a share of its length, number of halvings).
         pieces, rate = [(Fraction(0), 0)], self.rates[k]
         while pieces:
             begin, halvings = pieces.pop()

@@ -149,7 +149,7 @@ def _can_be_held(problem, slopes, targets, blocks):
         .subs(dict.fromkeys(problem.control, 0))
     )
     gains, bounds = slopes[:, n:], problem.controls.values()
-    # The least control that does it, if any does.
+    # The smallest control that holds the point, if there is one.
     hold = -gains.pinv() * drift if any(drift) else sp.zeros(gains.cols, 1)
     return bool(
         (gains * hold + drift).applyfunc(sp.simplify).is_zero_matrix

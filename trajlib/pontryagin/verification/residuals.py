@@ -51,13 +51,13 @@ class TrajectoryResiduals:
             _values(state, self.edges, n, "state"),
             _values(costate, self.edges, n, "costate"),
         )
-        # At the last moment the control is that of the last arc.
+        # At the final time the control is that of the last arc.
         self.last_control = self.u[:, -1]
         derived = conditions(problem)
         self.derived, lam = derived, derived.multiplier
         symbols = [*problem.state, *derived.costate, *problem.control, lam]
         self.curved = [u for u in problem.control if u not in derived.switching]
-        # One function for what is wanted once or twice, since making it takes longer than calling
+        # One function for values needed once or twice, since compiling takes longer than calling
         # it.
         self._parts, expressions = {}, []
         for name, group in (
@@ -254,7 +254,7 @@ def _values(function, times, rows, name):
 @lru_cache(maxsize=64)
 def _function(symbols, expressions):
     """Return a NumPy function of arrays with one row for each expression."""
-    # The module itself, not its name, for which SymPy would import all that NumPy has, which takes
+    # The module itself, not its name, for which SymPy would import all names of NumPy, which takes
     # half a second.
     raw = sp.lambdify(list(symbols), list(expressions), [np], cse=True)
 

@@ -21,11 +21,11 @@ import numpy as np
 
 from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 
-# Into how many intervals an extremal is cut.
+# Number of intervals into which an extremal is cut.
 INTERVALS = 80
-# Eigenvalues below this share of the largest one are taken for zero.
+# Eigenvalues below this share of the largest one count as zero.
 ROUNDING = 1e-7
-# Costates beyond this are those of an abnormal extremal, where the cost takes no part.
+# Costates beyond this are those of an abnormal extremal, on which the cost has no influence.
 ABNORMAL = 1e7
 
 
@@ -118,7 +118,7 @@ def second_variation(numeric: NumericProblem, process: Process) -> SecondVariati
     values, vectors = np.linalg.eigh(tangents.T @ form @ tangents)
     direction = tangents @ vectors[:, 0]
     along = variations @ direction
-    # On few variations the eigenvalues may cancel: then rounding is judged by the form on all
+    # On few variations the eigenvalues may cancel: then rounding is measured by the form on all
     # variations.
     largest = max(float(np.max(np.abs(values))), 1e-6 * float(np.max(np.abs(form))))
     return SecondVariation(
