@@ -287,13 +287,13 @@ class Extremal:
 
 
 def extremal_of_shot(
-    problem: Statement, numeric: NumericProblem, shot: ShootingSolution, starts: int, found: int
+    numeric: NumericProblem, shot: ShootingSolution, starts: int, found: int
 ) -> Extremal:
     """Return the extremal of a converged solution, with lambda_0 = 1 in the normal case.
 
     Raises `WrongStructure` if it meets the target before its end, against first_return.
     """
-    n = numeric.n
+    n, problem = numeric.n, numeric.problem
     largest = max(np.max(np.abs(start[n : 2 * n])) for start in shot.starts)
     normal = shot.multiplier > 1e-9 * largest
     scale = shot.multiplier if normal else np.linalg.norm(shot.starts[0][n : 2 * n])

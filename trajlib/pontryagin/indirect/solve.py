@@ -13,9 +13,10 @@ from trajlib.pontryagin.direct.free_duration import (
     fixed_duration,
     refuse_falling_cost,
     refuse_unbounded_duration,
+    user_cost,
 )
 from trajlib.pontryagin.direct.guesses import read_guess
-from trajlib.pontryagin.direct.multistart import search
+from trajlib.pontryagin.direct.multistart import SearchResult, search
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
 from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
@@ -103,65 +104,116 @@ def _solved(problem, structure, guess):
     """Return an extremal of a problem that is smooth in its controls and well scaled."""
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
-    search_result = search(numeric, read_guess(numeric, guess), kinds)
-    flow_cache = {}
-    if kinds is not None:
-        solution, _ = search_result.solutions[0]
+    refinement = _Refinement(numeric, search(numeric, read_guess(numeric, guess), kinds))
+    return refinement.best_extremal() if kinds is None else refinement.with_structure(kinds)
+
+
+class _Refinement:
+    """From the discrete solutions of a search to an extremal; `reasons`: why others were refused."""
+
+    def __init__(self, numeric: NumericProblem, search_result: SearchResult):
+        self.numeric, self.search_result = numeric, search_result
+        self.flow_cache: dict = {}
+        self.reasons: list = []
+
+    def with_structure(self, kinds):
+        """Return the extremal with given arcs. Raises `WrongStructure` if there is none."""
+        solution, _ = self.search_result.solutions[0]
         arcs = _arcs_of_structure(kinds, solution)
-        shot = refine(
-            numeric,
-            solution,
-            arcs,
-            fixed_duration(numeric, solution),
-            flow_cache,
-            keep_structure=True,
-        )
-        extremal = extremal_of_shot(
-            problem, numeric, shot, search_result.starts, search_result.found
-        )
+        duration = fixed_duration(self.numeric, solution)
+        extremal = self._extremal(solution, arcs, duration, keep_structure=True)
         reason = _certificate_failure(extremal)
         if reason:
             raise WrongStructure(reason)
         return extremal
-    refuse_falling_cost(numeric, search_result)
-    reasons = []
-    for solution, side in search_result.solutions:
-        extremal = _certified_extremal(
-            problem, numeric, solution, side, search_result, flow_cache, reasons
+
+    def best_extremal(self):
+        """Return the best certified extremal, or raise the reason why there is none."""
+        numeric, solutions = self.numeric, self.search_result.solutions
+        refuse_falling_cost(numeric, self.search_result)
+        for solution, side in solutions:
+            extremal = self._certified(solution, side)
+            if extremal is not None:
+                return extremal
+        solution, side = solutions[0]
+        relaxed = relaxed_solution(numeric, solution, side)
+        if relaxed is not None:
+            controls = sequential_controls(numeric, relaxed)
+            sequential = solution_from_controls(numeric, relaxed, side, controls)
+            refuse_sliding(numeric, solution, relaxed, sequential)
+            extremal = self._certified(sequential, side)
+            if extremal is not None:
+                return extremal
+        if fixed_duration(numeric, solution) is None:
+            finer = finer_solution(numeric, solution, side, 4) or solution
+            refuse_unbounded_duration(numeric, finer, side)
+        raise self._error(user_cost(numeric, solution.cost))
+
+    def _extremal(self, solution, arcs, duration, keep_structure=False):
+        shot = refine(self.numeric, solution, arcs, duration, self.flow_cache, keep_structure)
+        return extremal_of_shot(
+            self.numeric, shot, self.search_result.starts, self.search_result.found
         )
-        if extremal is not None:
-            return extremal
-    solution, side = search_result.solutions[0]
-    relaxed = relaxed_solution(numeric, solution, side)
-    if relaxed is not None:
-        separate = solution_from_controls(
-            numeric, relaxed, side, sequential_controls(numeric, relaxed)
+
+    def _certified(self, solution, side):
+        """Return a certified extremal next to a solution, on finer and finer grids, or None."""
+        numeric, factor = self.numeric, 1
+        while factor is not None:
+            duration = fixed_duration(numeric, solution)
+            arcs = detect_arcs(numeric, solution)
+            refuse_chattering(numeric, arcs, solution.states[-1], duration)
+            extremal = self._first_certified(solution, duration)
+            if extremal is not None:
+                sign = 1
+                if not extremal.optimality.proved and extremal.normal:
+                    sign = extremal._variation.sign
+                # More time may change nothing to second order because it costs nothing at all.
+                if sign == 0 and duration is None:
+                    refuse_unbounded_duration(numeric, solution, side)
+                if sign >= 0:
+                    return extremal
+                better = _solution_beside_saddle(numeric, extremal, side)
+                if better is not None:
+                    solution, factor = better, 1
+                    continue
+                self.reasons.append(
+                    "the extremal found is a saddle: the cost falls along its second variation"
+                )
+            factor = {1: 4, 4: 10, 10: None}[factor]
+            if factor is not None:
+                solution = finer_solution(numeric, solution, side, factor) or solution
+        return None
+
+    def _first_certified(self, solution, duration):
+        """Return the first extremal that holds, with the arcs that a solution may have, or None."""
+        for arcs in candidate_structures(self.numeric, solution):
+            try:
+                extremal = self._extremal(solution, arcs, duration)
+            except WrongStructure as error:
+                self.reasons.append(error)
+                continue
+            reason = _certificate_failure(extremal)
+            if not reason:
+                return extremal
+            self.reasons.append(reason)
+        return None
+
+    def _error(self, cost):
+        """Return the error with the reasons why no arcs were joined to an extremal."""
+        open_control = next((e for e in self.reasons if isinstance(e, NotUnique)), None)
+        if open_control:
+            return NotUnique(
+                f"{open_control}. So many controls may be equally good, as where several motions must "
+                "end at one moment and only the slowest sets it; one of them has a cost of about "
+                f"{cost:.6g} (a discrete solution). To single one out, give a structure, or the "
+                "control a small cost."
+            )
+        return WrongStructure(
+            "the arcs that the discrete solution shows could not be joined to an extremal: "
+            + "; ".join(dict.fromkeys(map(str, self.reasons)))
+            + ". Give the structure, or a guess; look at the "
+            f"discrete cost {cost:.6g} to see whether an optimal process exists."
         )
-        refuse_sliding(numeric, solution, relaxed, separate)
-        extremal = _certified_extremal(
-            problem, numeric, separate, side, search_result, flow_cache, reasons
-        )
-        if extremal is not None:
-            return extremal
-    if fixed_duration(numeric, solution) is None:
-        refuse_unbounded_duration(
-            numeric, finer_solution(numeric, solution, side, 4) or solution, side
-        )
-    cost = -solution.cost if problem.maximise else solution.cost
-    open_control = next((reason for reason in reasons if isinstance(reason, NotUnique)), None)
-    if open_control:
-        raise NotUnique(
-            f"{open_control}. So many controls may be equally good, as where several motions must "
-            "end at one moment and only the slowest sets it; one of them has a cost of about "
-            f"{cost:.6g} (a discrete solution). To single one out, give a structure, or the control "
-            "a small cost."
-        )
-    raise WrongStructure(
-        "the arcs that the discrete solution shows could not be joined to an extremal: "
-        + "; ".join(dict.fromkeys(map(str, reasons)))
-        + ". Give the structure, or a guess; look at the "
-        f"discrete cost {cost:.6g} to see whether an optimal process exists."
-    )
 
 
 def _arcs_of_structure(kinds, solution):
@@ -171,51 +223,10 @@ def _arcs_of_structure(kinds, solution):
         short = int(np.argmin(solution.lengths))
         raise WrongStructure(
             f"the arc {arc_name(kinds[short])} (number {short + 1}) shrinks to nothing: the best "
-            "process "
-            "with these arcs does not have it. Leave it out, or leave the structure to solve()."
+            "process with these arcs does not have it. Leave it out, or leave the structure to "
+            "solve()."
         )
     return [Arc(kind, begin, end) for kind, begin, end in zip(kinds, ends, ends[1:])]
-
-
-def _certified_extremal(problem, numeric, solution, side, search_result, flow_cache, reasons):
-    """Return a certified extremal next to the solution, on finer and finer grids, or None.
-
-    The reasons of failures are appended to `reasons`.
-    """
-    factor = 1
-    while factor is not None:
-        duration = fixed_duration(numeric, solution)
-        refuse_chattering(numeric, detect_arcs(numeric, solution), solution.states[-1], duration)
-        for arcs in candidate_structures(numeric, solution):
-            try:
-                shot = refine(numeric, solution, arcs, duration, flow_cache)
-                extremal = extremal_of_shot(
-                    problem, numeric, shot, search_result.starts, search_result.found
-                )
-                reason = _certificate_failure(extremal)
-            except WrongStructure as error:
-                reason = error
-            if not reason:
-                break
-            reasons.append(reason)
-        if not reason:
-            if extremal.optimality.proved or not extremal.normal or extremal._variation.sign > 0:
-                return extremal
-            if extremal._variation.sign == 0:
-                # More time may change nothing to second order because it costs nothing at all.
-                if duration is None:
-                    refuse_unbounded_duration(numeric, solution, side)
-                return extremal
-            reason = "the extremal found is a saddle: the cost falls along its second variation"
-            better = _solution_beside_saddle(numeric, extremal, side)
-            if better is not None:
-                solution, factor = better, 1
-                continue
-            reasons.append(reason)
-        factor = {1: 4, 4: 10, 10: None}[factor]
-        if factor is not None:
-            solution = finer_solution(numeric, solution, side, factor) or solution
-    return None
 
 
 def _certificate_failure(extremal):
