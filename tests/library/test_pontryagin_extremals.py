@@ -13,11 +13,11 @@ from scipy.linalg import expm
 from scipy.optimize import fsolve
 
 from trajlib.pontryagin import Problem, compare
-from trajlib.pontryagin.numeric import NumericProblem
-from trajlib.pontryagin.polishing import polish
-from trajlib.pontryagin.searching import search
-from trajlib.pontryagin.structure import detect
-from trajlib.pontryagin.transcription import Picture
+from trajlib.pontryagin.direct.multistart import search
+from trajlib.pontryagin.direct.transcription import DirectSolution
+from trajlib.pontryagin.indirect.refinement import refine
+from trajlib.pontryagin.indirect.structure import detect_arcs
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 pytestmark = pytest.mark.slow
 x, x1, x2, u, v = sp.symbols("x x1 x2 u v")
@@ -77,7 +77,7 @@ def oscillator(damping, last, between, first):
     """x'' + d x' + x = u to the origin, run backwards from it: the switching function psi_2 has
     zeros pi/omega apart.
 
-    `last` = length of the last arc (u = 1 there), `between` full arcs, `first` = length of the
+    `last` = length of the last arc (u = 1 there), `between` full arcs, `first_solution` = length of the
     first. At the end H = 0 reads psi_2 u = 1; psi_2 is a damped sine that vanishes `last` before
     the end.
     """
@@ -172,7 +172,7 @@ def goddard_by_feedback():
         h, v, m = z
         return drag(h, v) * (1 + v / c) - m / h**2
 
-    def held(z):
+    def target_can_be_held(z):
         """The thrust that keeps `surface` zero: rate = a + b thrust."""
         h, v, m = z
         D = drag(h, v)
@@ -198,7 +198,7 @@ def goddard_by_feedback():
         return found.t_events[0][0], found.y_events[0][0]
 
     first, z = arc([1, 0, 1], lambda z: 3.5, surface, 1)
-    second, z = arc(z, held, lambda t, z: z[2] - 0.6, -1)
+    second, z = arc(z, target_can_be_held, lambda t, z: z[2] - 0.6, -1)
     _, z = arc(z, lambda z: 0.0, lambda t, z: z[1], -1)
     return z[0], [first, first + second]
 
@@ -572,22 +572,22 @@ def test_perturbed_pictures_lead_to_the_same_extremal(name):
     """Newton's method from states, costates and arcs that are off by some per cent."""
     record = RECORDS[name]
     numeric = NumericProblem(record.problem)
-    picture, _ = search(numeric).pictures[0]
-    arcs = detect(numeric, picture)
+    solution, _ = search(numeric).solutions[0]
+    arcs = detect_arcs(numeric, solution)
     random = np.random.default_rng(3)
     for _ in range(3):
 
         def shaken(values, by=0.03):
             return values + by * np.ptp(values, axis=0) * random.standard_normal(values.shape)
 
-        off = Picture(
-            picture.times * 1.02,
-            shaken(picture.states),
-            shaken(picture.costates),
-            picture.controls,
-            picture.cost,
+        off = DirectSolution(
+            solution.times * 1.02,
+            shaken(solution.states),
+            shaken(solution.costates),
+            solution.controls,
+            solution.cost,
         )
-        shot = polish(numeric, off, arcs, numeric.duration, {})
+        shot = refine(numeric, off, arcs, numeric.duration, {})
         assert shot.lengths.sum() == pytest.approx(record.problem.solve().duration, rel=1e-10)
 
 

@@ -11,7 +11,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from trajlib.pontryagin import Problem
-from trajlib.pontryagin.proof import prove
+from trajlib.pontryagin.verification.proof import prove
 from trajlib.typesetting import typeset
 
 R = sp.Rational

@@ -10,8 +10,9 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
-from trajlib.pontryagin.planar.plant import Plant, summed
-from trajlib.pontryagin.planar.task import read_plant
+from trajlib.pontryagin.planar_synthesis.arguments import read_plant
+from trajlib.pontryagin.planar_synthesis.integration import series_step
+from trajlib.pontryagin.planar_synthesis.plant import Plant
 
 pytestmark = pytest.mark.slow
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)
@@ -595,7 +596,7 @@ def test_a_step_of_a_linear_plant_is_exact(size):
     h = np.array([0.2, -0.5, 0.0, 1.0])
     joined = np.block([[matrix, constant], [np.zeros((1, 4))]])
     there = [(expm(joined * when) @ np.append(z, 1))[:3] for when, z in zip(h, start.T)]
-    found = summed(matrix, np.linalg.norm(matrix, 1), matrix @ start + constant, start, h)
+    found = series_step(matrix, np.linalg.norm(matrix, 1), matrix @ start + constant, start, h)
     assert np.allclose(found.T, there, rtol=1e-12, atol=1e-13 * np.abs(there).max())
 
 

@@ -71,7 +71,11 @@ DOUBLED = {"5.11": {"time"}, "5.12": {"latest"}, "5.13": {"time"}}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: What only states a system solves nothing.
-RECORDS = ("workbook.systems", "trajlib.pontryagin.statement")
+RECORDS = (
+    "workbook.systems",
+    "trajlib.pontryagin.optimal_control",
+    "trajlib.pontryagin.problem.statement",
+)
 #: And what loads a library solves nothing either.
 LAZY = "trajlib._lazy"
 
