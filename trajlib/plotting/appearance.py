@@ -1,5 +1,6 @@
 """Colours, style and empty axes of all pictures."""
 
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 BLACK, BLUE, RED, GREEN, ORANGE, SKY, PURPLE, GREY = (
@@ -15,7 +16,7 @@ BLACK, BLUE, RED, GREEN, ORANGE, SKY, PURPLE, GREY = (
 
 
 @contextmanager
-def style():
+def style() -> Iterator[None]:
     """Apply the style of the workbook to everything drawn inside the `with` block.
 
     Examples

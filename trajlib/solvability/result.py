@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trajlib import plotting
 from trajlib._typing import ArrayLike
 from trajlib.solvability import rounding
 from trajlib.solvability.weights import Weights
@@ -275,8 +276,6 @@ class Solvability:
         (matplotlib.axes.Axes, matplotlib.axes.Axes)
         """
         import matplotlib.pyplot as plt
-
-        from trajlib import plotting
 
         with plotting.style():
             _, (values_ax, directions_ax) = plt.subplots(
