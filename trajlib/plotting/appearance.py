@@ -51,8 +51,8 @@ def style() -> Iterator[None]:
         "legend.framealpha": 0.9,
         "mathtext.fontset": "cm",
     }
-    # Only what is set here is put back: rc_context would also undo what a notebook's backend sets
-    # when it loads inside.
+    # Only these settings are restored: rc_context would also undo those of a notebook's backend
+    # that loads inside.
     before = {name: plt.rcParams[name] for name in ours}
     plt.rcParams.update(ours)
     try:

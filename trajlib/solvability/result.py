@@ -112,8 +112,7 @@ class Solvability:
     def unobservable(self) -> np.ndarray:
         """Changes of the unknowns that are not distinguished from zero, m - rank rows.
 
-        They span the complement of the guaranteed rank, and are chosen such that each changes an
-        unknown of its own by 1.
+        They span the complement of the guaranteed rank, and each changes a different unknown by 1.
         """
         from scipy.linalg import qr
 
