@@ -5,19 +5,15 @@ The tables are the only source; `python -m trajlib._stubs` writes the type stubs
 
 import importlib
 import sys
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any
-
-#: `__getattr__`, `__dir__` and `__all__` of a package.
-Attributes = tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]
+from collections.abc import Iterable, Mapping
 
 
-def lazy_modules(package: str, modules: Iterable[str]) -> Attributes:
+def lazy_modules(package: str, modules: Iterable[str]) -> tuple:
     """Return `__getattr__`, `__dir__`, `__all__` of a package whose sub-modules load lazily."""
     return _lazy(package, dict.fromkeys(modules))
 
 
-def lazy_names(package: str, exports: Mapping[str, list[str]]) -> Attributes:
+def lazy_names(package: str, exports: Mapping[str, list[str]]) -> tuple:
     """Return `__getattr__`, `__dir__`, `__all__` of a package whose names load lazily.
 
     `exports` maps a module of the package to the names it gives, `{"regions": ["shift"]}`.
@@ -33,7 +29,7 @@ def home_of(package: str, name: str) -> str | None:
     return f"{package}.{name}" if table[name] is None else f"{package}.{table[name]}"
 
 
-def _lazy(package: str, home: Mapping[str, str | None]) -> Attributes:
+def _lazy(package: str, home: Mapping[str, str | None]) -> tuple:
     sys.modules[package]._lazy_home = home  # type: ignore[attr-defined]
 
     def __getattr__(name):

@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 ScalarLike: TypeAlias = Any
 #: A SymPy matrix, a nested list (both exact), an array, or a scalar for a 1 x 1 matrix.
 MatrixLike: TypeAlias = Any
-#: Whatever `numpy.asarray` makes an array of numbers.
+#: Anything that `numpy.asarray` converts to an array of numbers.
 ArrayLike: TypeAlias = Any
 #: `sympy.Expr` for exact arguments, `float` otherwise.
 Scalar: TypeAlias = Any

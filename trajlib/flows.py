@@ -15,7 +15,7 @@ def lie_derivative(function: sp.Expr, flow: Mapping, order: int = 1) -> sp.Expr:
     function : sympy.Expr
         Function of the state.
     flow : mapping
-        Rate of each symbol, of states and costates alike; other symbols are constants, as a control
+        Rate of each symbol, of states and costates; other symbols are constants, as a control
         is between its switching times.
     order : int
         Order of the derivative, from 0 on.

@@ -28,6 +28,7 @@ r"""Formulas in text: from TeX to plain characters, and from plain characters to
 
 import html
 import re
+from collections.abc import Callable
 
 FORMULA = re.compile(r"\$([^$]+)\$")
 SIGNS = {
@@ -139,8 +140,18 @@ MATHEMATICS = re.compile(
 )
 
 
-def plain(text):
-    """Return a text with its TeX formulas in plain characters, for comments and terminals."""
+def plain(text: str) -> str:
+    """Return a text with its TeX formulas in plain characters, for comments and terminals.
+
+    Parameters
+    ----------
+    text : str
+        Text with TeX formulas between dollars.
+
+    Returns
+    -------
+    str
+    """
     return FORMULA.sub(lambda formula: _typed(formula[1]), text).replace("`", "")
 
 
@@ -155,12 +166,22 @@ def _typed(formula):
     return formula.strip()
 
 
-def typeset(text, escape=html.escape):
+def typeset(text: str, escape: Callable = html.escape) -> str:
     """Return a text with formulas in plain characters as HTML.
 
     Powers become superscripts, indices subscripts, names of Greek letters and signs characters.
-    Text between backticks is code. The text is not read as Python, so it may come from any source.
-    `escape` is applied to the words between formulas.
+    Text between backticks is code.
+
+    Parameters
+    ----------
+    text : str
+        Text; it is not read as Python, so it may come from any source.
+    escape : callable
+        Applied to the words between formulas.
+
+    Returns
+    -------
+    str
     """
     pieces, end = [], 0
     for match in MATHEMATICS.finditer(text):

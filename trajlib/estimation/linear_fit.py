@@ -157,7 +157,7 @@ def _fit_exact(H, z, R):
 def _fit_floats(H, z, R):
     factor = np.linalg.cholesky(R)
     whitened = np.linalg.solve(factor, np.column_stack([H, z]))
-    # Columns of norm one: what is in small units is not taken for missing.
+    # Columns of norm one, so that small units do not look like a rank deficit.
     lengths = np.linalg.norm(whitened[:, :-1], axis=0)
     scale = np.where(lengths > 0, lengths, 1)
     U, s, Vt = np.linalg.svd(whitened[:, :-1] / scale, full_matrices=False)

@@ -34,8 +34,8 @@ from trajlib.infosets.polygons import EPS
 from trajlib.infosets.sections import FULL, covering_arc
 from trajlib.infosets.turning import angle_between, cosine_parts
 
-#: Of a cell's half width, for the rounding of nodes and reaches; and what a reach may be below its
-#: bound, in nodes.
+#: Factor of a cell's half width for the rounding of nodes and reaches, and tolerance of a reach, in
+#: nodes.
 WIDER, SHORT = 1 + 2e-6, 1e-12
 #: Parts of a step, in each of which the bounds on the speed are constant.
 PARTS = 4

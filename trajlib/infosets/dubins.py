@@ -235,7 +235,7 @@ def _reached(points, T, tolerance):
         axis=1,
     )
     reached = np.zeros(len(both), dtype=bool)
-    # what is left to do after the first turn, seen from its end
+    # the rest of the motion after the first turn, in the axes at its end
     c, s = np.cos(first), np.sin(first)
     x, y = both[:, 0, None] - (1 - c), both[:, 1, None] - s
     x, y = c * x - s * y, s * x + c * y

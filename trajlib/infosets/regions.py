@@ -150,6 +150,6 @@ def read_region(region, m, name="region"):
         if region.shape != () or region.m != m:
             raise ValueError(f"{name}: expected one polygon with {m} normals, got {region!r}")
         if region.empty:
-            raise ValueError(f"{name}: it is empty, so it says that the vehicle is nowhere")
+            raise ValueError(f"{name}: it is empty, so no position is possible")
         return region
     return (region if isinstance(region, Region) else Region.polygon(region)).around(m)

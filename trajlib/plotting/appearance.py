@@ -1,5 +1,6 @@
 """Colours, style and empty axes of all pictures."""
 
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 BLACK, BLUE, RED, GREEN, ORANGE, SKY, PURPLE, GREY = (
@@ -15,7 +16,7 @@ BLACK, BLUE, RED, GREEN, ORANGE, SKY, PURPLE, GREY = (
 
 
 @contextmanager
-def style():
+def style() -> Iterator[None]:
     """Apply the style of the workbook to everything drawn inside the `with` block.
 
     Examples
@@ -50,8 +51,8 @@ def style():
         "legend.framealpha": 0.9,
         "mathtext.fontset": "cm",
     }
-    # Only what is set here is put back: rc_context would also undo what a notebook's backend sets
-    # when it loads inside.
+    # Only these settings are restored: rc_context would also undo those of a notebook's backend
+    # that loads inside.
     before = {name: plt.rcParams[name] for name in ours}
     plt.rcParams.update(ours)
     try:

@@ -90,8 +90,8 @@ def phase_portrait(
         return velocity / (speed + 1e-3) if np.isfinite(speed) else np.zeros(2)
 
     def arrived(_, point):
-        # So slow is a motion only next to an equilibrium, where following it further shows nothing
-        # and takes long.
+        # Such slow motions are close to an equilibrium, where further integration shows nothing and
+        # is slow.
         return relative_speed(point)[1] - 1e-3
 
     arrived.terminal, arrived.direction = True, -1  # type: ignore[attr-defined]

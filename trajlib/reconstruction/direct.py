@@ -27,8 +27,8 @@ def bounded_fit(t, h, rho, bound):
     spline_u = spline_accelerations(t[measured], h[measured], rho[measured])(0.0)
     if np.abs(spline_u).max(initial=0) <= bound:
         return cubic_spline(*natural_spline(t, h, measured, spline_u)), 0.0, False
-    # Dimensionless: time in mean steps, acceleration in units of the bound, what a straight line
-    # leaves of the samples.
+    # Dimensionless: time in mean steps, acceleration in units of the bound, samples less a straight
+    # line.
     line, slope = (part[:, 0] for part in straight_line(t, rho, h[:, None]))
     unit = np.mean(np.diff(t))
     length = bound * unit**2

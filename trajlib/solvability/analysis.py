@@ -87,7 +87,7 @@ def analyse(
         raise ValueError("matrix: it has no columns, so there is nothing to determine")
     if n < m:
         raise ValueError(
-            f"matrix: {n} scalar measurements for {m} unknowns; whatever they are, {m - n} "
+            f"matrix: {n} scalar measurements for {m} unknowns; in any case {m - n} "
             "combinations stay free. Take more measurements or fewer unknowns"
         )
     zero = [name for name, column in zip(names, matrix.T) if not column.any()]

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from trajlib import plotting
 from trajlib._typing import ArrayLike
 from trajlib.solvability import rounding
 from trajlib.solvability.weights import Weights
@@ -111,8 +112,7 @@ class Solvability:
     def unobservable(self) -> np.ndarray:
         """Changes of the unknowns that are not distinguished from zero, m - rank rows.
 
-        They span the complement of the guaranteed rank, and are chosen such that each changes an
-        unknown of its own by 1.
+        They span the complement of the guaranteed rank, and each changes a different unknown by 1.
         """
         from scipy.linalg import qr
 
@@ -275,8 +275,6 @@ class Solvability:
         (matplotlib.axes.Axes, matplotlib.axes.Axes)
         """
         import matplotlib.pyplot as plt
-
-        from trajlib import plotting
 
         with plotting.style():
             _, (values_ax, directions_ax) = plt.subplots(
