@@ -137,12 +137,12 @@ def is_separated(numeric, duration, final_state):
 
     G, d = target
     A, B, c = plant
-    missed = G @ final_state - d
+    residual = G @ final_state - d
     n, panels = len(A), 2000
     # psi(T - s) = e^(A^T s) G^T q on a grid; (c, 1) as a further state of the plant.
     extended = np.zeros((n + 1, n + 1))
     extended[:n, :n], extended[:n, n] = A, c
-    step, row = expm(extended * duration / panels), np.append(missed @ G, 0.0)
+    step, row = expm(extended * duration / panels), np.append(residual @ G, 0.0)
     rows = [row]
     for _ in range(panels):
         row = row @ step
@@ -152,10 +152,10 @@ def is_separated(numeric, duration, final_state):
         return False  # a control without bounds leads beyond every hyperplane
     gap = (
         rows[-1] @ np.append(numeric.start, 1.0)
-        - missed @ d
+        - residual @ d
         + duration * (np.sum(least) - (least[0] + least[-1]) / 2) / panels
     )
-    return bool(np.isfinite(gap) and gap > 0.1 * missed @ missed > 0)
+    return bool(np.isfinite(gap) and gap > 0.1 * residual @ residual > 0)
 
 
 def _linear_target(problem):

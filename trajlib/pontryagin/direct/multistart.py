@@ -66,21 +66,21 @@ def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
     """
     refuse_start_on_target(numeric)
     refuse_infeasible(numeric)
-    attempts = _Multistart(numeric, structure)
+    multistart = _Multistart(numeric, structure)
     single = guess is not None or structure is not None or sufficiency_theorem(numeric.problem)
     solutions = []
     for side in target_sides(numeric):
         solutions += (
-            attempts.first_solution(side, guess) if single else attempts.best_solutions(side)
+            multistart.first_solution(side, guess) if single else multistart.best_solutions(side)
         )
     if not solutions:
-        attempts.raise_reason()
+        multistart.raise_reason()
     # Where a theorem makes every extremal optimal there are no saddles.
-    if not attempts.convex and structure is None:
+    if not multistart.convex and structure is None:
         solutions = [(descend(numeric, solution, side), side) for solution, side in solutions]
     solutions.sort(key=lambda pair: pair[0].cost)
     return SearchResult(
-        solutions, attempts.starts, max(attempts.found, 1), attempts.coarse_durations
+        solutions, multistart.starts, max(multistart.found, 1), multistart.coarse_durations
     )
 
 
@@ -129,10 +129,8 @@ class _Multistart:
         numeric = self.numeric
         coarse = Transcription(numeric, COARSE, None, side, patience=PATIENCE)
         point = numeric.duration is None and numeric.m > 1
-        coarse_solutions, ladder_tried = (
-            self._distinct_solutions(coarse, self._diverse_guesses(side, point)),
-            numeric.m == 0 or point,
-        )
+        coarse_solutions = self._distinct_solutions(coarse, self._diverse_guesses(side, point))
+        ladder_tried = numeric.m == 0 or point
         if not coarse_solutions:
             # Few intervals may be too long for a plant that is fast or unstable.
             fine = Transcription(numeric, INTERVALS, None, side)
@@ -142,10 +140,8 @@ class _Multistart:
         if point and len(coarse_solutions) > 1:
             coarse_solutions = self._improved_by_oscillations(coarse, coarse_solutions)
         self.found += len(coarse_solutions)
-        solutions, fine_programme = (
-            [],
-            Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True),
-        )
+        fine_programme = Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
+        solutions = []
         for solution in coarse_solutions:
             if len(solutions) == 3 or (
                 solutions and solution.cost > solutions[0].cost + CLOSE * abs(solutions[0].cost)

@@ -44,7 +44,10 @@ class Comparison:
 
 
 def compare(
-    problem: Statement, structures: Iterable = (), guess=None, guesses: Iterable = ()
+    problem: Statement,
+    structures: Iterable = (),
+    guess: Extremal | dict | None = None,
+    guesses: Iterable = (),
 ) -> Comparison:
     """Compare the extremals with given structures and those near given guesses.
 

@@ -289,12 +289,12 @@ def _vanishes(numeric, factor):
     arguments = [numeric.x, numeric.psi, numeric.u, numeric.multiplier]
     value = ca.Function("factor", arguments, [factor])
     random = np.random.default_rng(0)
-    around = np.nan_to_num(numeric.start)
+    centre = np.nan_to_num(numeric.start)
     values = [
         abs(
             float(
                 value(
-                    around + 0.1 * random.standard_normal(numeric.n) * (1 + np.abs(around)),
+                    centre + 0.1 * random.standard_normal(numeric.n) * (1 + np.abs(centre)),
                     random.standard_normal(numeric.n),
                     numeric.middle(),
                     1.0,

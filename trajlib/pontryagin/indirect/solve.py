@@ -6,6 +6,8 @@ their arcs (`structure`), and Newton's method for the boundary value problem ove
 (`refinement`, `shooting`, `flow`).
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
@@ -32,7 +34,9 @@ from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
 
 
-def solve(problem: Statement, structure=None, guess=None) -> Extremal:
+def solve(
+    problem: Statement, structure: Sequence | None = None, guess: Extremal | dict | None = None
+) -> Extremal:
     """Find an extremal of a problem; called as `problem.solve(...)`.
 
     Parameters

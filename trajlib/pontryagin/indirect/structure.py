@@ -23,12 +23,12 @@ def candidate_structures(numeric, solution):
     before: it may be on an interior arc to the end.
     """
     on_axis = any(stays_on_axis(numeric, solution, i) for i in range(numeric.k))
-    seen = []
+    tried = []
     for options in ({"constant_angles": True},) * on_axis + ({}, {"tolerance": AT}):
         arcs = detect_arcs(numeric, solution, **options)
         kinds = [arc.kinds for arc in arcs]
-        if kinds not in seen:
-            seen.append(kinds)
+        if kinds not in tried:
+            tried.append(kinds)
             yield arcs
 
 
@@ -52,10 +52,10 @@ def detect_arcs(
         for i in range(numeric.k)
     ]
     boundaries = [_runs(numeric, solution, i, column) for i, column in enumerate(columns)]
-    cuts = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
+    edges = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
     step = solution.duration / N
     arcs = []
-    for begin, end in itertools.pairwise(cuts):
+    for begin, end in itertools.pairwise(edges):
         middle = (begin + end) / 2
         kinds = tuple(next(kind for kind, b, e in runs if b <= middle <= e) for runs in boundaries)
         arcs.append(Arc(kinds, begin * step, end * step))
@@ -171,10 +171,10 @@ def _split(numeric, solution, i, result, runs, index):
     value = {"u-": numeric.lower[i], "u+": numeric.upper[i]}
     before = result[-1][0] if result else None
     after = runs[index + 1][0] if index + 1 < len(runs) else None
-    target_sides = [side for side in (before, after) if side in value]
+    neighbour_bounds = [side for side in (before, after) if side in value]
     mean = solution.controls[begin:end, i].mean()
-    other = {"u-": "u+", "u+": "u-"}[target_sides[0]]
-    if len(target_sides) == 2 and before != after:
+    other = {"u-": "u+", "u+": "u-"}[neighbour_bounds[0]]
+    if len(neighbour_bounds) == 2 and before != after:
         cut = begin + (end - begin) * float(
             np.clip((mean - value[after]) / (value[before] - value[after]), 0, 1)
         )
@@ -184,7 +184,11 @@ def _split(numeric, solution, i, result, runs, index):
             *runs[index + 2 :],
         ]
     share = (end - begin) * float(
-        np.clip((mean - value[target_sides[0]]) / (value[other] - value[target_sides[0]]), 0.02, 1)
+        np.clip(
+            (mean - value[neighbour_bounds[0]]) / (value[other] - value[neighbour_bounds[0]]),
+            0.02,
+            1,
+        )
     )
     if before is None:
         return [(other, begin, begin + share)], [

@@ -49,10 +49,10 @@ SIDES = {"both": (1, -1), "positive": (1,), "negative": (-1,), "outside": (1,), 
 def synthesis(
     problem: Statement,
     *,
-    window=((-3, 3), (-3, 3)),
+    window: tuple = ((-3, 3), (-3, 3)),
     horizon: float = 6.0,
     side: str = "both",
-    curve=None,
+    curve: tuple | None = None,
 ) -> Synthesis:
     """Compute the optimal synthesis of a planar system with bounded controls.
 

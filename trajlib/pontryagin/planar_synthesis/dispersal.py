@@ -142,15 +142,15 @@ def _overtaken(fan, value_function):
     which, high, better = which[is_better], high[is_better], better.at(is_better)
     # Back in steps of growing width to a node where nothing is better, then by bisection.
     low, back = high - 1, np.ones(high.size, int)
-    going = np.arange(high.size)
-    while going.size:
-        best, is_better = _better(fan, value_function, which[going], low[going])
-        better.assign(going[is_better], best.at(is_better))
-        going = going[is_better]
-        high[going] = low[going]
-        back[going] *= 2
-        low[going] = np.maximum(high[going] - back[going], 0)
-        going = going[high[going] > 0]
+    searching = np.arange(high.size)
+    while searching.size:
+        best, is_better = _better(fan, value_function, which[searching], low[searching])
+        better.assign(searching[is_better], best.at(is_better))
+        searching = searching[is_better]
+        high[searching] = low[searching]
+        back[searching] *= 2
+        low[searching] = np.maximum(high[searching] - back[searching], 0)
+        searching = searching[high[searching] > 0]
     while (open_ := np.flatnonzero(high - low > 1)).size:
         middle = (low[open_] + high[open_]) // 2
         best, is_better = _better(fan, value_function, which[open_], middle)
@@ -191,8 +191,8 @@ def _meet(fan, which, sequence, other, tau, s2, tau2, sequence2):
         )
         n = active.size
         # The cost as a third coordinate, in units of a step.
-        miss = np.vstack([z[:2] - y[:2, :n], z[5] - y[5, :n]])
-        size = np.sqrt((miss**2).sum(axis=0))
+        residual = np.vstack([z[:2] - y[:2, :n], z[5] - y[5, :n]])
+        size = np.sqrt((residual**2).sum(axis=0))
         good[active] = (
             (size < 1e-8) & (tau[active] > begin - 1e-9) & (tau2[active] > begin2[:n] - 1e-9)
         )
@@ -206,7 +206,7 @@ def _meet(fan, which, sequence, other, tau, s2, tau2, sequence2):
                 -slope[:, continuing],
                 rate[:, continuing],
                 -rate2[:, continuing],
-                -miss[:, continuing],
+                -residual[:, continuing],
             )
         active = active[continuing]
         if not active.size:

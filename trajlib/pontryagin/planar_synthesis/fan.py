@@ -116,7 +116,7 @@ class Fan:
                 break
             z_new, mode_new, switched = plant.advance(z[:, active_columns], mode[active_columns], h)
             z[:, active_columns], mode[active_columns] = z_new, mode_new
-            for which, gone, there, old, new in switched:
+            for which, gone, switching_z, old, new in switched:
                 sequence[active_columns[which]] = plant.sequences.after(
                     sequence[active_columns[which]], new
                 )
@@ -125,11 +125,11 @@ class Fan:
                         [
                             active_columns[which],
                             self.times[k - 1] + gone,
-                            there[:2],
+                            switching_z[:2],
                             new,
                             old,
-                            plant.velocity(there, new),
-                            plant.velocity(there, old),
+                            plant.velocity(switching_z, new),
+                            plant.velocity(switching_z, old),
                         ]
                     )
                 )
@@ -185,14 +185,14 @@ class Fan:
                 crossed = e * plant.required_sign[mode, surface] < 0
                 ready = waiting[crossed]
                 if ready.size:
-                    when, there = plant.first_zero(
+                    when, crossing_z = plant.first_zero(
                         now[:, crossed],
                         mode[crossed],
                         surface[crossed],
                         np.full(ready.size, stride),
                         end[:, crossed],
                     )
-                    z[:, ready] = there
+                    z[:, ready] = crossing_z
                     begin[ready] += when
                 waiting = waiting[~crossed]
                 z[:, waiting] = end[:, ~crossed]

@@ -336,8 +336,8 @@ class Plant:
             if done:
                 break
             value = self.surfaces(zero_z)[surface, columns]
-            late = required_sign * value < 0
-            low, high = np.where(late, low, when), np.where(late, when, high)
+            beyond = required_sign * value < 0
+            low, high = np.where(beyond, low, when), np.where(beyond, when, high)
             with np.errstate(all="ignore"):
                 new = when + value / self.slope(zero_z, mode, surface)
         return when, zero_z

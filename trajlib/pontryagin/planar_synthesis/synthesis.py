@@ -1,6 +1,6 @@
 """Planar syntheses: optimal cost, time and control in a window of the phase plane."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -259,7 +259,7 @@ class Synthesis:
         """
         return regularity(self)
 
-    def plot(self, ax=None, isochrones=(), extremals: int = 24):
+    def plot(self, ax=None, isochrones: Sequence[float] = (), extremals: int = 24):
         """Draw the synthesis in the phase plane.
 
         Parameters
