@@ -1,7 +1,7 @@
 """Problems 5.14 - 5.58 of the book, solved and compared with independent references.
 
-Each statement has its numbers, its cost and, where there are jumps, its switching times: by hand, or
-from a computation that shares nothing with the library (a root, an integral, trajectories with
+Each statement has its numbers, its cost and, where there are jumps, its switching times: by hand,
+or from a computation that shares nothing with the library (a root, an integral, trajectories with
 events, a dual bound), as its last entry says.
 """
 
@@ -189,8 +189,8 @@ def far_flight():
 def flight_in_air():
     """5.38 with T = 10, v(0) = 1/2 by collocation.
 
-    theta' = cos(theta) (1 + 3 v^2 sin(theta))/v, theta(T) = 0. The initial guess is the equilibrium of
-    the system, 3 v^4 = 1, near which the flight stays.
+    theta' = cos(theta) (1 + 3 v^2 sin(theta))/v, theta(T) = 0. The initial guess is the equilibrium
+    of the system, 3 v^4 = 1, near which the flight stays.
     """
 
     def rate(s, z):
@@ -336,8 +336,8 @@ def rayleigh_energy(T):
 def landing_beside():
     """x'' = p cos(u), y'' = p sin(u) - 1, 0 <= p <= 3, (0, 5) to rest at (1, 0), least int p.
 
-    The initial velocity is (1, 0). The primer vector a + b t has the length 1 where the thrust goes off
-    and on, 3 (|a + b T| - 1) = a_y + b_y T at the end.
+    The initial velocity is (1, 0). The primer vector a + b t has the length 1 where the thrust goes
+    off and on, 3 (|a + b T| - 1) = a_y + b_y T at the end.
     """
 
     def missed(z):
@@ -1009,8 +1009,8 @@ def test_absolute_values_that_are_not_split(cost, error, message):
 def test_fastest_to_trim():
     """F-8 Crusader (Garrard and Jordan; the benchmark of Sager's collection).
 
-    The best value of bang-bang controls is 3.780855775. H is of third degree in the control, which once
-    moves from bound to bound within 2e-4.
+    The best value of bang-bang controls is 3.780855775. H is of third degree in the control, which
+    once moves from bound to bound within 2e-4.
     """
     c = R("0.05236")
     rate = (

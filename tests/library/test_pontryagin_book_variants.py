@@ -809,8 +809,8 @@ def test_numbers_of_chattering(start):
 def test_switchings_that_accumulate_at_an_arc_of_order_three():
     """The third derivative of x is u, the cost x^2: more switchings cost less.
 
-    With 4 switchings a stationary process costs 1.2521203. The cost in the message is that of its arcs,
-    here by polynomials.
+    With 4 switchings a stationary process costs 1.2521203. The cost in the message is that of its
+    arcs, here by polynomials.
     """
     with pytest.raises(Chattering, match="order 3: ever more arcs cost ever less") as caught:
         Problem({x: v, v: w, w: u}, ONE, {x: 1, v: 0, w: 0}, [x, v, w], running=x**2).solve()

@@ -186,7 +186,8 @@ def test_singular_arcs(problem, order, surface, control, kelley):
 def test_singular_arc_on_two_rays():
     """Mixing of catalysts: on a singular arc r = x1/x2 is 10 + sqrt(10) or 10 - sqrt(10).
 
-    r' = 0 gives u. The surface is of second degree in both states, so that neither can be substituted.
+    r' = 0 gives u. The surface is of second degree in both states, so that neither can be
+    substituted.
     """
     arc = (
         Problem(

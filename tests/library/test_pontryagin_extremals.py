@@ -41,8 +41,9 @@ class Record:
 def double_integrator(a, b):
     """x'' = u from (a, b) to the origin.
 
-    With s = a + b|b|/2 > 0 first u = -1 for b + r, r = sqrt(a + b^2/2), then u = 1 for r. psi_2 vanishes
-    at the switching, where H = 0 reads psi_1 x_2 = 1 with x_2 = -r; s < 0 is its mirror image.
+    With s = a + b|b|/2 > 0 first u = -1 for b + r, r = sqrt(a + b^2/2), then u = 1 for r. psi_2
+    vanishes at the switching, where H = 0 reads psi_1 x_2 = 1 with x_2 = -r; s < 0 is its mirror
+    image.
     """
     sign = 1 if a + b * abs(b) / 2 > 0 else -1
     r = np.sqrt(sign * a + b * b / 2) or np.nan
@@ -75,9 +76,9 @@ def turnpike(a, b):
 def oscillator(damping, last, between, first):
     """x'' + d x' + x = u to the origin, integrated backwards from it.
 
-    The switching function psi_2 has zeros pi/omega apart. `last` = length of the last arc (u = 1 there),
-    `between` full arcs, `first` = length of the first. At the end H = 0 reads psi_2 u = 1; psi_2 is a
-    damped sine that vanishes `last` before the end.
+    The switching function psi_2 has zeros pi/omega apart. `last` = length of the last arc (u = 1
+    there), `between` full arcs, `first` = length of the first. At the end H = 0 reads psi_2 u = 1;
+    psi_2 is a damped sine that vanishes `last` before the end.
     """
     A, omega = np.array([[0, 1.0], [-1, -damping]]), np.sqrt(1 - damping**2 / 4)
     lengths = [last] + [np.pi / omega] * between + [first]
@@ -126,9 +127,9 @@ def saturated(T):
 def circle(alpha, before):
     """x'' = u to the unit circle (example 2 of the book).
 
-    The last arc has u = -1 and ends at the angle alpha in (pi/2, pi). It begins on the curve (5.14),
-    -tan(alpha) before the end; the arc before, of length `before`, has u = 1.
-    psi(t_k) = -nu (cos alpha, sin alpha) with H = 0: nu (-cos alpha sin alpha + sin alpha) = 1.
+    The last arc has u = -1 and ends at the angle alpha in (pi/2, pi). It begins on the curve
+    (5.14), -tan(alpha) before the end; the arc before, of length `before`, has u = 1. psi(t_k) =
+    -nu (cos alpha, sin alpha) with H = 0: nu (-cos alpha sin alpha + sin alpha) = 1.
     """
     c, s, tan = np.cos(alpha), np.sin(alpha), np.tan(alpha)
     p1, p2 = c + tan * (s - tan / 2), s - tan
@@ -423,7 +424,8 @@ def test_large_initial_values():
     """A tumour p and its vessels q under an inhibitor with a limited dose y.
 
     Hahnfeldt and others; Ledzewicz and Schaettler give 8533 for this initial state: full dose, a
-    singular arc, no dose. The volumes in litres/1000 or in cubic millimetres lead to the same process.
+    singular arc, no dose. The volumes in litres/1000 or in cubic millimetres lead to the same
+    process.
     """
     p, q, y = sp.symbols("p q y", positive=True)
 
@@ -496,8 +498,8 @@ def test_least_fuel():
 def test_corners_of_the_switching_curve(damping, between):
     """An initial state from which all arcs last half a period, with lambda_0 = 0.
 
-    The switching function vanishes at both ends. Without a switching Newton's method may find any of
-    many costates; one of them alone satisfies the maximum condition.
+    The switching function vanishes at both ends. Without a switching Newton's method may find any
+    of many costates; one of them alone satisfies the maximum condition.
     """
     period = np.pi / np.sqrt(1 - damping**2 / 4)
     record = oscillator(damping, period, 0, period * between)
@@ -531,9 +533,9 @@ OUTSIDE, INSIDE = (
 def test_fastest_of_several_extremals_to_a_circle(radius, start, kinds, least):
     """The oscillator (problem 5.8); other guesses lead to slower extremals, or to none.
 
-    Outside: u = -1 turns around (-1, 0) to the circle of radius 1 around (1 + R, 0), in a triangle with
-    the sides 5/2, 5/2, 1; the last arc begins at (1 + R - cos s, -sin s). Inside: u = -1 alone,
-    (x1 + 1) cos T + x2 sin T = x1 + 1 - (R^2 - r^2)/2.
+    Outside: u = -1 turns around (-1, 0) to the circle of radius 1 around (1 + R, 0), in a triangle
+    with the sides 5/2, 5/2, 1; the last arc begins at (1 + R - cos s, -sin s). Inside: u = -1
+    alone, (x1 + 1) cos T + x2 sin T = x1 + 1 - (R^2 - r^2)/2.
     """
     extremal = Problem(
         {x1: x2, x2: -x1 + u}, ONE, dict(zip((x1, x2), start)), [x1**2 + x2**2 - radius**2]

@@ -40,8 +40,8 @@ def starts(window, count=150, seed=1, where=None):
 def least_times(A, bounds, support, x, horizon, inside=False):
     """Return when no direction p separates the reachable states from a convex target any more.
 
-    The target is given by its support function. From inside: when the reachable states first leave the
-    target in some direction.
+    The target is given by its support function. From inside: when the reachable states first leave
+    the target in some direction.
     """
     angles = np.linspace(0, 2 * np.pi, 2000, endpoint=False)
     p = np.array([np.cos(angles), np.sin(angles)])
@@ -540,8 +540,8 @@ def inside_circle(radius):
 def test_dispersal_curve_of_the_oscillator_runs_to_its_ends(radius):
     """Inside a circle (problem 5.8): x2 = x1 sqrt(D/(2 - D)), 2 D = R^2 - r^2.
 
-    It runs from the circle through the centre to the circle. Near its ends, and everywhere as R grows to
-    2, the two extremals run side by side for a long time.
+    It runs from the circle through the centre to the circle. Near its ends, and everywhere as R
+    grows to 2, the two extremals run side by side for a long time.
     """
     found = inside_circle(radius)
     points = np.vstack([curve.points for curve in found.dispersal_curves])

@@ -188,8 +188,8 @@ def control_problem(functional) -> Problem:
     Returns
     -------
     Problem
-        With the states x1 = x, ..., xn = x^(n-1) and the control u = x^(n) without bounds; time is a
-        state where the integrand depends on it.
+        With the states x1 = x, ..., xn = x^(n-1) and the control u = x^(n) without bounds; time is
+        a state where the integrand depends on it.
 
     Examples
     --------

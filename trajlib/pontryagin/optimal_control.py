@@ -97,7 +97,7 @@ class Problem(Statement):
         Raises
         ------
         PontryaginError
-            If there is no such extremal or none was found; the class of the error says why.
+            If there is no such extremal or none was found; the class of the error names the reason.
 
         See Also
         --------

@@ -1,8 +1,9 @@
 """Proofs that no admissible control leads to the target; `Infeasible` names one of them.
 
 1. *A monotone quantity.* l = p^T y with l' = mu l + g(u), p being a left eigenvector of a linear plant, or y_i itself
-   if its rate depends on the controls alone. Whatever the control, l stays between the solutions for the least and the
-   greatest g, each of which is monotone in time. If the target asks for a value beyond them, it cannot be reached.
+   if its rate depends on the controls alone. Whatever the control, l stays between the solutions
+   for the least and the greatest g, each of which is monotone in time. If the target asks for a
+   value beyond them, it cannot be reached.
 2. *An uncontrollable quantity.* For a linear plant l = q^T G y, G y = d being the target, with q^T G A^k B = 0 for all
    k: it follows the free motion. If this is not q^T d, the target cannot be reached.
 3. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of a

@@ -60,9 +60,9 @@ class SearchResult:
 def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
     """Search for discrete solutions over the sides of the target.
 
-    Where a theorem makes every extremal optimal one solution is enough, and so with a guess or given
-    arcs. Otherwise guesses of several kinds are tried on few intervals, and the best solutions are
-    refined. Raises `PontryaginError` with the reason if there is none.
+    Where a theorem makes every extremal optimal one solution is enough, and so with a guess or
+    given arcs. Otherwise guesses of several kinds are tried on few intervals, and the best
+    solutions are refined. Raises `PontryaginError` with the reason if there is none.
     """
     refuse_start_on_target(numeric)
     refuse_infeasible(numeric)
@@ -161,13 +161,16 @@ class _Multistart:
     def _diverse_guesses(self, side, ladder=False):
         """Yield guesses of several kinds in turn: constant controls, straight lines, oscillations.
 
-        `ladder`: at last a process that reaches the target, which is searched for only if the others are
-        not enough.
+        `ladder`: at last a process that reaches the target, which is searched for only if the
+        others are not enough.
         """
         starts = list(starting_guesses(self.numeric, COARSE, side))
-        swings = oscillating_guesses(self.numeric, COARSE, starts[0][0])
+        oscillations = oscillating_guesses(self.numeric, COARSE, starts[0][0])
         yield from (
-            start for pair in zip_longest(starts, swings) for start in pair if start is not None
+            start
+            for pair in zip_longest(starts, oscillations)
+            for start in pair
+            if start is not None
         )
         for process in self.process_to_target(side) if ladder else []:
             yield process
@@ -207,8 +210,9 @@ class _Multistart:
     def process_to_target(self, side):
         """Return a process that ends on the target in a list; empty if none was found.
 
-        The least distance is noted. A free duration is fixed at one trial value after another, up and down a
-        ladder: then the search is convex for a linear system, and finds a process if there is one.
+        The least distance is noted. A free duration is fixed at one trial value after another, up
+        and down a ladder: then the search is convex for a linear system, and finds a process if
+        there is one.
         """
         numeric = self.numeric
         programme = Transcription(
@@ -320,8 +324,8 @@ class _Multistart:
 def _distinct(solutions):
     """Return the solutions without those that show the same process, the best first.
 
-    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to the
-    next.
+    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to
+    the next.
     """
     kept = []
     for solution in sorted(solutions, key=lambda p: np.sum(np.abs(np.diff(p.controls, axis=0)))):

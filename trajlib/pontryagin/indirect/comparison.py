@@ -65,7 +65,8 @@ def compare(
     Returns
     -------
     Comparison
-        The extremals, the best first; structures and guesses without one are listed with the reason.
+        The extremals, the best first; structures and guesses without one are listed with the
+        reason.
 
     Raises
     ------

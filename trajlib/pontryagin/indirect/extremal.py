@@ -30,8 +30,8 @@ class Extremal:
     cost, duration : float
         J and t_k.
     arcs : tuple of tuple
-        (kind, begin, end), kind being "u-", "u+" (at a bound), "interior", "singular", or "zero" (u = 0
-        where the cost contains |u|); with several controls a tuple of them.
+        (kind, begin, end), kind being "u-", "u+" (at a bound), "interior", "singular", or "zero" (u
+        = 0 where the cost contains |u|); with several controls a tuple of them.
     multiplier : float
         lambda_0: 1 in the normal case, 0 in the abnormal one (then |psi(0)| = 1).
     terminal_multipliers : tuple of float
@@ -159,13 +159,14 @@ class Extremal:
         points : int, optional
             Number of panels on an arc; see `certify`.
         proved : bool, optional
-            Whether to prove in ball arithmetic that the exact extremal next to it is optimal, for linear
-            plants and costs that are at most quadratic; needs python-flint.
+            Whether to prove in ball arithmetic that the exact extremal next to it is optimal, for
+            linear plants and costs that are at most quadratic; needs python-flint.
 
         Returns
         -------
         Certificate or Proof
-            The residuals of all conditions; with `proved` the proof, or the reason why there is none.
+            The residuals of all conditions; with `proved` the proof, or the reason why there is
+            none.
         """
         if proved:
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
@@ -233,7 +234,8 @@ class Extremal:
         Parameters
         ----------
         axes : array of matplotlib.axes.Axes, optional
-            Three Axes, or four with the phase plane first, for two states or more; new ones if left out.
+            Three Axes, or four with the phase plane first, for two states or more; new ones if left
+            out.
 
         Returns
         -------

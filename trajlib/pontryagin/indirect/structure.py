@@ -18,9 +18,9 @@ OFF_AXIS = 0.1
 def candidate_structures(numeric, solution):
     """Yield the lists of arcs that a discrete solution may have, the likeliest first.
 
-    Where an angle alternates along an axis, it may be constant on its arcs. A control that approaches
-    its bound ever more slowly, as where psi has a multiple zero at the end, is near the bound long
-    before: it may be on an interior arc to the end.
+    Where an angle alternates along an axis, it may be constant on its arcs. A control that
+    approaches its bound ever more slowly, as where psi has a multiple zero at the end, is near the
+    bound long before: it may be on an interior arc to the end.
     """
     on_axis = any(stays_on_axis(numeric, solution, i) for i in range(numeric.k))
     tried = []
@@ -40,9 +40,10 @@ def detect_arcs(
 ) -> list[Arc]:
     """Return the arcs of a discrete solution.
 
-    `constant_angles`: an angle along one axis is taken to be constant but for jumps by half a turn. An
-    interval belongs to a bound if its control is there to within `tolerance` of the distance between the
-    bounds. One or two intervals between different bounds are a switching between the nodes.
+    `constant_angles`: an angle along one axis is taken to be constant but for jumps by half a turn.
+    An interval belongs to a bound if its control is there to within `tolerance` of the distance
+    between the bounds. One or two intervals between different bounds are a switching between the
+    nodes.
     """
     N = len(solution.controls)
     columns = [
@@ -164,8 +165,8 @@ def _merged(runs):
 def _split(numeric, solution, i, result, runs, index):
     """Divide a short run between the bounds among its neighbours by the mean of the control.
 
-    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a share: a
-    short arc there is not visible otherwise. It shrinks to nothing later if it is not one.
+    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a
+    share: a short arc there is not visible otherwise. It shrinks to nothing later if it is not one.
     """
     _, begin, end = runs[index]
     value = {"u-": numeric.lower[i], "u+": numeric.upper[i]}

@@ -21,8 +21,8 @@ GAP = 0.05
 def find_overtakings(fan, value_function):
     """Set the time at which each extremal is overtaken; return where it meets the better one.
 
-    The time is `fan.optimal_until`. Rows of the result: number of one fan and its s, number of the other
-    and its s, time, x1, x2; the fan that comes first in front.
+    The time is `fan.optimal_until`. Rows of the result: number of one fan and its s, number of the
+    other and its s, time, x1, x2; the fan that comes first in front.
     """
     h, own, meetings = fan.times[1], value_function.fans.index(fan), []
     sequences = fan.plant.sequences
@@ -89,10 +89,10 @@ def _shortened(sequences, sequence, back):
 def dispersal_curves(meetings, value_function):
     """Return the curves of the points where extremals meet, from `find_overtakings` of all fans.
 
-    Each extremal meets once, and along a curve its parameter grows: so the points are sorted by it. A
-    curve is drawn by the extremals of both its sides, since those of one side may be sparse where those
-    of the other are dense. If it is itself an extremal, which all of the other side meet, the parameter
-    of these decides.
+    Each extremal meets once, and along a curve its parameter grows: so the points are sorted by it.
+    A curve is drawn by the extremals of both its sides, since those of one side may be sparse where
+    those of the other are dense. If it is itself an extremal, which all of the other side meet, the
+    parameter of these decides.
     """
     curves = []
     meetings = meetings[:, in_window(meetings[5:], value_function)]
@@ -117,8 +117,9 @@ def dispersal_curves(meetings, value_function):
 def _overtaken(fan, value_function):
     """Return the overtaken extremals, the first step at which each is, and the better ones.
 
-    Once overtaken, always overtaken: interpolated costs show it, and exact ones then lead back to the
-    first step. Where two extremals run side by side the gain grows so slowly that it lies far before.
+    Once overtaken, always overtaken: interpolated costs show it, and exact ones then lead back to
+    the first step. Where two extremals run side by side the gain grows so slowly that it lies far
+    before.
     """
     k, j = np.nonzero(np.arange(fan.times.size)[:, None] <= fan.last_step[None, :])
     inside = in_window(fan.path[k, :, j].T, value_function)

@@ -26,13 +26,13 @@ class Fan:
     Attributes
     ----------
     motion : ndarray, shape (K + 1, 7, N)
-        The columns z of `plant`, nan some steps after the end of an extremal; `path` are its states,
-        `value` its cost.
+        The columns z of `plant`, nan some steps after the end of an extremal; `path` are its
+        states, `value` its cost.
     mode, sequence : ndarray of int, shape (K + 1, N)
         Of the controls, and of the control sequence so far.
     switchings : ndarray
-        Rows: index of the extremal, tau, x1, x2, modes before and after (in forward time), velocities
-        before and after.
+        Rows: index of the extremal, tau, x1, x2, modes before and after (in forward time),
+        velocities before and after.
     last_step, outcome : ndarray of int, shape (N,)
         The last step of an extremal; 1 if it then met the target again, 2 if it left the box.
     optimal_until : ndarray, shape (N,)
@@ -165,9 +165,9 @@ class Fan:
     def arcs(self, s, tau, sequence):
         """Return z at the ends of extremals with given sequences, and where their last arcs begin.
 
-        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that is
-        earlier: so the end is a smooth function of s and tau, to which Newton's method can be applied. nan
-        where there are fewer switchings.
+        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that
+        is earlier: so the end is a smooth function of s and tau, to which Newton's method can be
+        applied. nan where there are fewer switchings.
         """
         plant = self.plant
         z, _ = self.start(s)

@@ -6,8 +6,8 @@ import numpy as np
 def newton_extremals(fan, x, s, tau, sequence, rounds=20):
     """Solve x(s, tau) = x by Newton's method for extremals of given control sequences.
 
-    Returns s, tau, costs, the modes at the points, the controls there (N, k), and which converged. On a
-    switching curve the mode is that of the control that follows.
+    Returns s, tau, costs, the modes at the points, the controls there (N, k), and which converged.
+    On a switching curve the mode is that of the control that follows.
     """
     plant, sequences = fan.plant, fan.plant.sequences
     tau, count = tau.copy(), s.size

@@ -17,8 +17,8 @@ from trajlib.pontryagin.problem.statement import Statement
 class ControlField(Sequence):
     """The right-hand sides for a control and some states, with the costates eliminated.
 
-    They are those of `conditions().control_field`, computed on first access, so that a statement can
-    name what the student is to find. The object is a sequence of expressions.
+    They are those of `conditions().control_field`, computed on first access, so that a statement
+    can name what the student is to find. The object is a sequence of expressions.
 
     Parameters
     ----------
@@ -126,7 +126,8 @@ def control_field(problem: Statement) -> dict[sp.Symbol, sp.Expr]:
 def _costates_from_end(problem, costates, sign):
     """Return the constant costates, whose values the terminal conditions determine.
 
-    They belong to states that enter neither the equations nor the target, and the final cost linearly.
+    They belong to states that enter neither the equations nor the target, and the final cost
+    linearly.
     """
     occurring = set().union(
         *(e.free_symbols for e in (*problem.field, problem.running, *problem.terminal))

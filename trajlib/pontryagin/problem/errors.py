@@ -24,8 +24,8 @@ class Chattering(PontryaginError):
     message : str
         What accumulates and where.
     numbers : Accumulation, optional
-        The optimal cost and the ratio of successive arcs with their errors, where they are known; see
-        `indirect.accumulation`.
+        The optimal cost and the ratio of successive arcs with their errors, where they are known;
+        see `indirect.accumulation`.
     """
 
     def __init__(self, message, numbers=None):

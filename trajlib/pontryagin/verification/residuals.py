@@ -1,7 +1,7 @@
 """Residuals of a trajectory in each condition of the maximum principle.
 
-Panels and Gaussian quadrature for the differential equations, direct comparison of H for the maximum
-condition; SymPy and NumPy only, so that nothing is shared with the numerical solution.
+Panels and Gaussian quadrature for the differential equations, direct comparison of H for the
+maximum condition; SymPy and NumPy only, so that nothing is shared with the numerical solution.
 """
 
 import itertools
