@@ -138,15 +138,15 @@ def end_conditions(functional, motion) -> list[sp.Eq]:
     [Eq(C0, 0), Eq(C0 + C1, 1)]
     """
     time, begin, end = functional.interval
-    given = [
-        (derivative, place, value)
-        for place, values in ((begin, functional.start), (end, functional.end))
+    conditions = [
+        (derivative, instant, value)
+        for instant, values in ((begin, functional.start), (end, functional.end))
         for derivative, value in zip(functional.derivatives, values)
         if value is not None
     ]
     return [
-        sp.Eq(derivative.subs(functional.motion, motion).doit().subs(time, place), value)
-        for derivative, place, value in given
+        sp.Eq(derivative.subs(functional.motion, motion).doit().subs(time, instant), value)
+        for derivative, instant, value in conditions
     ] + [_at_ends(functional, e, motion) for e in natural_conditions(functional)]
 
 
@@ -188,8 +188,8 @@ def control_problem(functional) -> Problem:
     Returns
     -------
     Problem
-        With the states x1 = x, ..., xn = x^(n-1) and the control u = x^(n) without bounds; time is a
-        state where the integrand depends on it.
+        With the states x1 = x, ..., xn = x^(n-1) and the control u = x^(n) without bounds; time is
+        a state where the integrand depends on it.
 
     Examples
     --------

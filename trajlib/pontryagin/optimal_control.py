@@ -1,5 +1,6 @@
 """The public class of optimal control problems: a statement with the methods that act on it."""
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from trajlib.pontryagin.problem.derivation import Conditions, conditions
@@ -74,7 +75,9 @@ class Problem(Statement):
         """
         return conditions(self)
 
-    def solve(self, structure=None, guess=None) -> "Extremal":
+    def solve(
+        self, structure: Sequence | None = None, guess: "Extremal | dict | None" = None
+    ) -> "Extremal":
         """Find an extremal of the problem with its arcs and switching times.
 
         Parameters
@@ -94,7 +97,7 @@ class Problem(Statement):
         Raises
         ------
         PontryaginError
-            If there is no such extremal or none was found; the class of the error says why.
+            If there is no such extremal or none was found; the class of the error names the reason.
 
         See Also
         --------

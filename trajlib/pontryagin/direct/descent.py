@@ -43,8 +43,8 @@ def descend(numeric: NumericProblem, solution: DirectSolution, side: int | None)
 def _improved_by_needles(numeric, solution, side):
     """Return a solution of lower cost from controls that maximise H on each interval, or None.
 
-    Stationary controls need not maximise H where it is not concave. The integral of what H lacks is the
-    first-order decrease of the cost by short changes of the control (needle variations).
+    Stationary controls need not maximise H where it is not concave. The integral of what H lacks is
+    the first-order decrease of the cost by short changes of the control (needle variations).
     """
     if not any(
         curved and bounded

@@ -52,9 +52,9 @@ def fixed_duration(numeric: NumericProblem, solution: DirectSolution) -> float |
 def refuse_falling_cost(numeric, search_result):
     """Raise `Unbounded` if the cost falls with twice the duration, and further with four times.
 
-    Then nothing in the solution is stationary but the errors of its steps, and joining its arcs takes
-    minutes and fails. With longer steps it has another duration: where the duration is the same, nothing
-    has to be tried.
+    Then nothing in the solution is stationary but the errors of its steps, and joining its arcs
+    takes minutes and fails. With longer steps it has another duration: where the duration is the
+    same, nothing has to be tried.
     """
     problem, (solution, side) = numeric.problem, search_result.solutions[0]
     if (

@@ -10,8 +10,8 @@ from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 def starting_guesses(numeric, intervals, side=None):
     """Yield guesses (duration, states (N+1, n), controls (N, k)), the likeliest first.
 
-    First trajectories under constant controls, each until it comes closest to the target; then straight
-    lines to the target with several durations.
+    First trajectories under constant controls, each until it comes closest to the target; then
+    straight lines to the target with several durations.
     """
     drifts = sorted(
         (
@@ -67,8 +67,8 @@ def oscillating_guesses(numeric, intervals, duration, sign=1):
 def target_sides(numeric):
     """Return the possible sides of the target before its end: [1], [-1], both, or [None].
 
-    The side matters for `first_return`; and the fastest process does not pass the target, which excludes
-    local minima.
+    The side matters for `first_return`; and the fastest process does not pass the target, which
+    excludes local minima.
     """
     problem = numeric.problem
     fastest = (

@@ -1,8 +1,9 @@
 """Proofs that no admissible control leads to the target; `Infeasible` names one of them.
 
 1. *A monotone quantity.* l = p^T y with l' = mu l + g(u), p being a left eigenvector of a linear plant, or y_i itself
-   if its rate depends on the controls alone. Whatever the control, l stays between the solutions for the least and the
-   greatest g, each of which is monotone in time. If the target asks for a value beyond them, it cannot be reached.
+   if its rate depends on the controls alone. Whatever the control, l stays between the solutions
+   for the least and the greatest g, each of which is monotone in time. If the target asks for a
+   value beyond them, it cannot be reached.
 2. *An uncontrollable quantity.* For a linear plant l = q^T G y, G y = d being the target, with q^T G A^k B = 0 for all
    k: it follows the free motion. If this is not q^T d, the target cannot be reached.
 3. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of a
@@ -137,12 +138,12 @@ def is_separated(numeric, duration, final_state):
 
     G, d = target
     A, B, c = plant
-    missed = G @ final_state - d
+    residual = G @ final_state - d
     n, panels = len(A), 2000
     # psi(T - s) = e^(A^T s) G^T q on a grid; (c, 1) as a further state of the plant.
     extended = np.zeros((n + 1, n + 1))
     extended[:n, :n], extended[:n, n] = A, c
-    step, row = expm(extended * duration / panels), np.append(missed @ G, 0.0)
+    step, row = expm(extended * duration / panels), np.append(residual @ G, 0.0)
     rows = [row]
     for _ in range(panels):
         row = row @ step
@@ -152,10 +153,10 @@ def is_separated(numeric, duration, final_state):
         return False  # a control without bounds leads beyond every hyperplane
     gap = (
         rows[-1] @ np.append(numeric.start, 1.0)
-        - missed @ d
+        - residual @ d
         + duration * (np.sum(least) - (least[0] + least[-1]) / 2) / panels
     )
-    return bool(np.isfinite(gap) and gap > 0.1 * missed @ missed > 0)
+    return bool(np.isfinite(gap) and gap > 0.1 * residual @ residual > 0)
 
 
 def _linear_target(problem):

@@ -60,27 +60,27 @@ class SearchResult:
 def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
     """Search for discrete solutions over the sides of the target.
 
-    Where a theorem makes every extremal optimal one solution is enough, and so with a guess or given
-    arcs. Otherwise guesses of several kinds are tried on few intervals, and the best solutions are
-    refined. Raises `PontryaginError` with the reason if there is none.
+    Where a theorem makes every extremal optimal one solution is enough, and so with a guess or
+    given arcs. Otherwise guesses of several kinds are tried on few intervals, and the best
+    solutions are refined. Raises `PontryaginError` with the reason if there is none.
     """
     refuse_start_on_target(numeric)
     refuse_infeasible(numeric)
-    attempts = _Multistart(numeric, structure)
+    multistart = _Multistart(numeric, structure)
     single = guess is not None or structure is not None or sufficiency_theorem(numeric.problem)
     solutions = []
     for side in target_sides(numeric):
         solutions += (
-            attempts.first_solution(side, guess) if single else attempts.best_solutions(side)
+            multistart.first_solution(side, guess) if single else multistart.best_solutions(side)
         )
     if not solutions:
-        attempts.raise_reason()
+        multistart.raise_reason()
     # Where a theorem makes every extremal optimal there are no saddles.
-    if not attempts.convex and structure is None:
+    if not multistart.convex and structure is None:
         solutions = [(descend(numeric, solution, side), side) for solution, side in solutions]
     solutions.sort(key=lambda pair: pair[0].cost)
     return SearchResult(
-        solutions, attempts.starts, max(attempts.found, 1), attempts.coarse_durations
+        solutions, multistart.starts, max(multistart.found, 1), multistart.coarse_durations
     )
 
 
@@ -129,10 +129,8 @@ class _Multistart:
         numeric = self.numeric
         coarse = Transcription(numeric, COARSE, None, side, patience=PATIENCE)
         point = numeric.duration is None and numeric.m > 1
-        coarse_solutions, ladder_tried = (
-            self._distinct_solutions(coarse, self._diverse_guesses(side, point)),
-            numeric.m == 0 or point,
-        )
+        coarse_solutions = self._distinct_solutions(coarse, self._diverse_guesses(side, point))
+        ladder_tried = numeric.m == 0 or point
         if not coarse_solutions:
             # Few intervals may be too long for a plant that is fast or unstable.
             fine = Transcription(numeric, INTERVALS, None, side)
@@ -142,10 +140,8 @@ class _Multistart:
         if point and len(coarse_solutions) > 1:
             coarse_solutions = self._improved_by_oscillations(coarse, coarse_solutions)
         self.found += len(coarse_solutions)
-        solutions, fine_programme = (
-            [],
-            Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True),
-        )
+        fine_programme = Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
+        solutions = []
         for solution in coarse_solutions:
             if len(solutions) == 3 or (
                 solutions and solution.cost > solutions[0].cost + CLOSE * abs(solutions[0].cost)
@@ -165,13 +161,16 @@ class _Multistart:
     def _diverse_guesses(self, side, ladder=False):
         """Yield guesses of several kinds in turn: constant controls, straight lines, oscillations.
 
-        `ladder`: at last a process that reaches the target, which is searched for only if the others are
-        not enough.
+        `ladder`: at last a process that reaches the target, which is searched for only if the
+        others are not enough.
         """
         starts = list(starting_guesses(self.numeric, COARSE, side))
-        swings = oscillating_guesses(self.numeric, COARSE, starts[0][0])
+        oscillations = oscillating_guesses(self.numeric, COARSE, starts[0][0])
         yield from (
-            start for pair in zip_longest(starts, swings) for start in pair if start is not None
+            start
+            for pair in zip_longest(starts, oscillations)
+            for start in pair
+            if start is not None
         )
         for process in self.process_to_target(side) if ladder else []:
             yield process
@@ -211,8 +210,9 @@ class _Multistart:
     def process_to_target(self, side):
         """Return a process that ends on the target in a list; empty if none was found.
 
-        The least distance is noted. A free duration is fixed at one trial value after another, up and down a
-        ladder: then the search is convex for a linear system, and finds a process if there is one.
+        The least distance is noted. A free duration is fixed at one trial value after another, up
+        and down a ladder: then the search is convex for a linear system, and finds a process if
+        there is one.
         """
         numeric = self.numeric
         programme = Transcription(
@@ -324,8 +324,8 @@ class _Multistart:
 def _distinct(solutions):
     """Return the solutions without those that show the same process, the best first.
 
-    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to the
-    next.
+    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to
+    the next.
     """
     kept = []
     for solution in sorted(solutions, key=lambda p: np.sum(np.abs(np.diff(p.controls, axis=0)))):

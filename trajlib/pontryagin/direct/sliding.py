@@ -88,8 +88,8 @@ def sequential_controls(numeric, relaxed):
 def refuse_sliding(numeric, solution, relaxed, sequential):
     """Raise `Unbounded`: ever faster switching seems to approach the relaxed infimum.
 
-    Not if the solution `sequential`, found from the `sequential_controls`, comes as close to it as a
-    discrete solution can.
+    Not if the solution `sequential`, found from the `sequential_controls`, comes as close to it as
+    a discrete solution can.
     """
     if sequential and sequential.cost < relaxed.cost + GAIN * (GAIN + abs(relaxed.cost)):
         return

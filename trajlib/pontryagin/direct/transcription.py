@@ -70,8 +70,8 @@ class Transcription:
     intervals : int
         Number of intervals, at least 12 for each arc of a structure.
     structure : list of tuple of str, optional
-        Kinds of the arcs; each arc then has its own intervals and length, and its controls are at their
-        bounds or free. None: all intervals are equal and all controls free.
+        Kinds of the arcs; each arc then has its own intervals and length, and its controls are at
+        their bounds or free. None: all intervals are equal and all controls free.
     side : int, optional
         Side of the target to stay on before the final time (first return).
     distance_only : bool, optional
@@ -170,8 +170,8 @@ class Transcription:
     def solve(self, guess, duration: float | None = None) -> DirectSolution | Failure:
         """Return the solution, or a `Failure` if IPOPT does not report one.
 
-        `guess`: (duration, states (M+1, n), controls (M, k)) on M equal intervals. `duration`: fixes it at
-        this number, whatever the problem says.
+        `guess`: (duration, states (M+1, n), controls (M, k)) on M equal intervals. `duration`:
+        fixes it at this number instead of that of the problem.
         """
         limits = dict(self.limits)
         if duration is not None:

@@ -27,11 +27,11 @@ class Accumulation:
     Attributes
     ----------
     cost, cost_error : float
-        The cost of the process, and by how much it is higher with one arc less, which is more than all
-        further arcs gain.
+        The cost of the process, and by how much it is higher with one arc less, which is more than
+        all further arcs gain.
     ratio, ratio_error : float
-        Of the length of an arc to that of the next (the geometric mean over two); how much one further
-        arc changed it, or how much it varies from arc to arc.
+        Of the length of an arc to that of the next (the geometric mean over two); how much one
+        further arc changed it, or how much it varies from arc to arc.
     lengths : tuple of float
         Of the arcs at the bounds, the first of which is a part of an arc.
     """
@@ -53,8 +53,8 @@ class Accumulation:
 def estimate_accumulation(numeric, arcs, singular, duration):
     """Return the `Accumulation` of arcs that begin with bounds, or None.
 
-    `arcs`: as `detect_arcs` returns them; `singular`: the `ArcFlow` of the singular arc; `duration`:
-    None if it is free. None where other arcs follow, or the costs do not converge.
+    `arcs`: as `detect_arcs` returns them; `singular`: the `ArcFlow` of the singular arc;
+    `duration`: None if it is free. None where other arcs follow, or the costs do not converge.
     """
     kinds = [arc.kinds[0] for arc in arcs]
     leading = next((i for i, kind in enumerate(kinds) if kind == "singular"), len(kinds))

@@ -7,8 +7,8 @@ describes such an extremal, so it is refused, with the numbers of `accumulation`
 known.
 
 A bang arc can join a singular arc of odd order q > 1, but only from the few states of one
-trajectory: from the others the cost may fall with every further arc as well (the third derivative of
-x as control, the cost x^2, q = 3). There the numbers decide.
+trajectory: from the others the cost may fall with every further arc as well (the third derivative
+of x as control, the cost x^2, q = 3). There the numbers decide.
 """
 
 import casadi as ca
@@ -22,9 +22,10 @@ from trajlib.pontryagin.problem.errors import Chattering, WrongStructure
 def refuse_chattering(numeric, arcs, end, duration):
     """Raise `Chattering` if the arcs reach a singular arc that bang arcs cannot join.
 
-    `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. At a singular
-    arc of odd order above one it is raised only if further arcs lower the cost. A free final time in
-    which the target lies on the singular arc is the case of Fuller: resting there costs nothing more.
+    `arcs`: list of `Arc`; `end`: final state; `duration`: None if the final time is free. At a
+    singular arc of odd order above one it is raised only if further arcs lower the cost. A free
+    final time in which the target lies on the singular arc is the case of Fuller: resting there
+    costs nothing more.
     """
     for j in range(numeric.k):
         if not numeric.affine[j] or not np.isfinite([numeric.lower[j], numeric.upper[j]]).all():
@@ -69,9 +70,9 @@ def refuse_chattering(numeric, arcs, end, duration):
 def _may_rest(numeric, end):
     """Check whether resting at the end may cost nothing, by the running cost alone.
 
-    A process that rests keeps to the target, G f = 0, so that psi^T f = 0 by transversality if the end
-    itself has no cost, and H = -f_0. This cheap test saves the derivatives of the switching function,
-    which fill pages where the plant is not simple.
+    A process that rests keeps to the target, G f = 0, so that psi^T f = 0 by transversality if the
+    end itself has no cost, and H = -f_0. This cheap test saves the derivatives of the switching
+    function, which fill pages where the plant is not simple.
     """
     if numeric.problem.final != 0 or any(ca.which_depends(numeric.density, numeric.u)):
         return True
@@ -83,9 +84,10 @@ def _may_rest(numeric, end):
 def _rests_on_arc(numeric, flow, j, end):
     """Check whether the end state lies on the singular arc and can rest there at no cost.
 
-    It needs lambda_0 = 1, a control strictly inside its bounds, an arc that keeps to the target, and
-    H = 0, since the final time is free: where the arc has a running cost, resting there is not free. Nor
-    does the process rest there where other controls, at their bounds, drive it away from the target.
+    It needs lambda_0 = 1, a control strictly inside its bounds, an arc that keeps to the target,
+    and H = 0, since the final time is free: where the arc has a running cost, resting there is not
+    free. Nor does the process rest there where other controls, at their bounds, drive it away from
+    the target.
     """
     n = numeric.n
     # Where its switching function vanishes H does not depend on the singular control.

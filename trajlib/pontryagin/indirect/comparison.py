@@ -44,7 +44,10 @@ class Comparison:
 
 
 def compare(
-    problem: Statement, structures: Iterable = (), guess=None, guesses: Iterable = ()
+    problem: Statement,
+    structures: Iterable = (),
+    guess: Extremal | dict | None = None,
+    guesses: Iterable = (),
 ) -> Comparison:
     """Compare the extremals with given structures and those near given guesses.
 
@@ -62,7 +65,8 @@ def compare(
     Returns
     -------
     Comparison
-        The extremals, the best first; structures and guesses without one are listed with the reason.
+        The extremals, the best first; structures and guesses without one are listed with the
+        reason.
 
     Raises
     ------

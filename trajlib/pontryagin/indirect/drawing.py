@@ -20,8 +20,9 @@ _POINTS = 120
 def draw_extremal(extremal, axes=None):
     """Draw phase plane, states, controls with dH/du, and costates; return the array of Axes.
 
-    `axes`: three Axes, or four with the phase plane first, for two states or more. The arcs are coloured
-    bands with their names; the phase plane marks the initial state, the switchings and the end.
+    `axes`: three Axes, or four with the phase plane first, for two states or more. The arcs are
+    coloured bands with their names; the phase plane marks the initial state, the switchings and the
+    end.
     """
     planar = len(extremal.problem.state) > 1
     count = 3 + planar

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Literal, overload
 
 import numpy as np
 
@@ -12,9 +13,9 @@ from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, arc_latex
 from trajlib.pontryagin.problem.errors import WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.statement import Statement
-from trajlib.pontryagin.verification.certificate import certify
+from trajlib.pontryagin.verification.certificate import Certificate, certify
 from trajlib.pontryagin.verification.optimality import Optimality, relaxed_sufficiency_theorem
-from trajlib.pontryagin.verification.proof import prove
+from trajlib.pontryagin.verification.proof import Proof, prove
 from trajlib.pontryagin.verification.second_variation import extremal_second_variation
 
 
@@ -29,8 +30,8 @@ class Extremal:
     cost, duration : float
         J and t_k.
     arcs : tuple of tuple
-        (kind, begin, end), kind being "u-", "u+" (at a bound), "interior", "singular", or "zero" (u = 0
-        where the cost contains |u|); with several controls a tuple of them.
+        (kind, begin, end), kind being "u-", "u+" (at a bound), "interior", "singular", or "zero" (u
+        = 0 where the cost contains |u|); with several controls a tuple of them.
     multiplier : float
         lambda_0: 1 in the normal case, 0 in the abnormal one (then |psi(0)| = 1).
     terminal_multipliers : tuple of float
@@ -142,7 +143,15 @@ class Extremal:
         value = self._along(t, lambda flow, y: flow.values("hamiltonian", y, self.multiplier))
         return float(value[0]) if np.ndim(t) == 0 else value[0]
 
-    def certificate(self, points: int | None = None, proved: bool = False):
+    @overload
+    def certificate(
+        self, points: int | None = None, proved: Literal[False] = False
+    ) -> Certificate: ...
+
+    @overload
+    def certificate(self, points: int | None = None, *, proved: Literal[True]) -> Proof: ...
+
+    def certificate(self, points: int | None = None, proved: bool = False) -> Certificate | Proof:
         """Return evidence that this is an extremal, computed from the trajectory alone.
 
         Parameters
@@ -150,13 +159,14 @@ class Extremal:
         points : int, optional
             Number of panels on an arc; see `certify`.
         proved : bool, optional
-            Whether to prove in ball arithmetic that the exact extremal next to it is optimal, for linear
-            plants and costs that are at most quadratic; needs python-flint.
+            Whether to prove in ball arithmetic that the exact extremal next to it is optimal, for
+            linear plants and costs that are at most quadratic; needs python-flint.
 
         Returns
         -------
         Certificate or Proof
-            The residuals of all conditions; with `proved` the proof, or the reason why there is none.
+            The residuals of all conditions; with `proved` the proof, or the reason why there is
+            none.
         """
         if proved:
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
@@ -224,7 +234,8 @@ class Extremal:
         Parameters
         ----------
         axes : array of matplotlib.axes.Axes, optional
-            Three Axes, or four with the phase plane first, for two states or more; new ones if left out.
+            Three Axes, or four with the phase plane first, for two states or more; new ones if left
+            out.
 
         Returns
         -------
@@ -254,11 +265,11 @@ class Extremal:
             raise ValueError(f"t: expected times between 0 and the duration {self.duration:.6g}")
         times = np.clip(times, 0, self.duration)
         begins = np.concatenate([[0.0], np.cumsum(self._shot.lengths)[:-1]])
-        where = np.searchsorted(begins, times, side="right") - 1
+        segment = np.searchsorted(begins, times, side="right") - 1
         result = None
-        for index in np.unique(where):
+        for index in np.unique(segment):
             flow, length = self._shot.flows[index], self._shot.lengths[index]
-            steps, mask = self._shot.steps[index], where == index
+            steps, mask = self._shot.steps[index], segment == index
             inside = np.clip(times[mask] - begins[index], 0, length)
             node = np.minimum((inside / length * steps).astype(int), steps - 1)
             # One step of the integrator from the node before: as exact as the nodes themselves.

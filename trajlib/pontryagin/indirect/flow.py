@@ -9,8 +9,8 @@ the flow,
 
 so that no equation has to be solved on the way and no root be chosen. An angle whose part of H
 vanishes at one instant jumps there by half a turn: where it is constant before and after, the arcs
-are "ahead" (u = w) and "back" (u = w + pi) with w' = 0 (motion along a line under a thrust that only
-reverses). The integrator is the extrapolated explicit midpoint rule (Gragg) with 2, 4, 6 and 8
+are "ahead" (u = w) and "back" (u = w + pi) with w' = 0 (motion along a line under a thrust that
+only reverses). The integrator is the extrapolated explicit midpoint rule (Gragg) with 2, 4, 6 and 8
 substeps, of order 8; it needs no table of coefficients.
 """
 
@@ -34,8 +34,8 @@ class ArcFlow:
     control : casadi.SX
         The controls as an expression in `y` and `multiplier`.
     entry : casadi.SX
-        Expressions that vanish where an arc begins: dH/du for interior controls, the switching function
-        and its derivatives for singular ones.
+        Expressions that vanish where an arc begins: dH/du for interior controls, the switching
+        function and its derivatives for singular ones.
     size : int
         Length of y.
     orders : dict
@@ -84,8 +84,8 @@ class ArcFlow:
     def _stationary(self, i):
         """Return the expression that vanishes for an interior control: dH/du_i.
 
-        Where it vanishes for every u_i, since another control is zero (the direction of a zero thrust), its
-        derivative with respect to that control.
+        Where it vanishes for every u_i, since another control is zero (the direction of a zero
+        thrust), its derivative with respect to that control.
         """
         numeric, slope = self.numeric, self.numeric.slopes[i]
         for j, kind in enumerate(self.kinds):
@@ -226,8 +226,8 @@ def singular_control(numeric, i, control, kinds):
     """Return dH/du with its derivatives of orders 0 to 2q-1 for control i, and the control -a/b.
 
     Expressions in x, psi, lambda_0; controls at their bounds have the values in `control`. Raises
-    `NotUnique` if no derivative contains the control, `WrongStructure` if another control that is not at
-    a bound acts on them.
+    `NotUnique` if no derivative contains the control, `WrongStructure` if another control that is
+    not at a bound acts on them.
     """
     if not numeric.affine[i]:
         raise WrongStructure(
@@ -289,12 +289,12 @@ def _vanishes(numeric, factor):
     arguments = [numeric.x, numeric.psi, numeric.u, numeric.multiplier]
     value = ca.Function("factor", arguments, [factor])
     random = np.random.default_rng(0)
-    around = np.nan_to_num(numeric.start)
+    centre = np.nan_to_num(numeric.start)
     values = [
         abs(
             float(
                 value(
-                    around + 0.1 * random.standard_normal(numeric.n) * (1 + np.abs(around)),
+                    centre + 0.1 * random.standard_normal(numeric.n) * (1 + np.abs(centre)),
                     random.standard_normal(numeric.n),
                     numeric.middle(),
                     1.0,

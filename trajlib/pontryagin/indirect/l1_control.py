@@ -1,8 +1,8 @@
 """Costs with |u|: the control is split, u = p - q with p, q >= 0, and |u| = p + q.
 
 Every admissible u is such a pair with p q = 0 and the same cost. So the best pair is the best
-control, provided that its p and q are never positive at once; where the cost rewards |u| this fails,
-and the problem is refused.
+control, provided that its p and q are never positive at once; where the cost rewards |u| this
+fails, and the problem is refused.
 """
 
 from dataclasses import dataclass, fields, replace

@@ -26,7 +26,7 @@ def required_arcs(numeric, shot):
             np.append(start, 0.0), shot.multiplier, length, len(FRACTIONS), FRACTIONS
         )[1:, :-1]
         slopes, controls = (
-            flow.values(what, points.T, shot.multiplier) for what in ("slopes", "control")
+            flow.values(function, points.T, shot.multiplier) for function in ("slopes", "control")
         )
         columns = [
             _required_kinds(numeric, flow.kinds[j], j, slopes[j], controls[j], shot)

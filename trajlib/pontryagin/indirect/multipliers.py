@@ -3,8 +3,8 @@
 Along arcs at the bounds the state does not depend on the costate, and all equations for lambda_0,
 psi(0) and the multipliers of the target are linear and homogeneous. With few switchings they leave
 more than one solution (an initial state on a switching curve, or on a corner of one), of which
-Newton's method finds any. The maximum condition is linear too, slope times sign >= 0 along the arcs,
-so a linear programme finds the solution that is farthest from its border.
+Newton's method finds any. The maximum condition is linear too, slope times sign >= 0 along the
+arcs, so a linear programme finds the solution that is farthest from its border.
 """
 
 from copy import copy
@@ -21,7 +21,8 @@ RANK = 1e-9
 def choose_multipliers(numeric, shot, duration):
     """Return the solution with multipliers that satisfy the maximum condition, or None.
 
-    None also where arcs are not all at the bounds, and where the multipliers are unique up to a factor.
+    None also where arcs are not all at the bounds, and where the multipliers are unique up to a
+    factor.
     """
     if any(kind not in ("u-", "u+") for flow in shot.flows for kind in flow.kinds):
         return None
@@ -51,7 +52,8 @@ def choose_multipliers(numeric, shot, duration):
 class _Basis:
     """The costates for lambda_0 = 1 alone and for each psi_i(0) = 1 alone, a basis of all.
 
-    `starts`: (segments + 1, n, 1 + n), the costates at the beginnings of the segments and at the end.
+    `starts`: (segments + 1, n, 1 + n), the costates at the beginnings of the segments and at the
+    end.
     """
 
     def __init__(self, numeric, shot):

@@ -49,9 +49,9 @@ def refine(
 ) -> ShootingSolution:
     """Refine a discrete solution with given arcs by multiple shooting.
 
-    Arcs that vanish are left out, and where the maximum condition fails the arcs are detected anew on
-    the trajectory, unless the structure is to be kept. `flow_cache` holds the flows built so far. Raises
-    `WrongStructure` if nothing leads to an extremal.
+    Arcs that vanish are left out, and where the maximum condition fails the arcs are detected anew
+    on the trajectory, unless the structure is to be kept. `flow_cache` holds the flows built so
+    far. Raises `WrongStructure` if nothing leads to an extremal.
     """
     tried_structures, reason = set(), ""
     while tuple(arc.kinds for arc in arcs) not in tried_structures:
@@ -97,8 +97,8 @@ def refine(
 def shoot(numeric, solution, arcs, duration, flow_cache):
     """Solve the equations of these arcs by Newton's method from a discrete solution.
 
-    If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution may be
-    found from a larger lambda_0; if none is, the abnormal one is searched for.
+    If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution
+    may be found from a larger lambda_0; if none is, the abnormal one is searched for.
     """
     flows = build_flows(numeric, [arc.kinds for arc in arcs], flow_cache)
     guess = _starting_values(numeric, solution, arcs, flows)
@@ -150,8 +150,8 @@ def arc_lengths(shot):
 def _starting_values(numeric, solution, arcs, flows):
     """Cut arcs into segments along which errors grow by CANCELLING at most.
 
-    Every segment begins with the values of the discrete solution: integrated from the beginning of a
-    long arc, its errors would grow.
+    Every segment begins with the values of the discrete solution: integrated from the beginning of
+    a long arc, its errors would grow.
     """
     scale = np.linalg.norm(np.append(solution.costates[0], 1.0))
     segment_flows, starts, lengths = [], [], []
@@ -209,8 +209,8 @@ def _swept(numeric, flow, point, multiplier, length):
 def _point(numeric, solution, flow, begin, length, scale):
     """Return y of the discrete solution where a segment begins.
 
-    Where a control jumps or swings, it is between two samples that of neither: there the first sample on
-    the segment is taken, or, if there is none, the control that maximises H.
+    Where a control jumps or changes fast, it is between two samples that of neither: there the
+    first sample on the segment is taken, or, if there is none, the control that maximises H.
     """
     middles = (solution.times[:-1] + solution.times[1:]) / 2
     x = [np.interp(begin, solution.times, column) for column in solution.states.T]

@@ -267,8 +267,8 @@ class ArcEquations:
 def control_jumps(numeric, shot):
     """Return {(index, j)} for controls j that jump to or from a bound after segment `index`.
 
-    A control jumps between a bound and an interior arc where H is convex in it at the bound: there no
-    stationary value that maximises H can come near.
+    A control jumps between a bound and an interior arc where H is convex in it at the bound: there
+    no stationary value that maximises H can come near.
     """
     result, n = set(), numeric.n
     for index, (left, right) in enumerate(zip(shot.flows, shot.flows[1:])):
@@ -286,9 +286,9 @@ def control_jumps(numeric, shot):
 def newton(equations, z, iterations=80):
     """Solve by damped least-squares Newton steps; the lengths of the arcs stay positive.
 
-    Returns (z, largest residual, uncertainty of the lengths): each residual relative to the terms that
-    cancel in its equation (at least to one, at most to CANCELLING), the uncertainty relative to the
-    duration.
+    Returns (z, largest residual, uncertainty of the lengths): each residual relative to the terms
+    that cancel in its equation (at least to one, at most to CANCELLING), the uncertainty relative
+    to the duration.
     """
     r, J = equations.residual(z)
     sizes = []
@@ -348,9 +348,9 @@ def _shortened(equations, z, r, step, shortest):
 def _least_squares(J, r, rank):
     """Return the shortest step that minimises |J step + r|.
 
-    Directions below the share `rank` of the largest singular value of J are left out. Where there are
-    none, the step solves a square system without singular values, which take most of the time of long
-    arcs with many segments.
+    Directions below the share `rank` of the largest singular value of J are left out. Where there
+    are none, the step solves a square system without singular values, which take most of the time
+    of long arcs with many segments.
     """
     count = len(r)
     if J.shape[1] == count:

@@ -6,6 +6,8 @@ their arcs (`structure`), and Newton's method for the boundary value problem ove
 (`refinement`, `shooting`, `flow`).
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
@@ -32,7 +34,9 @@ from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
 
 
-def solve(problem: Statement, structure=None, guess=None) -> Extremal:
+def solve(
+    problem: Statement, structure: Sequence | None = None, guess: Extremal | dict | None = None
+) -> Extremal:
     """Find an extremal of a problem; called as `problem.solve(...)`.
 
     Parameters
@@ -70,13 +74,11 @@ def solve(problem: Statement, structure=None, guess=None) -> Extremal:
     NotConverged
         If no process was found, which proves nothing.
 
-    Notes
-    -----
-    `Extremal.optimality` has what is known beyond the necessary conditions. For linear plants with a
-    convex cost and a given duration, and for the least time to a point at which a linear plant can be
-    held, the extremal is proved optimal. Otherwise the search begins at several guesses, leaves saddles
-    and maxima along the second variation, and returns the best extremal it found; a better one is not
-    excluded (see `compare`). Source: Theorem 5.1 of the problem book.
+    Notes ----- `Extremal.optimality` has what is known beyond the necessary conditions. For linear
+    plants with a convex cost and a given duration, and for the least time to a point at which a
+    linear plant can be held, the extremal is proved optimal. Otherwise the search begins at several
+    guesses, leaves saddles and maxima along the second variation, and returns the best extremal it
+    found; a better one is not excluded (see `compare`). Source: Theorem 5.1 of the problem book.
 
     Examples
     --------

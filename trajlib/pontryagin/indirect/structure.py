@@ -18,17 +18,17 @@ OFF_AXIS = 0.1
 def candidate_structures(numeric, solution):
     """Yield the lists of arcs that a discrete solution may have, the likeliest first.
 
-    Where an angle alternates along an axis, it may be constant on its arcs. A control that approaches
-    its bound ever more slowly, as where psi has a multiple zero at the end, is near the bound long
-    before: it may be on an interior arc to the end.
+    Where an angle alternates along an axis, it may be constant on its arcs. A control that
+    approaches its bound ever more slowly, as where psi has a multiple zero at the end, is near the
+    bound long before: it may be on an interior arc to the end.
     """
     on_axis = any(stays_on_axis(numeric, solution, i) for i in range(numeric.k))
-    seen = []
+    tried = []
     for options in ({"constant_angles": True},) * on_axis + ({}, {"tolerance": AT}):
         arcs = detect_arcs(numeric, solution, **options)
         kinds = [arc.kinds for arc in arcs]
-        if kinds not in seen:
-            seen.append(kinds)
+        if kinds not in tried:
+            tried.append(kinds)
             yield arcs
 
 
@@ -40,9 +40,10 @@ def detect_arcs(
 ) -> list[Arc]:
     """Return the arcs of a discrete solution.
 
-    `constant_angles`: an angle along one axis is taken to be constant but for jumps by half a turn. An
-    interval belongs to a bound if its control is there to within `tolerance` of the distance between the
-    bounds. One or two intervals between different bounds are a switching between the nodes.
+    `constant_angles`: an angle along one axis is taken to be constant but for jumps by half a turn.
+    An interval belongs to a bound if its control is there to within `tolerance` of the distance
+    between the bounds. One or two intervals between different bounds are a switching between the
+    nodes.
     """
     N = len(solution.controls)
     columns = [
@@ -52,10 +53,10 @@ def detect_arcs(
         for i in range(numeric.k)
     ]
     boundaries = [_runs(numeric, solution, i, column) for i, column in enumerate(columns)]
-    cuts = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
+    edges = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
     step = solution.duration / N
     arcs = []
-    for begin, end in itertools.pairwise(cuts):
+    for begin, end in itertools.pairwise(edges):
         middle = (begin + end) / 2
         kinds = tuple(next(kind for kind, b, e in runs if b <= middle <= e) for runs in boundaries)
         arcs.append(Arc(kinds, begin * step, end * step))
@@ -164,17 +165,17 @@ def _merged(runs):
 def _split(numeric, solution, i, result, runs, index):
     """Divide a short run between the bounds among its neighbours by the mean of the control.
 
-    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a share: a
-    short arc there is not visible otherwise. It shrinks to nothing later if it is not one.
+    At the ends of the trajectory, or between two arcs at the same bound, the other bound gets a
+    share: a short arc there is not visible otherwise. It shrinks to nothing later if it is not one.
     """
     _, begin, end = runs[index]
     value = {"u-": numeric.lower[i], "u+": numeric.upper[i]}
     before = result[-1][0] if result else None
     after = runs[index + 1][0] if index + 1 < len(runs) else None
-    target_sides = [side for side in (before, after) if side in value]
+    neighbour_bounds = [side for side in (before, after) if side in value]
     mean = solution.controls[begin:end, i].mean()
-    other = {"u-": "u+", "u+": "u-"}[target_sides[0]]
-    if len(target_sides) == 2 and before != after:
+    other = {"u-": "u+", "u+": "u-"}[neighbour_bounds[0]]
+    if len(neighbour_bounds) == 2 and before != after:
         cut = begin + (end - begin) * float(
             np.clip((mean - value[after]) / (value[before] - value[after]), 0, 1)
         )
@@ -184,7 +185,11 @@ def _split(numeric, solution, i, result, runs, index):
             *runs[index + 2 :],
         ]
     share = (end - begin) * float(
-        np.clip((mean - value[target_sides[0]]) / (value[other] - value[target_sides[0]]), 0.02, 1)
+        np.clip(
+            (mean - value[neighbour_bounds[0]]) / (value[other] - value[neighbour_bounds[0]]),
+            0.02,
+            1,
+        )
     )
     if before is None:
         return [(other, begin, begin + share)], [

@@ -1,21 +1,21 @@
 """Planar synthesis by backward integration of extremals from the target.
 
 For the least (or greatest) phi_0(x(t_k)) + int f_0(x, u) dt, the final time being free, at a point
-or on a smooth curve g(x) = 0, the maximum principle leaves one-parameter families of extremals: they
-end on the target with a covector that transversality and H = 0 determine (`terminal_sets`).
+or on a smooth curve g(x) = 0, the maximum principle leaves one-parameter families of extremals:
+they end on the target with a covector that transversality and H = 0 determine (`terminal_sets`).
 Integrated backwards their controls change where H asks for another level (`plant`); they are given
-up where they meet the target again (the process ends at the first hit) and where another extremal is
-better. The remaining ones are the synthesis:
+up where they meet the target again (the process ends at the first hit) and where another extremal
+is better. The remaining ones are the synthesis:
 
     switching curve    where a control of optimal trajectories changes its level,
     dispersal curve    where two extremals of equal cost start: beyond it the other one is better,
     barrier            an extremal, mostly one that touches the target, across which the least cost jumps.
 
-Extremals with singular arcs are not searched for. They need det(F, F_j, [F, F_j]) = 0 for the fields
-with the cost as a third state, which is det(f1, [f0, f1]) for the least time: where this is
+Extremals with singular arcs are not searched for. They need det(F, F_j, [F, F_j]) = 0 for the
+fields with the cost as a third state, which is det(f1, [f0, f1]) for the least time: where this is
 possible, `regularity()` reports it, and for other costs such a problem is refused if an admissible
-control can follow an arc. A control whose switching function can vanish only for good is open there,
-and its possible values are shown by the trajectories that hold it at one value.
+control can follow an arc. A control whose switching function can vanish only for good is open
+there, and its possible values are shown by the trajectories that hold it at one value.
 
 Source: chapter 5 of the problem book (worked example 2, figure 5.1); V. G. Boltyansky's regular
 synthesis.
@@ -49,28 +49,28 @@ SIDES = {"both": (1, -1), "positive": (1,), "negative": (-1,), "outside": (1,), 
 def synthesis(
     problem: Statement,
     *,
-    window=((-3, 3), (-3, 3)),
+    window: tuple = ((-3, 3), (-3, 3)),
     horizon: float = 6.0,
     side: str = "both",
-    curve=None,
+    curve: tuple | None = None,
 ) -> Synthesis:
     """Compute the optimal synthesis of a planar system with bounded controls.
 
     Parameters
     ----------
     problem : Problem
-        Two states, a free final time and numbers for all parameters; two terminal equations (a point)
-        or one (a smooth curve), at which the process ends when it first meets it. The initial state is
-        not used. The cost may be the time or another one, to be least or greatest: the dynamics are
-        linear in the controls, the running cost is of the second degree in each, with multiples of |u|,
-        without products of two; the bounds are finite.
+        Two states, a free final time and numbers for all parameters; two terminal equations (a
+        point) or one (a smooth curve), at which the process ends when it first meets it. The
+        initial state is not used. The cost may be the time or another one, to be least or greatest:
+        the dynamics are linear in the controls, the running cost is of the second degree in each,
+        with multiples of |u|, without products of two; the bounds are finite.
     window : tuple, optional
         ((left, right), (bottom, top)) in the phase plane.
     horizon : float, optional
         The longest duration of a process, in the unit of time of the dynamics.
     side : str, optional
-        For a curve, the side from which it is met: "positive" or "negative" by the sign of the terminal
-        expression ("outside", "inside" are synonyms for closed curves), or "both".
+        For a curve, the side from which it is met: "positive" or "negative" by the sign of the
+        terminal expression ("outside", "inside" are synonyms for closed curves), or "both".
     curve : tuple, optional
         ((x1(s), x2(s)), (s, low, high)), a parametrisation of the terminal curve in SymPy, to which
         `reached` then refers. Without it the curve is traced and the parameter is its length.
@@ -84,8 +84,8 @@ def synthesis(
     ------
     TypeError, ValueError
         For a problem of another kind (a given duration, for which the law depends on the remaining
-        time; a running cost that is not positive at a target point; singular arcs that would have to be
-        part of it), and where no extremal ends on the target.
+        time; a running cost that is not positive at a target point; singular arcs that would have
+        to be part of it), and where no extremal ends on the target.
 
     Notes
     -----

@@ -13,7 +13,8 @@ class ControlSequences:
     Attributes
     ----------
     mode, parent, length : ndarray of int
-        For each sequence its last mode, the sequence before it (-1 for none), its number of switchings.
+        For each sequence its last mode, the sequence before it (-1 for none), its number of
+        switchings.
     """
 
     def __init__(self, modes):

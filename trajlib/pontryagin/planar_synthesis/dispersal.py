@@ -21,8 +21,8 @@ GAP = 0.05
 def find_overtakings(fan, value_function):
     """Set the time at which each extremal is overtaken; return where it meets the better one.
 
-    The time is `fan.optimal_until`. Rows of the result: number of one fan and its s, number of the other
-    and its s, time, x1, x2; the fan that comes first in front.
+    The time is `fan.optimal_until`. Rows of the result: number of one fan and its s, number of the
+    other and its s, time, x1, x2; the fan that comes first in front.
     """
     h, own, meetings = fan.times[1], value_function.fans.index(fan), []
     sequences = fan.plant.sequences
@@ -89,10 +89,10 @@ def _shortened(sequences, sequence, back):
 def dispersal_curves(meetings, value_function):
     """Return the curves of the points where extremals meet, from `find_overtakings` of all fans.
 
-    Each extremal meets once, and along a curve its parameter grows: so the points are sorted by it. A
-    curve is drawn by the extremals of both its sides, since those of one side may be sparse where those
-    of the other are dense. If it is itself an extremal, which all of the other side meet, the parameter
-    of these decides.
+    Each extremal meets once, and along a curve its parameter grows: so the points are sorted by it.
+    A curve is drawn by the extremals of both its sides, since those of one side may be sparse where
+    those of the other are dense. If it is itself an extremal, which all of the other side meet, the
+    parameter of these decides.
     """
     curves = []
     meetings = meetings[:, in_window(meetings[5:], value_function)]
@@ -117,8 +117,9 @@ def dispersal_curves(meetings, value_function):
 def _overtaken(fan, value_function):
     """Return the overtaken extremals, the first step at which each is, and the better ones.
 
-    Once overtaken, always overtaken: interpolated costs show it, and exact ones then lead back to the
-    first step. Where two extremals run side by side the gain grows so slowly that it lies far before.
+    Once overtaken, always overtaken: interpolated costs show it, and exact ones then lead back to
+    the first step. Where two extremals run side by side the gain grows so slowly that it lies far
+    before.
     """
     k, j = np.nonzero(np.arange(fan.times.size)[:, None] <= fan.last_step[None, :])
     inside = in_window(fan.path[k, :, j].T, value_function)
@@ -142,15 +143,15 @@ def _overtaken(fan, value_function):
     which, high, better = which[is_better], high[is_better], better.at(is_better)
     # Back in steps of growing width to a node where nothing is better, then by bisection.
     low, back = high - 1, np.ones(high.size, int)
-    going = np.arange(high.size)
-    while going.size:
-        best, is_better = _better(fan, value_function, which[going], low[going])
-        better.assign(going[is_better], best.at(is_better))
-        going = going[is_better]
-        high[going] = low[going]
-        back[going] *= 2
-        low[going] = np.maximum(high[going] - back[going], 0)
-        going = going[high[going] > 0]
+    searching = np.arange(high.size)
+    while searching.size:
+        best, is_better = _better(fan, value_function, which[searching], low[searching])
+        better.assign(searching[is_better], best.at(is_better))
+        searching = searching[is_better]
+        high[searching] = low[searching]
+        back[searching] *= 2
+        low[searching] = np.maximum(high[searching] - back[searching], 0)
+        searching = searching[high[searching] > 0]
     while (open_ := np.flatnonzero(high - low > 1)).size:
         middle = (low[open_] + high[open_]) // 2
         best, is_better = _better(fan, value_function, which[open_], middle)
@@ -191,8 +192,8 @@ def _meet(fan, which, sequence, other, tau, s2, tau2, sequence2):
         )
         n = active.size
         # The cost as a third coordinate, in units of a step.
-        miss = np.vstack([z[:2] - y[:2, :n], z[5] - y[5, :n]])
-        size = np.sqrt((miss**2).sum(axis=0))
+        residual = np.vstack([z[:2] - y[:2, :n], z[5] - y[5, :n]])
+        size = np.sqrt((residual**2).sum(axis=0))
         good[active] = (
             (size < 1e-8) & (tau[active] > begin - 1e-9) & (tau2[active] > begin2[:n] - 1e-9)
         )
@@ -206,7 +207,7 @@ def _meet(fan, which, sequence, other, tau, s2, tau2, sequence2):
                 -slope[:, continuing],
                 rate[:, continuing],
                 -rate2[:, continuing],
-                -miss[:, continuing],
+                -residual[:, continuing],
             )
         active = active[continuing]
         if not active.size:

@@ -26,13 +26,13 @@ class Fan:
     Attributes
     ----------
     motion : ndarray, shape (K + 1, 7, N)
-        The columns z of `plant`, nan some steps after the end of an extremal; `path` are its states,
-        `value` its cost.
+        The columns z of `plant`, nan some steps after the end of an extremal; `path` are its
+        states, `value` its cost.
     mode, sequence : ndarray of int, shape (K + 1, N)
         Of the controls, and of the control sequence so far.
     switchings : ndarray
-        Rows: index of the extremal, tau, x1, x2, modes before and after (in forward time), velocities
-        before and after.
+        Rows: index of the extremal, tau, x1, x2, modes before and after (in forward time),
+        velocities before and after.
     last_step, outcome : ndarray of int, shape (N,)
         The last step of an extremal; 1 if it then met the target again, 2 if it left the box.
     optimal_until : ndarray, shape (N,)
@@ -116,7 +116,7 @@ class Fan:
                 break
             z_new, mode_new, switched = plant.advance(z[:, active_columns], mode[active_columns], h)
             z[:, active_columns], mode[active_columns] = z_new, mode_new
-            for which, gone, there, old, new in switched:
+            for which, gone, switching_z, old, new in switched:
                 sequence[active_columns[which]] = plant.sequences.after(
                     sequence[active_columns[which]], new
                 )
@@ -125,11 +125,11 @@ class Fan:
                         [
                             active_columns[which],
                             self.times[k - 1] + gone,
-                            there[:2],
+                            switching_z[:2],
                             new,
                             old,
-                            plant.velocity(there, new),
-                            plant.velocity(there, old),
+                            plant.velocity(switching_z, new),
+                            plant.velocity(switching_z, old),
                         ]
                     )
                 )
@@ -165,9 +165,9 @@ class Fan:
     def arcs(self, s, tau, sequence):
         """Return z at the ends of extremals with given sequences, and where their last arcs begin.
 
-        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that is
-        earlier: so the end is a smooth function of s and tau, to which Newton's method can be applied. nan
-        where there are fewer switchings.
+        The last arc begins at the last switching, wherever this is, and ends at `tau`, also if that
+        is earlier: so the end is a smooth function of s and tau, to which Newton's method can be
+        applied. nan where there are fewer switchings.
         """
         plant = self.plant
         z, _ = self.start(s)
@@ -185,14 +185,14 @@ class Fan:
                 crossed = e * plant.required_sign[mode, surface] < 0
                 ready = waiting[crossed]
                 if ready.size:
-                    when, there = plant.first_zero(
+                    when, crossing_z = plant.first_zero(
                         now[:, crossed],
                         mode[crossed],
                         surface[crossed],
                         np.full(ready.size, stride),
                         end[:, crossed],
                     )
-                    z[:, ready] = there
+                    z[:, ready] = crossing_z
                     begin[ready] += when
                 waiting = waiting[~crossed]
                 z[:, waiting] = end[:, ~crossed]

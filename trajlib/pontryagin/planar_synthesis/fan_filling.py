@@ -38,7 +38,7 @@ def fill(fan, window):
         parts = np.where(wide, np.hypot(step[:, 0], step[:, 1]) / SPACING, 0).max(axis=0)
         split = (parts > 1) & (gap > 1e-5 * span)
         met = fan.outcome == 1
-        torn = (
+        jumping = (
             (met[1:] | met[:-1]) & (np.abs(np.diff(fan.last_step)) >= BEYOND) & (gap > 1e-8 * span)
         )
         # The last extremal of a family may be abnormal, without the switchings of its neighbours.
@@ -46,12 +46,12 @@ def fill(fan, window):
         edge[[0, -1]] = (
             (fan.sequence[:, [0, -2]] != fan.sequence[:, [1, -1]]) & near[:, [0, -2]]
         ).any(axis=0)
-        torn |= edge & (gap > 1e-4 * span)
+        jumping |= edge & (gap > 1e-4 * span)
         if fan.s.size > MAX_EXTREMALS:
             split[:] = False
-        if not (split | torn).any():
+        if not (split | jumping).any():
             return
-        parts = np.where(split, np.clip(np.ceil(parts), 2, 6), np.where(torn, 2, 1)).astype(int)
+        parts = np.where(split, np.clip(np.ceil(parts), 2, 6), np.where(jumping, 2, 1)).astype(int)
         fan.add(
             np.concatenate(
                 [

@@ -6,8 +6,8 @@ import numpy as np
 def newton_extremals(fan, x, s, tau, sequence, rounds=20):
     """Solve x(s, tau) = x by Newton's method for extremals of given control sequences.
 
-    Returns s, tau, costs, the modes at the points, the controls there (N, k), and which converged. On a
-    switching curve the mode is that of the control that follows.
+    Returns s, tau, costs, the modes at the points, the controls there (N, k), and which converged.
+    On a switching curve the mode is that of the control that follows.
     """
     plant, sequences = fan.plant, fan.plant.sequences
     tau, count = tau.copy(), s.size
@@ -31,8 +31,8 @@ def newton_extremals(fan, x, s, tau, sequence, rounds=20):
         )
         n = active.size
         current = z[:, :n]
-        miss = x[:, active] - current[:2]
-        error = np.hypot(*miss)
+        residual = x[:, active] - current[:2]
+        error = np.hypot(*residual)
         done = error < 1e-11 * size
         # The sequence must occur: the last arc has a positive length, and the control maximises H
         # on it.
@@ -54,7 +54,7 @@ def newton_extremals(fan, x, s, tau, sequence, rounds=20):
         rate = -plant.velocity(current, last[active])
         with np.errstate(all="ignore"):
             step_s, step_tau = _solve(
-                slope[:, continuing], rate[:, continuing], miss[:, continuing]
+                slope[:, continuing], rate[:, continuing], residual[:, continuing]
             )
         # Next to a fold two solutions exist, one with a last arc of negative length: such a guess
         # is reflected.

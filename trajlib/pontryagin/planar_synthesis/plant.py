@@ -9,8 +9,9 @@ number, its switching function, with the levels u_-, between, 0, between, u_+, a
 a surface e = 0 in the space of (x, psi, lambda_0) separates each from the next (`control_terms`). A
 *mode* is one level for every control.
 
-A point of an extremal is a column z = (x1, x2, psi1, psi2, lambda_0, cost, held): the cost from there
-to the target, and `held` the value of a control that the maximum condition leaves open for good.
+A point of an extremal is a column z = (x1, x2, psi1, psi2, lambda_0, cost, held): the cost from
+there to the target, and `held` the value of a control that the maximum condition leaves open for
+good.
 """
 
 from itertools import product
@@ -263,8 +264,8 @@ class Plant:
     def advance(self, z, mode, h):
         """Take a step in which the mode changes where a surface is crossed.
 
-        Returns z and mode at its end, and the switchings on the way: (columns, time since the beginning of
-        the step, z there, modes before and after).
+        Returns z and mode at its end, and the switchings on the way: (columns, time since the
+        beginning of the step, z there, modes before and after).
         """
         h = np.broadcast_to(np.asarray(h, dtype=float), mode.shape)
         gone, switchings = np.zeros(mode.shape), []
@@ -312,7 +313,8 @@ class Plant:
     def first_zero(self, z, mode, surface, h, end):
         """Solve surface = 0 in the step by Newton's method, with bisection outside of the bracket.
 
-        It begins at the zero of the inverse cubic interpolation with the values and slopes of both ends.
+        It begins at the zero of the inverse cubic interpolation with the values and slopes of both
+        ends.
         """
         columns, required_sign = np.arange(h.size), self.required_sign[mode, surface]
         low, high, when, zero_z = np.zeros(h.shape), h.copy(), h, end
@@ -336,8 +338,8 @@ class Plant:
             if done:
                 break
             value = self.surfaces(zero_z)[surface, columns]
-            late = required_sign * value < 0
-            low, high = np.where(late, low, when), np.where(late, when, high)
+            beyond = required_sign * value < 0
+            low, high = np.where(beyond, low, when), np.where(beyond, when, high)
             with np.errstate(all="ignore"):
                 new = when + value / self.slope(zero_z, mode, surface)
         return when, zero_z

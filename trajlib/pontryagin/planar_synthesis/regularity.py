@@ -191,9 +191,9 @@ def _arrival(synthesis):
     tangent = [b for b in synthesis.borders if b.arrives and b.kind == "abnormal"]
     if not synthesis.reached:
         slow = min(
-            np.hypot(*plant.velocity(fan.motion[0][:, lives], fan.mode[0, lives])).min()
+            np.hypot(*plant.velocity(fan.motion[0][:, moves], fan.mode[0, moves])).min()
             for fan in synthesis._value_function.fans
-            if (lives := fan.last_step > 0).any()
+            if (moves := fan.last_step > 0).any()
         )
         return Condition(
             "C",

@@ -29,9 +29,9 @@ def switching_curves(fans, window):
             for run in consecutive_runs(index[members]):
                 rows = members[np.isin(index[members], run)]
                 points = x[:, rows].T
-                torn = np.abs(np.diff(points, axis=0) / size).max(axis=1, initial=0) > APART
-                torn |= np.abs(np.diff(tau[rows])) > STEPS_APART * fan.times[1]
-                jumps = np.flatnonzero(torn) + 1
+                apart = np.abs(np.diff(points, axis=0) / size).max(axis=1, initial=0) > APART
+                apart |= np.abs(np.diff(tau[rows])) > STEPS_APART * fan.times[1]
+                jumps = np.flatnonzero(apart) + 1
                 for piece in np.split(np.arange(rows.size), jumps):
                     inside = (
                         (points[piece] >= [left, bottom]) & (points[piece] <= [right, top])

@@ -1,6 +1,6 @@
 """Planar syntheses: optimal cost, time and control in a window of the phase plane."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -48,7 +48,8 @@ class Synthesis:
     def borders(self) -> list[Curve]:
         """Extremals that touch the target or end a family, with the `jump` of the cost across them.
 
-        The jump is inf at the edge of the set from which the target is reached. Computed on first access.
+        The jump is inf at the edge of the set from which the target is reached. Computed on first
+        access.
         """
         return border_extremals(self._value_function.fans, self._value_function, self._touching)
 
@@ -123,9 +124,9 @@ class Synthesis:
         Returns
         -------
         float or ndarray
-            In that shape, with a row for each of several controls; nan where the target is not reached
-            within the horizon. On a switching curve it is the control that follows. Where a control is open
-            (`unique`), it is one of its possible values.
+            In that shape, with a row for each of several controls; nan where the target is not
+            reached within the horizon. On a switching curve it is the control that follows. Where a
+            control is open (`unique`), it is one of its possible values.
 
         Raises
         ------
@@ -148,8 +149,8 @@ class Synthesis:
         Returns
         -------
         str, tuple or ndarray
-            "u-", "interior", "zero", "u+" or "open" (tuples for several controls), "" where the target is
-            not reached; one name, or an array of them in the points' shape.
+            "u-", "interior", "zero", "u+" or "open" (tuples for several controls), "" where the
+            target is not reached; one name, or an array of them in the points' shape.
         """
         best, _, shape = self._best(x1, x2)
         names = [self.plant.name(mode) for mode in range(len(self.plant.modes))] + [""]
@@ -259,7 +260,7 @@ class Synthesis:
         """
         return regularity(self)
 
-    def plot(self, ax=None, isochrones=(), extremals: int = 24):
+    def plot(self, ax=None, isochrones: Sequence[float] = (), extremals: int = 24):
         """Draw the synthesis in the phase plane.
 
         Parameters

@@ -103,9 +103,9 @@ class ValueFunction:
         steps = np.arange(fan.times.size - 1)[:, None]
         # A cell belongs to the fan if one of its extremals has not ended before it; its other end
         # may be the step beyond.
-        alive = steps < np.maximum(fan.last_step + 1, 0)[None, :]
-        alive &= (fan.last_step > 0)[None, :]
-        either = alive[:, :-1] | alive[:, 1:]
+        active = steps < np.maximum(fan.last_step + 1, 0)[None, :]
+        active &= (fan.last_step > 0)[None, :]
+        either = active[:, :-1] | active[:, 1:]
         k, j = np.nonzero(either)
         corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
         x = np.array([fan.path[a, :, b] for a, b in corners])
@@ -270,8 +270,8 @@ class ValueFunction:
     def _interpolate_failures(self, x, best):
         """Keep the interpolated values where Newton's method failed inside of a cell (near a fold).
 
-        Not in the last cells of a family: their edges are chords of its last extremal, and reach a little
-        beyond it.
+        Not in the last cells of a family: their edges are chords of its last extremal, and reach a
+        little beyond it.
         """
         open_ = np.flatnonzero(~np.isfinite(best.cost))
         if not open_.size:

@@ -54,8 +54,8 @@ def read_terminal(terminal):
         raise TypeError(
             f"terminal: expected a list of expressions that vanish at the end, got {terminal!r}"
         )
-    target_sides = (g.lhs - g.rhs if isinstance(g, sp.Equality) else g for g in terminal)
-    return tuple(exact_decimals(read_expression(g, "terminal")) for g in target_sides)
+    sides = (g.lhs - g.rhs if isinstance(g, sp.Equality) else g for g in terminal)
+    return tuple(exact_decimals(read_expression(g, "terminal")) for g in sides)
 
 
 def read_duration(duration):

@@ -6,7 +6,7 @@ that enters is not known from the terminal conditions, H_u = 0 expresses it by t
 control; if two are, and H_u is homogeneous in them, it determines their ratio, which is enough.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 
 import sympy as sp
@@ -17,8 +17,8 @@ from trajlib.pontryagin.problem.statement import Statement
 class ControlField(Sequence):
     """The right-hand sides for a control and some states, with the costates eliminated.
 
-    They are those of `conditions().control_field`, computed on first access, so that a statement can
-    name what the student is to find. The object is a sequence of expressions.
+    They are those of `conditions().control_field`, computed on first access, so that a statement
+    can name what the student is to find. The object is a sequence of expressions.
 
     Parameters
     ----------
@@ -58,7 +58,7 @@ class ControlField(Sequence):
     def __repr__(self):
         return "ControlField: " + ", ".join(f"{s}'" for s in self.symbols) + " along extremals"
 
-    def subs(self, values) -> "ControlField":
+    def subs(self, values: Mapping) -> "ControlField":
         """Return the same right-hand sides with values for parameters of the problem.
 
         Parameters
@@ -75,9 +75,9 @@ class ControlField(Sequence):
 
     @cached_property
     def _sides(self):
-        target_sides = dict(self.problem.dynamics) | control_field(self.problem)
+        sides = dict(self.problem.dynamics) | control_field(self.problem)
         return [
-            sp.simplify(self.factor * target_sides[s]) if self.factor != 1 else target_sides[s]
+            sp.simplify(self.factor * sides[s]) if self.factor != 1 else sides[s]
             for s in self.symbols
         ]
 
@@ -126,7 +126,8 @@ def control_field(problem: Statement) -> dict[sp.Symbol, sp.Expr]:
 def _costates_from_end(problem, costates, sign):
     """Return the constant costates, whose values the terminal conditions determine.
 
-    They belong to states that enter neither the equations nor the target, and the final cost linearly.
+    They belong to states that enter neither the equations nor the target, and the final cost
+    linearly.
     """
     occurring = set().union(
         *(e.free_symbols for e in (*problem.field, problem.running, *problem.terminal))

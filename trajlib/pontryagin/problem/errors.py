@@ -19,11 +19,13 @@ class Unbounded(PontryaginError):
 class Chattering(PontryaginError):
     """Switchings accumulate: the extremal has infinitely many arcs.
 
-    Attributes
+    Parameters
     ----------
-    numbers : Accumulation or None
-        The optimal cost and the ratio of successive arcs with their errors, where they are known; see
-        `indirect.accumulation`.
+    message : str
+        What accumulates and where.
+    numbers : Accumulation, optional
+        The optimal cost and the ratio of successive arcs with their errors, where they are known;
+        see `indirect.accumulation`.
     """
 
     def __init__(self, message, numbers=None):

@@ -1,8 +1,8 @@
 """The control that maximises the Pontryagin function, in closed form (equation (5.5)).
 
 Linear in u: a bound, by the sign of the switching function. Strictly concave in u: the stationary
-point, clipped to the bounds. Otherwise the largest of the stationary points and the bounds, which is
-found numerically.
+point, clipped to the bounds. Otherwise the largest of the stationary points and the bounds, which
+is found numerically.
 """
 
 import sympy as sp
@@ -36,8 +36,8 @@ def stationary_controls(derived, controls):
 def _solvable(equation, controls):
     """Check whether an equation is algebraic in the controls or of low degree in one function.
 
-    Elsewhere (rates exp(-2500/u) and exp(-5000/u) of two reactions) SymPy may search for a closed form
-    for minutes.
+    Elsewhere (rates exp(-2500/u) and exp(-5000/u) of two reactions) SymPy may search for a closed
+    form for minutes.
     """
     if equation.is_algebraic_expr(*controls):
         return True

@@ -141,8 +141,8 @@ class NumericProblem:
     def best_controls(self, states, costates, controls):
         """Return controls at N points (rows) that maximise H on a grid, and the growth of H, (N,).
 
-        With lambda_0 = 1, the controls between two bounds in which H is not linear are changed one after the
-        other; the others stay.
+        With lambda_0 = 1, the controls between two bounds in which H is not linear are changed one
+        after the other; the others stay.
         """
         value = self.cached(
             "hamiltonian",

@@ -87,8 +87,8 @@ def _maximum(derived):
             )
         elif u in derived.switching:
             pieces = [
-                rf"{sp.latex(value)}, & {sp.latex(where)}"
-                for value, where in best.args
+                rf"{sp.latex(value)}, & {sp.latex(condition)}"
+                for value, condition in best.args
                 if value is not sp.nan
             ]
             lines.append(

@@ -266,8 +266,8 @@ def _is_explicit(equation, state):
 def _on(surface, expression, state):
     """Return the shortest form of an expression on the surface.
 
-    One state is eliminated where the surface is linear in it; on a surface sin(g) = 0 (cos, tan) the
-    function is zero.
+    One state is eliminated where the surface is linear in it; on a surface sin(g) = 0 (cos, tan)
+    the function is zero.
     """
     candidates = [expression]
     for equation in surface:

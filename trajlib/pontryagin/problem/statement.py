@@ -95,7 +95,7 @@ class Statement:
         """Whether the cost is the duration itself."""
         return self.running == 1 and self.final == 0 and self.free_time
 
-    def subs(self, values) -> Self:
+    def subs(self, values: Mapping) -> Self:
         """Return the same problem with values for some of its parameters.
 
         Parameters

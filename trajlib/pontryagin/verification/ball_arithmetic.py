@@ -7,7 +7,7 @@ import sympy as sp
 
 
 class NotProved(ValueError):
-    """A proof is not possible; the message says where it fails."""
+    """A proof is not possible; the message names the obstacle."""
 
 
 class Undetermined(NotProved):

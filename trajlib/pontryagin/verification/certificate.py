@@ -165,8 +165,8 @@ def certify(
     Raises
     ------
     ValueError
-        If parameters have no value, if switching times are not increasing inside (0, duration), or if
-        the functions do not return arrays of these shapes.
+        If parameters have no value, if switching times are not increasing inside (0, duration), or
+        if the functions do not return arrays of these shapes.
 
     Notes
     -----

@@ -74,8 +74,8 @@ class EnclosedExtremal:
     def _equations_at_nodes(self, starts):
         """Return the independent rows that vanish at the ends of the arcs, and all such rows.
 
-        The others follow from the initial conditions, and along a singular arc from the rows that vanish
-        where the arc begins.
+        The others follow from the initial conditions, and along a singular arc from the rows that
+        vanish where the arc begins.
         """
         conditions = [self._at_switching(k) for k in range(len(self.arcs))]
         conditions.append(sp.Matrix.vstack(self.model.target, self.model.transversality))

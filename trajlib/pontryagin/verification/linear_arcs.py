@@ -15,7 +15,7 @@ from trajlib.pontryagin.problem.statement import Statement
 
 
 class NotLinear(ValueError):
-    """The arcs are not of the form above; the message says why."""
+    """The arcs are not of the form above; the message names the reason."""
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,8 @@ class LinearArc:
     control, rate, slopes : sympy.Matrix
         U (k, N), M (N, N) and dH/du (k, N).
     invariants : dict
-        {control: rows} that vanish along a singular arc: dH/du and its derivatives of orders 1 to 2q-1.
+        {control: rows} that vanish along a singular arc: dH/du and its derivatives of orders 1 to
+        2q-1.
     """
 
     kinds: tuple[str, ...]

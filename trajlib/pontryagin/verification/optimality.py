@@ -66,8 +66,8 @@ class Optimality:
 def sufficiency_theorem(problem: Statement) -> tuple[str, bool] | None:
     """Return the theorem by which an extremal is optimal: (name, needs lambda_0 > 0), or None.
 
-    `problem`: without parameters. None means that neither theorem applies, not that extremals are not
-    optimal.
+    `problem`: without parameters. None means that neither theorem applies, not that extremals are
+    not optimal.
     """
     blocks = [(i,) for i in range(len(problem.control))]
     return problem.cached("theorem", lambda: _theorem(problem, blocks))
@@ -76,8 +76,8 @@ def sufficiency_theorem(problem: Statement) -> tuple[str, bool] | None:
 def relaxed_sufficiency_theorem(problem: Statement) -> tuple[str, bool] | None:
     """Return the theorem as `sufficiency_theorem` does, angles being vectors in discs too.
 
-    A stationary process need not be the best one then (a thrust in the opposite direction is stationary
-    as well); an extremal is.
+    A stationary process need not be the best one then (a thrust in the opposite direction is
+    stationary as well); an extremal is.
     """
     relaxation = relax_angles(problem)
     return (

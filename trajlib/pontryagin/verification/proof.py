@@ -77,8 +77,8 @@ def prove(
     Returns
     -------
     Proof
-        It encloses the exact extremal, whose distance from the given values is less than 1e-7 of their
-        size, or nothing is proved.
+        It encloses the exact extremal, whose distance from the given values is less than 1e-7 of
+        their size, or nothing is proved.
 
     Raises
     ------

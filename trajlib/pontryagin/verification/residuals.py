@@ -1,7 +1,7 @@
 """Residuals of a trajectory in each condition of the maximum principle.
 
-Panels and Gaussian quadrature for the differential equations, direct comparison of H for the maximum
-condition; SymPy and NumPy only, so that nothing is shared with the numerical solution.
+Panels and Gaussian quadrature for the differential equations, direct comparison of H for the
+maximum condition; SymPy and NumPy only, so that nothing is shared with the numerical solution.
 """
 
 import itertools
@@ -25,15 +25,15 @@ class TrajectoryResiduals:
         if problem.parameters:
             raise ValueError(f"certify: no value for {', '.join(map(str, problem.parameters))}")
         self.problem, self.multiplier = problem, float(multiplier)
-        cuts = np.array([0.0, *sorted(float(t) for t in switching_times), float(duration)])
-        if not np.all(np.diff(cuts) > 0):
+        arc_ends = np.array([0.0, *sorted(float(t) for t in switching_times), float(duration)])
+        if not np.all(np.diff(arc_ends) > 0):
             raise ValueError(
                 f"certify: expected switching times between 0 and the duration {duration}, got "
                 f"{list(switching_times)}"
             )
-        self.arc_count = len(cuts) - 1
+        self.arc_count = len(arc_ends) - 1
         self.edges = np.unique(
-            np.concatenate([np.linspace(a, b, panels + 1) for a, b in itertools.pairwise(cuts)])
+            np.concatenate([np.linspace(a, b, panels + 1) for a, b in itertools.pairwise(arc_ends)])
         )
         widths = np.diff(self.edges)
         self.times = (self.edges[:-1, None] + (1 + _GAUSS[0]) / 2 * widths[:, None]).ravel()

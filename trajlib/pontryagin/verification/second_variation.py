@@ -131,10 +131,10 @@ def extremal_second_variation(
 ) -> SecondVariation:
     """Return the second variation of an extremal; `duration` is None if it is free.
 
-    Constant controls on N intervals shift eigenvalues by a multiple of 1/N^2, so that zero (a family of
-    equally good processes, an inflection) shows as a small number of either sign: the value is
-    extrapolated from N and 2N, and a least eigenvalue that tends to zero is set to zero. On a singular
-    arc the eigenvalues themselves fall like 1/N^2, and their sign decides.
+    Constant controls on N intervals shift eigenvalues by a multiple of 1/N^2, so that zero (a
+    family of equally good processes, an inflection) shows as a small number of either sign: the
+    value is extrapolated from N and 2N, and a least eigenvalue that tends to zero is set to zero.
+    On a singular arc the eigenvalues themselves fall like 1/N^2, and their sign decides.
     """
     variation = second_variation(numeric, process_of_extremal(numeric, extremal, duration))
     singular = any(
@@ -237,8 +237,8 @@ def process_of_extremal(
 ) -> Process:
     """Return the process of an extremal, its arcs being cut into intervals.
 
-    `duration`: None if it is free. The controls on interior and singular arcs vary, the times of jumps
-    from bound to bound, and a free duration, which moves the end of the last arc.
+    `duration`: None if it is free. The controls on interior and singular arcs vary, the times of
+    jumps from bound to bound, and a free duration, which moves the end of the last arc.
     """
     k = numeric.k
     arcs = [

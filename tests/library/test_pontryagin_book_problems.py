@@ -1,8 +1,8 @@
-"""Problems 5.14 - 5.58 of the book as the engine takes them, with truths that it has no part in.
+"""Problems 5.14 - 5.58 of the book, solved and compared with independent references.
 
 Each statement has its numbers, its cost and, where there are jumps, its switching times: by hand,
-or from a computation that shares nothing with the engine (a root, an integral, motions with events,
-a dual bound), as its last entry says.
+or from a computation that shares nothing with the library (a root, an integral, trajectories with
+events, a dual bound), as its last entry says.
 """
 
 import time
@@ -40,10 +40,8 @@ PROVED, LOCAL, EXTREMAL = "proved", "locally minimal", "extremal"
 
 
 @dataclass
-class Statement:
-    """A problem with the truth: cost, switching times (None: not compared), what is known, and
-    where the truth is from.
-    """
+class BookProblem:
+    """A problem with its reference: cost, switching times (None: not compared), kind, source."""
 
     problem: Problem
     cost: float  # or a function that finds it
@@ -60,8 +58,9 @@ def saturated_energy():
 
 
 def away_from_zero():
-    """int u^2 - x^2, 0 -> 0 in time 4: u = -1, then x'' = -x symmetric about t = 2 with x'
-    continuous, tan(2 - s) = 1/s.
+    """int u^2 - x^2, 0 -> 0 in time 4: u = -1, then x'' = -x symmetric about t = 2.
+
+    x' is continuous: tan(2 - s) = 1/s.
     """
     s = brentq(lambda s: np.tan(2 - s) - 1 / s, 0.5, 1.9, xtol=1e-15)
     r, A = 2 - s, 1 / np.sin(2 - s)
@@ -113,8 +112,9 @@ def soft_landing():
 
 
 def landing_in_air():
-    """5.52: the fall meets, at equal depth and speed, the burn integrated back from the ground; u =
-    0 before, 1 after.
+    """5.52: the fall meets, at equal depth and speed, the burn integrated back from the ground.
+
+    u = 0 before, 1 after.
     """
 
     def fall(time):
@@ -144,8 +144,9 @@ def landing_in_air():
 
 
 def linear_tangent():
-    """5.32 and 5.33: with the angle from theta to -theta, T = 2 tan/c, v_x = 2 arsinh(tan)/c, y =
-    (tan sec - arsinh(tan))/c^2.
+    """5.32 and 5.33: the angle goes from theta to -theta.
+
+    T = 2 tan/c, v_x = 2 arsinh(tan)/c, y = (tan sec - arsinh(tan))/c^2.
     """
 
     def rise(tan):
@@ -157,8 +158,9 @@ def linear_tangent():
 
 
 def rendezvous():
-    """5.35: T is least when no p separates rest at the origin from what can be reached, p e^(AT)
-    y(0) + int |p e^(As) B| < 0.
+    """5.35: T is least when no p separates rest at the origin from the reachable states.
+
+    That is, p e^(AT) y(0) + int |p e^(As) B| < 0 for no p.
     """
     nodes, weights = np.polynomial.legendre.leggauss(300)
     starts = np.vstack([np.eye(4), -np.eye(4)])
@@ -185,10 +187,10 @@ def far_flight():
 
 
 def flight_in_air():
-    """5.38 with T = 10, v(0) = 1/2: theta' = cos(theta) (1 + 3 v^2 sin(theta))/v, theta(T) = 0, by
-    collocation.
+    """5.38 with T = 10, v(0) = 1/2 by collocation.
 
-    The start is the point of rest of the system, 3 v^4 = 1, near which the flight stays.
+    theta' = cos(theta) (1 + 3 v^2 sin(theta))/v, theta(T) = 0. The initial guess is the equilibrium
+    of the system, 3 v^4 = 1, near which the flight stays.
     """
 
     def rate(s, z):
@@ -216,8 +218,9 @@ def flight_in_air():
 
 
 def approach():
-    """5.44, omega(0) = 0, k = -1, T = 2: u' = 2 omega (omega^2 - 1), omega' = 2 omega + u, u(2) =
-    0, not the trivial one.
+    """5.44, omega(0) = 0, k = -1, T = 2: the solution that is not trivial.
+
+    u' = 2 omega (omega^2 - 1), omega' = 2 omega + u, u(2) = 0.
     """
 
     def run(start):
@@ -243,8 +246,9 @@ def approach():
 
 
 def pursuit(dynamics, radius, end, push):
-    """5.54 - 5.56: u = -push until the angle is zero, then straight on; dynamics: (rate of the
-    angle, rate of the radius).
+    """5.54 - 5.56: u = -push until the angle is zero, then straight on.
+
+    `dynamics`: (rate of the angle, rate of the radius).
     """
     turn, pace = dynamics
 
@@ -279,8 +283,7 @@ def robot():
 
 
 def cart():
-    """5.60, u* = 1, k = 1, alpha(0) = 3/10: four arcs, which the four terminal equations
-    determine."""
+    """5.60, u* = 1, k = 1, alpha(0) = 3/10: four arcs from the four terminal equations."""
 
     def run(lengths):
         angle, rate, place, speed, cost, sign = 0.3, 0.0, 0.0, 0.0, 0.0, -1
@@ -299,8 +302,10 @@ def cart():
 
 
 def rayleigh_energy(T):
-    """x'' = -x + x' (1.4 - 0.14 x'^2) + 4 u from (-5, -5) to rest, int u^2: u = 2 q, by
-    collocation."""
+    """x'' = -x + x' (1.4 - 0.14 x'^2) + 4 u from (-5, -5) to rest, int u^2, by collocation.
+
+    u = 2 q.
+    """
 
     def rate(s, z):
         place, speed, p, q, _ = z
@@ -329,9 +334,10 @@ def rayleigh_energy(T):
 
 
 def landing_beside():
-    """x'' = p cos(u), y'' = p sin(u) - 1, 0 <= p <= 3, from (0, 5) at the speed (1, 0) to rest at
-    (1, 0), least int p: the primer vector a + b t is as long as 1 where the thrust goes off and on,
-    3 (|a + b T| - 1) = a_y + b_y T at the end.
+    """x'' = p cos(u), y'' = p sin(u) - 1, 0 <= p <= 3, (0, 5) to rest at (1, 0), least int p.
+
+    The initial velocity is (1, 0). The primer vector a + b t has the length 1 where the thrust goes
+    off and on, 3 (|a + b T| - 1) = a_y + b_y T at the end.
     """
 
     def missed(z):
@@ -366,8 +372,10 @@ def landing_beside():
 
 
 def across_a_tangent():
-    """x' = u, 0 <= u <= 3, int u^3/3 - u^2 + (2 - t) u over [0, 2]: H passes its own tangent from 0
-    to 3/2, of slope -3/4, so that u jumps there; beyond it u = 1 + sqrt(1 - s) with s = 2 - t.
+    """x' = u, 0 <= u <= 3, int u^3/3 - u^2 + (2 - t) u over [0, 2]: u jumps.
+
+    H touches its own tangent of slope -3/4 at 0 and 3/2, so that u jumps there; beyond it
+    u = 1 + sqrt(1 - s) with s = 2 - t.
     """
 
     def density(s):
@@ -378,8 +386,10 @@ def across_a_tangent():
 
 
 def boundary_layers():
-    """x' = u - x^3, int x^2 + u^2, from 3/2 to 1 in a long time: along each layer H = 0, x' =
-    -+sqrt(x^6 + x^2)."""
+    """x' = u - x^3, int x^2 + u^2, from 3/2 to 1 in a long time.
+
+    Along each layer H = 0, x' = -+sqrt(x^6 + x^2).
+    """
 
     def root(s):
         return np.sqrt(s**6 + s**2)
@@ -390,9 +400,9 @@ def boundary_layers():
     )
 
 
-def statement(problem, truth, known, source, times=None, **more):
-    cost, times = truth if isinstance(truth, tuple) else (truth, times)
-    return Statement(problem, cost, times, known, source, **more)
+def book_problem(problem, reference, known, source, times=None, **more):
+    cost, times = reference if isinstance(reference, tuple) else (reference, times)
+    return BookProblem(problem, cost, times, known, source, **more)
 
 
 def of_angle(sign, drift, start, end, **more):
@@ -423,106 +433,106 @@ def chaplygin(wind):
 
 
 SATURATED, FIXED_TIME_SPEED, ORBIT_TIME = np.sqrt(108 / 23), *linear_tangent()
-STATEMENTS = {
-    "5.14": statement(
+BOOK_PROBLEMS = {
+    "5.14": book_problem(
         Problem(SWING, BETWEEN, {x1: 1, x2: 0}, [x2], final=x1, first_return=True),
         -2.0,
         LOCAL,
         "quarters of a turn, -sqrt(u_max/u_min)",
         [np.pi / 4],
     ),
-    "5.15": statement(
+    "5.15": book_problem(
         Problem(SWING, BETWEEN, {x1: 0, x2: 1}, [x1], final=x2, first_return=True),
         -2.0,
         LOCAL,
         "the same, out and back",
         [np.pi / 2],
     ),
-    "5.16 a": statement(
+    "5.16 a": book_problem(
         Problem(OSCILLATOR, ONE, {x1: 3, x2: 0}, [x2], final=-ENERGY, first_return=True),
         -12.5,
         LOCAL,
         "half a turn around -1",
         [],
     ),
-    "5.16 b": statement(
+    "5.16 b": book_problem(
         Problem(OSCILLATOR, ONE, {x1: 3, x2: 0}, final=-ENERGY, duration=sp.pi),
         -12.5,
         LOCAL,
         "the reachable set is the disc of radius 2 around -3",
         [],
     ),
-    "5.17 a": statement(
+    "5.17 a": book_problem(
         Problem({x: u}, ONE, {x: 1}, running=x**2 / 2, duration=2), 1 / 6, PROVED, "by hand", [1]
     ),
-    "5.17 b": statement(
+    "5.17 b": book_problem(
         Problem({x: u}, ONE, {x: 1}, running=(x**2 + u**2) / 2, duration=2),
         np.tanh(2) / 2,
         PROVED,
         "x = cosh(2 - t)/cosh 2",
         [],
     ),
-    "5.17 b, saturated": statement(
+    "5.17 b, saturated": book_problem(
         Problem({x: u}, ONE, {x: 2}, running=(x**2 + u**2) / 2, duration=2),
         saturated_energy(),
         PROVED,
         "a root",
     ),
-    "5.18": statement(
+    "5.18": book_problem(
         Problem(PLANE, ONE, {x1: 0, x2: None}, [x1 - 1], final=-ENERGY, duration=1),
         -1.625,
         LOCAL,
         "x'(1) = 1 + int s u ds",
         [],
     ),
-    "5.19": statement(
+    "5.19": book_problem(
         Problem(PLANE, ONE, {x1: 0, x2: 0}, [x2], final=x1, duration=1),
         -1 / 4,
         PROVED,
         "int (1 - s) u ds",
         [0.5],
     ),
-    "5.20": statement(
+    "5.20": book_problem(
         Problem(OSCILLATOR, FREE, {x1: 0, x2: 0}, [x1 - 1], running=u**2, duration=sp.pi / 2),
         4 / np.pi,
         PROVED,
         "1/int sin^2",
     ),
-    "5.21": statement(
+    "5.21": book_problem(
         Problem(PLANE, FREE, {x1: 0, x2: 0}, [x1 - 6, x2 - 3], running=u**2 / 2, duration=2),
         9.0,
         PROVED,
         "2 V^2/T - 6 XV/T^2 + 6 X^2/T^3",
     ),
-    "5.23": statement(
+    "5.23": book_problem(
         Problem(PLANE, ONE, {x1: 0, x2: 0}, [x2], running=x1 + x2, duration=2),
         -2.0,
         PROVED,
         "half of the time where (2 - s) + (2 - s)^2/2 is larger",
         [1],
     ),
-    "5.24 a": statement(
+    "5.24 a": book_problem(
         Problem(OSCILLATOR, ONE, {x1: -2, x2: 0}, [x2], final=-x1, first_return=True),
         -4.0,
         LOCAL,
         "half a turn around 1",
         [],
     ),
-    "5.24 b": statement(
+    "5.24 b": book_problem(
         Problem(OSCILLATOR, ONE, {x1: 0, x2: 0}, [x2], final=-x1, first_return=True),
         -2.0,
         LOCAL,
         "the same",
         [],
     ),
-    "5.24 c": statement(
+    "5.24 c": book_problem(
         Problem(OSCILLATOR, ONE, {x1: -2, x2: 0}, [x2], final=-x1, duration=sp.pi),
         -4.0,
         PROVED,
         "2 + int sin(pi - s) u ds",
         [],
     ),
-    "5.25": statement(
+    "5.25": book_problem(
         Problem(
             {x1: x2, x2: p - q},
             {p: (0, 1), q: (0, 1)},
@@ -535,39 +545,39 @@ STATEMENTS = {
         "pushes of length s: 5 s/2 + 1/s",
         [np.sqrt(0.4), 1 / np.sqrt(0.4)],
     ),
-    "5.25 with |u|": statement(
+    "5.25 with |u|": book_problem(
         Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=1 + R(3, 4) * sp.Abs(u)),
         np.sqrt(10),
         LOCAL,
         "the same",
         [np.sqrt(0.4), 1 / np.sqrt(0.4)],
     ),
-    "5.26": statement(
+    "5.26": book_problem(
         Problem(PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=1 + u**2 / 2),
         23 * SATURATED / 18,
         LOCAL,
         "3 T/2 - 2 c/3 with T^2/4 - c^2/3 = 1",
         [SATURATED / 6, 5 * SATURATED / 6],
     ),
-    "5.27 a": statement(
+    "5.27 a": book_problem(
         Problem({x: u}, FREE, {x: 1}, running=u**2 + x**2, final=-(x**2), duration=1),
         -1.0,
         LOCAL,
         "int (x' - x)^2 - 1",
     ),
-    "5.27 b, minus": statement(
+    "5.27 b, minus": book_problem(
         Problem({x: u}, FREE, {x: 1}, running=x**2 * u**2, final=-(x**2), duration=1),
         -2.0,
         LOCAL,
         "x = sqrt(1 + 2t)",
     ),
-    "5.27 c": statement(
+    "5.27 c": book_problem(
         Problem({x: u}, FREE, {x: 0}, [x - 2], running=u**2 - x, duration=2),
         -1 / 6,
         PROVED,
         "x'' = -1/2",
     ),
-    "5.27 d": statement(
+    "5.27 d": book_problem(
         Problem(
             {x: u, t: 1},
             FREE,
@@ -581,25 +591,25 @@ STATEMENTS = {
         LOCAL,
         "x = (t - t^4)/24",
     ),
-    "5.28 a": statement(
+    "5.28 a": book_problem(
         Problem(PLANE, FREE, {x1: 0, x2: 0}, running=u**2 - 48 * x1, duration=1),
         -28.8,
         PROVED,
         "x'' = 12 (1 - t)^2",
     ),
-    "5.28 b": statement(
+    "5.28 b": book_problem(
         Problem(PLANE, FREE, {x1: 0, x2: 1}, [x2 - 1], running=u**2 - x1**2, duration=sp.pi / 2),
         pulled_strip(),
         LOCAL,
         "x'''' = x",
     ),
-    "5.28 c": statement(
+    "5.28 c": book_problem(
         Problem(PLANE, FREE, {x1: 0, x2: 0}, [x1 - 2, x2 - 1], running=u**2 + x2**2, duration=3),
         two_derivatives(),
         PROVED,
         "v'' = v + const",
     ),
-    "5.29": statement(
+    "5.29": book_problem(
         Problem(
             {h: v, v: 3 * p / m - 1, m: -3 * p},
             {p: (0, 1)},
@@ -612,7 +622,7 @@ STATEMENTS = {
         "burn, then rise",
         [1 / 6],
     ),
-    "5.30": statement(
+    "5.30": book_problem(
         Problem(
             {h: v, v: -3 * p / m + 1, m: -3 * p}, {p: (0, 1)}, {h: -1, v: 0, m: 1}, [v, h], final=-m
         ),
@@ -620,29 +630,29 @@ STATEMENTS = {
         LOCAL,
         "fall, then burn: a root",
     ),
-    "5.32": statement(
+    "5.32": book_problem(
         Problem(THRUST, FREE, AT_REST, [y - R(2, 5), w], final=-v, duration=2),
         FIXED_TIME_SPEED,
         PROVED,
         "linear tangent",
     ),
-    "5.33": statement(
+    "5.33": book_problem(
         Problem(THRUST, FREE, AT_REST, [y - R(1, 2), w, v - 1]), ORBIT_TIME, LOCAL, "linear tangent"
     ),
-    "5.34": statement(
+    "5.34": book_problem(
         Problem(THRUST, FREE, {x: 1, y: 2, v: 1, w: 0}, [x, y]),
         brentq(lambda T: (1 + T) ** 2 + 4 - T**4 / 4, 0.1, 10, xtol=1e-15),
         LOCAL,
         "constant direction",
     ),
-    "5.35": statement(
+    "5.35": book_problem(
         Problem(THRUST, FREE, {x: 1, y: 2, v: 1, w: 0}, [x, y, v, w]),
         rendezvous,
         PROVED,
         "separation in the dual",
         accuracy=1e-9,
     ),
-    "5.37": statement(
+    "5.37": book_problem(
         Problem(
             {x: v * sp.cos(u), y: v * sp.sin(u), v: -sp.sin(u)},
             FREE,
@@ -654,7 +664,7 @@ STATEMENTS = {
         LOCAL,
         "v = C cos(theta)",
     ),
-    "5.38": statement(
+    "5.38": book_problem(
         Problem(
             {x: v * sp.cos(u), y: v * sp.sin(u), v: -(v**2) - sp.sin(u)},
             FREE,
@@ -667,19 +677,19 @@ STATEMENTS = {
         "collocation",
         accuracy=1e-8,
     ),
-    "5.40": statement(
+    "5.40": book_problem(
         Problem({x: (1 + y) * sp.cos(u), y: (1 + y) * sp.sin(u)}, FREE, {x: 2, y: 1}, [x, y]),
         np.arccosh(9 / 4),
         LOCAL,
         "distance in the half-plane: cosh T = 1 + |d|^2/(2 y_1 y_2)",
     ),
-    "5.41 in a calm": statement(
+    "5.41 in a calm": book_problem(
         chaplygin(0), -np.pi, EXTREMAL, "a circle, which may begin anywhere"
     ),
-    "5.41": statement(
+    "5.41": book_problem(
         chaplygin(R(1, 2)), -np.pi * 0.75**1.5, EXTREMAL, "an ellipse of eccentricity 1/2"
     ),
-    "5.44": statement(
+    "5.44": book_problem(
         Problem(
             {x: -x, w: 2 * w + u},
             FREE,
@@ -692,31 +702,31 @@ STATEMENTS = {
         "the reduced boundary value problem, all its roots",
         accuracy=1e-9,
     ),
-    "5.46": statement(
+    "5.46": book_problem(
         Problem({x: u}, ONE, {x: 0}, running=x**2, duration=1), 0.0, PROVED, "rest", []
     ),
-    "5.47": statement(
+    "5.47": book_problem(
         Problem({x1: u, x2: -(x1**2)}, ONE, {x1: 0, x2: 0}, final=x2, duration=1),
         -1 / 3,
         LOCAL,
         "|x1| <= t",
         [],
     ),
-    "5.48": statement(
+    "5.48": book_problem(
         Problem({x1: u, x2: -u * x1}, ONE, {x1: 0, x2: 0}, final=x2, duration=1),
         -1 / 2,
         LOCAL,
         "J = -x1(1)^2/2",
         [],
     ),
-    "5.49": statement(
+    "5.49": book_problem(
         Problem({x: 1 - y**2, y: u}, ONE, {x: 0, y: -1}, [y - 1], final=-x, duration=3),
         -7 / 3,
         LOCAL,
         "across at full speed, down the middle",
         [1, 2],
     ),
-    "5.52": statement(
+    "5.52": book_problem(
         Problem(
             {h: v, v: -(3 * p + v**2 / 2) / m + 1, m: -3 * p},
             {p: (0, 1)},
@@ -729,31 +739,31 @@ STATEMENTS = {
         "fall and burn joined",
         accuracy=1e-9,
     ),
-    "5.54 a": statement(
+    "5.54 a": book_problem(
         of_angle(-1, 2, 1, 3, maximise=True),
         pursuit((np.sin, lambda b: 2 - np.cos(b)), 1, 3, 2),
         LOCAL,
         "motion with an event",
     ),
-    "5.54 b": statement(
+    "5.54 b": book_problem(
         of_angle(-1, R(1, 2), 2, 1),
         pursuit((np.sin, lambda b: 0.5 - np.cos(b)), 2, 1, 2),
         LOCAL,
         "the same",
     ),
-    "5.55": statement(
+    "5.55": book_problem(
         of_angle(1, 2, 3, 1, maximise=True),
         pursuit((lambda b: -np.sin(b), lambda b: np.cos(b) - 2), 3, 1, 2),
         LOCAL,
         "the same",
     ),
-    "5.56": statement(
+    "5.56": book_problem(
         of_angle(1, R(1, 2), 1, 2),
         pursuit((lambda b: -np.sin(b), lambda b: np.cos(b) - 0.5), 1, 2, 2),
         LOCAL,
         "the same",
     ),
-    "5.57": statement(
+    "5.57": book_problem(
         Problem(
             {x: v * sp.cos(a), y: v * sp.sin(a), a: w},
             {v: (0, 1), w: (-1, 1)},
@@ -765,7 +775,7 @@ STATEMENTS = {
         "a circle and its tangent",
         [np.arctan2(3, 4)],
     ),
-    "5.58": statement(
+    "5.58": book_problem(
         Problem(
             {x: v * sp.cos(a) - w * sp.sin(a) / 2, y: v * sp.sin(a) + w * sp.cos(a) / 2, a: w},
             {v: (0, 1), w: (-1, 1)},
@@ -776,7 +786,7 @@ STATEMENTS = {
         LOCAL,
         "a turn and a straight way: two equations",
     ),
-    "5.60": statement(
+    "5.60": book_problem(
         Problem(
             {a: w, w: a + u, x: v, v: u},
             ONE,
@@ -788,27 +798,27 @@ STATEMENTS = {
         LOCAL,
         "four equations",
     ),
-    "from a bound to an interior arc by a jump": statement(
+    "from a bound to an interior arc by a jump": book_problem(
         Problem({x: u}, {u: (0, 3)}, {x: 0}, running=u**3 / 3 - u**2 + x, duration=2),
         across_a_tangent(),
         LOCAL,
         "a tangent, a quadrature",
         [1.25],
     ),
-    "from an interior arc to a bound by a jump": statement(
+    "from an interior arc to a bound by a jump": book_problem(
         Problem({x: u}, {u: (0, 3)}, {x: 0}, running=u**3 / 3 - u**2 - x, final=2 * x, duration=2),
         across_a_tangent(),
         LOCAL,
         "the same, backwards",
         [0.75],
     ),
-    "two values in any order": statement(
+    "two values in any order": book_problem(
         Problem({x: u}, {u: (0, 3)}, {x: 0}, [x - 1], running=u**3 / 3 - u**2, duration=2),
         -3 / 4,
         LOCAL,
         "the convex hull of the cost, -3/4 u, which u = 0 and u = 3/2 reach",
     ),
-    "the far one of two minima": statement(
+    "the far one of two minima": book_problem(
         Problem(
             {x: u},
             ONE,
@@ -826,7 +836,7 @@ STATEMENTS = {
         [],
     ),
     **{
-        f"Rayleigh's energy in {T}": statement(
+        f"Rayleigh's energy in {T}": book_problem(
             Problem(
                 {x1: x2, x2: -x1 + x2 * (R(7, 5) - R(7, 50) * x2**2) + 4 * u},
                 FREE,
@@ -842,7 +852,7 @@ STATEMENTS = {
         )
         for T in (2, 4, 8)
     },
-    "a thrust that has no direction while it is off": statement(
+    "a thrust that has no direction while it is off": book_problem(
         Problem(
             {x: v, y: w, v: p * sp.cos(u), w: p * sp.sin(u) - 1},
             {u: None, p: (0, 3)},
@@ -856,32 +866,32 @@ STATEMENTS = {
     ),
     # From elsewhere: a stationary start that is a maximum, a far start, boundary layers, a plant
     # without drift.
-    "away from zero": statement(
+    "away from zero": book_problem(
         Problem({x: u}, ONE, {x: 0}, {x: 0}, running=u**2 - x**2, duration=4),
         away_from_zero(),
         LOCAL,
         "x'' = -x and u = 1",
     ),
-    "far start": statement(
+    "far start": book_problem(
         Problem(PLANE, ONE, {x1: 1, x2: -30}, [x1, x2]),
         30 + 2 * np.sqrt(449),
         PROVED,
         "by hand",
         [30 + np.sqrt(449)],
     ),
-    "hypersensitive": statement(
+    "hypersensitive": book_problem(
         Problem({x: u - x**3}, FREE, {x: R(3, 2)}, [x - 1], running=x**2 + u**2, duration=40),
         boundary_layers(),
         LOCAL,
         "two quadratures",
     ),
-    "quadratic, 20 units": statement(
+    "quadratic, 20 units": book_problem(
         Problem(PLANE, FREE, {x1: 1, x2: 0}, running=x1**2 + u**2, duration=20),
         np.sqrt(2),
         PROVED,
         "Riccati, infinite horizon; the rest is 1e-12",
     ),
-    "least area": statement(
+    "least area": book_problem(
         Problem(
             {x: u, y: v, z: y * u},
             {u: None, v: None},
@@ -897,9 +907,9 @@ STATEMENTS = {
 }
 
 
-@pytest.mark.parametrize("name", STATEMENTS)
-def test_statement(name):
-    one = STATEMENTS[name]
+@pytest.mark.parametrize("name", BOOK_PROBLEMS)
+def test_book_problem(name):
+    one = BOOK_PROBLEMS[name]
     extremal = one.problem.solve()
     # what takes seconds, no process computes but this one
     cost = one.cost() if callable(one.cost) else one.cost
@@ -913,7 +923,7 @@ def test_statement(name):
 
 
 def test_absolute_values_in_the_cost():
-    problem = STATEMENTS["5.25 with |u|"].problem
+    problem = BOOK_PROBLEMS["5.25 with |u|"].problem
     found = [
         problem.solve(**more)
         for more in (
@@ -937,8 +947,7 @@ def test_absolute_values_in_the_cost():
 
 
 def test_absolute_values_of_several_kinds():
-    """Convex, so proved; with u^2 besides an arc may be interior; a control of one sign needs no
-    split."""
+    """Convex, so proved; with u^2 an arc may be interior; a control of one sign needs no split."""
     one = Problem(
         PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=u**2 + sp.Abs(u), duration=3
     ).solve()
@@ -998,9 +1007,10 @@ def test_absolute_values_that_are_not_split(cost, error, message):
 
 
 def test_fastest_to_trim():
-    """F-8 Crusader (Garrard and Jordan; the benchmark of Sager's collection, best value of
-    bang-bang controls 3.780855775). H is of third degree in the control, which once swings from
-    bound to bound within 2e-4.
+    """F-8 Crusader (Garrard and Jordan; the benchmark of Sager's collection).
+
+    The best value of bang-bang controls is 3.780855775. H is of third degree in the control, which
+    once moves from bound to bound within 2e-4.
     """
     c = R("0.05236")
     rate = (
@@ -1039,16 +1049,14 @@ def test_fastest_to_trim():
 
 
 def test_saddles_are_left():
-    """The trivial motions satisfy every first-order condition, and are not returned even when they
-    are the guess."""
+    """Trivial solutions satisfy all first-order conditions; not returned even as the guess."""
     trivial = {x: 0, u: 0}
-    assert STATEMENTS["away from zero"].problem.solve(guess=trivial).cost < -1.7
-    assert STATEMENTS["5.44"].problem.solve(guess={w: 0, u: 0}).cost < 0.47
+    assert BOOK_PROBLEMS["away from zero"].problem.solve(guess=trivial).cost < -1.7
+    assert BOOK_PROBLEMS["5.44"].problem.solve(guess={w: 0, u: 0}).cost < 0.47
 
 
 def test_several_guesses_are_compared():
-    """Fastest way down with air drag: a guess leads to a way that loops, the others to the better
-    one."""
+    """Fastest descent with air drag: one guess leads to a loop, the others to the better path."""
     way = Problem(
         {x: v * sp.cos(u), y: v * sp.sin(u), v: sp.sin(u) - v**2 / 5},
         FREE,
@@ -1162,7 +1170,7 @@ def test_several_guesses_are_compared():
         ),
     ],
 )
-def test_statements_without_an_extremal(problem, error, message):
+def test_problems_without_an_extremal(problem, error, message):
     with pytest.raises(error, match=message), warnings.catch_warnings():
         warnings.simplefilter("error")
         problem.solve()

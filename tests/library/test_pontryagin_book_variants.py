@@ -1,6 +1,7 @@
-"""Problems 5.29 - 5.62 with other numbers than in `test_pontryagin_workbook`: edges of a statement,
-other structures, starts from which little is left to choose, with truths in which the engine has no
-part.
+"""Problems 5.29 - 5.62 with other numbers than in `test_pontryagin_book_problems`.
+
+Limiting cases of a statement, other structures, initial states that leave little choice; the
+references share nothing with the library.
 """
 
 from dataclasses import dataclass
@@ -154,8 +155,10 @@ def in_a_current(stream, slope, start, target, guesses):
 
 
 def down_to_the_lane():
-    """5.40 with v = 1 + 3 exp(-4 y^2): cos(theta)/v is constant, and the way turns where v = 1/k,
-    at y = s."""
+    """5.40 with v = 1 + 3 exp(-4 y^2): cos(theta)/v is constant.
+
+    The path turns where v = 1/k, at y = s.
+    """
 
     def speed(at):
         return 1 + 3 * np.exp(-4 * at**2)
@@ -237,8 +240,10 @@ def landing_in_air(k, height):
 
 
 def far_at_one_height():
-    """5.53, Q = (v^2 + m^2/v^2)/2 and c = 1: S = v Q_v - Q + v (Q - m Q_m) = 0 on singular arcs;
-    then no thrust."""
+    """5.53, Q = (v^2 + m^2/v^2)/2 and c = 1: a singular arc, then no thrust.
+
+    On singular arcs S = v Q_v - Q + v (Q - m Q_m) = 0.
+    """
     q, n = sp.symbols("q n", positive=True)
     Q = (q**2 + n**2 / q**2) / 2
     S = q * Q.diff(q) - Q + q * (Q - n * Q.diff(n))
@@ -271,8 +276,7 @@ def pursuit(turn, pace, radius, angle, end):
 
 
 def robot(place, offset):
-    """5.57, 5.58: turns on the spot by g, with v = 1 by f, and a straight way; the shortest of
-    these, both ways."""
+    """5.57, 5.58: turns on the spot by g, with v = 1 by f, and a straight path; the shortest."""
 
     def ends(z, side):
         g, f, way = z
@@ -348,8 +352,7 @@ def cart(start, k, guess):
 
 
 def fuller(place, speed):
-    """5.61: u changes on x = -xi v|v|, xi^2 = (sqrt(33) - 1)/24; the cost, and the ratio of
-    neighbouring arcs."""
+    """5.61: u changes on x = -xi v|v|, xi^2 = (sqrt(33) - 1)/24; cost and ratio of the arcs."""
     xi, cost, lengths = np.sqrt((np.sqrt(33) - 1) / 24), 0.0, []
     sign = -np.sign(place + xi * speed * abs(speed))
     for _ in range(30):
@@ -789,13 +792,13 @@ def test_cost(name):
         "5.62",
     ],
 )
-def test_a_true_word(problem, error, message):
+def test_reason_without_an_extremal(problem, error, message):
     with pytest.raises(error, match=message):
         problem.solve()
 
 
 @pytest.mark.parametrize("start", [(1, 0), (-1, -1)])
-def test_numbers_of_true_chattering(start):
+def test_numbers_of_chattering(start):
     with pytest.raises(Chattering) as caught:
         Problem(PLANE, ONE, dict(zip((x1, x2), start)), [x1, x2], running=x1**2).solve()
     numbers, (cost, ratio) = caught.value.numbers, fuller(*map(float, start))
@@ -804,10 +807,10 @@ def test_numbers_of_true_chattering(start):
 
 
 def test_switchings_that_accumulate_at_an_arc_of_order_three():
-    """The third derivative of x is u, the cost x^2: with 4 switchings a stationary process costs
-    1.2521203, with more of them less.
+    """The third derivative of x is u, the cost x^2: more switchings cost less.
 
-    The cost that is told is that of its arcs, here by polynomials.
+    With 4 switchings a stationary process costs 1.2521203. The cost in the message is that of its
+    arcs, here by polynomials.
     """
     with pytest.raises(Chattering, match="order 3: ever more arcs cost ever less") as caught:
         Problem({x: v, v: w, w: u}, ONE, {x: 1, v: 0, w: 0}, [x, v, w], running=x**2).solve()
