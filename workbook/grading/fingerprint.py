@@ -10,7 +10,7 @@ from workbook.mistakes import file_beside
 from workbook.notebooks.dependencies import module_closure
 
 #: The modules that run a notebook's cells, and read and judge what they hand over.
-JUDGES = "import workbook.notebooks.cells, workbook.grading.judging"
+JUDGING_MODULES = "import workbook.notebooks.cells, workbook.grading.judging"
 
 
 def fingerprint(exercise):
@@ -20,7 +20,7 @@ def fingerprint(exercise):
     import or that run and judge a notebook.
     """
     cells, mistakes = exercise.code("data", "check"), file_beside(exercise.path)
-    closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
+    closure = module_closure("\n".join([JUDGING_MODULES, *(source for _, source in cells)]))
     return hashlib.sha256(
         json.dumps(
             [cells, mistakes.read_text(encoding="utf-8") if mistakes.is_file() else "", closure],

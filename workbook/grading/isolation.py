@@ -86,7 +86,7 @@ def visible_paths():
 def hidden_folders():
     """Return folders within visible ones that are to be empty in the sandbox.
 
-    These are a wheel's exercises, and the other folders of a checkout that lies in /usr.
+    These are a wheel's exercises, and the other folders of a checkout within a visible folder.
     """
     inside = [PACKAGE / "_exercises"]
     if (CHECKOUT / "pyproject.toml").exists():

@@ -9,7 +9,7 @@ import sys
 from contextlib import contextmanager, suppress
 
 from trajlib._lazy import home_of
-from workbook.grading.fingerprint import JUDGES
+from workbook.grading.fingerprint import JUDGING_MODULES
 from workbook.grading.system_calls import system_call
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import module_closure, path_of
@@ -90,7 +90,9 @@ def modules_for(problems, sources):
     return {
         "notebooks": [*ALWAYS, *notebooks],
         "checks": [
-            name for name in _with_libraries([JUDGES, *data, *checks]) if name not in notebooks
+            name
+            for name in _with_libraries([JUDGING_MODULES, *data, *checks])
+            if name not in notebooks
         ],
     }
 

@@ -106,8 +106,12 @@ class Sandbox:
         self._greeted = False
 
     def __enter__(self):
-        self.start()
-        self._wait_for_greeting()
+        try:
+            self.start()
+            self._wait_for_greeting()
+        except BaseException:
+            self.__exit__()
+            raise
         return self
 
     def __exit__(self, *_):
