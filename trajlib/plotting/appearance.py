@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from typing import Any
 
 BLACK, BLUE, RED, GREEN, ORANGE, SKY, PURPLE, GREY = (
     "#000000",
@@ -33,7 +34,7 @@ def style() -> Iterator[None]:
 
     colours = cycler(color=[BLUE, RED, GREEN, PURPLE, ORANGE, BLACK])
     lines = cycler(linestyle=["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2))])
-    ours = {
+    ours: dict[Any, Any] = {
         "figure.figsize": (5.2, 4.2),
         "figure.dpi": 110,
         "figure.constrained_layout.use": True,
