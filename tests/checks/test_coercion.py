@@ -5,7 +5,8 @@ import pytest
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.encoding import decode, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import Invalid
 
 x, y = sp.symbols("x y", real=True)

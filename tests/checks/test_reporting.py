@@ -18,7 +18,9 @@ from hypothesis import strategies as st
 
 from workbook import checks
 from workbook.checks.contract import reporting
-from workbook.checks.contract.encoding import EncodingError, decode, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import Unusable, Verdict, Wrong, judged
 from workbook.systems import Linear, Process
 

@@ -27,7 +27,8 @@ from workbook.authoring import master_paths, read
 from workbook.authoring.mistakes import question_of, sealed, sentence
 from workbook.authoring.scaffold import PLACEHOLDER
 from workbook.authoring.trials import trials_file
-from workbook.checks.contract.encoding import decode, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.mistakes import file_beside, name_of
 from workbook.mistakes.signature import Unlike, in_cases, signatures
 from workbook.notebooks import exercises

@@ -18,7 +18,8 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.encoding import EncodingError, encode
+from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import Invalid
 from workbook.mistakes.sample_points import (
     CONDITION,

@@ -126,7 +126,8 @@ class _Notebook:
     def encoded(self):
         """(encoded answers, why others cannot be read), by name; an untouched stub is an answer
         too."""
-        from workbook.checks.contract.encoding import EncodingError, encode
+        from workbook.checks.contract.encoding import encode
+        from workbook.checks.contract.traversal import EncodingError
 
         encoded, unreadable, room = {}, {}, ROOM
         for name in self.names:

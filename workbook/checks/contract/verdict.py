@@ -18,8 +18,10 @@ import warnings
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 
-from workbook.checks.contract.encoding import EncodingError, decode, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.shapes import with_shapes
+from workbook.checks.contract.traversal import EncodingError
 
 RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = (
     "right",
