@@ -16,7 +16,7 @@ import numbers
 import sympy as sp
 from sympy.logic.boolalg import Boolean
 
-from workbook.checks.contract import coercion
+from workbook.checks.contract import coercion, condition_coercion
 from workbook.checks.contract.members import NUMBERS, in_order, members, vectors
 from workbook.checks.contract.verdict import Invalid
 
@@ -107,7 +107,7 @@ class Values(Claim):
 
 
 class ConditionOn(Claim):
-    coerce = staticmethod(coercion.as_condition)
+    coerce = staticmethod(condition_coercion.as_condition)
 
 
 class Number(Claim):

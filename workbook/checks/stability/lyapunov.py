@@ -532,7 +532,7 @@ def _membership(condition, state):
         return lambda points: ~negated(points)
     if not isinstance(condition, Relational):
         raise Invalid("expected inequalities joined by And, Or and Not")
-    # Symbols are the data's own and functions are SymPy's (coercion.as_condition), so the code made
+    # Symbols are the data's own and functions are SymPy's (condition_coercion.as_condition), so the code made
     # is ours.
     try:
         difference = _numeric(condition.lhs - condition.rhs, state)
