@@ -11,7 +11,7 @@ from calls import calls_noted, codes_that_note
 from forms import each_form
 
 from workbook import checks
-from workbook.authoring.statements import reported_names
+from workbook.checks.contract.check_cells import reported_names
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
 from workbook.systems import Controlled

@@ -13,7 +13,7 @@ import sys
 import time
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
-from workbook.checks.contract.error_hints import advice
+from workbook.checks.contract.error_hints import hint_for
 
 #: Of all encoded answers together: far above any honest notebook, within one message of the
 #: sandbox.
@@ -239,5 +239,5 @@ def _told(error):
         text = str(error)[:300]
     except BaseException:
         text = "(its text cannot be read)"
-    said = advice(text)
+    said = hint_for(text)
     return f"{name}: {text}" + (". " + said.replace("\n", " ") if said else "")
