@@ -18,11 +18,17 @@ from workbook.checks.contract.claims import Matrix, MatrixOrVector, Values
 from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
-from workbook.checks.tools.comparisons import Entries, Members
-from workbook.checks.tools.conditions import compare, place_text
+from workbook.checks.tools.comparisons import SameEntries, SameMembers
+from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import numbers_at
-from workbook.checks.tools.wording import entry_text, number_text, part_text, where_text
+from workbook.checks.tools.wording import (
+    entry_text,
+    number_text,
+    part_text,
+    values_text,
+    where_text,
+)
 
 COUNT = 6
 BEFORE, AFTER = "before", "after"
@@ -34,7 +40,7 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true, _ = processes.given(one, known, time)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -53,7 +59,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     the variance."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = processes.given(one, known, time)[1]
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             _other("the errors of the best estimate", values),
@@ -69,7 +75,7 @@ def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.tr
     coordinate an expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -92,7 +98,7 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = processes.numbers(process, values, start=False)
         true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
-        yield Entries(
+        yield SameEntries(
             claim, true, _other("the errors of the settled filter", values), values, abs(true).max()
         )
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
@@ -123,7 +129,7 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
                 f"{number_text(said[i, j])}"
             )
 
-        yield Entries(claim, true, told, values, abs(true).max())
+        yield SameEntries(claim, true, told, values, abs(true).max())
     return "no other gain makes the variances of the errors smaller"
 
 
@@ -133,7 +139,7 @@ def steady_filter_exists(answer, process, parameters):
 
     def told(values, holds):
         return (
-            f"your condition {'does not hold' if holds else 'holds'} for {place_text(values)}; "
+            f"your condition {'does not hold' if holds else 'holds'} for {values_text(values)}; "
             + (
                 "there a filter settles, and its errors decay"
                 if holds
@@ -164,7 +170,7 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
         y, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
         gain = processes.gain_of(one, P)
         terms = one.A @ y, gain @ z, -gain @ one.H @ y
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
             lambda said, i, j: (
@@ -200,7 +206,7 @@ def riccati_equation(claim, process, covariance, parameters=()):
         else:
             terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
             found, does = "your rate of change of the entry ({}, {})", "change it at another rate"
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
             lambda said, i, j: (
@@ -227,7 +233,7 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
         def fits(number, other):
             return agree(number[1], other, number[0], size, REPEATED)
 
-        yield Members(
+        yield SameMembers(
             list(zip(claims, said)),
             list(np.linalg.eigvals(loop)),
             fits,

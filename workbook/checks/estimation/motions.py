@@ -16,9 +16,9 @@ from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
 from workbook.checks.references.spectra import decays
-from workbook.checks.tools.comparisons import Entries, Members, Same
-from workbook.checks.tools.conditions import compare, contrary, exactly
-from workbook.checks.tools.samples import allowed_values, in_every_case, joined
+from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
+from workbook.checks.tools.conditions import compare, contradiction_message, exactly
+from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
 from workbook.checks.tools.values import numbers_at
 from workbook.checks.tools.wording import entry_text, number_text, where_text
 
@@ -50,7 +50,7 @@ def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
         size = abs(true)
         for noise in added:
             true, size = A @ true + noise, abs(A) @ size + abs(noise)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -72,7 +72,9 @@ def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
     """
     for one, values in _in_time(process, time, claim, parameters, given, times):
         F, _ = processes.moved(one, values[time])
-        yield Entries(claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean))
+        yield SameEntries(
+            claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean)
+        )
     return "it is the mean at all times and parameters tried"
 
 
@@ -89,7 +91,7 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
             N if values[time] else processes.moved(one, STEPS[1] if one.discrete else TIMES[1])[1]
         )
         size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
-        yield Entries(
+        yield SameEntries(
             claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max()
         )
     return "it is the covariance at all times and parameters tried"
@@ -108,7 +110,7 @@ def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, t
         found.append((covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values))
     constant = np.ptp([true for true, _ in found]) < 1e-9
     for true, values in found:
-        yield Same(claim, true, "the correlation coefficient", values, constant=constant)
+        yield SameValue(claim, true, "the correlation coefficient", values, constant=constant)
     return "it is the covariance as a share of what it could be at most"
 
 
@@ -123,7 +125,7 @@ def shaping_equation(claims, process, parameters=(), given=sp.true):
             (-a, 2 * a * D, D),
             ("the coefficient", "the intensity", "the variance at the start"),
         ):
-            yield Same(
+            yield SameValue(
                 claim,
                 true,
                 f"{what} of the equation that keeps the given correlation",
@@ -138,11 +140,11 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
     """The covariance matrix that the process settles to, whatever it is at the start, for those
     parameters with which it does."""
     process = processes.plain(process)
-    settling = sp.And(joined(given), decays(process.A, process.discrete))
+    settling = sp.And(conjunction(given), decays(process.A, process.discrete))
     for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
         one = processes.numbers(process, values, start=False)
         true = processes.settled(one)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -170,7 +172,7 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
         def fits(number, other):
             return agree(number[1], other, number[0], size, REPEATED)
 
-        yield Members(
+        yield SameMembers(
             list(zip(claims, said)),
             true,
             fits,
@@ -199,7 +201,10 @@ def settling_region(answer, process, parameters, given=sp.true):
         return f"the largest real part of an eigenvalue is {modes.real.max():.4g} there"
 
     agreement = compare(
-        answer, parameters, exactly(decays(process.A, process.discrete), given), contrary(told)
+        answer,
+        parameters,
+        exactly(decays(process.A, process.discrete), given),
+        contradiction_message(told),
     )
     return f"there and nowhere else what is known of the start is forgotten: {agreement}"
 
@@ -227,7 +232,9 @@ def covariance_rises(answer, process, parameters, given=sp.true):
             )
         return f"there the variances change at the rates {', '.join(map(str, at.diagonal()))} at the start"
 
-    agreement = compare(answer, parameters, exactly(rises, joined(given)), contrary(told))
+    agreement = compare(
+        answer, parameters, exactly(rises, conjunction(given)), contradiction_message(told)
+    )
     return f"it rises there and nowhere else: {agreement}"
 
 
@@ -245,7 +252,7 @@ def _in_time(process, time, claim, parameters, given, times):
         values | {time: sp.sympify(moment)}
         for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count))
     ]
-    for values in in_every_case(samples, claim, sp.And(joined(given), asked)):
+    for values in in_every_case(samples, claim, sp.And(conjunction(given), asked)):
         yield processes.numbers(process, values), values
 
 

@@ -20,10 +20,10 @@ from workbook.checks.references.fixed_modes import (
 )
 from workbook.checks.references.records import augmented, by_control, reached, seen
 from workbook.checks.references.spectra import compare_region
-from workbook.checks.tools.conditions import compare, exactly, place_text
+from workbook.checks.tools.conditions import compare, exactly
 from workbook.checks.tools.samples import in_every_case
-from workbook.checks.tools.values import matrix_at, number_at, uncertain_entries
-from workbook.checks.tools.wording import number_text, where_text
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, number_at
+from workbook.checks.tools.wording import number_text, values_text, where_text
 from workbook.systems import Scalar
 
 
@@ -65,7 +65,7 @@ def possible_margins(answer, system, mu, parameters=()):
 
 
 def up_to(mu, *greatest):
-    """The `Truth` that mu is at most the least of the margins; those that are None set no bound."""
+    """The `ReferenceCondition` that mu is at most the least of the margins; those that are None set no bound."""
     bounds = [margin for margin in greatest if margin is not None]
     return exactly(mu <= min(bounds, key=float) if bounds else sp.true)
 
@@ -73,8 +73,8 @@ def up_to(mu, *greatest):
 def compare_margins(answer, symbols, truth, what):
     def told(values, holds):
         if holds:
-            return f"your condition does not hold for {place_text(values)}, yet some {what} has this margin"
-        return f"your condition holds for {place_text(values)}, yet no {what} has this margin"
+            return f"your condition does not hold for {values_text(values)}, yet some {what} has this margin"
+        return f"your condition holds for {values_text(values)}, yet no {what} has this margin"
 
     return f"these are the margins that some {what} has: {compare(answer, symbols, truth, told)}"
 
@@ -128,8 +128,8 @@ def _hold_mode(value, vector, A, H, values, where):
     if not abs(column).max() > 0:
         raise Wrong(f"your vector v is zero{where}")
     open_, (open_root,) = (
-        uncertain_entries(vector, values),
-        *uncertain_entries(sp.Matrix([value]), values),
+        entry_uncertainties(vector, values),
+        *entry_uncertainties(sp.Matrix([value]), values),
     )
     image = matrix @ column
     size = (abs(matrix) @ abs(column)).max() + abs(root) * abs(column).max()

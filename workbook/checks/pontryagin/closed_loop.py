@@ -4,8 +4,8 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
 
 #: A law may be slower than the optimum by this share: its switching curve may be written in
 #: decimals.
@@ -170,7 +170,7 @@ def _closed_loop(law, plant, lanes, steps, moments):
                     lanes = there[rows]
                     return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
 
-                last[there] = bisected(goes_on, first[there], last[there], 40)[1]
+                last[there] = bisect(goes_on, first[there], last[there], 40)[1]
             x[here], t[here], waits[here] = (
                 plant.move(x[here], u[here], last[here]),
                 t[here] + last[here],

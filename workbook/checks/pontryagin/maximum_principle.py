@@ -28,18 +28,14 @@ from workbook.checks.pontryagin.followed import reach
 from workbook.checks.pontryagin.in_time import Control, Steering
 from workbook.checks.references.optima.transfer_optima import rk4
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates, singular_arcs
-from workbook.checks.tools.comparisons import Word
-from workbook.checks.tools.conditions import decide, exactly, place_text
-from workbook.checks.tools.samples import draw, ends, found_once, sample_cases
-from workbook.checks.tools.values import (
-    at_once,
-    number_at,
-    real_at,
-    real_function,
-    uncertain_entries,
-    value_at,
-)
-from workbook.checks.tools.wording import rounded_text
+from workbook.checks.tools.comparisons import SameWord
+from workbook.checks.tools.conditions import decide, exactly
+from workbook.checks.tools.domains import endpoints, random_value, sample_cases
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.samples import cached_points
+from workbook.checks.tools.substitution import real_at, substituted
+from workbook.checks.tools.values import entry_uncertainties, number_at, value_at
+from workbook.checks.tools.wording import rounded_text, values_text
 
 #: At so many places an identity is tried, and with so many other controls a greatest value is
 #: compared.
@@ -201,7 +197,7 @@ def maximising_control(answer, problem, costates, domain=None):
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
         # What decimals leave open is a control, of which H near its maximum says little.
-        open_ = uncertain_entries(sp.Matrix(claims), values).ravel()
+        open_ = entry_uncertainties(sp.Matrix(claims), values).ravel()
         near, rivals = (
             np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
             for parts in (
@@ -294,7 +290,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     seen = 0
     random = np.random.default_rng(23)
     for _ in range(6 * PLACES):
-        values = {s: draw(random, s, domain) for s in symbols}
+        values = {s: random_value(random, s, domain) for s in symbols}
         place = surface.near(values)
         if place is None or not _allowed(place, domain):
             continue
@@ -410,7 +406,7 @@ def kelley_holds(claim, problem, costates, control=None, domain=None):
     signs = {bool(real_at(kelley, values) <= 0) for values in _points(arcs, domain)}
     if len(signs) > 1:
         raise RuntimeError("Kelley's condition holds on a part of the singular arcs")
-    yield Word(
+    yield SameWord(
         claim,
         signs.pop(),
         "look at the sign of (-1)^q d/du d^(2q)/dt^(2q) dH/du on the arc, with lambda_0 = 1",
@@ -594,7 +590,7 @@ class _Zeros:
 # Small things.
 
 
-@found_once
+@cached_points
 def _places(problem, costates, domain, controls=True, known=False):
     """Random values of all symbols, the controls on their bounds first; costates that are `known`
     may have their values."""
@@ -610,7 +606,7 @@ def _places(problem, costates, domain, controls=True, known=False):
         s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES for s in symbols
     }
     for k in range(PLACES):
-        place = {s: draw(random, s, domain, shares[s][k]) for s in symbols}
+        place = {s: random_value(random, s, domain, shares[s][k]) for s in symbols}
         if controls and k < 2:
             place |= {
                 u: pair[k]
@@ -620,7 +616,7 @@ def _places(problem, costates, domain, controls=True, known=False):
         yield place | {psi: float(value.subs(place)) for psi, value in values.items()}
 
 
-@found_once
+@cached_points
 def _near_switching(problem, costates, domain):
     """Places next to those where a control does not enter H: a smooth imitation of a jump is seen
     there."""
@@ -637,7 +633,7 @@ def _near_switching(problem, costates, domain):
 
 def _allowed(values, domain):
     """Whether values lie where those of their symbols may."""
-    return all(low < values[s] < high for s in values for low, high in [ends(s, domain)])
+    return all(low < values[s] < high for s in values for low, high in [endpoints(s, domain)])
 
 
 def _equal(claim, true, values, what):
@@ -666,7 +662,7 @@ def _has_the_sign(claim, slope, control, known, domain):
         if place:
             values, holds = place
             raise Wrong(
-                f"for {place_text(values)}, H {does if holds else not_} with {control}, and your "
+                f"for {values_text(values)}, H {does if holds else not_} with {control}, and your "
                 "function has another sign"
             )
 
@@ -703,7 +699,7 @@ def _difference(part, symbols):
     return coercion.as_expression(part, symbols)
 
 
-@found_once
+@cached_points
 def _on_target(problem):
     """States at the end, and parameters, as dicts."""
     zeros = (
@@ -718,7 +714,7 @@ def _on_target(problem):
                 s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES
                 for s in symbols
             }
-        values = {s: draw(random, s, None, shares[s][k % PLACES]) for s in symbols}
+        values = {s: random_value(random, s, None, shares[s][k % PLACES]) for s in symbols}
         place = zeros.near(values) if zeros else values
         if place is not None and len(found) < PLACES:
             found.append(place)
@@ -776,7 +772,7 @@ def _rank(rows):
 def _bounds(problem, values):
     return [
         tuple(
-            float(at_once(b, values)) if b.is_finite is not False else np.inf * (1 if k else -1)
+            float(substituted(b, values)) if b.is_finite is not False else np.inf * (1 if k else -1)
             for k, b in enumerate(pair)
         )
         for pair in problem.controls.values()

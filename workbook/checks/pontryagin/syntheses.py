@@ -30,10 +30,11 @@ from workbook.checks.references.optima.sampled_optimum import (
     sampled_optimum,
 )
 from workbook.checks.references.optima.target_families import TargetFamily
-from workbook.checks.tools.conditions import Case, Truth, compare, place_text, readings
-from workbook.checks.tools.samples import spread_over
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, readings
+from workbook.checks.tools.domains import values_inside
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.wording import values_text
 
 #: To what share of its coordinates a switching curve is found.
 LOCATED = 1e-4
@@ -153,7 +154,7 @@ def _judge_change(law, truth, lanes, control):
     if not len(pairs):
         return
     case = lanes.case[pairs[:, 0]]
-    ends = bisected(
+    ends = bisect(
         lambda x, rows: law(x, case[rows]) < low + (high - low) / 4, *lanes.x[pairs.T], 45
     )
     between = [(low + SAME < law(x, case)) & (law(x, case) < high - SAME) for x in ends]
@@ -222,7 +223,9 @@ def reached_part(answer, system, target, ends, variable, parameters=None, start=
     """
     family = _family(system, target, ends, variable, parameters, start)
     arrive, avoid = (Case(part, angles=family.angles) for part in family.reached())
-    truth = Truth((arrive,), (avoid,), family.arrives, functools.partial(_arrivals, family))
+    truth = ReferenceCondition(
+        (arrive,), (avoid,), family.arrives, functools.partial(_arrivals, family)
+    )
 
     def told(place, holds):
         how = (
@@ -231,7 +234,7 @@ def reached_part(answer, system, target, ends, variable, parameters=None, start=
             else "no admissible motion arrives from the side of the starts"
         )
         return (
-            f"for {place_text(place)}, at the point {family.point_text(place)} of the target, "
+            f"for {values_text(place)}, at the point {family.point_text(place)} of the target, "
             f"{how}; your condition says otherwise"
         )
 
@@ -433,7 +436,7 @@ def _change_on(places, claim, domain, data):
         np.array([getattr(one, name) for _, (one,), *_ in places]) for name in ("control", "case")
     )
     on, across = (first + last) / 2, (first - last) / np.linalg.norm(first - last, axis=1)[:, None]
-    first, last = bisected(
+    first, last = bisect(
         lambda x, rows: truth.solve(x, case[rows]).control == control[rows], first, last, 24
     )
     off = (((first + last) / 2 - on) * across).sum(axis=1) / across[:, given]
@@ -482,7 +485,7 @@ def _sides_of(claim, domain, data, shares):
             float(sp.sympify(end).subs(dict(zip(parameters, values))))
             for end in (interval.inf, interval.sup)
         ]
-        places = spread_over(*ends, count=9 if len(truth.cases) == 1 else 5)
+        places = values_inside(*ends, count=9 if len(truth.cases) == 1 else 5)
         step = 1e-6 * (1 + abs(places))
         (other,), (ahead,) = (function(at, *values) for at in (places, places + step))
         told = "".join(f"for {p} = {v:.4g}, " for p, v in zip(parameters, values))
@@ -534,7 +537,7 @@ def continuous_time(answer, system, target, ends, variable, parameters, start=No
     touched, almost = reach.touching(
         *data[:4], _family_of(data, ends, variable).side * data.target[0]
     )
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(sp.And(interval.as_relational(name), sp.Not(almost)), data.state, every=True),),
         (Case(sp.And(interval.as_relational(name), touched), data.state),),
         lambda place: jump(float(place[name])) == 0,
@@ -545,7 +548,7 @@ def continuous_time(answer, system, target, ends, variable, parameters, start=No
         [name],
         truth,
         lambda place, holds: (
-            f"for {place_text(place)} the fastest time "
+            f"for {values_text(place)} the fastest time "
             + (
                 "jumps nowhere: it is the same on both sides of all motions that touch the target"
                 if holds
@@ -561,7 +564,7 @@ def _beside_changes(jump, name, interval, beside=0.03):
     """Values of a parameter, some of them on both sides of where the fastest time begins to
     jump."""
     values = [
-        float(value) for value in sorted(spread_over(float(interval.inf), float(interval.sup), 8))
+        float(value) for value in sorted(values_inside(float(interval.inf), float(interval.sup), 8))
     ]
     for low, high in itertools.pairwise(values):
         yield {name: sp.Rational(low)}
@@ -612,7 +615,7 @@ def other_extremals(answer, system, target, start=None):
         system.state,
         truth,
         lambda place, holds: (
-            f"from {place_text(place)} there is {'another' if holds else 'no other'} extremal "
+            f"from {values_text(place)} there is {'another' if holds else 'no other'} extremal "
             "besides the fastest one"
         ),
     )
@@ -641,7 +644,7 @@ def _second_extremal(system, target, start):
     if beyond is None:
         lanes, later = _line_extremals(sampled_optimum(*frozen(system, target, {}, start)))
         found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(lanes.x, later)}
-        return Truth(
+        return ReferenceCondition(
             at=lambda place: found[tuple(place.values())],
             points=lambda: (dict(zip(state, x)) for x in found),
         )
@@ -669,7 +672,7 @@ def _second_extremal(system, target, start):
         )
         return crossed if crossed == met else None
 
-    return Truth(
+    return ReferenceCondition(
         (Case(sp.And(off, two(sp.Gt)), (first, second)),),
         (Case(sp.And(off, sp.Not(two(sp.Ge))), (first, second), every=True),),
         at,

@@ -18,9 +18,9 @@ from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.in_time import INTEGRATED
 from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Transfer
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.conditions import compare, contrary, exactly, place_text
-from workbook.checks.tools.values import real_at
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.conditions import compare, contradiction_message, exactly
+from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.wording import values_text
 
 
@@ -58,7 +58,7 @@ def turning_rate(claim, problem, angle):
         place = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
         rates = [float(f.subs(place)) for f in problem.dynamics.values()]
         terms = np.array([place[x] * rates[1], -place[y] * rates[0]]) / r**2
-        yield Same(
+        yield SameValue(
             claim,
             terms.sum(),
             "the rate at which the direction of the state turns",
@@ -83,7 +83,7 @@ def least_rate(claim, quantity, problem):
         if k >= 16:
             place = {x: value * CLOSE for x, value in place.items()}
         rates = [float(slope.subs(place).subs(control, u)) for u in bounds]
-        yield Same(
+        yield SameValue(
             claim,
             min(rates),
             "the least of the rates that the admissible controls give",
@@ -98,7 +98,7 @@ def transfer_starts(answer, problem, parameters):
     """The starts, or parameters, for which the target can be reached; a start on the target may be
     counted either way."""
     transfer, truth = _reachable(problem, tuple(parameters))
-    agreement = compare(answer, parameters, truth, contrary(transfer.told_solvable))
+    agreement = compare(answer, parameters, truth, contradiction_message(transfer.told_solvable))
     return f"it agrees with what the controls can reach: {agreement}"
 
 
@@ -136,7 +136,7 @@ def reached_within(answer, problem, duration, parameters):
         [duration, *parameters],
         truth,
         lambda values, holds: (
-            f"for {place_text(values)} the target {'can' if holds else 'cannot'} be reached in "
+            f"for {values_text(values)} the target {'can' if holds else 'cannot'} be reached in "
             f"time; your condition {'does not hold' if holds else 'holds'}"
         ),
     )

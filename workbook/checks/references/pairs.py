@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from workbook.checks.references.invariant_subspaces import to_floats, unseen_subspace
-from workbook.checks.tools.conditions import Case, Truth, allowed
+from workbook.checks.tools.conditions import Case, ReferenceCondition, allowed
 from workbook.checks.tools.samples import cases, general_values, in_every_case
 
 
@@ -153,7 +153,7 @@ class Pair:
         return sp.Poly(square.domain.to_sympy(square.charpoly()[-1]), *self.parameters, domain="QQ")
 
     def truth(self, holds):
-        """The `Truth` of a condition on the parameters under which all unknowns are seen, or with
+        """The `ReferenceCondition` of a condition on the parameters under which all unknowns are seen, or with
         `holds` False are not."""
         all_seen, something_unseen = self._seen
         inside, outside = (all_seen, something_unseen) if holds else (something_unseen, all_seen)
@@ -165,7 +165,7 @@ class Pair:
                 else (self.dimension_at(values) == 0) == holds
             )
 
-        return Truth((inside,), (outside,), at)
+        return ReferenceCondition((inside,), (outside,), at)
 
     @functools.cached_property
     def _given(self):

@@ -16,7 +16,7 @@ import sympy as sp
 
 from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.tools.conditions import Case, Truth
+from workbook.checks.tools.conditions import Case, ReferenceCondition
 from workbook.systems import Coloured, FilterErrors, Process
 
 
@@ -208,7 +208,7 @@ def erring(one, gain):
 
 
 def steady_exists(process):
-    """The `Truth`, in the symbols of the process, that there is a steady filter whose errors decay.
+    """The `ReferenceCondition`, in the symbols of the process, that there is a steady filter whose errors decay.
 
     By the test of Popov, for every number s = u + i w: the columns of s - A above H are independent
     unless s is that of a mode that decays, and those of s - A^T above Q unless it decays or grows.
@@ -233,7 +233,9 @@ def steady_exists(process):
         rates = [abs(found) - 1 if process.discrete else found.real for found in (hidden, quiet)]
         return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
 
-    return Truth((Case(sp.Not(spoiled), (u, w), every=True),), (Case(spoiled, (u, w)),), at)
+    return ReferenceCondition(
+        (Case(sp.Not(spoiled), (u, w), every=True),), (Case(spoiled, (u, w)),), at
+    )
 
 
 def _dependent(s, A, below):

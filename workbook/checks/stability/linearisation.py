@@ -11,9 +11,9 @@ from workbook.checks.references.fields import known_field
 from workbook.checks.references.near_equilibrium import by_motions
 from workbook.checks.references.records import matrix_of
 from workbook.checks.references.spectra import compare_region
-from workbook.checks.tools.comparisons import Word
+from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.values import matrix_at
-from workbook.checks.tools.wording import other_rate, where_text
+from workbook.checks.tools.wording import deviation_rate_text, where_text
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 #: Below this a derivative is zero: what complex steps leave of terms of higher order.
@@ -34,7 +34,7 @@ class Rates:
         said, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
         for symbol, own, column in zip(self.symbols, said.T, self.true.T):
             if not np.linalg.norm(own - column) <= 1e-9 * size:
-                raise Wrong(f"{other_rate(symbol, own, column)}{where_text(self.values)}")
+                raise Wrong(f"{deviation_rate_text(symbol, own, column)}{where_text(self.values)}")
 
 
 @judged
@@ -68,4 +68,6 @@ def zero_stability(claim, field, state):
         )
     else:
         truth, reason = by_motions(flow)
-    return (yield Word(claim, truth, reason, "this does not agree with the motions near zero: "))
+    return (
+        yield SameWord(claim, truth, reason, "this does not agree with the motions near zero: ")
+    )

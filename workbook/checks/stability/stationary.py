@@ -23,10 +23,18 @@ from workbook.checks.contract.tolerance import agree, half_unit, in_decimals, pe
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_factors
 from workbook.checks.references.stationary_points import rest_points
-from workbook.checks.tools.conditions import Case, Truth, compare, exactly, place_text
-from workbook.checks.tools.samples import draw, drawn, ends
-from workbook.checks.tools.values import real_at, uncertain_at
-from workbook.checks.tools.wording import other_rate, point_text, roots_text, sample_text
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
+from workbook.checks.tools.domains import endpoints, random_value
+from workbook.checks.tools.samples import random_columns
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import uncertainty_at
+from workbook.checks.tools.wording import (
+    deviation_rate_text,
+    point_text,
+    roots_text,
+    sample_text,
+    values_text,
+)
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 TYPES = tuple(
@@ -125,7 +133,9 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
             if any(value is None for value in said):
                 raise Wrong(f"for {sample_text(values)} your matrix is not real")
             if not agree(said, true[:, k], list(matrix[:, k]), size).all():
-                raise Wrong(f"for {sample_text(values)} {other_rate(state[k], said, true[:, k])}")
+                raise Wrong(
+                    f"for {sample_text(values)} {deviation_rate_text(state[k], said, true[:, k])}"
+                )
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
 
@@ -212,7 +222,7 @@ def dulac(answer, field, state, parameters, domain=None):
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
     terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
     random = np.random.default_rng(9)
-    places = drawn(random, symbols, domain, 300, [multiplier, divergence])
+    places = random_columns(random, symbols, domain, 300, [multiplier, divergence])
     with np.errstate(all="ignore"):
         parts, places = _within_reach(
             [_values(e, symbols, places) for e in (*terms, divergence, multiplier)], places
@@ -257,7 +267,7 @@ def first_integral(answer, field, state, parameters, domain=None):
     claim = coercion.as_expression(answer, symbols)
     slopes = [sp.diff(claim, x) for x in state]
     random = np.random.default_rng(10)
-    places = drawn(random, symbols, domain, 60, claim)
+    places = random_columns(random, symbols, domain, 60, claim)
     with np.errstate(all="ignore"):
         (levels, *gradient), places = _within_reach(
             [_values(part, symbols, places) for part in (claim, *slopes)], places
@@ -317,7 +327,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     for values, numbers, _ in family.samples(claim, need_rest=False, count=5):
         scale = 0.0
         for _ in range(6):
-            x = sp.Rational(round(10**4 * draw(random, first, domain)), 10**4)
+            x = sp.Rational(round(10**4 * random_value(random, first, domain)), 10**4)
             y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
             where = f"for {sample_text(values)} at {first} = {float(x):.3g}"
             if y is None or dy is None or not family.inside(np.array([float(x), y])):
@@ -353,7 +363,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
                     )
                 )
         for end_x, end_y in through:
-            middle = sum(ends(first, domain)) / 2
+            middle = sum(endpoints(first, domain)) / 2
             close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
             y = real_at(claim, values | {first: close})
             if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
@@ -385,7 +395,7 @@ def _judge_points(answer, family, noun, searched=None):
                 outside = f"; {_place_told(family.state, place)}, which your answer gives, lies outside the domain"
                 continue
             met[k] = True
-            open_ = [uncertain_at(coordinate, values) for coordinate in point]
+            open_ = [uncertainty_at(coordinate, values) for coordinate in point]
             here = [j for j, rest in enumerate(missed) if family.same(place, rest, point, open_)]
             if not here:
                 if any(family.same(place, rest, point, open_) for rest in rests):
@@ -422,7 +432,7 @@ def _rounded_inside(place, written, family):
     """A place whose decimals were rounded to the other side of the border of the domain, on the
     border."""
     for k, (symbol, coordinate) in enumerate(zip(family.state, written)):
-        low, high = ends(symbol, family.domain)
+        low, high = endpoints(symbol, family.domain)
         for end in (low, high) if in_decimals(coordinate) and not low <= place[k] <= high else ():
             if math.isfinite(end) and abs(place[k] - end) <= half_unit(end):
                 place[k] = end
@@ -438,12 +448,12 @@ def _judge_existence(answer, family, noun):
 
     def told(values, holds):
         return (
-            f"for {place_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
+            f"for {values_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
             f"condition {'does not hold' if holds else 'holds'}"
         )
 
     given, rest = family.given, family.at_rest
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(sp.And(given, rest), tuple(family.state)),),
         (Case(sp.And(given, sp.Not(rest)), tuple(family.state), every=True),),
         at,
@@ -477,7 +487,7 @@ def _judge_roots(answer, family, sign, noun):
 
     def told(values, holds):
         return (
-            f"for {place_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
+            f"for {values_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
             f"yet your condition {'does not hold' if holds else 'holds'}"
         )
 

@@ -22,7 +22,7 @@ from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
 from workbook.checks.references.records import by_control, reached, seen
-from workbook.checks.tools.comparisons import Entries
+from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 
@@ -132,7 +132,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
                 f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are "
                 "too few for them"
             )
-        yield Entries(
+        yield SameEntries(
             claim[0, :],
             h[None, :],
             lambda said, _, j: (
@@ -247,7 +247,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
                 f"{j + 1} of your {own} does not fit"
             )
 
-        yield Entries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
+        yield SameEntries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
     judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
     return (
         "z = xi1 and each derivative is as the form says"

@@ -36,7 +36,7 @@ from workbook.checks.references.invariant_subspaces import echelon, product, uns
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.references.records import by_control, matrix_of, reached, seen
 from workbook.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
-from workbook.checks.tools.values import matrix_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -202,7 +202,7 @@ def _judge_split(claim, pair, side):
         if (
             abs(said[:size] @ space)
             <= EXACT * np.linalg.norm(said[:size], axis=1)[:, None]
-            + uncertain_entries(claim, values)[:size] @ abs(space)
+            + entry_uncertainties(claim, values)[:size] @ abs(space)
         ).all():
             continue
         if _vanishes(np.linalg.inv(said)[:size], space, tolerance):
@@ -251,7 +251,7 @@ def _judge_system(matrix, output, pair, side):
                 f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi "
                 f"has as many coordinates as {side.size} says"
             )
-        open_ = uncertain_entries(matrix, values)
+        open_ = entry_uncertainties(matrix, values)
         if not _same_system(A, H, new_A, new_H, tolerance, A, open_):
             part = new_A[:size, :size], new_H[:, :size]
             if (
@@ -280,7 +280,13 @@ def _judge_part(matrix, output, pair):
             )
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
         if not _same_system(
-            A, H, new_A, new_H, tolerance, _seen_part(A, unseen), uncertain_entries(matrix, values)
+            A,
+            H,
+            new_A,
+            new_H,
+            tolerance,
+            _seen_part(A, unseen),
+            entry_uncertainties(matrix, values),
         ):
             raise Wrong(_why_different(None, new_A, new_A, new_H, values, OUTPUT))
     _serves_everywhere(matrix, output, pair, OUTPUT)

@@ -27,7 +27,7 @@ from workbook.checks.structure.dual_questions import (
     compare_eigenvalues,
     known_roots,
 )
-from workbook.checks.tools.comparisons import Word
+from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.samples import general_values, in_every_case
 
 LAMBDA = sp.Symbol("lambda")
@@ -75,7 +75,7 @@ def judge_rank(claim, system, side):
     singular."""
     ((_, lost, _),) = _spectra(system, ())
     falls = "falls at some lambda" if len(lost) else f"is full at every {side.spectrum}"
-    return (yield Word(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
+    return (yield SameWord(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
 
 
 def judge_roots(claim, system, parameters, side):

@@ -19,7 +19,7 @@ from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.records import reached, seen
 from workbook.checks.tools.samples import general_values, in_every_case
-from workbook.checks.tools.values import number_at, numbers_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, number_at, numbers_at
 from workbook.checks.tools.wording import number_text, where_text
 
 LARGEST_ORDER = 12
@@ -130,7 +130,7 @@ class _LinearEquation:
             for row in self.coefficients
         ]
         self.uncertain = [
-            uncertain_entries(sp.Matrix([row]), values)[0] for row in self.coefficients
+            entry_uncertainties(sp.Matrix([row]), values)[0] for row in self.coefficients
         ]
         size = max(abs(a) for row in numbers for a in row)
         present = [[k for k, a in enumerate(row) if abs(a) > 1e-9 * size] for row in numbers]

@@ -17,9 +17,9 @@ from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import to_floats
 from workbook.checks.references.pairs import place_of, special_values
 from workbook.checks.structure.dual_questions import left_over
-from workbook.checks.tools.comparisons import Members
+from workbook.checks.tools.comparisons import SameMembers
 from workbook.checks.tools.conditions import allowed
-from workbook.checks.tools.values import number_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, number_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -38,7 +38,7 @@ def judge_basis(vectors, pair, side, at=None):
             ]
         ).reshape(len(vectors), n)
         space, _ = np.linalg.qr(to_floats(unseen, n).T)
-        left_open = uncertain_entries(
+        left_open = entry_uncertainties(
             sp.Matrix(len(vectors), n, [entry for one in vectors for entry in one]), values
         )
         across = abs(np.eye(n) - space @ space.T)
@@ -114,7 +114,7 @@ def judge_where_lost(claim, pair, side, at_value):
     """
     (parameter,) = pair.parameters
     lost = _values_where_lost(pair, parameter)
-    named = yield Members(
+    named = yield SameMembers(
         [value for value, _ in claim],
         lost,
         _same,

@@ -22,7 +22,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.references.optima.transfer_optima import rk4
-from workbook.checks.tools.samples import sample_cases
+from workbook.checks.tools.domains import sample_cases
 
 #: Pieces and degree of the first run, and of each arc in the second.
 COARSE, FINE = (48, 3), (4, 6)

@@ -16,7 +16,7 @@ import functools
 
 import numpy as np
 
-from workbook.checks.tools.searching import largest
+from workbook.checks.tools.line_search import golden_section
 
 #: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is
 #: asked whether a target is in reach.
@@ -296,7 +296,7 @@ class FastestTimes:
             )[1]
             return np.maximum(best, gaps.max(axis=0))
 
-        closest = largest(
+        closest = golden_section(
             lambda T, rows: -distance(T, rows), (first + last) / 2, (last - first) / 2, 12
         )
         line, through = self._middle(gaps_of(first)), distance(closest) <= 0
@@ -379,7 +379,7 @@ class FastestTimes:
         def seen(turn, rows):
             return gap(turn, rows) / np.where(inside[rows], 1, np.cos(turn))
 
-        turn = largest(seen, np.zeros(len(x)), width, steps, enough)
+        turn = golden_section(seen, np.zeros(len(x)), width, steps, enough)
         return theta + turn, gap(turn, slice(None))
 
     def _refine(self, x, case, inside, low, high, theta):
@@ -496,7 +496,7 @@ class FastestTimes:
             gap = self._best(angle[rows], np.clip(T, 1e-9, left[rows]), *starts, 24)[1]
             return np.where(inside[rows], -gap, gap)
 
-        closest = largest(lambda T, rows: -apart(T, rows), when, left / steps, steps=12)
+        closest = golden_section(lambda T, rows: -apart(T, rows), when, left / steps, steps=12)
         return np.minimum(apart(closest), apart(when))
 
 

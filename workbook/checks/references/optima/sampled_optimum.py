@@ -15,8 +15,8 @@ import sympy as sp
 from workbook.checks.references.optima.convex_targets import ConvexTarget
 from workbook.checks.references.optima.fastest_times import HORIZON, FastestTimes, Lanes
 from workbook.checks.references.optima.linear_plant import Plant
-from workbook.checks.tools.samples import sample_cases
-from workbook.checks.tools.searching import bisected
+from workbook.checks.tools.domains import sample_cases
+from workbook.checks.tools.line_search import bisect
 
 #: How far from a border two answers must agree about a point, in units of the size of the state.
 BESIDE, BESIDE_DECIMALS = 0.006, 0.015
@@ -357,7 +357,7 @@ class SampledOptimum(FastestTimes):
         left, right, case = np.array(left), np.array(right), np.array(case)
         direction = (right - left) / np.linalg.norm(right - left, axis=1)[:, None]
         one = kind(self.solve(left, case, far))
-        left, right = bisected(
+        left, right = bisect(
             lambda places, rows: kind(self.solve(places, case[rows], far)) == one[rows],
             left,
             right,

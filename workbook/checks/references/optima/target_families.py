@@ -5,7 +5,7 @@ import sympy as sp
 
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_plant import Plant
-from workbook.checks.tools.samples import sample_cases
+from workbook.checks.tools.domains import sample_cases
 
 #: Switchings earlier than this before the end are not asked for.
 LONGEST = 12.0

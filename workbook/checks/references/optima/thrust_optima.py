@@ -18,7 +18,7 @@ import functools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.tools.samples import sample_cases
+from workbook.checks.tools.domains import sample_cases
 
 #: At so many instants a process is told, and how well the equations of its ends are solved.
 INSTANTS, SOLVED = 40, 1e-11
