@@ -14,7 +14,7 @@ from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     kernel,
     restricted,
-    unseen_subspace,
+    unobservable_subspace,
 )
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.references.spectra import Spectrum
@@ -191,7 +191,7 @@ def test_what_a_system_hides_at_an_irrational_value():
 
 def test_the_largest_invariant_subspace():
     A = [[Fraction(a) for a in row] for row in ([0, 1, 0], [1, 1, 1], [1, 0, 1])]
-    (vector,) = unseen_subspace(A, [[Fraction(0), Fraction(1), Fraction(0)]])
+    (vector,) = unobservable_subspace(A, [[Fraction(0), Fraction(1), Fraction(0)]])
     assert vector[0] == -vector[2] and vector[1] == 0
     assert restricted(A, [vector]) == [[0]]
     assert characteristic_coefficients(A) == [1, -2, 0, 0]

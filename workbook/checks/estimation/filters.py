@@ -3,7 +3,7 @@ settled.
 
 The truth is the conditional law of a Gaussian vector of all states and measurements together, or
 the stabilising solution of a Riccati equation at numbers, from an invariant subspace
-(`truths/processes.py`); no filter is run.
+(`references/processes.py`); no filter is run.
 
 What is `measured` are pairs (time, value or values); times, values and the time `at` which the
 state is asked for may hold the parameters, and for a time there may stand `sp.Range(1, n + 1)`: the
@@ -39,7 +39,7 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     """The best estimate of the state at a time from what was measured; of a single coordinate an
     expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true, _ = processes.given(one, known, time)
+        true, _ = processes.conditional_moments(one, known, time)
         yield SameEntries(
             claim,
             true,
@@ -58,7 +58,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     """The covariance matrix of the errors of the best estimate at a time; of a single coordinate
     the variance."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = processes.given(one, known, time)[1]
+        true = processes.conditional_moments(one, known, time)[1]
         yield SameEntries(
             claim,
             true,
@@ -74,7 +74,7 @@ def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.tr
     """The standard deviations of the errors of the best estimate at a time, a column; of a single
     coordinate an expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
+        true = np.sqrt(np.diag(processes.conditional_moments(one, known, time)[1]))[:, None]
         yield SameEntries(
             claim,
             true,
@@ -96,21 +96,23 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
     """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a
     measurement, "before" or "after"."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.numbers(process, values, start=False)
-        true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
+        one = processes.at_values(process, values, start=False)
+        true = processes.steady_covariances(one)[(BEFORE, AFTER).index(moment)]
         yield SameEntries(
             claim, true, _other("the errors of the settled filter", values), values, abs(true).max()
         )
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
 
-@judged(MatrixOrVector("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
+@judged(
+    MatrixOrVector("parameters", shape=lambda data: processes.as_process(data["process"]).H.T.shape)
+)
 def steady_gain(claim, process, parameters=(), given=sp.true):
     """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in
     discrete time y+ = y + K (z - H y)."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.numbers(process, values, start=False)
-        true = processes.gain_of(one, processes.steady(one)[0])
+        one = processes.at_values(process, values, start=False)
+        true = processes.filter_gain(one, processes.steady_covariances(one)[0])
 
         def told(said, i, j):
             loop = one.A - (one.A @ said if one.discrete else said) @ one.H
@@ -164,11 +166,11 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, P = (
-            processes.numbers(process, values, start=False),
-            processes.array(covariance, values),
+            processes.at_values(process, values, start=False),
+            processes.to_array(covariance, values),
         )
-        y, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
-        gain = processes.gain_of(one, P)
+        y, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
+        gain = processes.filter_gain(one, P)
         terms = one.A @ y, gain @ z, -gain @ one.H @ y
         yield SameEntries(
             claim,
@@ -193,18 +195,18 @@ def riccati_equation(claim, process, covariance, parameters=()):
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
         one, P = (
-            processes.numbers(process, values, start=False),
-            processes.array(covariance, values),
+            processes.at_values(process, values, start=False),
+            processes.to_array(covariance, values),
         )
         if one.discrete:
             terms = (
                 one.A @ P @ one.A.T,
-                -one.A @ processes.gain_of(one, P) @ one.H @ P @ one.A.T,
+                -one.A @ processes.filter_gain(one, P) @ one.H @ P @ one.A.T,
                 one.Q,
             )
             found, does = "your next entry ({}, {})", "give another number"
         else:
-            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
+            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.filter_gain(one, P).T
             found, does = "your rate of change of the entry ({}, {})", "change it at another rate"
         yield SameEntries(
             claim,
@@ -224,8 +226,8 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     """The different eigenvalues of the matrix of the errors of the steady filter, A - K H, in
     discrete time A (E - K H)."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
-        one = processes.numbers(process, values, start=False)
-        gain = processes.gain_of(one, processes.steady(one)[0])
+        one = processes.at_values(process, values, start=False)
+        gain = processes.filter_gain(one, processes.steady_covariances(one)[0])
         loop = one.A - (one.A @ gain if one.discrete else gain) @ one.H
         size = np.linalg.norm(loop)
         said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
@@ -272,7 +274,7 @@ def _measured(process, measured, at, claim, parameters, given):
             for moment, value in measured
             for time in _times(sp.sympify(moment).subs(values))
         ]
-        yield processes.numbers(process, values), values, known, sp.sympify(at).subs(values)
+        yield processes.at_values(process, values), values, known, sp.sympify(at).subs(values)
 
 
 def _times(moment):

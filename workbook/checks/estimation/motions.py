@@ -1,7 +1,7 @@
 """Moments of a linear process in the course of time: the mean, the covariance, and what they settle
 to.
 
-The truth comes at numbers from the exponential of a block matrix (`truths/processes.py`), for times
+The truth comes at numbers from the exponential of a block matrix (`references/processes.py`), for times
 and parameters of all sizes; where a covariance settles, and whether it rises, from the signs of
 determinants.
 """
@@ -44,8 +44,8 @@ def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
         allowed_values([*parameters, *symbols], given, len(TIMES)), claim, given
     ):
         A, (true, *added) = (
-            processes.array(process.A, values),
-            [processes.array(c, values) for c in columns],
+            processes.to_array(process.A, values),
+            [processes.to_array(c, values) for c in columns],
         )
         size = abs(true)
         for noise in added:
@@ -71,7 +71,7 @@ def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
     `times` are those for which the answer is asked, if not for all.
     """
     for one, values in _in_time(process, time, claim, parameters, given, times):
-        F, _ = processes.moved(one, values[time])
+        F, _ = processes.transition(one, values[time])
         yield SameEntries(
             claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean)
         )
@@ -85,10 +85,12 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
     `times` are those for which the answer is asked, if not for all.
     """
     for one, values in _in_time(process, time, claim, parameters, given, times):
-        F, N = processes.moved(one, values[time])
+        F, N = processes.transition(one, values[time])
         # At the start too terms may cancel that are as large as the noise makes them soon.
         soon = (
-            N if values[time] else processes.moved(one, STEPS[1] if one.discrete else TIMES[1])[1]
+            N
+            if values[time]
+            else processes.transition(one, STEPS[1] if one.discrete else TIMES[1])[1]
         )
         size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
         yield SameEntries(
@@ -103,7 +105,7 @@ def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, t
 
     `times` are those for which the answer is asked, if not for all after the start.
     """
-    rows = processes.array(of, {})
+    rows = processes.to_array(of, {})
     found = []
     for one, values in _in_time(process, time, claim, parameters, given, times or TIMES[1:]):
         covariance = rows @ processes.moments(one, values[time])[1] @ rows.T
@@ -139,11 +141,11 @@ def shaping_equation(claims, process, parameters=(), given=sp.true):
 def settled_covariance(claim, process, parameters=(), given=sp.true):
     """The covariance matrix that the process settles to, whatever it is at the start, for those
     parameters with which it does."""
-    process = processes.plain(process)
+    process = processes.as_process(process)
     settling = sp.And(conjunction(given), decays(process.A, process.discrete))
     for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
-        one = processes.numbers(process, values, start=False)
-        true = processes.settled(one)
+        one = processes.at_values(process, values, start=False)
+        true = processes.stationary_covariance(one)
         yield SameEntries(
             claim,
             true,
@@ -161,9 +163,9 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
 def covariance_exponents(claims, process, parameters=(), given=sp.true):
     """The different l with e^(l t), in discrete time with l^k, in the covariance of a process that
     starts anywhere; what the noise makes it keep is not counted."""
-    process = processes.plain(process)
+    process = processes.as_process(process)
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
-        modes = np.linalg.eigvals(processes.array(process.A, values))
+        modes = np.linalg.eigvals(processes.to_array(process.A, values))
         pairs = itertools.combinations_with_replacement(modes, 2)
         true = [first * second if process.discrete else first + second for first, second in pairs]
         size = max(map(abs, true))
@@ -192,10 +194,10 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
 def settling_region(answer, process, parameters, given=sp.true):
     """The parameters for which the covariance of the process settles to one matrix, whatever it is
     at the start."""
-    process = processes.plain(process)
+    process = processes.as_process(process)
 
     def told(values):
-        modes = np.linalg.eigvals(processes.array(process.A, values))
+        modes = np.linalg.eigvals(processes.to_array(process.A, values))
         if process.discrete:
             return f"the largest modulus of an eigenvalue is {abs(modes).max():.4g} there"
         return f"the largest real part of an eigenvalue is {modes.real.max():.4g} there"
@@ -216,7 +218,7 @@ def covariance_rises(answer, process, parameters, given=sp.true):
 
     The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
     """
-    process = processes.plain(process)
+    process = processes.as_process(process)
     A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)
     rate = A * P * A.T + process.Q - P if process.discrete else A * P + P * A.T + process.Q
     minors = [sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1)]
@@ -244,7 +246,7 @@ def _in_time(process, time, claim, parameters, given, times):
         if times
         else sp.And(time >= 0, time <= LATEST)
     )
-    times = times or (STEPS if processes.plain(process).discrete else TIMES)
+    times = times or (STEPS if processes.as_process(process).discrete else TIMES)
     samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
     # However few the times are, the parameters get as many values as elsewhere.
     count = max(len(times), len(samples))
@@ -253,7 +255,7 @@ def _in_time(process, time, claim, parameters, given, times):
         for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count))
     ]
     for values in in_every_case(samples, claim, sp.And(conjunction(given), asked)):
-        yield processes.numbers(process, values), values
+        yield processes.at_values(process, values), values
 
 
 def _told(what, values):

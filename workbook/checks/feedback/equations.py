@@ -141,7 +141,7 @@ def _comparisons(form, equation):
         ),
         1,
     )
-    if pair_of(form[0], form[2]).unseen[0]:
+    if pair_of(form[0], form[2]).unobservable[0]:
         raise Wrong(
             "your form satisfies the equation, but does not have all its motions: x = Cy stays "
             "zero from some states other than zero, so that fewer initial values of x, x', ... "

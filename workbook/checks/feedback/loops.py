@@ -17,7 +17,7 @@ from workbook.checks.contract.tolerance import EXACT, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.fixed_modes import fixed_eigenvalues, slower_than
-from workbook.checks.references.records import augmented, reached, seen
+from workbook.checks.references.records import augmented, controlled_pair, observed_pair
 from workbook.checks.references.spectra import Spectrum
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
 from workbook.checks.tools.samples import conjunction, general_values, in_every_case
@@ -215,7 +215,7 @@ def _judge(gain, loop, what, requirement, pair):
     # That no gain would do is the answer, and so it is not told.
     told = requirement.hold(loop, gain, what)
     if requirement.polynomial is not None:
-        in_general = sp.true if pair is None or not pair.parameters else pair.in_general
+        in_general = sp.true if pair is None or not pair.parameters else pair.generic_condition
         judge_everywhere(
             gain,
             requirement.parameters,
@@ -328,14 +328,18 @@ def estimate_gains(gains, system, parameters=(), given=sp.true, margin=0):
 def _driven(system, parameters, requirement):
     """What `_judge` needs of the loop by the whole state."""
     system = Linear(system.A, system.B)
-    return *loop_of(system), requirement, reached(system, _of(parameters, system.A, system.B))
+    return (
+        *loop_of(system),
+        requirement,
+        controlled_pair(system, _of(parameters, system.A, system.B)),
+    )
 
 
 def _watched(system, parameters, requirement):
     """What it needs of the errors of an observer."""
     both = augmented(system)
     system = Linear(both.A, H=both.H)
-    return *loop_of(system), requirement, seen(system, _of(parameters, system.A, system.H))
+    return *loop_of(system), requirement, observed_pair(system, _of(parameters, system.A, system.H))
 
 
 def _of(parameters, *matrices):

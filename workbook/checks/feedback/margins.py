@@ -18,7 +18,12 @@ from workbook.checks.references.fixed_modes import (
     margins_with_parameters,
     slower_than,
 )
-from workbook.checks.references.records import augmented, by_control, reached, seen
+from workbook.checks.references.records import (
+    augmented,
+    controlled_pair,
+    has_control,
+    observed_pair,
+)
 from workbook.checks.references.spectra import compare_region
 from workbook.checks.tools.conditions import compare, exactly
 from workbook.checks.tools.samples import in_every_case
@@ -54,12 +59,12 @@ def possible_margins(answer, system, mu, parameters=()):
         what, truth = "feedback by an estimate", up_to(mu, common_margin(system))
     elif not parameters:
         what = "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
-        pairs = ([reached(system)] if system.B else []) + (
-            [seen(augmented(system))] if system.H else []
+        pairs = ([controlled_pair(system)] if system.B else []) + (
+            [observed_pair(augmented(system))] if system.H else []
         )
         truth = up_to(mu, *map(greatest_margin, pairs))
     else:
-        what, one = ("feedback", system.dual) if by_control(system) else ("observer", system)
+        what, one = ("feedback", system.dual) if has_control(system) else ("observer", system)
         truth = margins_with_parameters(one.A, one.H, mu, parameters)
     return compare_margins(answer, [*parameters, mu], truth, what)
 
@@ -90,7 +95,7 @@ def observer_obstacle(answer, system, parameters=()):
         raise Invalid(
             "expected a dictionary {lambda: v}, an empty one if nothing stands in the way"
         )
-    A, H, pair = system.A, system.H, seen(system, parameters)
+    A, H, pair = system.A, system.H, observed_pair(system, parameters)
     claims = {
         coercion.as_expression(value, parameters): sp.Matrix(
             coercion.as_expressions(vector, parameters, A.rows)

@@ -4,7 +4,7 @@ noise.
 A gain is judged by its own cost, which is linear algebra: every state decays, and no other gain is
 better at a first moment if what comes later costs what it costs under the gain itself. A gain of
 which this is true is the best one. Where the end is given, or states need not decay, the least cost
-is found from the data (`truths/regulators.py`).
+is found from the data (`references/regulators.py`).
 """
 
 import numpy as np
@@ -215,7 +215,7 @@ def cost_rate(claim, problem, cost, parameters=()):
     the `cost`."""
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
-        one, S = regulators.Regulator(problem, values), processes.array(cost, values)
+        one, S = regulators.Regulator(problem, values), processes.to_array(cost, values)
         terms = one.rates(S)
         yield SameEntries(
             claim,
@@ -259,10 +259,10 @@ def controller_equations(claim, problem, process, estimates, outputs, parameters
     ):
         one, noise = (
             regulators.Regulator(problem, values),
-            processes.numbers(process, values, start=False),
+            processes.at_values(process, values, start=False),
         )
-        e, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
-        L = processes.gain_of(noise, processes.steady(noise)[0])
+        e, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
+        L = processes.filter_gain(noise, processes.steady_covariances(noise)[0])
         terms = one.A @ e, one.B @ one.gain_for(one.least()) @ e, L @ z, -L @ noise.H @ e
         yield SameEntries(
             claim,

@@ -82,7 +82,7 @@ def follow(law, truth, lanes):
         for k in slow[~truth.beside_barrier(few.take(slow))] if len(slow) else ():
             passed = few.time[k] * (1 + SLOWER) + 1e-3 - left[k]
             raise Wrong(
-                f"{truth.told(few, k)} the target can be reached in a time of {few.time[k]:.4g}; "
+                f"{truth.start_text(few, k)} the target can be reached in a time of {few.time[k]:.4g}; "
                 f"your law has brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after "
                 f"{passed:.4g}, and from there it cannot be reached in the time left"
             )

@@ -4,7 +4,7 @@
 its states. The cost has the multiplier lambda_0 = 1: H = psi^T f - f_0, or + f_0 if the cost is to
 be great. Each answer is judged by what it says at values of states, costates, controls and
 parameters; `domain` gives intervals for these where their symbols may not take all values. Points
-of singular arcs come from `truths.singular_arcs`.
+of singular arcs come from `references.singular_arcs`.
 """
 
 import itertools
@@ -26,7 +26,7 @@ from workbook.checks.contract.tolerance import (
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.followed import reach
 from workbook.checks.pontryagin.in_time import Control, Steering
-from workbook.checks.references.optima.transfer_optima import rk4
+from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates, singular_arcs
 from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.conditions import decide, exactly

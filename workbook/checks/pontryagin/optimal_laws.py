@@ -20,8 +20,8 @@ from workbook.checks.contract.tolerance import agree, in_decimals, perturbed, re
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.followed import does_as_well, point_text
 from workbook.checks.references.optima.direct_optimum import optima
-from workbook.checks.references.optima.transfer_optima import rk4
-from workbook.checks.references.scales import TIME, differing, same_at_every_scale, scales
+from workbook.checks.references.optima.runge_kutta import rk4
+from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales
 from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
 from workbook.checks.tools.wording import prefix_text
 
@@ -98,7 +98,7 @@ def optimal_change(claim, problem, change, domain, parameters):
                 )
     if not places:
         raise RuntimeError("on no process that was found the control changes so")
-    same_at_every_scale(claim, problem, parameters, places, state[1 - k], str(state[1 - k]))
+    judge_at_every_scale(claim, problem, parameters, places, state[1 - k], str(state[1 - k]))
     return f"the control of the best processes changes there, at {len(places)} places"
 
 
@@ -269,7 +269,7 @@ def _same_at_a_scale(law, values, best, factors):
         law(there, times * time, own, bounds),
         scale * law(states, times, values, best.bounds),
     )
-    for k in differing(
+    for k in first_difference(
         said, wanted, KNOWN, lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0]
     ):
         raise Wrong(

@@ -42,7 +42,7 @@ from workbook.checks.references.optima.best_processes import (
     free_at_the_start,
 )
 from workbook.checks.references.optima.transfer_optima import SAMPLES
-from workbook.checks.references.scales import COST, TIME, same_at_every_scale
+from workbook.checks.references.scales import COST, TIME, judge_at_every_scale
 from workbook.checks.tools.kinks import points_at_kinks
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
@@ -418,7 +418,7 @@ def optimal_cost(claim, problem, parameters=None):
         if anywhere:
             _left_over(claim, cost_of, values, best, starts, parameters)
     _right_next_to_bends(claim, problem, parameters, found, "cost")
-    same_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
     return "it is the cost of the best process found"
 
 
@@ -499,11 +499,11 @@ def optimal_duration(claim, problem, parameters=None):
         )
         if not (right(said) or right(said := value_at(claim, values, "the duration"))):
             raise Wrong(
-                f"{prefix_text(values)}your duration is {said:.4g}; {best.told_duration(said)}"
+                f"{prefix_text(values)}your duration is {said:.4g}; {best.duration_message(said)}"
             )
     if _only_time(problem):
         _right_next_to_bends(claim, problem, parameters, found, "duration")
-    same_at_every_scale(
+    judge_at_every_scale(
         claim, problem, parameters, [values for values, _ in found], TIME, "duration"
     )
     return "it is the duration of the best process found"
@@ -537,7 +537,7 @@ def held_at_first(claim, problem, control, value, parameters):
                 )
             )
     _begins_at_once(claim, held)
-    same_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
     return "the best processes found keep it so long"
 
 

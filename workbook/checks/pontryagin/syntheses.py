@@ -22,13 +22,13 @@ from workbook.checks.contract.tolerance import agree, in_decimals, perturbed, re
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import SAME, Law, follow
 from workbook.checks.references.optima import reach
-from workbook.checks.references.optima.fastest_times import Lanes
 from workbook.checks.references.optima.sampled_optimum import (
     BESIDE,
     BESIDE_DECIMALS,
-    frozen,
     sampled_optimum,
+    synthesis_data,
 )
+from workbook.checks.references.optima.state_batch import StateBatch
 from workbook.checks.references.optima.target_families import TargetFamily
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, readings
 from workbook.checks.tools.domains import values_inside
@@ -56,7 +56,7 @@ def time_optimal_law(claim, system, target, parameters=None, start=None, curve=N
     """
     return _time_optimal(
         claim,
-        frozen(system, target, parameters, start),
+        synthesis_data(system, target, parameters, start),
         curve and (*curve[:2], tuple(map(sp.sympify, curve[2])), *curve[3:]),
     )
 
@@ -71,14 +71,14 @@ def _time_optimal(claim, data, curve):
         curve = curve[0], sp.lambdify([*data.state, *parameters], curve[1], "numpy"), ends
     law, *others = [Law(reading, truth, curve) for reading in (claim, *readings(claim))]
     decimals = in_decimals(claim)
-    lanes = truth.lanes(decimals)
+    lanes = truth.batch(decimals)
     values = law(lanes.x, lanes.case)
     low, high = truth.plant.bounds
     for k in np.flatnonzero(~np.isfinite(values)):
-        raise Wrong(f"{truth.told(lanes, k)} your law gives no real number")
+        raise Wrong(f"{truth.start_text(lanes, k)} your law gives no real number")
     for k in np.flatnonzero((values < low - SAME) | (values > high + SAME)):
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
+            f"{truth.start_text(lanes, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
         )
     _judge_on_extremals(others, truth, control)
     other = np.flatnonzero(abs(values - lanes.control) > SAME)
@@ -93,7 +93,7 @@ def _time_optimal(claim, data, curve):
         if truth.beside_barrier(few.take(slice(0, 1)))[0]:
             continue
         raise Wrong(
-            f"{truth.told(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and "
+            f"{truth.start_text(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and "
             "the fastest motion from there begins with another value"
         )
     _judge_next_to_curves(others, truth, control)
@@ -118,7 +118,7 @@ def _judge_next_to_curves(laws, truth, control):
         differ = differ[~truth.beside_barrier(lanes.take(differ), far=True)]
     for k in differ[:1]:
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest "
+            f"{truth.start_text(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest "
             "motion from there begins with another value"
         )
 
@@ -135,7 +135,7 @@ def _judge_on_extremals(laws, truth, control):
     for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(lanes.x[k]))))[:1]:
         gives = f"{control} = {said[0][k]:.4g}" if np.isfinite(said[0][k]) else "no real number"
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {gives}, and the fastest motion from there "
+            f"{truth.start_text(lanes, k)} your law gives {gives}, and the fastest motion from there "
             "begins with another value"
         )
 
@@ -162,7 +162,7 @@ def _judge_change(law, truth, lanes, control):
     found = truth.solve(ends[1][stepped], case[stepped])
     for k in np.flatnonzero(np.isfinite(found.time)):
         raise Wrong(
-            f"{truth.told(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
+            f"{truth.start_text(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
             "and the fastest motion from there begins with another value"
         )
 
@@ -171,8 +171,8 @@ def _judge_change(law, truth, lanes, control):
 def minimal_time(claim, system, target, parameters=None, start=None):
     """The shortest time to the target as an expression in the initial state, where the target can
     be reached."""
-    truth = sampled_optimum(*frozen(system, target, parameters, start))
-    lanes = truth.lanes(in_decimals(claim))
+    truth = sampled_optimum(*synthesis_data(system, target, parameters, start))
+    lanes = truth.batch(in_decimals(claim))
     said = Law(claim, truth)(lanes.x, lanes.case)
     tolerance = relative_tolerance(claim, computed=1e-4)
     good = np.isfinite(said) & (abs(said - lanes.time) <= tolerance * lanes.time + 1e-6)
@@ -184,7 +184,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
             else ", but a motion can be faster"
         )
         raise Wrong(
-            f"{truth.told(lanes, k)} your expression gives {told}"
+            f"{truth.start_text(lanes, k)} your expression gives {told}"
             + (how if np.isfinite(said[k]) else "")
         )
     return f"it is the shortest time from {len(lanes.x)} starts"
@@ -194,14 +194,14 @@ def minimal_time(claim, system, target, parameters=None, start=None):
 def reachable_starts(claim, system, target, parameters=None, start=None):
     """The condition on the initial state under which the target can be reached; the border of the
     set counts either way."""
-    truth = sampled_optimum(*frozen(system, target, parameters, start))
+    truth = sampled_optimum(*synthesis_data(system, target, parameters, start))
     lanes = truth.border(in_decimals(claim))
     said = truth.condition(claim)(lanes.x, lanes.case)
     reached = np.isfinite(lanes.time)
     differs = np.flatnonzero(said != reached)[:12]
     for k in differs[~truth.on_border(lanes.take(differs))] if len(differs) else ():
         raise Wrong(
-            f"{truth.told(lanes, k)} the target "
+            f"{truth.start_text(lanes, k)} the target "
             + (
                 "can be reached in a time of " + f"{lanes.time[k]:.4g}"
                 if reached[k]
@@ -243,7 +243,9 @@ def reached_part(answer, system, target, ends, variable, parameters=None, start=
 
 
 def _family(system, target, ends, variable, domain, start):
-    return _family_of(frozen(system, target, domain, start), tuple(map(sp.sympify, ends)), variable)
+    return _family_of(
+        synthesis_data(system, target, domain, start), tuple(map(sp.sympify, ends)), variable
+    )
 
 
 @functools.lru_cache(maxsize=32)
@@ -297,12 +299,12 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
         for k in np.flatnonzero(np.isfinite(times)):
             met += 1
             if not np.all(np.isfinite(given[k])):
-                raise Wrong(f"{target.told(values, places[k])} your point is not real")
+                raise Wrong(f"{target.values_text(values, places[k])} your point is not real")
             if not np.linalg.norm(given[k] - points[k]) <= tolerance * (
                 1 + np.linalg.norm(points[k])
             ):
                 raise Wrong(
-                    f"{target.told(values, places[k])} the optimal motion switches {times[k]:.4g} "
+                    f"{target.values_text(values, places[k])} the optimal motion switches {times[k]:.4g} "
                     f"before its end, at a distance {np.linalg.norm(given[k] - points[k]):.4g} "
                     f"from your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
                 )
@@ -343,7 +345,7 @@ def switching_crossing(claim, system, target, ends, variable, parameters=None, s
                 np.isfinite(times) & ~(abs(numbers - true) <= tolerance * size)
             ):
                 raise Wrong(
-                    f"{target.told(values, places[k])} the determinant of the tangent of the curve "
+                    f"{target.values_text(values, places[k])} the determinant of the tangent of the curve "
                     f"and the velocity {name} the switching is not {numbers[k]:.4g}: look at the "
                     "sign and the size of both"
                 )
@@ -354,19 +356,19 @@ def switching_crossing(claim, system, target, ends, variable, parameters=None, s
 def switching_curve(claim, system, target, domain, parameters=None, start=None):
     """A branch of the switching curve, one state variable as an expression in the other, over the
     interval that `domain` gives."""
-    return _crossed(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _crossed(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @judged(Expression("domain", "parameters"))
 def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
     """The curve from which two motions are equally fast, written as for `switching_curve`."""
-    return _parting(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _parting(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @judged(Expression("domain", "parameters"))
 def barrier(claim, system, target, domain, parameters=None, start=None):
     """The curve across which the fastest time jumps, written as for `switching_curve`."""
-    return _jumping(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _jumping(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @functools.lru_cache(maxsize=64)
@@ -532,7 +534,7 @@ def continuous_time(answer, system, target, ends, variable, parameters, start=No
     bring it closer: from beyond this motion the target is missed.
     """
     ((name, interval),) = ((p, i) for p, i in parameters.items() if p != variable)
-    data, ends = frozen(system, target, parameters, start), tuple(map(sp.sympify, ends))
+    data, ends = synthesis_data(system, target, parameters, start), tuple(map(sp.sympify, ends))
     jump = functools.partial(_jump, data=data, ends=ends, variable=variable, name=name)
     touched, almost = reach.touching(
         *data[:4], _family_of(data, ends, variable).side * data.target[0]
@@ -642,7 +644,7 @@ def _second_extremal(system, target, start):
         else None
     )
     if beyond is None:
-        lanes, later = _line_extremals(sampled_optimum(*frozen(system, target, {}, start)))
+        lanes, later = _line_extremals(sampled_optimum(*synthesis_data(system, target, {}, start)))
         found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(lanes.x, later)}
         return ReferenceCondition(
             at=lambda place: found[tuple(place.values())],
@@ -682,7 +684,7 @@ def _second_extremal(system, target, start):
 @judged(Expression(of_state))
 def other_extremal_time(claim, system, target, start=None):
     """The time that the other extremal of `other_extremals` takes, where there is one."""
-    truth = sampled_optimum(*frozen(system, target, {}, start))
+    truth = sampled_optimum(*synthesis_data(system, target, {}, start))
     lanes, later = _line_extremals(truth)
     said = Law(claim, truth)(lanes.x, lanes.case)
     tolerance = relative_tolerance(claim, computed=1e-6)
@@ -747,7 +749,7 @@ def _line_extremals(truth):
     ends[ends <= first[:, None] * (1 + 1e-6) + 1e-6] = np.inf
     keep = ~doubtful & np.isfinite(first) & (first > 0.02)
     truth.kept["extremals"] = (
-        Lanes(x=points, case=case, time=first).take(keep),
+        StateBatch(x=points, case=case, time=first).take(keep),
         ends.min(axis=1)[keep],
     )
     return truth.kept["extremals"]

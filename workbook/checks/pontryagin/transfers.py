@@ -38,7 +38,9 @@ def meeting_time(claim, problem, count):
                     f"the start lies on the target already; for {count} = 0 your expression gives "
                     "another time than that of the start"
                 )
-            told = "no real number" if said is None else f"{said:.4g}; {best.told_duration(said)}"
+            told = (
+                "no real number" if said is None else f"{said:.4g}; {best.duration_message(said)}"
+            )
             raise Wrong(f"for {count} = {number} your time is {told}")
     return "it is the time of this meeting, for several numbers"
 
@@ -98,7 +100,7 @@ def transfer_starts(answer, problem, parameters):
     """The starts, or parameters, for which the target can be reached; a start on the target may be
     counted either way."""
     transfer, truth = _reachable(problem, tuple(parameters))
-    agreement = compare(answer, parameters, truth, contradiction_message(transfer.told_solvable))
+    agreement = compare(answer, parameters, truth, contradiction_message(transfer.solvable_message))
     return f"it agrees with what the controls can reach: {agreement}"
 
 

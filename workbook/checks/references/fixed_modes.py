@@ -28,7 +28,7 @@ def fixed_eigenvalues(pair):
         different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen)))
         if unseen
         else np.array([])
-        for (_, place), unseen in zip(pair.samples, pair.unseen)
+        for (_, place), unseen in zip(pair.samples, pair.unobservable)
     ]
 
 
@@ -42,7 +42,7 @@ def slower_than(margin, pair):
 def greatest_margin(pair):
     """The greatest margin that a gain gives, exact, or None if there is no greatest one; without
     parameters."""
-    (unseen,) = pair.unseen
+    (unseen,) = pair.unobservable
     if not unseen:
         return None
     ((_, place),) = pair.samples

@@ -70,7 +70,7 @@ def _scales(stated, parameters):
     ]
 
 
-def same_at_every_scale(claim, problem, parameters, places, weight, what):
+def judge_at_every_scale(claim, problem, parameters, places, weight, what):
     """Raise `Wrong` for an expression that is not the same in other units: its values have to
     change by the factor of the symbol `weight`; `places` are dicts from the symbols in it to
     numbers."""
@@ -89,7 +89,7 @@ def same_at_every_scale(claim, problem, parameters, places, weight, what):
     for factors in found[:: len(SCALES) if roughly else 1]:
         other = at * [float(factors[s]) for s in symbols]
         there, wanted = function(*other.T)[0], said * float(factors[weight])
-        for k in differing(
+        for k in first_difference(
             there, wanted, DECIMALS if roughly else EXACT, lambda k, other=other: wide(*other[k])[0]
         ):
             gives = f"it is {there[k]:.6g}" if np.isfinite(there[k]) else "it is no real number"
@@ -100,7 +100,7 @@ def same_at_every_scale(claim, problem, parameters, places, weight, what):
             )
 
 
-def differing(said, wanted, share, wide):
+def first_difference(said, wanted, share, wide):
     """The index of the first of the numbers `said` that is not the one wanted, up to a share of it
     and to what is mere rounding beside the rest; an empty list if there is none.
 

@@ -31,8 +31,8 @@ MOST_KEPT = 200
 END = 1e-7
 
 
-def rest_points(field, state, parameters, domain):
-    """The `RestPoints` of the data, the same for the same data: what it has found serves the next
+def stationary_points_of(field, state, parameters, domain):
+    """The `StationaryPoints` of the data, the same for the same data: what it has found serves the next
     verdict too."""
     return _known(
         tuple(map(sp.sympify, field)),
@@ -44,10 +44,10 @@ def rest_points(field, state, parameters, domain):
 
 @functools.lru_cache(maxsize=16)
 def _known(field, state, parameters, domain):
-    return RestPoints(field, state, parameters, dict(domain))
+    return StationaryPoints(field, state, parameters, dict(domain))
 
 
-class RestPoints:
+class StationaryPoints:
     """A field with parameters: its values, first approximation and stationary points for arrays of
     parameter values."""
 

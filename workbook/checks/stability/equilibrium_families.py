@@ -283,7 +283,7 @@ def _systems(field, state, parameters, given, claim=(), zeros=None):
 @functools.lru_cache(maxsize=64)
 def _searched(field, state, zeros, values):
     # Several answers of a problem ask about the same equation: one search serves them all.
-    found = Field(zeros, state, dict(values)).rest_points(160, reach=1.2 * REACH)
+    found = Field(zeros, state, dict(values)).equilibria(160, reach=1.2 * REACH)
     return Field(field, state, dict(values)), [point for point in found if abs(point[0]) < REACH]
 
 

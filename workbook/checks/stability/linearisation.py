@@ -7,8 +7,8 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Choice
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.references.fields import known_field
-from workbook.checks.references.near_equilibrium import by_motions
+from workbook.checks.references.fields import cached_field
+from workbook.checks.references.near_equilibrium import stability_from_motions
 from workbook.checks.references.records import matrix_of
 from workbook.checks.references.spectra import compare_region
 from workbook.checks.tools.comparisons import SameWord
@@ -57,7 +57,7 @@ def zero_stability(claim, field, state):
     Decided by the spectrum of the first approximation; where that is silent, by motions that start
     close to zero.
     """
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)
     if abs(real_part) > 1e-9:
         truth = "unstable" if real_part > 0 else "asymptotically stable"
@@ -67,7 +67,7 @@ def zero_stability(claim, field, state):
             else f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
         )
     else:
-        truth, reason = by_motions(flow)
+        truth, reason = stability_from_motions(flow)
     return (
         yield SameWord(claim, truth, reason, "this does not agree with the motions near zero: ")
     )

@@ -432,7 +432,7 @@ def _sampled(function, field, state, parameters, given):
             continue
         height, motion = function.subs(values), [sp.sympify(f).subs(values) for f in field]
         change = sum(sp.diff(height, x) * f for x, f in zip(state, motion))
-        others = [point for point in flow.rest_points(60) if np.linalg.norm(point) > 1e-6]
+        others = [point for point in flow.equilibria(60) if np.linalg.norm(point) > 1e-6]
         systems.append(
             (
                 values,

@@ -22,7 +22,7 @@ from workbook.checks.contract.members import VECTORS, in_order
 from workbook.checks.contract.tolerance import agree, half_unit, in_decimals, perturbed
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_factors
-from workbook.checks.references.stationary_points import rest_points
+from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
 from workbook.checks.tools.domains import endpoints, random_value
 from workbook.checks.tools.samples import random_columns
@@ -54,9 +54,9 @@ def stationary_points(answer, field, state, parameters, domain=None, zeros=None)
     stands for no point there. Where derivatives vanish at a point as well, `zeros` are functions
     that have the same zeros, all simple.
     """
-    searched = rest_points(field if zeros is None else zeros, state, parameters, domain)
+    searched = stationary_points_of(field if zeros is None else zeros, state, parameters, domain)
     return _judge_points(
-        answer, rest_points(field, state, parameters, domain), "stationary point", searched
+        answer, stationary_points_of(field, state, parameters, domain), "stationary point", searched
     )
 
 
@@ -65,7 +65,7 @@ def nullcline(answer, rate, variable, parameters, domain=None):
     """The curve on which `rate` vanishes, solved for `variable`; the other state variables count as
     parameters."""
     return _judge_points(
-        answer, rest_points([rate], [variable], parameters, domain), "point of the curve"
+        answer, stationary_points_of([rate], [variable], parameters, domain), "point of the curve"
     )
 
 
@@ -74,7 +74,9 @@ def cycle_radius(answer, radial, radius, parameters):
     """The radius of the closed orbit of r' = R(r) in polar coordinates with an angle that keeps
     turning."""
     return _judge_points(
-        answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit"
+        answer,
+        stationary_points_of([radial], [radius], parameters, _cycles(radius)),
+        "closed orbit",
     )
 
 
@@ -82,7 +84,7 @@ def cycle_radius(answer, radial, radius, parameters):
 def stationary_exists(answer, field, state, parameters, domain=None):
     """The parameters for which there is a stationary point in the domain."""
     return _judge_existence(
-        answer, rest_points(field, state, parameters, domain), "stationary point"
+        answer, stationary_points_of(field, state, parameters, domain), "stationary point"
     )
 
 
@@ -90,7 +92,9 @@ def stationary_exists(answer, field, state, parameters, domain=None):
 def cycle_exists(answer, radial, radius, parameters):
     """The parameters for which r' = R(r) has a closed orbit, a circle around zero."""
     return _judge_existence(
-        answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit"
+        answer,
+        stationary_points_of([radial], [radius], parameters, _cycles(radius)),
+        "closed orbit",
     )
 
 
@@ -98,8 +102,8 @@ def cycle_exists(answer, radial, radius, parameters):
 def cycle_period(claim, radial, angular, radius, parameters):
     """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi
     in it."""
-    family = rest_points([radial], [radius], parameters, _cycles(radius))
-    turning = rest_points([angular], [radius], parameters, _cycles(radius))
+    family = stationary_points_of([radial], [radius], parameters, _cycles(radius))
+    turning = stationary_points_of([angular], [radius], parameters, _cycles(radius))
     for values, numbers, rest in family.samples(claim):
         period = real_at(claim, values)
         if period is None:
@@ -124,7 +128,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
     if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
         answer = [[answer]]
     matrix = coercion.as_matrix(answer, parameters, (n, n))
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples(matrix):
         true = family.jacobian(rest, numbers)
         size = np.linalg.norm(true)
@@ -142,8 +146,8 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
 @judged(Expression("parameters"))
 def stationary_value(claim, expression, field, state, parameters, domain=None):
     """The value of an expression of the state at the stationary point."""
-    family = rest_points(field, state, parameters, domain)
-    reading = rest_points([expression], state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
+    reading = stationary_points_of([expression], state, parameters, domain)
     for values, numbers, rest in family.samples(claim):
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
         if said is None or not agree(said, true, claim, _scale(expression, values, state, rest)):
@@ -160,7 +164,7 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
 def stationary_stability(claim, field, state, parameters, domain=None):
     """Whether the stationary point is asymptotically stable, stable (and no more) or unstable, by
     Theorem 1.4."""
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
         largest = max(eigenvalues.real)
@@ -186,7 +190,7 @@ def stationary_type(answer, field, state, parameters, domain=None):
         else answer
     )
     claim = coercion.as_choice(spelled, TYPES)
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         matrix = family.jacobian(rest, numbers)
         kind = _kind(matrix)
@@ -204,14 +208,16 @@ def stationary_type(answer, field, state, parameters, domain=None):
 def focus_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a focus; the border, where the roots are
     equal, counts either way."""
-    return _judge_roots(answer, rest_points(field, state, parameters, domain), -1, "a focus")
+    return _judge_roots(
+        answer, stationary_points_of(field, state, parameters, domain), -1, "a focus"
+    )
 
 
 @judged
 def node_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a node; the border, where the roots are
     equal, counts either way."""
-    return _judge_roots(answer, rest_points(field, state, parameters, domain), 1, "a node")
+    return _judge_roots(answer, stationary_points_of(field, state, parameters, domain), 1, "a node")
 
 
 @judged
@@ -322,7 +328,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     first, second = state
     claim = coercion.as_expression(answer, [first, *parameters])
     slope = sp.diff(claim, first)
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     random = np.random.default_rng(12)
     for values, numbers, _ in family.samples(claim, need_rest=False, count=5):
         scale = 0.0

@@ -32,9 +32,14 @@ from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import EXACT, half_unit, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.references.invariant_subspaces import echelon, product, unseen_subspace
+from workbook.checks.references.invariant_subspaces import echelon, product, unobservable_subspace
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.references.records import by_control, matrix_of, reached, seen
+from workbook.checks.references.records import (
+    controlled_pair,
+    has_control,
+    matrix_of,
+    observed_pair,
+)
 from workbook.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
 from workbook.checks.tools.values import entry_uncertainties, matrix_at
 from workbook.checks.tools.wording import number_text, where_text
@@ -90,7 +95,7 @@ def decomposition(claim, system, parameters=()):
 def decomposed_system(answer, system, parameters=()):
     """The list [A', H'] or [A', B'] of the system in coordinates (xi; eta), as in (2.7) or (2.6):
     any right ones, xi first, with as many coordinates as N or W has rank."""
-    control = by_control(system)
+    control = has_control(system)
     matrix, other = _as_system(
         answer,
         parameters,
@@ -107,7 +112,7 @@ def canonical_observable_part(answer, system, parameters=()):
     """The list [A11, H1] of the observable subsystem in the canonical form by observation (2.5),
     with H1 = (1 0 ... 0)."""
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
-    pair, tolerance = seen(system, parameters), relative_tolerance(matrix, output)
+    pair, tolerance = observed_pair(system, parameters), relative_tolerance(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
         said = matrix_at(output, values)
         if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
@@ -187,9 +192,9 @@ def similarity(claim, system, other, parameters=()):
 
 def _by_observation(claim, system, parameters=()):
     """A matrix, the pair and the words of a question, transposed if it is one of control."""
-    if by_control(system):
-        return claim.T, reached(system, parameters), CONTROL
-    return claim, seen(system, parameters), OUTPUT
+    if has_control(system):
+        return claim.T, controlled_pair(system, parameters), CONTROL
+    return claim, observed_pair(system, parameters), OUTPUT
 
 
 def _judge_split(claim, pair, side):
@@ -225,7 +230,7 @@ def _judge_split(claim, pair, side):
     judge_everywhere(
         claim,
         pair.parameters,
-        lambda: pair.in_general,
+        lambda: pair.generic_condition,
         "your matrix is undefined",
         "your matrix has no inverse",
     )
@@ -299,12 +304,14 @@ def _serves_everywhere(matrix, output, pair, side):
     rows = [output]
     while len(rows) < matrix.rows and pair.parameters:
         rows.append(rows[-1] * matrix)
-    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unseen[0])]
-    judge_everywhere(matrix, pair.parameters, lambda: pair.in_general, "your system is undefined")
+    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unobservable[0])]
+    judge_everywhere(
+        matrix, pair.parameters, lambda: pair.generic_condition, "your system is undefined"
+    )
     judge_everywhere(
         seen,
         pair.parameters,
-        lambda: pair.in_general,
+        lambda: pair.generic_condition,
         "your system is undefined",
         f"less of your system than of the given one is {side.part}",
     )
@@ -521,7 +528,7 @@ def _orthonormal(rows):
 
 def _sizes_in_turn(A, H):
     """How many coordinates each output adds to what those before see."""
-    seen = [len(A) - len(unseen_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
+    seen = [len(A) - len(unobservable_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
     return [after - before for before, after in zip([0, *seen], seen)]
 
 

@@ -102,20 +102,20 @@ EIGENVALUES = Values(
 def judge_yes_no(claim, pair, side):
     """Whether the property holds, for all values of the parameters that their assumptions allow."""
     if not pair.parameters:
-        (unseen,) = pair.unseen
+        (unseen,) = pair.unobservable
         return (yield SameWord(claim, not unseen, left_over(len(unseen), side)))
     holds, reason = True, f"{side.none_free}, for any values of the parameters"
     try:
         compare(
             sp.true,
             pair.parameters,
-            pair.truth(True),
+            pair.reference(True),
             lambda values, _: (
                 f"for some values of the parameters {left_over(pair.dimension_at(values), side)}"
             ),
         )
     except Wrong as found:
-        always = min(map(len, pair.unseen))
+        always = min(map(len, pair.unobservable))
         holds, reason = (
             False,
             f"{left_over(always, side)}, whatever the parameters" if always else str(found),
@@ -142,7 +142,7 @@ def judge_region(answer, pair, side, holds=True):
         )
 
     try:
-        agreement = compare(answer, pair.parameters, pair.truth(holds), told)
+        agreement = compare(answer, pair.parameters, pair.reference(holds), told)
     except Wrong as reason:
         if (
             not holds

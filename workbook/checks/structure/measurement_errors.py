@@ -14,7 +14,7 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.invariant_subspaces import echelon, product, to_floats
-from workbook.checks.references.records import augmented, seen
+from workbook.checks.references.records import augmented, observed_pair
 from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.samples import in_every_case
 from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturbed_arrays
@@ -30,7 +30,7 @@ def augmented_system(answer, system, parameters=(), own=False):
             "expected a list [A', H'] of the matrix of the augmented system and the row of its "
             "output"
         )
-    n, outputs, pair = system.A.rows, system.H.rows, seen(system, parameters)
+    n, outputs, pair = system.A.rows, system.H.rows, observed_pair(system, parameters)
     matrix = coercion.as_matrix(answer[0], parameters)
     if matrix.rows != matrix.cols or matrix.rows <= n:
         raise Invalid(

@@ -19,7 +19,7 @@ from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
 )
-from workbook.checks.references.records import seen
+from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import (
     CONTROL,
     EIGENVALUES,
@@ -59,7 +59,7 @@ ALONE = dataclasses.replace(
 def mechanical_roots(claim, system, parameters=()):
     """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M;
     with parameters for their values in general position."""
-    pair = seen(system, parameters)
+    pair = observed_pair(system, parameters)
     samples = pair.samples_for(claim)
     roots = [
         different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place, _ in samples

@@ -15,7 +15,7 @@ from workbook.checks.contract.tolerance import EXACT, in_decimals, relative_tole
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import to_floats
-from workbook.checks.references.pairs import place_of, special_values
+from workbook.checks.references.pairs import point_of, special_values
 from workbook.checks.structure.dual_questions import left_over
 from workbook.checks.tools.comparisons import SameMembers
 from workbook.checks.tools.conditions import allowed
@@ -67,7 +67,7 @@ def judge_basis(vectors, pair, side, at=None):
         judge_everywhere(
             sp.Matrix(vectors).T,
             pair.parameters,
-            lambda: pair.in_general,
+            lambda: pair.generic_condition,
             "one of your vectors is undefined",
             "your vectors are linearly dependent" if len(vectors) > 1 else "your vector is zero",
         )
@@ -134,7 +134,7 @@ def judge_where_lost(claim, pair, side, at_value):
 
 def _values_where_lost(pair, parameter):
     """The exceptional values, SymPy rationals."""
-    if all(pair.unseen):
+    if all(pair.unobservable):
         raise ValueError("something is unseen for all values in general position")
     values = special_values(pair.boundaries, parameter)
     real = {
@@ -149,7 +149,7 @@ def _values_where_lost(pair, parameter):
         if allowed(parameter, 1 if root > 0 else -1)
     ):
         raise ValueError("something is unseen at an irrational value")
-    return [value for value in values if pair.unseen_at(place_of({parameter: value}))]
+    return [value for value in values if pair.unobservable_at(point_of({parameter: value}))]
 
 
 def _same(value, other):

@@ -152,7 +152,7 @@ class TargetFamily:
         points = points[np.isfinite(times)]
         return tuple(points[np.argsort(points[:, 0])].T)
 
-    def told(self, values, place):
+    def values_text(self, values, place):
         named = [f"{p} = {v:.4g}" for p, v in zip(self.parameters, values)] + [
             f"{self.variable} = {place:.4g}"
         ]

@@ -248,7 +248,7 @@ class ThrustOptimum:
         rates[0, 2] = rates[1, 3] = 1
         return rates, np.zeros((1, 4)), np.eye(4)[: 4 if self.held else 2]
 
-    def told_duration(self, said):
+    def duration_message(self, said):
         return (
             "the point can come there earlier"
             if said > self.duration
