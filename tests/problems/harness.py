@@ -7,7 +7,7 @@ import time
 import traceback
 
 import sympy as sp
-from calls import calls_noted, codes_that_note
+from call_recorder import recorded_calls, recording_codes
 from forms import each_form
 
 from workbook import checks
@@ -21,10 +21,10 @@ PACE = 0.155
 #: Solvers that an answer and its check must not share.
 OURS = ("trajlib.", "workbook.")
 SOLVERS = (*OURS, "control", "casadi", "scipy.linalg", "scipy.optimize", "sympy.solvers")
-codes_that_note(SOLVERS)  # each problem is solved and judged in processes forked from this one
+recording_codes(SOLVERS)  # each problem is solved and judged in processes forked from this one
 
 
-class Workbench:
+class JudgedProblem:
     """A master with its data in place: judges whatever is put in the place of its answers.
 
     Its own answers come from another process (`solve`), so that here nothing is known yet of what
@@ -152,7 +152,7 @@ def solve(master):
     """{"answers": what the answer cells give, encoded, "called": the functions called for it,
     "seconds": of the processor}."""
     namespace = data_of(master)
-    with calls_noted(SOLVERS, from_answers) as called:
+    with recorded_calls(SOLVERS, from_answers) as called:
         for source in master.code("answer"):
             execute(source, "answer", namespace)
     return {
@@ -166,12 +166,12 @@ def first_verdicts(master, answers):
     """{name: seconds of the processor} that the first verdicts on the answers take, one after the
     other, as it would on a quiet machine: where others work beside, the same computation takes
     longer, and so does one that is known."""
-    bench, seconds = Workbench(master, answers), {}
-    bench.judge({})  # imports
+    problem, seconds = JudgedProblem(master, answers), {}
+    problem.judge({})  # imports
     paces = [_pace() for _ in range(4)][1:]
     for name in answers:
         start = time.process_time()
-        bench.judge_one(name, bench.reference[name])
+        problem.judge_one(name, problem.reference[name])
         seconds[name] = time.process_time() - start
     paces += [_pace() for _ in range(3)]
     slower = max(1.0, statistics.median(paces) / PACE)
@@ -187,15 +187,15 @@ def _pace():
 
 
 def each_part(master, answers, parts):
-    """{name: ["done", part(bench)] or ["error", its traceback]}, one after the other: what they
+    """{name: ["done", part(problem)] or ["error", its traceback]}, one after the other: what they
     share is computed once.
 
     Under "seconds" stands the processor time they took together.
     """
-    bench, found = Workbench(master, answers), {}
+    problem, found = JudgedProblem(master, answers), {}
     for name, part in parts.items():
         try:
-            found[name] = ["done", part(bench)]
+            found[name] = ["done", part(problem)]
         except Exception:
             found[name] = ["error", traceback.format_exc(limit=-5)]
     return found | {"seconds": ["done", time.process_time()]}

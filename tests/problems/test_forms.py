@@ -13,7 +13,7 @@ import pytest
 import scipy.sparse
 import sympy as sp
 from forms import forms
-from harness import Workbench, solve
+from harness import JudgedProblem, solve
 
 from workbook.authoring import read
 from workbook.checks.contract.encoding import encode
@@ -103,14 +103,14 @@ def test_notebook_and_grade_agree(number):
 
 
 def _disagreements(exercise, master, answers):
-    bench, found = Workbench(master, answers), []
-    for form, answers, expected in _turns(bench):
+    problem, found = JudgedProblem(master, answers), []
+    for form, answers, expected in _turns(problem):
         here = {
             name: [verdict.status, verdict.message]
-            for name, verdict in bench.judge(answers).items()
+            for name, verdict in problem.judge(answers).items()
         }
         graded = judge_cells(
-            exercise.code("data", "check"), *_handed_over(answers), list(bench.reference)
+            exercise.code("data", "check"), *_handed_over(answers), list(problem.reference)
         )
         for name in answers:
             kept = expected in (here[name][0], "any") and (
@@ -121,12 +121,12 @@ def _disagreements(exercise, master, answers):
     return found
 
 
-def _turns(bench):
+def _turns(problem):
     """(form, answers, verdict): all answers in one form after another, whatever the verdict on it
     is to be."""
     accepted = {
-        name: forms(value, bench.master.answers[name].kind, bench.symbols(name))
-        for name, value in bench.reference.items()
+        name: forms(value, problem.master.answers[name].kind, problem.symbols(name))
+        for name, value in problem.reference.items()
     }
     for turn in itertools.zip_longest(*(others.items() for others in accepted.values())):
         tried = {name: other for name, other in zip(accepted, turn) if other is not None}
@@ -137,13 +137,13 @@ def _turns(bench):
         )
     for changes, expected in ((EITHER, "any"), (REFUSED, "invalid")):
         for form, change in changes.items():
-            others = {name: change(value) for name, value in bench.reference.items()}
+            others = {name: change(value) for name, value in problem.reference.items()}
             yield (
                 form,
                 {
                     name: other
                     for name, other in others.items()
-                    if other is not bench.reference[name]
+                    if other is not problem.reference[name]
                 },
                 expected,
             )

@@ -259,7 +259,7 @@ def _arrivals(family, beside=0.002):
     answer changes them."""
     found = []
     for values in family.samples():
-        places = family.places(values)
+        places = family.arguments(values)
         rates = family.rates(places, values)
         changes = [
             family.change(a, b, values)
@@ -293,7 +293,7 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
     tolerance = relative_tolerance(*claim, computed=1e-6)
     met = 0
     for values in target.samples():
-        places = target.places(values, count=24)
+        places = target.arguments(values, count=24)
         points, times, _ = target.switchings(places, values)
         given = said(places, *values).T
         for k in np.flatnonzero(np.isfinite(times)):
@@ -325,7 +325,7 @@ def switching_crossing(claim, system, target, ends, variable, parameters=None, s
     said = real_function([variable, *target.parameters], claim)
     tolerance = relative_tolerance(*claim, computed=1e-5)
     for values in target.samples():
-        places = target.places(values, count=12)
+        places = target.arguments(values, count=12)
         points, times, after = target.switchings(places, values)
         step = 1e-5
         tangent = (
@@ -592,7 +592,7 @@ def _jump(value, data, ends, variable, name):
     truth = sampled_optimum(*data._replace(parameters=()))
     data = data._replace(parameters=tuple(pair for pair in data.parameters if pair[0] == variable))
     family = _family_of(data, tuple(end.subs(fixed) for end in ends), variable)
-    places = family.places((), count=361)
+    places = family.arguments((), count=361)
     rates, jump = family.rates(places, ()), 0.0
     for a, b in zip(
         places[np.append(rates[:-1] * rates[1:] < 0, False)], places[1:][rates[:-1] * rates[1:] < 0]

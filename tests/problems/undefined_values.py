@@ -50,7 +50,7 @@ NOT_ASKED = {
 }
 
 
-def nonsense(value, data=()):
+def undefined_variants(value, data=()):
     """Pairs (what it is, answer): all entries without a value, one entry without a value, all
     entries undefined in places.
 

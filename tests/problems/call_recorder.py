@@ -18,12 +18,12 @@ _NOW = [set(), None]
 
 
 @contextmanager
-def calls_noted(packages, heed):
-    """Within it, the set of (module, name) grows by each function called for which `heed(its
+def recorded_calls(packages, is_relevant):
+    """Within it, the set of (module, name) grows by each function called for which `is_relevant(its
     module, the frame of its caller)` is true; functions are those of modules whose names begin with
     one of `packages`."""
-    codes = codes_that_note(packages)
-    _NOW[:] = called, heed = set(), heed
+    codes = recording_codes(packages)
+    _NOW[:] = called, is_relevant = set(), is_relevant
     for function, _, noting in codes:
         function.__code__ = noting
     try:
@@ -33,7 +33,7 @@ def calls_noted(packages, heed):
             function.__code__ = own
 
 
-def codes_that_note(packages):
+def recording_codes(packages):
     """(function, its code, one that notes the call first) for each function; a process that is
     forked from one that has asked for them finds them ready."""
     return [
@@ -82,8 +82,8 @@ def _that_notes(function):
     module, name, own = function.__module__, function.__qualname__, function.__code__
 
     def note():
-        called, heed = _NOW
-        if heed(module, sys._getframe(2)):
+        called, is_relevant = _NOW
+        if is_relevant(module, sys._getframe(2)):
             called.add((module, name))
             function.__code__ = own
 

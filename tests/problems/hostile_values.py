@@ -15,7 +15,7 @@ from workbook.grading import judging
 from workbook.notebooks.execution import decoded
 
 
-class Watch:
+class AuditWatch:
     """Notes what the process is asked to do, by Python's own audit."""
 
     #: Unpickling, starting programs, calling out, changing files.
@@ -116,42 +116,42 @@ NOTHING = [
 ]
 
 
-def judged_under_watch(bench):
+def judge_hostile_values(problem):
     """{what was handed over: what happened that must not}, for text that is code, for no numbers,
     for odd answers.
 
     Comes last in its process: who watches it cannot be sent away.
     """
-    bench.judge({})  # what the check cells import, they have imported
-    watch = Watch()
+    problem.judge({})  # what the check cells import, they have imported
+    watch = AuditWatch()
     nothing = [
         encode(value).decode()
         for value in NOTHING
-        if value not in EMPTY_AND_RIGHT.get(bench.master.number, ())
+        if value not in EMPTY_AND_RIGHT.get(problem.master.number, ())
     ]
     return {
-        "texts": _right(bench, texts()) + watch.seen(),
-        "nothing": _right(bench, nothing) + watch.seen(),
-        "odd": _odd(bench) + watch.seen(),
+        "texts": _right(problem, texts()) + watch.seen(),
+        "nothing": _right(problem, nothing) + watch.seen(),
+        "odd": _odd(problem) + watch.seen(),
     }
 
 
-def _right(bench, encoded):
+def _right(problem, encoded):
     """The answers among encoded ones that are called right, each given for every answer of the
     problem."""
     return [
         f"{name} = {text:.300} is right"
         for text in encoded
-        for name, verdict in _judged(bench, dict.fromkeys(bench.master.answers, text)).items()
+        for name, verdict in _judged(problem, dict.fromkeys(problem.master.answers, text)).items()
         if verdict.status == RIGHT
     ]
 
 
-def _judged(bench, encoded):
+def _judged(problem, encoded):
     """Verdicts on encoded answers that came as a message of a student's process."""
     message = json.dumps({"encoded": encoded, "unreadable": {}, "errors": [], "stopped": []})
-    read, unreadable, *_ = judging._read(message.encode(), list(bench.master.answers))
-    return bench.judge(decoded(read, unreadable, list(bench.master.answers)))
+    read, unreadable, *_ = judging._read(message.encode(), list(problem.master.answers))
+    return problem.judge(decoded(read, unreadable, list(problem.master.answers)))
 
 
 def texts():
@@ -196,16 +196,16 @@ def odd_answers(symbol):
     }
 
 
-def _odd(bench):
+def _odd(problem):
     """What is said of odd answers that it must not: that our check failed, or an example that is
     right."""
     symbol = next(
-        (value.name for value in bench.data.values() if isinstance(value, sp.Symbol)), "x"
+        (value.name for value in problem.data.values() if isinstance(value, sp.Symbol)), "x"
     )
-    found, examples = [], {name: set() for name in bench.master.answers}
+    found, examples = [], {name: set() for name in problem.master.answers}
     for what, value in odd_answers(symbol).items():
-        encoded = dict.fromkeys(bench.master.answers, encode(value).decode())
-        for name, verdict in _judged(bench, encoded).items():
+        encoded = dict.fromkeys(problem.master.answers, encode(value).decode())
+        for name, verdict in _judged(problem, encoded).items():
             if verdict.status == UNCHECKED:
                 found.append(f"{name}, {what}: {verdict.message}")
             elif verdict.status != RIGHT:
@@ -213,6 +213,6 @@ def _odd(bench):
     for name, told in examples.items():
         for example in {part for text in told for part in (text, *text.split(" or "))}:
             with suppress(Exception):  # words rather than an example
-                if bench.judge_one(name, sp.sympify(example, locals={"sp": sp})).status == RIGHT:
+                if problem.judge_one(name, sp.sympify(example, locals={"sp": sp})).status == RIGHT:
                     found.append(f"{name} is told as an example what is right: {example}")
     return found
