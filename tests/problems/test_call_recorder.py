@@ -1,5 +1,4 @@
-"""What an answer and its check must not share is seen: functions of solvers, however they were
-imported."""
+"""Shared functions of an answer and its check are recorded, however they were imported."""
 
 import functools
 import sys
@@ -43,7 +42,7 @@ def test_methods_are_seen_and_keep_their_defaults():
 
 
 def test_a_kept_result_is_no_call():
-    """So nothing may be known yet of what checks compute, when their calls are noted."""
+    """A cached result is no call, so nothing may be cached when the calls of checks are recorded."""
     names = {"__name__": "trajlib.kept", "functools": functools}
     exec("@functools.cache\ndef square(x):\n    return x * x\n", names)
     sys.modules["trajlib.kept"] = SimpleNamespace(**names)

@@ -1,5 +1,7 @@
-"""A notebook's check and the grader say the same of an answer, word by word, whatever object it is:
-an answer is judged as it crosses."""
+"""A notebook's check and the grader give the same verdict and message on any object.
+
+An answer is judged after it was encoded.
+"""
 
 import collections
 import decimal
@@ -35,7 +37,7 @@ class Word(str):
 
 
 def elementwise(change):
-    """The change of an answer that changes each of its numbers and words."""
+    """Return the change of an answer that changes each of its numbers and words."""
 
     def changed(value):
         if isinstance(value, (list, tuple)):
@@ -103,7 +105,7 @@ def test_notebook_and_grade_agree(number):
 
 
 def _disagreements(exercise, master, answers):
-    problem, found = JudgedProblem(master, answers), []
+    problem, disagreements = JudgedProblem(master, answers), []
     for form, answers, expected in _turns(problem):
         here = {
             name: [verdict.status, verdict.message]
@@ -117,13 +119,12 @@ def _disagreements(exercise, master, answers):
                 expected != "invalid" or here[name][1].startswith("answer ")
             )
             if here[name] != graded[name][:2] or not kept:
-                found.append([form, name, here[name], graded[name]])
-    return found
+                disagreements.append([form, name, here[name], graded[name]])
+    return disagreements
 
 
 def _turns(problem):
-    """(form, answers, verdict): all answers in one form after another, whatever the verdict on it
-    is to be."""
+    """Yield (form, answers, verdict due): all answers in one form after another."""
     accepted = {
         name: forms(value, problem.master.answers[name].kind, problem.symbols(name))
         for name, value in problem.reference.items()
@@ -150,7 +151,7 @@ def _turns(problem):
 
 
 def _handed_over(answers):
-    """(encoded, unreadable) as a student's process hands them over."""
+    """Return (encoded, unreadable) as a student's process hands them over."""
     encoded, unreadable = {}, {}
     for name, value in answers.items():
         try:

@@ -1,6 +1,8 @@
-"""Every master keeps its promise: the reference is right, the untouched copy missing, wrong answers
-are wrong, other right forms right, and no mutant passes that an independent oracle does not prove
-right."""
+"""Every master meets the contract.
+
+The reference is right, the untouched copy missing, wrong answers are wrong, other right forms
+right, and no mutant passes that an independent oracle does not prove right.
+"""
 
 import ast
 import functools
@@ -91,7 +93,7 @@ def _solved(path):
 
 @functools.cache
 def _results(path):
-    """What all tests of a problem look at, from one process, where optima are computed once."""
+    """Return what all tests of a problem examine, from one process, where optima are computed once."""
     return in_child(each_part, read(path), _solved(path)["answers"], PARTS, timeout=300)
 
 
@@ -150,10 +152,11 @@ def test_the_tests_of_one_problem_take_little_time(master):
 
 
 def _reference(problem):
-    """By the master's check cells one at a time, and by those of the student's notebook as a grader
-    judges. Comes first, so that the times are those of first verdicts, and that nothing which is
-    called is kept from being result by an earlier call. Other tests run beside: who seems slow is
-    timed again."""
+    """Judge the reference by the master's check cells one at a time, and as a grader does.
+
+    It comes first, so that the times are those of first verdicts, and no call is hidden because its
+    result is cached. Other tests run at the same time: verdicts that seem slow are timed again.
+    """
     answers = _encoded(problem)
     # imports, which are no calls; nothing is known of the answers yet, as at a student's first
     # check
@@ -203,8 +206,10 @@ def test_wrong_trials_are_wrong_and_change_no_other_verdict(master):
 
 
 def _wrong(problem):
-    """Every other answer is wrong, first one half of them and then the other, each in all its wrong
-    ways: the rest stay right, which is looked at in the first turn."""
+    """Judge wrong trials: first one half of the answers is wrong and then the other, in every way.
+
+    The rest stay right, which is verified in the first turn.
+    """
     trials, changed, order = {}, [], list(problem.master.answers)
     for trial in _values(problem, "wrong"):
         trials.setdefault(trial["answer"], []).append(trial)
@@ -235,8 +240,7 @@ def _wrong(problem):
 
 
 def _revealed_numbers(right, wrong, message):
-    """Numbers of three digits or more in a message that are numbers of the right answer and not of
-    the wrong one."""
+    """Return numbers of at least three digits in a message that belong to the right answer alone."""
     rights, wrongs = _numbers(right), _numbers(wrong)
     numbers = [
         number
@@ -296,8 +300,7 @@ def test_decimals_count_to_three_digits(master):
 
 
 def _decimals(problem):
-    """Answers with decimals of which the verdict is not the one due: (name, due, what was
-    found)."""
+    """Return answers with decimals whose verdict is not the one due: (name, due, description)."""
     unexpected = []
     for name, text in _encoded(problem).items():
         for what, value, due in roundings(decode(text.encode())):
@@ -320,8 +323,7 @@ def test_wrong_trials_get_the_sentence_of_their_mistake(master):
 
 
 def _mistakes(problem):
-    """By the file beside the student's copy: every trial in its own form and three others, and no
-    right answer."""
+    """Look up every wrong trial, in its own form and three others, and all right answers."""
     master = problem.master
     trials = list(zip(master.trials["wrong"], problem.given("wrong")))
     answers = {name: decode(text.encode()) for name, text in _encoded(problem).items()}
@@ -362,7 +364,7 @@ def _mistakes(problem):
 
 
 def _conditions_in_data(problem):
-    """The conditions asked for that a data cell gives a name to."""
+    """Return the conditions asked for that a data cell gives a name to."""
     return sorted(
         name
         for name, answer in problem.master.answers.items()
@@ -384,8 +386,7 @@ def _alike(problem, name, value):
 
 
 def _known(problem, name, value, text):
-    """{form: whether this form of a wrong value is told the sentence}, as far as the third that
-    is."""
+    """Return {form: whether this form of a wrong value gets the sentence}, up to the third that does."""
     known = {}
     for form, other in problem.each_form(name, value):
         known[form] = name_of(problem.master.number, name, decode(encode(other))) == text
@@ -426,7 +427,7 @@ def test_the_sentence_on_a_mistake_does_not_hold_the_answer(master):
 
 
 def _values(problem, role):
-    """The trials of a role, each with what it gives its answer."""
+    """Return the trials of a role, each with the value of its answer."""
     return [
         {
             "answer": trial.name,
@@ -486,8 +487,7 @@ def _mutants(problem):
 
 
 def test_every_row_of_the_tables_has_the_verdict_due(master):
-    """The rows in `adversarial/` that are about this problem: what mathematics says of other
-    answers."""
+    """Judge the rows in `adversarial/` on this problem: other answers, with verdicts by mathematics."""
     rows = rows_of(master.number)
     assert [row.name for row in rows if row.name not in master.answers] == [], (
         "no answers of this problem"
@@ -502,7 +502,7 @@ def test_every_row_of_the_tables_has_the_verdict_due(master):
 
 
 def _rows(problem):
-    """(status, message) of each row, which may use the names of the data cells."""
+    """Return (status, message) of each row, which may use the names of the data cells."""
     rows = rows_of(problem.master.number)
     values = [decode(encode(eval(row.code, problem.data | {"np": np, "sp": sp}))) for row in rows]
     verdicts = [problem.judge_one(row.name, value) for row, value in zip(rows, values)]
@@ -510,13 +510,12 @@ def _rows(problem):
 
 
 def test_text_is_never_executed(master):
-    """Texts that would run, were they evaluated, unpickled or imported anywhere in a check."""
+    """Judge texts that would run if they were evaluated, unpickled or imported anywhere in a check."""
     assert result_of(master, "hostile")["texts"] == []
 
 
 def test_values_that_are_no_numbers_are_never_right(master):
-    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, and an empty list has no wrong
-    element."""
+    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, an empty list has no wrong element."""
     assert result_of(master, "hostile")["nothing"] == [], (
         "what is truly right belongs into EMPTY_AND_RIGHT"
     )
