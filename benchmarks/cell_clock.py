@@ -14,7 +14,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from workbook.checks.contract.encoding import decode
+from workbook.checks.contract.decoding import decode
 from workbook.grading import forkserver, judging, worker_pool
 from workbook.grading.sandbox import Sandbox
 

@@ -22,7 +22,7 @@ def _load(path):
 
 MODULES = {f"{path.parent.name}.{path.stem}": _load(path) for path in TABLES}
 CASES = [case for module in MODULES.values() for case in module.CASES]
-#: Rooms whose checks look for optima and follow motions: two thirds of what all cases take, for a
+#: Themes whose checks look for optima and follow motions: two thirds of what all cases take, for a
 #: fifth of them.
 LONG = {"pontryagin"}
 
@@ -52,16 +52,16 @@ def test_every_check_has_its_table(name):
     assert all(module.LIMITS is not None for module in MODULES.values())
 
 
-@pytest.mark.parametrize("room", SHAPES)
-def test_every_check_of_a_room_tells_the_shapes_of_its_data(room):
-    told, asked = SHAPES[room], set()
+@pytest.mark.parametrize("theme", SHAPES)
+def test_every_check_of_a_theme_documents_the_shapes_of_its_data(theme):
+    shapes, used = SHAPES[theme], set()
     for name in set(dir(checks)) - NOT_CHECKS:
         check = getattr(checks, name)
-        if check.__module__.split(".")[-2] == room:
+        if check.__module__.split(".")[-2] == theme:
             names = list(inspect.signature(check).parameters)[1:]
             assert all(
-                f"`{argument}`: {told[argument]}" in " ".join(check.__doc__.split())
+                f"`{argument}`: {shapes[argument]}" in " ".join(check.__doc__.split())
                 for argument in names
             ), name
-            asked |= set(names)
-    assert set(told) - set(COMMON) <= asked, "shapes of no check's data"
+            used |= set(names)
+    assert set(shapes) - set(COMMON) <= used, "shapes of no check's data"

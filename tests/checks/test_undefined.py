@@ -11,15 +11,9 @@ import sympy as sp
 
 from workbook import checks
 from workbook.checks.contract.verdict import Invalid, Wrong
-from workbook.checks.tools.values import (
-    matrix_at,
-    number_at,
-    numbers_at,
-    real_at,
-    real_function,
-    truth_at,
-    value_at,
-)
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import matrix_at, number_at, numbers_at, truth_at, value_at
 
 x, y, t = sp.symbols("x y t", real=True)
 UNDEFINED = sp.Add(sp.oo, -sp.oo, evaluate=False)
@@ -103,8 +97,8 @@ MOVE, SEEN, SOLVED = map(
     cases, ("pontryagin/transfers", "structure/observability", "research/solvability")
 )
 SPLINE, PLANE = cases("research/reconstruction"), cases("stability/stationary")
-LINES, FLAT = cases("stability/critical"), cases("stability/first_approximation")
-LISTS = cases("stability/rest_families")
+LINES, FLAT = cases("stability/critical"), cases("stability/linearisation")
+LISTS = cases("stability/equilibrium_families")
 STRIP = sp.Piecewise((LAW.TO_ORIGIN, sp.Abs(LAW.x1 - sp.Rational(1, 2)) > sp.Rational(1, 25)))
 SIDES = LAW.x1 + LAW.x2 * sp.Abs(LAW.x2) / 2
 PUSH = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > 1))

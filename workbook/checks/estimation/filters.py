@@ -3,7 +3,7 @@ settled.
 
 The truth is the conditional law of a Gaussian vector of all states and measurements together, or
 the stabilising solution of a Riccati equation at numbers, from an invariant subspace
-(`truths/processes.py`); no filter is run.
+(`references/processes.py`); no filter is run.
 
 What is `measured` are pairs (time, value or values); times, values and the time `at` which the
 state is asked for may hold the parameters, and for a time there may stand `sp.Range(1, n + 1)`: the
@@ -14,27 +14,33 @@ and covariance may be asked for at times before 0.
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Laid, Matrix, Values
-from workbook.checks.contract.tolerance import REPEATED, same
+from workbook.checks.contract.claims import Matrix, MatrixOrVector, Values
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
-from workbook.checks.tools.comparisons import Entries, Members
-from workbook.checks.tools.conditions import compare, place_text
+from workbook.checks.tools.comparisons import SameEntries, SameMembers
+from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import numbers_at
-from workbook.checks.tools.wording import entry_text, number_text, part_text, where_text
+from workbook.checks.tools.wording import (
+    entry_text,
+    number_text,
+    part_text,
+    values_text,
+    where_text,
+)
 
 COUNT = 6
 BEFORE, AFTER = "before", "after"
 
 
-@judged(Laid("parameters", shape=processes.shape_of("mean")))
+@judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     """The best estimate of the state at a time from what was measured; of a single coordinate an
     expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true, _ = processes.given(one, known, time)
-        yield Entries(
+        true, _ = processes.conditional_moments(one, known, time)
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -52,8 +58,8 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     """The covariance matrix of the errors of the best estimate at a time; of a single coordinate
     the variance."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = processes.given(one, known, time)[1]
-        yield Entries(
+        true = processes.conditional_moments(one, known, time)[1]
+        yield SameEntries(
             claim,
             true,
             _other("the errors of the best estimate", values),
@@ -63,13 +69,13 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     return "it is the covariance of the state under the condition of what was measured"
 
 
-@judged(Laid("parameters", shape=processes.shape_of("mean")))
+@judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
 def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.true):
     """The standard deviations of the errors of the best estimate at a time, a column; of a single
     coordinate an expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
-        yield Entries(
+        true = np.sqrt(np.diag(processes.conditional_moments(one, known, time)[1]))[:, None]
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -90,21 +96,23 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
     """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a
     measurement, "before" or "after"."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.numbers(process, values, start=False)
-        true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
-        yield Entries(
+        one = processes.at_values(process, values, start=False)
+        true = processes.steady_covariances(one)[(BEFORE, AFTER).index(moment)]
+        yield SameEntries(
             claim, true, _other("the errors of the settled filter", values), values, abs(true).max()
         )
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
 
-@judged(Laid("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
+@judged(
+    MatrixOrVector("parameters", shape=lambda data: processes.as_process(data["process"]).H.T.shape)
+)
 def steady_gain(claim, process, parameters=(), given=sp.true):
     """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in
     discrete time y+ = y + K (z - H y)."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.numbers(process, values, start=False)
-        true = processes.gain_of(one, processes.steady(one)[0])
+        one = processes.at_values(process, values, start=False)
+        true = processes.filter_gain(one, processes.steady_covariances(one)[0])
 
         def told(said, i, j):
             loop = one.A - (one.A @ said if one.discrete else said) @ one.H
@@ -123,7 +131,7 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
                 f"{number_text(said[i, j])}"
             )
 
-        yield Entries(claim, true, told, values, abs(true).max())
+        yield SameEntries(claim, true, told, values, abs(true).max())
     return "no other gain makes the variances of the errors smaller"
 
 
@@ -133,7 +141,7 @@ def steady_filter_exists(answer, process, parameters):
 
     def told(values, holds):
         return (
-            f"your condition {'does not hold' if holds else 'holds'} for {place_text(values)}; "
+            f"your condition {'does not hold' if holds else 'holds'} for {values_text(values)}; "
             + (
                 "there a filter settles, and its errors decay"
                 if holds
@@ -146,7 +154,11 @@ def steady_filter_exists(answer, process, parameters):
     return f"a filter settles, and its errors decay, for these values alone: {known}"
 
 
-@judged(Laid("estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")))
+@judged(
+    MatrixOrVector(
+        "estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")
+    )
+)
 def filter_equation(claim, process, estimates, outputs, covariance, parameters=()):
     """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in
     the symbols of the estimates y, of the outputs z and of P, the `covariance` of the errors; of a
@@ -154,13 +166,13 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, P = (
-            processes.numbers(process, values, start=False),
-            processes.array(covariance, values),
+            processes.at_values(process, values, start=False),
+            processes.to_array(covariance, values),
         )
-        y, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
-        gain = processes.gain_of(one, P)
+        y, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
+        gain = processes.filter_gain(one, P)
         terms = one.A @ y, gain @ z, -gain @ one.H @ y
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
             lambda said, i, j: (
@@ -183,20 +195,20 @@ def riccati_equation(claim, process, covariance, parameters=()):
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
         one, P = (
-            processes.numbers(process, values, start=False),
-            processes.array(covariance, values),
+            processes.at_values(process, values, start=False),
+            processes.to_array(covariance, values),
         )
         if one.discrete:
             terms = (
                 one.A @ P @ one.A.T,
-                -one.A @ processes.gain_of(one, P) @ one.H @ P @ one.A.T,
+                -one.A @ processes.filter_gain(one, P) @ one.H @ P @ one.A.T,
                 one.Q,
             )
             found, does = "your next entry ({}, {})", "give another number"
         else:
-            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
+            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.filter_gain(one, P).T
             found, does = "your rate of change of the entry ({}, {})", "change it at another rate"
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
             lambda said, i, j: (
@@ -214,16 +226,16 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     """The different eigenvalues of the matrix of the errors of the steady filter, A - K H, in
     discrete time A (E - K H)."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
-        one = processes.numbers(process, values, start=False)
-        gain = processes.gain_of(one, processes.steady(one)[0])
+        one = processes.at_values(process, values, start=False)
+        gain = processes.filter_gain(one, processes.steady_covariances(one)[0])
         loop = one.A - (one.A @ gain if one.discrete else gain) @ one.H
         size = np.linalg.norm(loop)
         said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
-            return same(number[1], other, number[0], size, REPEATED)
+            return agree(number[1], other, number[0], size, REPEATED)
 
-        yield Members(
+        yield SameMembers(
             list(zip(claims, said)),
             list(np.linalg.eigvals(loop)),
             fits,
@@ -262,7 +274,7 @@ def _measured(process, measured, at, claim, parameters, given):
             for moment, value in measured
             for time in _times(sp.sympify(moment).subs(values))
         ]
-        yield processes.numbers(process, values), values, known, sp.sympify(at).subs(values)
+        yield processes.at_values(process, values), values, known, sp.sympify(at).subs(values)
 
 
 def _times(moment):

@@ -13,11 +13,12 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
-from workbook.checks.tools.samples import draw
-from workbook.checks.tools.values import real_function, value_at
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import rounded_text
 
 #: At so many places of states, control and parameters an equation is compared, of so many that are
@@ -44,7 +45,7 @@ def control_equation(claim, problem, domain=None):
     u = problem.control[0]
     for values, true, size in places:
         said = value_at(claim, values, f"{u}'")
-        if same(said, true, claim, size=size, computed=EXACT):
+        if agree(said, true, claim, size=size, computed=EXACT):
             continue
         if not told:
             raise Wrong(
@@ -95,7 +96,7 @@ class _Rate:
         if low.is_number and high.is_number and low.is_finite and high.is_finite:
             domain = {self._problem.control[0]: sp.Interval(low, high)} | (domain or {})
         for _ in range(TRIED):
-            values = {s: draw(random, s, domain) for s in self._symbols}
+            values = {s: random_value(random, s, domain) for s in self._symbols}
             rate = self._at(values, random)
             if rate is not None:
                 yield values, *rate

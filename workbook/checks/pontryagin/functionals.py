@@ -13,12 +13,18 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Number, YesNo
-from workbook.checks.contract.tolerance import changed, in_decimals, rounds_to, same, share
+from workbook.checks.contract.tolerance import (
+    agree,
+    in_decimals,
+    perturbed,
+    relative_tolerance,
+    rounds_to,
+)
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.optima.functional_optimum import FunctionalOptimum
-from workbook.checks.tools.comparisons import Same, Word
+from workbook.checks.tools.comparisons import SameValue, SameWord
+from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import sample_values
-from workbook.checks.tools.values import real_function
 from workbook.checks.tools.wording import values_text
 
 #: Sets of parameters that an answer is tried for.
@@ -50,12 +56,12 @@ def best_motion(claim, functional, parameters=()):
     parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         where = f"for {values_text(values)} " if values else ""
-        sides = changed(claim) if in_decimals(claim) else []
+        sides = perturbed(claim) if in_decimals(claim) else []
         motion = _Motion(
             claim.subs(values),
             best,
             where,
-            share(claim) if sides is None else COMPUTED,
+            relative_tolerance(claim) if sides is None else COMPUTED,
             [[_Motion(side.subs(values), best, where) for (side,) in pair] for pair in sides or ()],
         )
         motion.has_the_given_ends()
@@ -72,12 +78,12 @@ def best_value(claim, functional, parameters=()):
     """The least, or greatest, value of a functional, as an expression in the parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         if values:
-            yield Same(
+            yield SameValue(
                 claim, best.value, f"the {_word(functional)} value", values, computed=COMPUTED
             )
             continue
         said = real_function([], [claim])()[0]
-        if not same(said, best.value, claim, computed=COMPUTED):
+        if not agree(said, best.value, claim, computed=COMPUTED):
             if not np.isfinite(said):
                 raise Wrong("your value is no real number")
             beyond = (said < best.value) != functional.maximise
@@ -120,7 +126,7 @@ def best_motion_exists(claim, functional, duration=None):
             f"{DURATIONS[-1]:.3g} "
             f"{'have a best one among them' if exists else 'only get better towards one side'}"
         )
-    yield Word(claim, exists, reason, "look at how the functional behaves: ")
+    yield SameWord(claim, exists, reason, "look at how the functional behaves: ")
     return reason
 
 
@@ -162,7 +168,7 @@ def _rate(functional, duration, T, step=0.004):
 
 
 class _Motion:
-    """A student's motion for given values of the parameters; `changed` are pairs of motions that
+    """A student's motion for given values of the parameters; `perturbed` are pairs of motions that
     its decimals leave open."""
 
     def __init__(self, claim, best, where, rounding=COMPUTED, changed=()):

@@ -4,7 +4,7 @@
 its states. The cost has the multiplier lambda_0 = 1: H = psi^T f - f_0, or + f_0 if the cost is to
 be great. Each answer is judged by what it says at values of states, costates, controls and
 parameters; `domain` gives intervals for these where their symbols may not take all values. Points
-of singular arcs come from `truths.singular_arcs`.
+of singular arcs come from `references.singular_arcs`.
 """
 
 import itertools
@@ -15,24 +15,27 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Integer, YesNo
 from workbook.checks.contract.members import members
-from workbook.checks.contract.tolerance import DECIMALS, EXACT, changed, in_decimals, same, share
+from workbook.checks.contract.tolerance import (
+    DECIMALS,
+    EXACT,
+    agree,
+    in_decimals,
+    perturbed,
+    relative_tolerance,
+)
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.followed import reach
 from workbook.checks.pontryagin.in_time import Control, Steering
-from workbook.checks.references.optima.transfer_optima import rk4
+from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates, singular_arcs
-from workbook.checks.tools.comparisons import Word
-from workbook.checks.tools.conditions import decide, exactly, place_text
-from workbook.checks.tools.samples import draw, ends, found_once, sample_cases
-from workbook.checks.tools.values import (
-    at_once,
-    number_at,
-    real_at,
-    real_function,
-    uncertain_entries,
-    value_at,
-)
-from workbook.checks.tools.wording import rounded_text
+from workbook.checks.tools.comparisons import SameWord
+from workbook.checks.tools.conditions import decide, exactly
+from workbook.checks.tools.domains import endpoints, random_value, sample_cases
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.samples import cached_points
+from workbook.checks.tools.substitution import real_at, substituted
+from workbook.checks.tools.values import entry_uncertainties, number_at, value_at
+from workbook.checks.tools.wording import rounded_text, values_text
 
 #: At so many places an identity is tried, and with so many other controls a greatest value is
 #: compared.
@@ -188,13 +191,13 @@ def maximising_control(answer, problem, costates, domain=None):
         numbers, bounds = [float(values[s]) for s in symbols], _bounds(problem, values)
         said = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
         for u, value, (low, high) in zip(controls, said, bounds):
-            slack = share(*claims) * (1 + abs(value))
+            slack = relative_tolerance(*claims) * (1 + abs(value))
             if not low - slack <= value <= high + slack:
                 raise Wrong(
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
         # What decimals leave open is a control, of which H near its maximum says little.
-        open_ = uncertain_entries(sp.Matrix(claims), values).ravel()
+        open_ = entry_uncertainties(sp.Matrix(claims), values).ravel()
         near, rivals = (
             np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
             for parts in (
@@ -240,7 +243,7 @@ def greatest_hamiltonian(claim, problem, costates, domain=None):
         ]
         parts = [float(part.subs(values)) for part in sp.Add.make_args(rest)]
         said, wanted = value_at(claim, values, "the greatest value of H"), sum(parts) + sum(terms)
-        if not same(said, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
+        if not agree(said, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
             raise Wrong(
                 f"for {rounded_text(values)} your expression gives {said:.4g}; "
                 + (
@@ -287,7 +290,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     seen = 0
     random = np.random.default_rng(23)
     for _ in range(6 * PLACES):
-        values = {s: draw(random, s, domain) for s in symbols}
+        values = {s: random_value(random, s, domain) for s in symbols}
         place = surface.near(values)
         if place is None or not _allowed(place, domain):
             continue
@@ -326,7 +329,7 @@ def singular_control(claim, problem, costates, control=None, domain=None):
         low, high = _bounds(problem, values)[list(problem.control).index(arcs.control)]
         # of a control that is zero
         rounded = np.isfinite(high - low) and abs(said + a / b) <= POINTS * (high - low)
-        if not rounded and not same(said, -a / b, claim, size=abs(a / b), computed=POINTS):
+        if not rounded and not agree(said, -a / b, claim, size=abs(a / b), computed=POINTS):
             raise Wrong(
                 f"at a point of a singular arc your control gives {said:.4g}, under which "
                 f"dH/d{arcs.control} does not stay zero"
@@ -360,7 +363,7 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
                 value_at(claim, values, str(psi)),
                 max(abs(values[one]) for one in costates),
             )
-            if not same(said, values[psi], claim, size=size, computed=POINTS):
+            if not agree(said, values[psi], claim, size=size, computed=POINTS):
                 raise Wrong(
                     f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your "
                     f"{psi} is {said:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
@@ -387,7 +390,7 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     _without_control(claim, arcs)
     for values in _points(arcs, domain):
         said = value_at(claim, values, "Kelley's expression")
-        if not same(said, real_at(true, values), claim, computed=POINTS):
+        if not agree(said, real_at(true, values), claim, computed=POINTS):
             raise Wrong(
                 f"at a point of a singular arc your expression gives {said:.4g}, which is not the "
                 "left-hand side of Kelley's condition there"
@@ -403,7 +406,7 @@ def kelley_holds(claim, problem, costates, control=None, domain=None):
     signs = {bool(real_at(kelley, values) <= 0) for values in _points(arcs, domain)}
     if len(signs) > 1:
         raise RuntimeError("Kelley's condition holds on a part of the singular arcs")
-    yield Word(
+    yield SameWord(
         claim,
         signs.pop(),
         "look at the sign of (-1)^q d/du d^(2q)/dt^(2q) dH/du on the arc, with lambda_0 = 1",
@@ -527,7 +530,7 @@ class _Zeros:
         self._slopes = real_function(
             [*symbols, *parameters], [sp.diff(e, s) for e in claims for s in symbols]
         )
-        followed = changed(*claims) if in_decimals(*claims) else []
+        followed = perturbed(*claims) if in_decimals(*claims) else []
         self._most = POINTS if followed == [] else DECIMALS
         self._changed = [
             [real_function([*symbols, *parameters], side) for side in sides]
@@ -587,7 +590,7 @@ class _Zeros:
 # Small things.
 
 
-@found_once
+@cached_points
 def _places(problem, costates, domain, controls=True, known=False):
     """Random values of all symbols, the controls on their bounds first; costates that are `known`
     may have their values."""
@@ -603,7 +606,7 @@ def _places(problem, costates, domain, controls=True, known=False):
         s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES for s in symbols
     }
     for k in range(PLACES):
-        place = {s: draw(random, s, domain, shares[s][k]) for s in symbols}
+        place = {s: random_value(random, s, domain, shares[s][k]) for s in symbols}
         if controls and k < 2:
             place |= {
                 u: pair[k]
@@ -613,7 +616,7 @@ def _places(problem, costates, domain, controls=True, known=False):
         yield place | {psi: float(value.subs(place)) for psi, value in values.items()}
 
 
-@found_once
+@cached_points
 def _near_switching(problem, costates, domain):
     """Places next to those where a control does not enter H: a smooth imitation of a jump is seen
     there."""
@@ -630,14 +633,14 @@ def _near_switching(problem, costates, domain):
 
 def _allowed(values, domain):
     """Whether values lie where those of their symbols may."""
-    return all(low < values[s] < high for s in values for low, high in [ends(s, domain)])
+    return all(low < values[s] < high for s in values for low, high in [endpoints(s, domain)])
 
 
 def _equal(claim, true, values, what):
     true = sp.expand(true)
     parts = [abs(number_at(part, values)) for part in sp.Add.make_args(true)]
     said, wanted = value_at(claim, values, what), number_at(true, values).real
-    if not same(said, wanted, claim, size=max(parts), computed=EXACT):
+    if not agree(said, wanted, claim, size=max(parts), computed=EXACT):
         if true.is_number:  # the true number would be the answer itself
             raise Wrong(f"{what} is not {said:.4g}, which your expression gives")
         raise Wrong(
@@ -659,7 +662,7 @@ def _has_the_sign(claim, slope, control, known, domain):
         if place:
             values, holds = place
             raise Wrong(
-                f"for {place_text(values)}, H {does if holds else not_} with {control}, and your "
+                f"for {values_text(values)}, H {does if holds else not_} with {control}, and your "
                 "function has another sign"
             )
 
@@ -696,7 +699,7 @@ def _difference(part, symbols):
     return coercion.as_expression(part, symbols)
 
 
-@found_once
+@cached_points
 def _on_target(problem):
     """States at the end, and parameters, as dicts."""
     zeros = (
@@ -711,7 +714,7 @@ def _on_target(problem):
                 s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES
                 for s in symbols
             }
-        values = {s: draw(random, s, None, shares[s][k % PLACES]) for s in symbols}
+        values = {s: random_value(random, s, None, shares[s][k % PLACES]) for s in symbols}
         place = zeros.near(values) if zeros else values
         if place is not None and len(found) < PLACES:
             found.append(place)
@@ -769,7 +772,7 @@ def _rank(rows):
 def _bounds(problem, values):
     return [
         tuple(
-            float(at_once(b, values)) if b.is_finite is not False else np.inf * (1 if k else -1)
+            float(substituted(b, values)) if b.is_finite is not False else np.inf * (1 if k else -1)
             for k, b in enumerate(pair)
         )
         for pair in problem.controls.values()

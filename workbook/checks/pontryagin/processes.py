@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import in_decimals, same
+from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.followed import (
     COSTS,
@@ -42,11 +42,12 @@ from workbook.checks.references.optima.best_processes import (
     free_at_the_start,
 )
 from workbook.checks.references.optima.transfer_optima import SAMPLES
-from workbook.checks.references.scales import COST, TIME, same_at_every_scale
-from workbook.checks.tools.kinks import next_to_bends
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function, uncertain_at_all, value_at, values_at_all
-from workbook.checks.tools.wording import told_for
+from workbook.checks.references.scales import COST, TIME, judge_at_every_scale
+from workbook.checks.tools.kinks import points_at_kinks
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import uncertainties_at, value_at, values_at
+from workbook.checks.tools.wording import prefix_text
 
 #: Where rates are no linear functions of the control, it is tried at so many places between its
 #: bounds, then closer to the best of them, so often; and so far to both sides where it has no
@@ -83,7 +84,7 @@ def optimal_control(claim, problem, time, parameters=None):
     begun = ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""
     timed = TIMED if _only_time(problem) and read.rounding == INTEGRATED else 1
     for values, best in best_processes(problem, parameters):
-        where = told_for(values)
+        where = prefix_text(values)
         whose = "your control" + begun
         _ends_with_the_best(read, values, best, problem, where, whose)
         sections = read.sections(values, best.duration)
@@ -197,7 +198,7 @@ def _slowly(sections, first, before, last, after, slack, duration):
             and abs(u(np.array([last]))[0] - after) <= slack
         ):
             continue
-        place = bisected(
+        place = bisect(
             lambda t, _, u=u: abs(u(t) - before) <= slack, np.array([first]), np.array([last]), 50
         )[1]
         if not abs(u(place + np.sign(last - first) * SUDDEN * duration)[0] - after) <= slack:
@@ -252,7 +253,7 @@ def _leap(sections, first, last, same):
     """By how much a control jumps where it leaves the value that it has at the first of two
     instants."""
     held = _values(sections, [first])[0]
-    place = bisected(
+    place = bisect(
         lambda t, _: abs(_values(sections, t) - held) <= same,
         np.array([first]),
         np.array([last]),
@@ -276,7 +277,7 @@ def optimal_motion(claims, problem, time, parameters=None):
     # A motion that arrives at the least time is optimal, whatever it does before.
     only_time = _only_time(problem)
     for values, best in best_processes(problem, parameters):
-        where, slack = told_for(values), motion.rounding * best.size()
+        where, slack = prefix_text(values), motion.rounding * best.size()
         start = motion.values(0.0, values)
         if not np.all(
             (np.abs(start - best.start[:-1]) <= slack + motion.uncertain(0.0, values)[0])[given]
@@ -395,9 +396,9 @@ def optimal_cost(claim, problem, parameters=None):
     )
     found = best_processes(problem, parameters, 2 * SAMPLES)
     for (values, best), said, open_ in _evaluated(claim, found, "the cost"):
-        where = told_for(values)
+        where = prefix_text(values)
         right = functools.partial(
-            same,
+            agree,
             true=best.cost,
             written=claim,
             size=best.cost_size(),
@@ -417,7 +418,7 @@ def optimal_cost(claim, problem, parameters=None):
         if anywhere:
             _left_over(claim, cost_of, values, best, starts, parameters)
     _right_next_to_bends(claim, problem, parameters, found, "cost")
-    same_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
     return "it is the cost of the best process found"
 
 
@@ -425,7 +426,7 @@ def _evaluated(claim, found, what):
     """The pairs found, each with what a claim is there, in the digits of floats, and what its
     decimals leave open."""
     places = [values for values, _ in found]
-    return zip(found, values_at_all(claim, places, what), uncertain_at_all(claim, places))
+    return zip(found, values_at(claim, places, what), uncertainties_at(claim, places))
 
 
 def _right_next_to_bends(claim, problem, parameters, found, what):
@@ -441,14 +442,14 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
         return
     size = max(abs(getattr(best, what)) for _, best in found)
     near = best_processes_at(
-        problem, parameters, next_to_bends(claim, [values for values, _ in found])
+        problem, parameters, points_at_kinks(claim, [values for values, _ in found])
     )
     seen = []
     for (values, best), said, open_ in _evaluated(claim, near, f"the {what}") if near else ():
         true = getattr(best, what)
-        if not same(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
+        if not agree(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
             raise Wrong(
-                f"{told_for(values)}your expression goes over from one form to another, and gives "
+                f"{prefix_text(values)}your expression goes over from one form to another, and gives "
                 f"{said:.4g} next to that; the {what} of the best process found is "
                 f"{'less' if said > true else 'greater'}"
             )
@@ -459,7 +460,7 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
         )
         if beside and abs(other - one) > LEAPS * max(abs(greatest - least), COSTS * abs(one)):
             raise Wrong(
-                f"{told_for(values)}your expression jumps, from one form to another; next to that "
+                f"{prefix_text(values)}your expression jumps, from one form to another; next to that "
                 f"the {what} of the best process found hardly changes"
             )
 
@@ -477,7 +478,7 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
     states, true = states[:, inside], true[inside]
     said = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
     off = ~np.atleast_1d(
-        same(np.nan_to_num(said, nan=np.inf), true, claim, best.cost_size(), COSTS)
+        agree(np.nan_to_num(said, nan=np.inf), true, claim, best.cost_size(), COSTS)
     )
     for k in np.flatnonzero(off)[:1]:
         gives = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
@@ -494,15 +495,15 @@ def optimal_duration(claim, problem, parameters=None):
     found = best_processes(problem, parameters, 2 * SAMPLES)
     for (values, best), said, open_ in _evaluated(claim, found, "the duration"):
         right = functools.partial(
-            same, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_
+            agree, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_
         )
         if not (right(said) or right(said := value_at(claim, values, "the duration"))):
             raise Wrong(
-                f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}"
+                f"{prefix_text(values)}your duration is {said:.4g}; {best.duration_message(said)}"
             )
     if _only_time(problem):
         _right_next_to_bends(claim, problem, parameters, found, "duration")
-    same_at_every_scale(
+    judge_at_every_scale(
         claim, problem, parameters, [values for values, _ in found], TIME, "duration"
     )
     return "it is the duration of the best process found"
@@ -516,16 +517,16 @@ def held_at_first(claim, problem, control, value, parameters):
     low, high = problem.controls[control]
     held, found = [], best_processes(problem, parameters)
     for (values, best), said in zip(
-        found, values_at_all(claim, [values for values, _ in found], "the time")
+        found, values_at(claim, [values for values, _ in found], "the time")
     ):
         given = float(sp.sympify(value).subs(values))
         near = CERTAIN * float((high - low).subs(values))
         first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
         true = float(sum(length for length, _ in first))
         held.append((values, true))
-        if not same(said, true, claim, best.duration, ARC if true else MISSED):
+        if not agree(said, true, claim, best.duration, ARC if true else MISSED):
             raise Wrong(
-                f"{told_for(values)}you keep {control} = {value} for {said:.4g} at first; the best "
+                f"{prefix_text(values)}you keep {control} = {value} for {said:.4g} at first; the best "
                 "process found does so "
                 + (
                     "longer"
@@ -536,7 +537,7 @@ def held_at_first(claim, problem, control, value, parameters):
                 )
             )
     _begins_at_once(claim, held)
-    same_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
     return "the best processes found keep it so long"
 
 
@@ -560,7 +561,7 @@ def _begins_at_once(claim, held):
 
     rows = np.arange(count)
     whole = said(np.ones(count), rows)
-    begun = bisected(
+    begun = bisect(
         lambda parts, rows: abs(said(parts, rows)) <= ABSENT * whole[rows],
         np.zeros(count),
         np.ones(count),
@@ -573,7 +574,7 @@ def _begins_at_once(claim, held):
     )[:1]:
         at = dict(zip(symbols, none[k] + begun[k] * (some[k] - none[k])))
         raise Wrong(
-            f"{told_for(at)}your time leaves zero by and by; that of the best process does so at "
+            f"{prefix_text(at)}your time leaves zero by and by; that of the best process does so at "
             "once"
         )
 
@@ -600,9 +601,9 @@ def optimal_extent(claim, problem, quantity, parameters=None):
         )
         true = float(np.ptp(path(np.linspace(0, best.duration, 4001))))
         said = value_at(claim, values, "the extent")
-        if not same(said, true, claim, computed=FOLLOWED):
+        if not agree(said, true, claim, computed=FOLLOWED):
             raise Wrong(
-                f"{told_for(values)}your expression gives {said:.4g}; along the best process found "
+                f"{prefix_text(values)}your expression gives {said:.4g}; along the best process found "
                 f"{quantity} ranges over {'less' if said > true else 'more'}"
             )
     return "so far it ranges along the best process found"

@@ -18,22 +18,23 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import ConditionOn, Expression, Expressions
-from workbook.checks.contract.tolerance import changed, in_decimals, same, share
+from workbook.checks.contract.tolerance import agree, in_decimals, perturbed, relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import SAME, Law, follow
 from workbook.checks.references.optima import reach
-from workbook.checks.references.optima.fastest_times import Lanes
 from workbook.checks.references.optima.sampled_optimum import (
     BESIDE,
     BESIDE_DECIMALS,
-    frozen,
     sampled_optimum,
+    synthesis_data,
 )
+from workbook.checks.references.optima.state_batch import StateBatch
 from workbook.checks.references.optima.target_families import TargetFamily
-from workbook.checks.tools.conditions import Case, Truth, compare, place_text, readings
-from workbook.checks.tools.samples import spread_over
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, readings
+from workbook.checks.tools.domains import values_inside
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.wording import values_text
 
 #: To what share of its coordinates a switching curve is found.
 LOCATED = 1e-4
@@ -55,7 +56,7 @@ def time_optimal_law(claim, system, target, parameters=None, start=None, curve=N
     """
     return _time_optimal(
         claim,
-        frozen(system, target, parameters, start),
+        synthesis_data(system, target, parameters, start),
         curve and (*curve[:2], tuple(map(sp.sympify, curve[2])), *curve[3:]),
     )
 
@@ -70,14 +71,14 @@ def _time_optimal(claim, data, curve):
         curve = curve[0], sp.lambdify([*data.state, *parameters], curve[1], "numpy"), ends
     law, *others = [Law(reading, truth, curve) for reading in (claim, *readings(claim))]
     decimals = in_decimals(claim)
-    lanes = truth.lanes(decimals)
+    lanes = truth.batch(decimals)
     values = law(lanes.x, lanes.case)
     low, high = truth.plant.bounds
     for k in np.flatnonzero(~np.isfinite(values)):
-        raise Wrong(f"{truth.told(lanes, k)} your law gives no real number")
+        raise Wrong(f"{truth.start_text(lanes, k)} your law gives no real number")
     for k in np.flatnonzero((values < low - SAME) | (values > high + SAME)):
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
+            f"{truth.start_text(lanes, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
         )
     _judge_on_extremals(others, truth, control)
     other = np.flatnonzero(abs(values - lanes.control) > SAME)
@@ -92,7 +93,7 @@ def _time_optimal(claim, data, curve):
         if truth.beside_barrier(few.take(slice(0, 1)))[0]:
             continue
         raise Wrong(
-            f"{truth.told(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and "
+            f"{truth.start_text(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and "
             "the fastest motion from there begins with another value"
         )
     _judge_next_to_curves(others, truth, control)
@@ -117,7 +118,7 @@ def _judge_next_to_curves(laws, truth, control):
         differ = differ[~truth.beside_barrier(lanes.take(differ), far=True)]
     for k in differ[:1]:
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest "
+            f"{truth.start_text(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest "
             "motion from there begins with another value"
         )
 
@@ -134,7 +135,7 @@ def _judge_on_extremals(laws, truth, control):
     for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(lanes.x[k]))))[:1]:
         gives = f"{control} = {said[0][k]:.4g}" if np.isfinite(said[0][k]) else "no real number"
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {gives}, and the fastest motion from there "
+            f"{truth.start_text(lanes, k)} your law gives {gives}, and the fastest motion from there "
             "begins with another value"
         )
 
@@ -153,7 +154,7 @@ def _judge_change(law, truth, lanes, control):
     if not len(pairs):
         return
     case = lanes.case[pairs[:, 0]]
-    ends = bisected(
+    ends = bisect(
         lambda x, rows: law(x, case[rows]) < low + (high - low) / 4, *lanes.x[pairs.T], 45
     )
     between = [(low + SAME < law(x, case)) & (law(x, case) < high - SAME) for x in ends]
@@ -161,7 +162,7 @@ def _judge_change(law, truth, lanes, control):
     found = truth.solve(ends[1][stepped], case[stepped])
     for k in np.flatnonzero(np.isfinite(found.time)):
         raise Wrong(
-            f"{truth.told(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
+            f"{truth.start_text(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
             "and the fastest motion from there begins with another value"
         )
 
@@ -170,10 +171,10 @@ def _judge_change(law, truth, lanes, control):
 def minimal_time(claim, system, target, parameters=None, start=None):
     """The shortest time to the target as an expression in the initial state, where the target can
     be reached."""
-    truth = sampled_optimum(*frozen(system, target, parameters, start))
-    lanes = truth.lanes(in_decimals(claim))
+    truth = sampled_optimum(*synthesis_data(system, target, parameters, start))
+    lanes = truth.batch(in_decimals(claim))
     said = Law(claim, truth)(lanes.x, lanes.case)
-    tolerance = share(claim, computed=1e-4)
+    tolerance = relative_tolerance(claim, computed=1e-4)
     good = np.isfinite(said) & (abs(said - lanes.time) <= tolerance * lanes.time + 1e-6)
     for k in np.flatnonzero(~good):
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
@@ -183,7 +184,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
             else ", but a motion can be faster"
         )
         raise Wrong(
-            f"{truth.told(lanes, k)} your expression gives {told}"
+            f"{truth.start_text(lanes, k)} your expression gives {told}"
             + (how if np.isfinite(said[k]) else "")
         )
     return f"it is the shortest time from {len(lanes.x)} starts"
@@ -193,14 +194,14 @@ def minimal_time(claim, system, target, parameters=None, start=None):
 def reachable_starts(claim, system, target, parameters=None, start=None):
     """The condition on the initial state under which the target can be reached; the border of the
     set counts either way."""
-    truth = sampled_optimum(*frozen(system, target, parameters, start))
+    truth = sampled_optimum(*synthesis_data(system, target, parameters, start))
     lanes = truth.border(in_decimals(claim))
     said = truth.condition(claim)(lanes.x, lanes.case)
     reached = np.isfinite(lanes.time)
     differs = np.flatnonzero(said != reached)[:12]
     for k in differs[~truth.on_border(lanes.take(differs))] if len(differs) else ():
         raise Wrong(
-            f"{truth.told(lanes, k)} the target "
+            f"{truth.start_text(lanes, k)} the target "
             + (
                 "can be reached in a time of " + f"{lanes.time[k]:.4g}"
                 if reached[k]
@@ -222,7 +223,9 @@ def reached_part(answer, system, target, ends, variable, parameters=None, start=
     """
     family = _family(system, target, ends, variable, parameters, start)
     arrive, avoid = (Case(part, angles=family.angles) for part in family.reached())
-    truth = Truth((arrive,), (avoid,), family.arrives, functools.partial(_arrivals, family))
+    truth = ReferenceCondition(
+        (arrive,), (avoid,), family.arrives, functools.partial(_arrivals, family)
+    )
 
     def told(place, holds):
         how = (
@@ -231,7 +234,7 @@ def reached_part(answer, system, target, ends, variable, parameters=None, start=
             else "no admissible motion arrives from the side of the starts"
         )
         return (
-            f"for {place_text(place)}, at the point {family.point_text(place)} of the target, "
+            f"for {values_text(place)}, at the point {family.point_text(place)} of the target, "
             f"{how}; your condition says otherwise"
         )
 
@@ -240,7 +243,9 @@ def reached_part(answer, system, target, ends, variable, parameters=None, start=
 
 
 def _family(system, target, ends, variable, domain, start):
-    return _family_of(frozen(system, target, domain, start), tuple(map(sp.sympify, ends)), variable)
+    return _family_of(
+        synthesis_data(system, target, domain, start), tuple(map(sp.sympify, ends)), variable
+    )
 
 
 @functools.lru_cache(maxsize=32)
@@ -254,7 +259,7 @@ def _arrivals(family, beside=0.002):
     answer changes them."""
     found = []
     for values in family.samples():
-        places = family.places(values)
+        places = family.arguments(values)
         rates = family.rates(places, values)
         changes = [
             family.change(a, b, values)
@@ -285,21 +290,21 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
     `ends` of the target."""
     target = _family(system, target, ends, variable, parameters, start)
     said = real_function([variable, *target.parameters], claim)
-    tolerance = share(*claim, computed=1e-6)
+    tolerance = relative_tolerance(*claim, computed=1e-6)
     met = 0
     for values in target.samples():
-        places = target.places(values, count=24)
+        places = target.arguments(values, count=24)
         points, times, _ = target.switchings(places, values)
         given = said(places, *values).T
         for k in np.flatnonzero(np.isfinite(times)):
             met += 1
             if not np.all(np.isfinite(given[k])):
-                raise Wrong(f"{target.told(values, places[k])} your point is not real")
+                raise Wrong(f"{target.values_text(values, places[k])} your point is not real")
             if not np.linalg.norm(given[k] - points[k]) <= tolerance * (
                 1 + np.linalg.norm(points[k])
             ):
                 raise Wrong(
-                    f"{target.told(values, places[k])} the optimal motion switches {times[k]:.4g} "
+                    f"{target.values_text(values, places[k])} the optimal motion switches {times[k]:.4g} "
                     f"before its end, at a distance {np.linalg.norm(given[k] - points[k]):.4g} "
                     f"from your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
                 )
@@ -318,9 +323,9 @@ def switching_crossing(claim, system, target, ends, variable, parameters=None, s
     """
     target = _family(system, target, ends, variable, parameters, start)
     said = real_function([variable, *target.parameters], claim)
-    tolerance = share(*claim, computed=1e-5)
+    tolerance = relative_tolerance(*claim, computed=1e-5)
     for values in target.samples():
-        places = target.places(values, count=12)
+        places = target.arguments(values, count=12)
         points, times, after = target.switchings(places, values)
         step = 1e-5
         tangent = (
@@ -340,7 +345,7 @@ def switching_crossing(claim, system, target, ends, variable, parameters=None, s
                 np.isfinite(times) & ~(abs(numbers - true) <= tolerance * size)
             ):
                 raise Wrong(
-                    f"{target.told(values, places[k])} the determinant of the tangent of the curve "
+                    f"{target.values_text(values, places[k])} the determinant of the tangent of the curve "
                     f"and the velocity {name} the switching is not {numbers[k]:.4g}: look at the "
                     "sign and the size of both"
                 )
@@ -351,19 +356,19 @@ def switching_crossing(claim, system, target, ends, variable, parameters=None, s
 def switching_curve(claim, system, target, domain, parameters=None, start=None):
     """A branch of the switching curve, one state variable as an expression in the other, over the
     interval that `domain` gives."""
-    return _crossed(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _crossed(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @judged(Expression("domain", "parameters"))
 def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
     """The curve from which two motions are equally fast, written as for `switching_curve`."""
-    return _parting(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _parting(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @judged(Expression("domain", "parameters"))
 def barrier(claim, system, target, domain, parameters=None, start=None):
     """The curve across which the fastest time jumps, written as for `switching_curve`."""
-    return _jumping(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _jumping(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @functools.lru_cache(maxsize=64)
@@ -412,7 +417,7 @@ def _through_the_target(claim, domain, data):
     numbers, true = (lanes.x[:, given], *cases.T), lanes.x[:, 1 - given]
     said, *sides = (
         real_function(symbols, [one])(*numbers)[0]
-        for one in (claim, *(side for pair in changed(claim) or () for (side,) in pair))
+        for one in (claim, *(side for pair in perturbed(claim) or () for (side,) in pair))
     )
     open_ = sum(
         np.fmax(abs(one - said), abs(other - said)) for one, other in zip(sides[::2], sides[1::2])
@@ -433,11 +438,11 @@ def _change_on(places, claim, domain, data):
         np.array([getattr(one, name) for _, (one,), *_ in places]) for name in ("control", "case")
     )
     on, across = (first + last) / 2, (first - last) / np.linalg.norm(first - last, axis=1)[:, None]
-    first, last = bisected(
+    first, last = bisect(
         lambda x, rows: truth.solve(x, case[rows]).control == control[rows], first, last, 24
     )
     off = (((first + last) / 2 - on) * across).sum(axis=1) / across[:, given]
-    right = same(on[:, given], on[:, given] + off, claim, np.linalg.norm(on, axis=1), LOCATED)
+    right = agree(on[:, given], on[:, given] + off, claim, np.linalg.norm(on, axis=1), LOCATED)
     for k in np.flatnonzero(~right):
         raise Wrong(
             f"{places[k][0]} of your curve the control of the fastest motions does not change on "
@@ -482,7 +487,7 @@ def _sides_of(claim, domain, data, shares):
             float(sp.sympify(end).subs(dict(zip(parameters, values))))
             for end in (interval.inf, interval.sup)
         ]
-        places = spread_over(*ends, count=9 if len(truth.cases) == 1 else 5)
+        places = values_inside(*ends, count=9 if len(truth.cases) == 1 else 5)
         step = 1e-6 * (1 + abs(places))
         (other,), (ahead,) = (function(at, *values) for at in (places, places + step))
         told = "".join(f"for {p} = {v:.4g}, " for p, v in zip(parameters, values))
@@ -529,12 +534,12 @@ def continuous_time(answer, system, target, ends, variable, parameters, start=No
     bring it closer: from beyond this motion the target is missed.
     """
     ((name, interval),) = ((p, i) for p, i in parameters.items() if p != variable)
-    data, ends = frozen(system, target, parameters, start), tuple(map(sp.sympify, ends))
+    data, ends = synthesis_data(system, target, parameters, start), tuple(map(sp.sympify, ends))
     jump = functools.partial(_jump, data=data, ends=ends, variable=variable, name=name)
     touched, almost = reach.touching(
         *data[:4], _family_of(data, ends, variable).side * data.target[0]
     )
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(sp.And(interval.as_relational(name), sp.Not(almost)), data.state, every=True),),
         (Case(sp.And(interval.as_relational(name), touched), data.state),),
         lambda place: jump(float(place[name])) == 0,
@@ -545,7 +550,7 @@ def continuous_time(answer, system, target, ends, variable, parameters, start=No
         [name],
         truth,
         lambda place, holds: (
-            f"for {place_text(place)} the fastest time "
+            f"for {values_text(place)} the fastest time "
             + (
                 "jumps nowhere: it is the same on both sides of all motions that touch the target"
                 if holds
@@ -561,7 +566,7 @@ def _beside_changes(jump, name, interval, beside=0.03):
     """Values of a parameter, some of them on both sides of where the fastest time begins to
     jump."""
     values = [
-        float(value) for value in sorted(spread_over(float(interval.inf), float(interval.sup), 8))
+        float(value) for value in sorted(values_inside(float(interval.inf), float(interval.sup), 8))
     ]
     for low, high in itertools.pairwise(values):
         yield {name: sp.Rational(low)}
@@ -587,7 +592,7 @@ def _jump(value, data, ends, variable, name):
     truth = sampled_optimum(*data._replace(parameters=()))
     data = data._replace(parameters=tuple(pair for pair in data.parameters if pair[0] == variable))
     family = _family_of(data, tuple(end.subs(fixed) for end in ends), variable)
-    places = family.places((), count=361)
+    places = family.arguments((), count=361)
     rates, jump = family.rates(places, ()), 0.0
     for a, b in zip(
         places[np.append(rates[:-1] * rates[1:] < 0, False)], places[1:][rates[:-1] * rates[1:] < 0]
@@ -612,7 +617,7 @@ def other_extremals(answer, system, target, start=None):
         system.state,
         truth,
         lambda place, holds: (
-            f"from {place_text(place)} there is {'another' if holds else 'no other'} extremal "
+            f"from {values_text(place)} there is {'another' if holds else 'no other'} extremal "
             "besides the fastest one"
         ),
     )
@@ -639,9 +644,9 @@ def _second_extremal(system, target, start):
         else None
     )
     if beyond is None:
-        lanes, later = _line_extremals(sampled_optimum(*frozen(system, target, {}, start)))
+        lanes, later = _line_extremals(sampled_optimum(*synthesis_data(system, target, {}, start)))
         found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(lanes.x, later)}
-        return Truth(
+        return ReferenceCondition(
             at=lambda place: found[tuple(place.values())],
             points=lambda: (dict(zip(state, x)) for x in found),
         )
@@ -669,7 +674,7 @@ def _second_extremal(system, target, start):
         )
         return crossed if crossed == met else None
 
-    return Truth(
+    return ReferenceCondition(
         (Case(sp.And(off, two(sp.Gt)), (first, second)),),
         (Case(sp.And(off, sp.Not(two(sp.Ge))), (first, second), every=True),),
         at,
@@ -679,10 +684,10 @@ def _second_extremal(system, target, start):
 @judged(Expression(of_state))
 def other_extremal_time(claim, system, target, start=None):
     """The time that the other extremal of `other_extremals` takes, where there is one."""
-    truth = sampled_optimum(*frozen(system, target, {}, start))
+    truth = sampled_optimum(*synthesis_data(system, target, {}, start))
     lanes, later = _line_extremals(truth)
     said = Law(claim, truth)(lanes.x, lanes.case)
-    tolerance = share(claim, computed=1e-6)
+    tolerance = relative_tolerance(claim, computed=1e-6)
     for k in np.flatnonzero(np.isfinite(later) & ~(abs(said - later) <= tolerance * later)):
         place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, lanes.x[k]))
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
@@ -744,7 +749,7 @@ def _line_extremals(truth):
     ends[ends <= first[:, None] * (1 + 1e-6) + 1e-6] = np.inf
     keep = ~doubtful & np.isfinite(first) & (first > 0.02)
     truth.kept["extremals"] = (
-        Lanes(x=points, case=case, time=first).take(keep),
+        StateBatch(x=points, case=case, time=first).take(keep),
         ends.min(axis=1)[keep],
     )
     return truth.kept["extremals"]

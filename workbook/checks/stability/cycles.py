@@ -15,9 +15,9 @@ from sympy.core.relational import Relational
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Number
 from workbook.checks.contract.members import NUMBERS, members
-from workbook.checks.contract.tolerance import REPEATED, in_decimals, rounds_to, same
+from workbook.checks.contract.tolerance import REPEATED, agree, in_decimals, rounds_to
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.references.fields import known_field
+from workbook.checks.references.fields import cached_field
 from workbook.checks.tools.values import number_at, value_at
 
 CYCLES = ("stable", "unstable", "semistable")
@@ -28,7 +28,7 @@ ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
 @judged(Expressions("polar", length=2))
 def polar_form(rates, field, state, polar):
     """The pair (r', phi') of a planar system, in the polar coordinates `polar`."""
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     random = np.random.default_rng(8)
     for _ in range(20):
         r, phi = random.uniform(0.2, 2.5), random.uniform(0, 2 * math.pi)
@@ -53,7 +53,7 @@ def radial_motion(claim, field, state, time, start):
     the rate of change.
     """
     slope = sp.diff(claim, time)
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     for r0 in (0.3, 0.85, 1.0, 1.4, 2.3):
         life = _life(flow, r0)
         for t in (0.0, 0.1 * life, 0.35 * life, 0.8 * life):
@@ -81,7 +81,7 @@ def radial_motion(claim, field, state, time, start):
 @judged
 def limit_cycles(answer, field, state):
     """The radii of all limit cycles that are circles around zero."""
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     entries = members(answer, "a list of radii", single=(*NUMBERS, Relational))
     if any(isinstance(entry, Relational) for entry in entries):
         raise Invalid("expected the radii themselves, without equations")
@@ -93,7 +93,7 @@ def limit_cycles(answer, field, state):
             raise Wrong("r = 0 is a position of equilibrium, not a closed orbit")
         if radius < 0:
             raise Wrong(f"the radius {radius:.4g} is negative")
-        if not any(same(radius, other, number, computed=REPEATED) for other in found):
+        if not any(agree(radius, other, number, computed=REPEATED) for other in found):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
             raise Wrong(
                 f"the circle r = {radius:.4g} is not a closed orbit: r' = "
@@ -103,7 +103,8 @@ def limit_cycles(answer, field, state):
         other
         for other in found
         if not any(
-            same(radius, other, number, computed=REPEATED) for number, radius in zip(numbers, radii)
+            agree(radius, other, number, computed=REPEATED)
+            for number, radius in zip(numbers, radii)
         )
     ]
     if missed:
@@ -145,7 +146,7 @@ def cycle_stability(answer, field, state, radius=None):
     # semi-stable
     joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer
     claim = coercion.as_choice(joined, CYCLES)
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     inside, outside = (_tendency(flow, radius, side) for side in (-1, 1))
     truth = {("to", "to"): "stable", ("from", "from"): "unstable"}.get(
@@ -180,7 +181,7 @@ def return_slope(claim, field, state, radius=None):
     Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over one
     turn.
     """
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     exponent = 0.0
     # the trapezoidal rule is exact here for trigonometric polynomials below degree 24
@@ -197,7 +198,7 @@ def return_slope(claim, field, state, radius=None):
         exponent = 0.0
     slope = math.exp(exponent)
     # A whole number may be one that was rounded: such a slope is large.
-    if not same(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
+    if not agree(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
         if float(claim) <= 0:
             raise Wrong(
                 "the slope is positive: a motion that starts outside the cycle stays outside, for "

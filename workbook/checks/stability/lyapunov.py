@@ -10,22 +10,21 @@ from sympy.core.relational import Relational
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import ConditionOn, Expression
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
 from workbook.checks.tools.conditions import (
     Case,
     Condition,
-    Truth,
+    ReferenceCondition,
     compare,
     decide,
     exactly,
     on_borders,
-    place_text,
     readings,
 )
-from workbook.checks.tools.samples import allowed_values, in_every_case, joined, sample_values
-from workbook.checks.tools.values import number_at, uncertain_at
+from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case, sample_values
+from workbook.checks.tools.values import number_at, uncertainty_at
 from workbook.checks.tools.wording import point_text, values_text
 
 
@@ -80,7 +79,7 @@ def vanishing_set(answer, function, field, state, parameters=()):
 
     def told(values, holds):
         return (
-            f"at {place_text(values)} the derivative is {'zero' if holds else 'not zero'}, and "
+            f"at {values_text(values)} the derivative is {'zero' if holds else 'not zero'}, and "
             f"your set {'does not hold' if holds else 'holds'} this state"
         )
 
@@ -106,11 +105,13 @@ def departure(answer, function, field, state, parameters=()):
     def told(values, holds):
         said = number_at(claim, values)
         return (
-            f"at {place_text(values)} the derivative of V is zero, and {state[-1]} changes there "
+            f"at {values_text(values)} the derivative of V is zero, and {state[-1]} changes there "
             f"at the rate {float(true.subs(values)):.4g}; your expression gives {said.real:.4g}"
         )
 
-    same = Truth((Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols))
+    same = ReferenceCondition(
+        (Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols)
+    )
     agreement = compare(sp.Eq(claim, true), symbols, same, told)
     return f"it is this rate at the states where the derivative vanishes: {agreement}"
 
@@ -133,13 +134,13 @@ def proved_stable(answer, function, field, state, parameters):
     def told(values, holds):
         rates = rate(circle, values.values())
         return (
-            f"for {place_text(values)} the derivative of V on the circle of radius 0.1 lies "
+            f"for {values_text(values)} the derivative of V on the circle of radius 0.1 lies "
             f"between {min(rates):.3g} and {max(rates):.3g}, which "
             f"{'proves' if holds else 'does not prove'} asymptotic stability"
         )
 
     near = sum(x**2 for x in state) <= sp.Rational(1, 100)
-    truth = Truth(*_proved(function, field, state, near), at)
+    truth = ReferenceCondition(*_proved(function, field, state, near), at)
     agreement = compare(answer, parameters, truth, told)
     return f"there the derivative is nowhere positive near zero and not identically zero, and only there: {agreement}"
 
@@ -188,7 +189,7 @@ def proved_global(answer, function, field, state, parameters, given=()):
             if holds
             else reason(values) or "V does not grow, or its derivative is positive, far from zero"
         )
-        return f"for {place_text(values)} " + (
+        return f"for {values_text(values)} " + (
             f"{why}, which proves nothing in the large"
             if why
             else (
@@ -198,7 +199,7 @@ def proved_global(answer, function, field, state, parameters, given=()):
         )
 
     grows = sum(x * sp.diff(function, x) for x in state) > 0
-    truth = Truth(*_proved(function, field, state, sp.true, grows), at)
+    truth = ReferenceCondition(*_proved(function, field, state, sp.true, grows), at)
     agreement = compare(answer, parameters, truth, told)
     return f"there V grows in every direction and its derivative is nowhere positive, and only there: {agreement}"
 
@@ -256,8 +257,8 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
                 f"{told}: V proves attraction up to this level, but also up to a higher one"
             )
         true = largest(number.real, directions * low[:, None])
-        if true is not None and not same(
-            number, float(true), claim, uncertain=uncertain_at(claim, values)
+        if true is not None and not agree(
+            number, float(true), claim, uncertain=uncertainty_at(claim, values)
         ):
             raise Wrong(
                 f"{told}: "
@@ -311,10 +312,10 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
                 state,
                 _part_around_zero(sp.sympify(function).subs(values), true, state, others, border),
                 lambda place, holds, where=where: (
-                    f"your set leaves out the state {place_text(place)}, which V proves to be "
+                    f"your set leaves out the state {values_text(place)}, which V proves to be "
                     f"attracted{where}"
                     if holds
-                    else f"your set holds the state {place_text(place)}; V does not prove that it is "
+                    else f"your set holds the state {values_text(place)}; V does not prove that it is "
                     f"attracted{where}"
                 ),
             )
@@ -348,7 +349,7 @@ def _largest_level(height, change, motion, state, others, near, border):
         return decide(
             sp.true,
             state,
-            Truth((Case(sp.false),), (Case(sp.And(box, height < level, change > 0)),)),
+            ReferenceCondition((Case(sp.false),), (Case(sp.And(box, height < level, change > 0)),)),
         )
 
     simple = {sp.Rational(float(near)).limit_denominator(q) for q in (1, 2, 4, 8, 12, 60, 1000)}
@@ -380,7 +381,9 @@ def _part_around_zero(height, level, state, others, border):
     ]
     inside = sp.And(*(sp.Abs(x) < end for x, end in zip(state, ends)))
     beyond = sp.Or(*(sp.Abs(x) > end for x, end in zip(state, ends)))
-    return Truth((Case(sp.And(height < level, inside)),), (Case(sp.Or(height > level, beyond)),))
+    return ReferenceCondition(
+        (Case(sp.And(height < level, inside)),), (Case(sp.Or(height > level, beyond)),)
+    )
 
 
 def _directions(n, count=240):
@@ -411,7 +414,7 @@ def _stable_systems(function, field, state, parameters, given):
     """(values, V, other equilibria, V', the exact level near one) for sampled parameters at which
     the first approximation is stable."""
     return _sampled(
-        sp.sympify(function), tuple(field), tuple(state), tuple(parameters), joined(given)
+        sp.sympify(function), tuple(field), tuple(state), tuple(parameters), conjunction(given)
     )
 
 
@@ -429,7 +432,7 @@ def _sampled(function, field, state, parameters, given):
             continue
         height, motion = function.subs(values), [sp.sympify(f).subs(values) for f in field]
         change = sum(sp.diff(height, x) * f for x, f in zip(state, motion))
-        others = [point for point in flow.rest_points(60) if np.linalg.norm(point) > 1e-6]
+        others = [point for point in flow.equilibria(60) if np.linalg.norm(point) > 1e-6]
         systems.append(
             (
                 values,
@@ -486,17 +489,17 @@ def _has_no_holes(claim, state, height, level, border, where):
         height > grown, *(sp.Abs(x) > sp.Rational(51, 50) * end for x, end in zip(state, size))
     )
     said, never = readings(claim)[0], (Case(sp.false),)
-    _, place = decide(said, state, Truth(never, (Case(outside),)))
+    _, place = decide(said, state, ReferenceCondition(never, (Case(outside),)))
     if place:
-        raise Wrong(_away(place_text(place[0]), where))
-    _, place = decide(said, state, Truth((Case(inside),), never))
+        raise Wrong(_away(values_text(place[0]), where))
+    _, place = decide(said, state, ReferenceCondition((Case(inside),), never))
     if place:
         point = np.array([float(x) for x in place[0].values()])
         # Some other part of {V < c} may lie in the box.
         away = np.linalg.norm(border - point, axis=1)
         if np.linalg.norm(point) <= 1.01 * np.linalg.norm(border[np.argmin(away)]):
             raise Wrong(
-                f"your set leaves out the state {place_text(place[0])}, where V is smaller than on "
+                f"your set leaves out the state {values_text(place[0])}, where V is smaller than on "
                 f"its boundary{where}"
             )
 
@@ -532,7 +535,7 @@ def _membership(condition, state):
         return lambda points: ~negated(points)
     if not isinstance(condition, Relational):
         raise Invalid("expected inequalities joined by And, Or and Not")
-    # Symbols are the data's own and functions are SymPy's (coercion.as_condition), so the code made
+    # Symbols are the data's own and functions are SymPy's (condition_coercion.as_condition), so the code made
     # is ours.
     try:
         difference = _numeric(condition.lhs - condition.rhs, state)

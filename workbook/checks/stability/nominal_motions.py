@@ -14,13 +14,19 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Matrix
 from workbook.checks.contract.members import VECTORS, families, in_order
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import STEP
 from workbook.checks.references.stationary_angles import stationary_angles
 from workbook.checks.stability.equilibrium_sets import WANTED, agreement
 from workbook.checks.stability.linearisation import Rates
-from workbook.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text
+from workbook.checks.tools.conditions import (
+    Case,
+    ReferenceCondition,
+    compare,
+    contradiction_message,
+    exactly,
+)
 from workbook.checks.tools.samples import in_every_case, sample_values
 from workbook.checks.tools.values import number_at, numbers_at
 from workbook.checks.tools.wording import roots_text, values_text
@@ -104,7 +110,7 @@ def rest_angles_exist(answer, field, state, parameters):
     """The parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(at_rest, (state[0],)),),
         (Case(sp.Not(at_rest), (state[0],), every=True),),
         angles.exist,
@@ -113,7 +119,7 @@ def rest_angles_exist(answer, field, state, parameters):
         answer,
         parameters,
         truth,
-        contrary(
+        contradiction_message(
             lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(
                 *angles.extremes(values)
             )
@@ -305,7 +311,7 @@ def _judge_rest_angles(answer, field, state, parameters, integer, word):
                 near = [
                     phi
                     for phi, true in zip(found, turned)
-                    if same(given.real, true, family, 2 * np.pi)
+                    if agree(given.real, true, family, 2 * np.pi)
                 ]
                 if not near:
                     raise Wrong(
@@ -349,7 +355,7 @@ def _judge_angles(answer, field, state, parameters, angle, kind, word):
     def told(values, holds):
         return (
             f"the stationary angle {float(values[angle]):.4g} for "
-            f"{place_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, "
+            f"{values_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, "
             f"and your condition {'does not hold' if holds else 'holds'} there: "
             f"{_roots_told(*angles.derivatives(values, float(values[angle])))}"
         )
@@ -384,7 +390,7 @@ def _judge_kind(answer, field, state, parameters, kind, word):
         return _roots_told(slope, friction)
 
     exact = exactly(border < 0 if word == "focus" else border > 0, given, (phi,), truth)
-    agreement = compare(answer, parameters, exact, contrary(told))
+    agreement = compare(answer, parameters, exact, contradiction_message(told))
     return (
         "for these parameters, and for no others, the stationary angles that are no saddles are "
         f"of the kind {word}: {agreement}"

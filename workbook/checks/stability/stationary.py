@@ -19,14 +19,22 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Choice, Expression
 from workbook.checks.contract.members import VECTORS, in_order
-from workbook.checks.contract.tolerance import changed, half_unit, in_decimals, same
+from workbook.checks.contract.tolerance import agree, half_unit, in_decimals, perturbed
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_factors
-from workbook.checks.references.stationary_points import rest_points
-from workbook.checks.tools.conditions import Case, Truth, compare, exactly, place_text
-from workbook.checks.tools.samples import draw, drawn, ends
-from workbook.checks.tools.values import real_at, uncertain_at
-from workbook.checks.tools.wording import other_rate, point_text, roots_text, sample_text
+from workbook.checks.references.stationary_points import stationary_points_of
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
+from workbook.checks.tools.domains import endpoints, random_value
+from workbook.checks.tools.samples import random_columns
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import uncertainty_at
+from workbook.checks.tools.wording import (
+    deviation_rate_text,
+    point_text,
+    roots_text,
+    sample_text,
+    values_text,
+)
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 TYPES = tuple(
@@ -46,9 +54,9 @@ def stationary_points(answer, field, state, parameters, domain=None, zeros=None)
     stands for no point there. Where derivatives vanish at a point as well, `zeros` are functions
     that have the same zeros, all simple.
     """
-    searched = rest_points(field if zeros is None else zeros, state, parameters, domain)
+    searched = stationary_points_of(field if zeros is None else zeros, state, parameters, domain)
     return _judge_points(
-        answer, rest_points(field, state, parameters, domain), "stationary point", searched
+        answer, stationary_points_of(field, state, parameters, domain), "stationary point", searched
     )
 
 
@@ -57,7 +65,7 @@ def nullcline(answer, rate, variable, parameters, domain=None):
     """The curve on which `rate` vanishes, solved for `variable`; the other state variables count as
     parameters."""
     return _judge_points(
-        answer, rest_points([rate], [variable], parameters, domain), "point of the curve"
+        answer, stationary_points_of([rate], [variable], parameters, domain), "point of the curve"
     )
 
 
@@ -66,7 +74,9 @@ def cycle_radius(answer, radial, radius, parameters):
     """The radius of the closed orbit of r' = R(r) in polar coordinates with an angle that keeps
     turning."""
     return _judge_points(
-        answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit"
+        answer,
+        stationary_points_of([radial], [radius], parameters, _cycles(radius)),
+        "closed orbit",
     )
 
 
@@ -74,7 +84,7 @@ def cycle_radius(answer, radial, radius, parameters):
 def stationary_exists(answer, field, state, parameters, domain=None):
     """The parameters for which there is a stationary point in the domain."""
     return _judge_existence(
-        answer, rest_points(field, state, parameters, domain), "stationary point"
+        answer, stationary_points_of(field, state, parameters, domain), "stationary point"
     )
 
 
@@ -82,7 +92,9 @@ def stationary_exists(answer, field, state, parameters, domain=None):
 def cycle_exists(answer, radial, radius, parameters):
     """The parameters for which r' = R(r) has a closed orbit, a circle around zero."""
     return _judge_existence(
-        answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit"
+        answer,
+        stationary_points_of([radial], [radius], parameters, _cycles(radius)),
+        "closed orbit",
     )
 
 
@@ -90,8 +102,8 @@ def cycle_exists(answer, radial, radius, parameters):
 def cycle_period(claim, radial, angular, radius, parameters):
     """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi
     in it."""
-    family = rest_points([radial], [radius], parameters, _cycles(radius))
-    turning = rest_points([angular], [radius], parameters, _cycles(radius))
+    family = stationary_points_of([radial], [radius], parameters, _cycles(radius))
+    turning = stationary_points_of([angular], [radius], parameters, _cycles(radius))
     for values, numbers, rest in family.samples(claim):
         period = real_at(claim, values)
         if period is None:
@@ -100,7 +112,7 @@ def cycle_period(claim, radial, angular, radius, parameters):
                 "real number"
             )
         rate = float(turning(rest, numbers)[0])
-        if period <= 0 or not same(rate * period, math.copysign(2 * math.pi, rate), claim):
+        if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
             raise Wrong(
                 f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
                 f"{period:.4g}, which is not one turn"
@@ -116,7 +128,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
     if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
         answer = [[answer]]
     matrix = coercion.as_matrix(answer, parameters, (n, n))
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples(matrix):
         true = family.jacobian(rest, numbers)
         size = np.linalg.norm(true)
@@ -124,19 +136,21 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
             said = [real_at(entry, values) for entry in matrix[:, k]]
             if any(value is None for value in said):
                 raise Wrong(f"for {sample_text(values)} your matrix is not real")
-            if not same(said, true[:, k], list(matrix[:, k]), size).all():
-                raise Wrong(f"for {sample_text(values)} {other_rate(state[k], said, true[:, k])}")
+            if not agree(said, true[:, k], list(matrix[:, k]), size).all():
+                raise Wrong(
+                    f"for {sample_text(values)} {deviation_rate_text(state[k], said, true[:, k])}"
+                )
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
 
 @judged(Expression("parameters"))
 def stationary_value(claim, expression, field, state, parameters, domain=None):
     """The value of an expression of the state at the stationary point."""
-    family = rest_points(field, state, parameters, domain)
-    reading = rest_points([expression], state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
+    reading = stationary_points_of([expression], state, parameters, domain)
     for values, numbers, rest in family.samples(claim):
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
-        if said is None or not same(said, true, claim, _scale(expression, values, state, rest)):
+        if said is None or not agree(said, true, claim, _scale(expression, values, state, rest)):
             told = "no real number" if said is None else f"{said:.4g}"
             if not values:  # the true number would be the answer itself
                 raise Wrong(f"the value at the stationary solution is another one than {told}")
@@ -150,7 +164,7 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
 def stationary_stability(claim, field, state, parameters, domain=None):
     """Whether the stationary point is asymptotically stable, stable (and no more) or unstable, by
     Theorem 1.4."""
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
         largest = max(eigenvalues.real)
@@ -176,7 +190,7 @@ def stationary_type(answer, field, state, parameters, domain=None):
         else answer
     )
     claim = coercion.as_choice(spelled, TYPES)
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         matrix = family.jacobian(rest, numbers)
         kind = _kind(matrix)
@@ -194,14 +208,16 @@ def stationary_type(answer, field, state, parameters, domain=None):
 def focus_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a focus; the border, where the roots are
     equal, counts either way."""
-    return _judge_roots(answer, rest_points(field, state, parameters, domain), -1, "a focus")
+    return _judge_roots(
+        answer, stationary_points_of(field, state, parameters, domain), -1, "a focus"
+    )
 
 
 @judged
 def node_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a node; the border, where the roots are
     equal, counts either way."""
-    return _judge_roots(answer, rest_points(field, state, parameters, domain), 1, "a node")
+    return _judge_roots(answer, stationary_points_of(field, state, parameters, domain), 1, "a node")
 
 
 @judged
@@ -212,7 +228,7 @@ def dulac(answer, field, state, parameters, domain=None):
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
     terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
     random = np.random.default_rng(9)
-    places = drawn(random, symbols, domain, 300, [multiplier, divergence])
+    places = random_columns(random, symbols, domain, 300, [multiplier, divergence])
     with np.errstate(all="ignore"):
         parts, places = _within_reach(
             [_values(e, symbols, places) for e in (*terms, divergence, multiplier)], places
@@ -225,7 +241,7 @@ def dulac(answer, field, state, parameters, domain=None):
                 "real number"
             )
         true, said = parts[:-2, k].sum(), parts[-2, k]
-        if not (math.isfinite(true) and same(said, true, divergence, abs(parts[:-2, k]).sum())):
+        if not (math.isfinite(true) and agree(said, true, divergence, abs(parts[:-2, k]).sum())):
             raise Wrong(
                 f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
                 f"your second expression gives {said:.4g}"
@@ -257,7 +273,7 @@ def first_integral(answer, field, state, parameters, domain=None):
     claim = coercion.as_expression(answer, symbols)
     slopes = [sp.diff(claim, x) for x in state]
     random = np.random.default_rng(10)
-    places = drawn(random, symbols, domain, 60, claim)
+    places = random_columns(random, symbols, domain, 60, claim)
     with np.errstate(all="ignore"):
         (levels, *gradient), places = _within_reach(
             [_values(part, symbols, places) for part in (claim, *slopes)], places
@@ -294,7 +310,7 @@ def first_integral(answer, field, state, parameters, domain=None):
 
 def _left_open(claim, found):
     """By how much the decimals of an expression leave open what is `found` of it."""
-    followed = changed(claim) if in_decimals(claim) else []
+    followed = perturbed(claim) if in_decimals(claim) else []
     if followed is None:
         raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
     here = found(claim) if followed else 0.0
@@ -312,12 +328,12 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     first, second = state
     claim = coercion.as_expression(answer, [first, *parameters])
     slope = sp.diff(claim, first)
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     random = np.random.default_rng(12)
     for values, numbers, _ in family.samples(claim, need_rest=False, count=5):
         scale = 0.0
         for _ in range(6):
-            x = sp.Rational(round(10**4 * draw(random, first, domain)), 10**4)
+            x = sp.Rational(round(10**4 * random_value(random, first, domain)), 10**4)
             y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
             where = f"for {sample_text(values)} at {first} = {float(x):.3g}"
             if y is None or dy is None or not family.inside(np.array([float(x), y])):
@@ -353,7 +369,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
                     )
                 )
         for end_x, end_y in through:
-            middle = sum(ends(first, domain)) / 2
+            middle = sum(endpoints(first, domain)) / 2
             close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
             y = real_at(claim, values | {first: close})
             if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
@@ -385,7 +401,7 @@ def _judge_points(answer, family, noun, searched=None):
                 outside = f"; {_place_told(family.state, place)}, which your answer gives, lies outside the domain"
                 continue
             met[k] = True
-            open_ = [uncertain_at(coordinate, values) for coordinate in point]
+            open_ = [uncertainty_at(coordinate, values) for coordinate in point]
             here = [j for j, rest in enumerate(missed) if family.same(place, rest, point, open_)]
             if not here:
                 if any(family.same(place, rest, point, open_) for rest in rests):
@@ -422,7 +438,7 @@ def _rounded_inside(place, written, family):
     """A place whose decimals were rounded to the other side of the border of the domain, on the
     border."""
     for k, (symbol, coordinate) in enumerate(zip(family.state, written)):
-        low, high = ends(symbol, family.domain)
+        low, high = endpoints(symbol, family.domain)
         for end in (low, high) if in_decimals(coordinate) and not low <= place[k] <= high else ():
             if math.isfinite(end) and abs(place[k] - end) <= half_unit(end):
                 place[k] = end
@@ -438,12 +454,12 @@ def _judge_existence(answer, family, noun):
 
     def told(values, holds):
         return (
-            f"for {place_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
+            f"for {values_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
             f"condition {'does not hold' if holds else 'holds'}"
         )
 
     given, rest = family.given, family.at_rest
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(sp.And(given, rest), tuple(family.state)),),
         (Case(sp.And(given, sp.Not(rest)), tuple(family.state), every=True),),
         at,
@@ -477,7 +493,7 @@ def _judge_roots(answer, family, sign, noun):
 
     def told(values, holds):
         return (
-            f"for {place_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
+            f"for {values_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
             f"yet your condition {'does not hold' if holds else 'holds'}"
         )
 

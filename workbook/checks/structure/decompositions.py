@@ -29,14 +29,19 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Matrix
-from workbook.checks.contract.tolerance import EXACT, half_unit, share
+from workbook.checks.contract.tolerance import EXACT, half_unit, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.references.invariant_subspaces import echelon, product, unseen_subspace
+from workbook.checks.references.invariant_subspaces import echelon, product, unobservable_subspace
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.references.records import by_control, matrix_of, reached, seen
+from workbook.checks.references.records import (
+    controlled_pair,
+    has_control,
+    matrix_of,
+    observed_pair,
+)
 from workbook.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
-from workbook.checks.tools.values import matrix_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -90,7 +95,7 @@ def decomposition(claim, system, parameters=()):
 def decomposed_system(answer, system, parameters=()):
     """The list [A', H'] or [A', B'] of the system in coordinates (xi; eta), as in (2.7) or (2.6):
     any right ones, xi first, with as many coordinates as N or W has rank."""
-    control = by_control(system)
+    control = has_control(system)
     matrix, other = _as_system(
         answer,
         parameters,
@@ -107,7 +112,7 @@ def canonical_observable_part(answer, system, parameters=()):
     """The list [A11, H1] of the observable subsystem in the canonical form by observation (2.5),
     with H1 = (1 0 ... 0)."""
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
-    pair, tolerance = seen(system, parameters), share(matrix, output)
+    pair, tolerance = observed_pair(system, parameters), relative_tolerance(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
         said = matrix_at(output, values)
         if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
@@ -150,7 +155,7 @@ def similarity(claim, system, other, parameters=()):
     """A matrix S of y = S x that turns x' = A x into the equations y' = A' y of the `other` system,
     which may be in `Deviations`: it is invertible and S A = A' S (all n x n)."""
     A_from, A_to = system.A, matrix_of(other, parameters)
-    tolerance = share(claim)
+    tolerance = relative_tolerance(claim)
     given, wanted = (
         pair_of(A_from, A_from[:1, :], parameters),
         pair_of(A_to, A_to[:1, :], parameters),
@@ -187,14 +192,14 @@ def similarity(claim, system, other, parameters=()):
 
 def _by_observation(claim, system, parameters=()):
     """A matrix, the pair and the words of a question, transposed if it is one of control."""
-    if by_control(system):
-        return claim.T, reached(system, parameters), CONTROL
-    return claim, seen(system, parameters), OUTPUT
+    if has_control(system):
+        return claim.T, controlled_pair(system, parameters), CONTROL
+    return claim, observed_pair(system, parameters), OUTPUT
 
 
 def _judge_split(claim, pair, side):
     """The rows of T for the pair: the first ones vanish on the unseen states."""
-    n, tolerance = pair.order, share(claim)
+    n, tolerance = pair.order, relative_tolerance(claim)
     for values, A, H, unseen in pair.systems_for(claim):
         said, size = matrix_at(claim, values), n - len(unseen)
         _invertible(said, tolerance, values)
@@ -202,7 +207,7 @@ def _judge_split(claim, pair, side):
         if (
             abs(said[:size] @ space)
             <= EXACT * np.linalg.norm(said[:size], axis=1)[:, None]
-            + uncertain_entries(claim, values)[:size] @ abs(space)
+            + entry_uncertainties(claim, values)[:size] @ abs(space)
         ).all():
             continue
         if _vanishes(np.linalg.inv(said)[:size], space, tolerance):
@@ -225,7 +230,7 @@ def _judge_split(claim, pair, side):
     judge_everywhere(
         claim,
         pair.parameters,
-        lambda: pair.in_general,
+        lambda: pair.generic_condition,
         "your matrix is undefined",
         "your matrix has no inverse",
     )
@@ -235,7 +240,7 @@ def _judge_split(claim, pair, side):
 def _judge_system(matrix, output, pair, side):
     """A system (A', H') of the pair's order: the blocks vanish, and some change of variables turns
     the pair into it."""
-    n, tolerance = pair.order, share(matrix, output)
+    n, tolerance = pair.order, relative_tolerance(matrix, output)
     if matrix.rows != n:
         raise Invalid(
             f"expected the matrices of the whole system of order {n}; the order of yours is "
@@ -251,7 +256,7 @@ def _judge_system(matrix, output, pair, side):
                 f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi "
                 f"has as many coordinates as {side.size} says"
             )
-        open_ = uncertain_entries(matrix, values)
+        open_ = entry_uncertainties(matrix, values)
         if not _same_system(A, H, new_A, new_H, tolerance, A, open_):
             part = new_A[:size, :size], new_H[:, :size]
             if (
@@ -271,7 +276,7 @@ def _judge_system(matrix, output, pair, side):
 
 def _judge_part(matrix, output, pair):
     """An observable system of order rank N that is the image of the pair's."""
-    tolerance = share(matrix, output)
+    tolerance = relative_tolerance(matrix, output)
     for values, A, H, unseen in pair.systems_for([matrix, output]):
         if matrix.rows != pair.order - len(unseen):
             raise Wrong(
@@ -280,7 +285,13 @@ def _judge_part(matrix, output, pair):
             )
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
         if not _same_system(
-            A, H, new_A, new_H, tolerance, _seen_part(A, unseen), uncertain_entries(matrix, values)
+            A,
+            H,
+            new_A,
+            new_H,
+            tolerance,
+            _seen_part(A, unseen),
+            entry_uncertainties(matrix, values),
         ):
             raise Wrong(_why_different(None, new_A, new_A, new_H, values, OUTPUT))
     _serves_everywhere(matrix, output, pair, OUTPUT)
@@ -293,12 +304,14 @@ def _serves_everywhere(matrix, output, pair, side):
     rows = [output]
     while len(rows) < matrix.rows and pair.parameters:
         rows.append(rows[-1] * matrix)
-    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unseen[0])]
-    judge_everywhere(matrix, pair.parameters, lambda: pair.in_general, "your system is undefined")
+    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unobservable[0])]
+    judge_everywhere(
+        matrix, pair.parameters, lambda: pair.generic_condition, "your system is undefined"
+    )
     judge_everywhere(
         seen,
         pair.parameters,
-        lambda: pair.in_general,
+        lambda: pair.generic_condition,
         "your system is undefined",
         f"less of your system than of the given one is {side.part}",
     )
@@ -415,7 +428,7 @@ def _judge_components(claim, system, sequential):
     """Zeros outside the blocks that a decomposition by components leaves, in the form by
     observation."""
     claim, pair, side = _by_observation(claim, system)
-    tolerance, n, m = share(claim), pair.order, pair.outputs
+    tolerance, n, m = relative_tolerance(claim), pair.order, pair.outputs
     ((_, A, H, _),), ((_, place),) = pair.systems, pair.samples
     sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(place))
     # of every coordinate; m is the rest
@@ -515,7 +528,7 @@ def _orthonormal(rows):
 
 def _sizes_in_turn(A, H):
     """How many coordinates each output adds to what those before see."""
-    seen = [len(A) - len(unseen_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
+    seen = [len(A) - len(unobservable_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
     return [after - before for before, after in zip([0, *seen], seen)]
 
 

@@ -9,10 +9,10 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Matrix, Parts
-from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.tools.comparisons import Follows
+from workbook.checks.tools.comparisons import SameSides
 from workbook.checks.tools.samples import general_values, in_every_case
 from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import number_text, where_text
@@ -45,7 +45,7 @@ def mechanical_equations(claim, system, parameters=()):
         )
         for own, wanted, name, sign in zip(said, true, "qu", (-1, 1)):
             own, wanted = np.linalg.solve(mass, own), np.linalg.solve(true_mass, wanted)
-            yield Follows(
+            yield SameSides(
                 own,
                 wanted,
                 max(abs(wanted).max(), 1e-300),
@@ -55,7 +55,7 @@ def mechanical_equations(claim, system, parameters=()):
                     f"{number_text(sign * own[place])}"
                     f"{where_text(values)}, and that is not what the energies give"
                 ),
-                share(*claim),
+                relative_tolerance(*claim),
             )
     judge_everywhere(
         claim[0],

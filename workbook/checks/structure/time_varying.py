@@ -8,9 +8,9 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Matrix
-from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Entries, Same
+from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.samples import in_every_case, signed_values
 from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import number_text, rounded_text
@@ -26,7 +26,9 @@ def measured_motion(claim, system, start, time, parameters=()):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(system.A, values), _at(system.H, values)
         z = float((row @ expm(values[time] * matrix) @ x)[0])
-        yield Same(claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x))
+        yield SameValue(
+            claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x)
+        )
     return "it is what is measured for all starts, moments and parameters tried"
 
 
@@ -65,7 +67,7 @@ def derivative_rows(claim, system, parameters):
             )
 
         sizes = np.array([sum(map(np.linalg.norm, row)) for row in terms])
-        yield Entries(claim, list(map(sum, terms)), told, values, sizes[:, None])
+        yield SameEntries(claim, list(map(sum, terms)), told, values, sizes[:, None])
     return "the rows times x are z and its derivatives, at all moments and parameters tried"
 
 
@@ -84,7 +86,7 @@ def output_gramian(claim, system, duration, parameters):
         measured = np.array([np.broadcast_to(entry, moments.shape) for entry in row(moments)]).T
         rows = np.einsum("ti,tij->tj", measured, expm(moments[:, None, None] * matrix))
         true = rows.T @ (weights[:, None] * rows)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -115,7 +117,7 @@ def frozen_determinant(claim, system, parameters):
             np.prod([np.linalg.norm(r) for r in rows]),
             value_at(claim, values, "this determinant"),
         )
-        if not abs(said - np.linalg.det(rows)) <= share(claim) * scale:
+        if not abs(said - np.linalg.det(rows)) <= relative_tolerance(claim) * scale:
             # The rows and not their determinant, which may be the answer itself.
             told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(
