@@ -16,7 +16,8 @@ def lazy_modules(package: str, modules: Iterable[str]) -> tuple:
 def lazy_names(package: str, exports: Mapping[str, list[str]]) -> tuple:
     """Return `__getattr__`, `__dir__`, `__all__` of a package whose names load lazily.
 
-    `exports` maps a module of the package to the names it gives, `{"regions": ["shift"]}`.
+    `exports` maps a module of the package to the names it gives, `{"regions": ["shift"]}`; a module
+    outside the package stands with its full name.
     """
     return _lazy(package, {name: module for module, names in exports.items() for name in names})
 
@@ -26,7 +27,12 @@ def home_of(package: str, name: str) -> str | None:
     table = getattr(importlib.import_module(package), "_lazy_home", {})
     if name not in table:
         return None
-    return f"{package}.{name}" if table[name] is None else f"{package}.{table[name]}"
+    return _full_name(package, name if table[name] is None else table[name])
+
+
+def _full_name(package: str, module: str) -> str:
+    """Return the full name of a module of a package, or of one that has it already."""
+    return module if module.startswith(f"{package.split('.')[0]}.") else f"{package}.{module}"
 
 
 def _lazy(package: str, home: Mapping[str, str | None]) -> tuple:
@@ -39,7 +45,7 @@ def _lazy(package: str, home: Mapping[str, str | None]) -> tuple:
             )
         if home[name] is None:
             return importlib.import_module(f"{package}.{name}")
-        value = getattr(importlib.import_module(f"{package}.{home[name]}"), name)
+        value = getattr(importlib.import_module(_full_name(package, home[name])), name)
         setattr(sys.modules[package], name, value)
         return value
 

@@ -11,7 +11,8 @@ from workbook.checks.contract import error_hints
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
     {
-        "contract.reporting": ["NotYet", "collecting", "report"],
+        "contract.reporting": ["NotYet", "collecting"],
+        "workbook.mistakes.reporting": ["report"],
         "contract.verdict": ["Unusable", "Verdict", "judged"],
         "stability.regions": ["stability_region"],
         "stability.equilibrium": ["equilibria", "spectra", "stable_equilibria"],

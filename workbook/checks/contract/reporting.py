@@ -1,19 +1,17 @@
-"""`checks.report`: the last line of every check cell.
+"""What becomes of the verdicts of a check cell: they are shown, or collected for a grader.
 
-In Jupyter the report is shown as HTML, each line with the mark and the colours of its own verdict;
-the error that follows unless all are right (nbgrader and the build want one) is then a single line
-that counts.
+In Jupyter each line has the mark and the colours of its own verdict; the error that follows unless
+all are right (nbgrader and the build want one) is then a single line that counts.
+`workbook.mistakes.reporting.report` calls `deliver`.
 """
 
 import html
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import replace
 
 from trajlib.typesetting import typeset
-from workbook.checks.contract import error_hints
-from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
-from workbook.display.results import in_notebook
+from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from workbook.jupyter import in_notebook
 
 MARKS = {RIGHT: "✓", WRONG: "✗", MISSING: "…", INVALID: "?", UNCHECKED: "!"}
 #: Ink and ground of a line, with a contrast of at least 4.5.
@@ -50,45 +48,8 @@ class NotYet(Exception):
         return [f"Not yet: {right} of {len(self.verdicts)} right."]
 
 
-def report(problem="", /, **verdicts):
-    """Show a line for each answer; raise `NotYet` unless all are right.
-
-    Parameters
-    ----------
-    problem : str, optional
-        The problem's number, which stands first in the students' notebooks. With it the mistake that
-        may have led to a wrong answer is shown if it is known.
-    **verdicts : Verdict
-        What the checks return, under the names of the answer variables.
-
-    Raises
-    ------
-    NotYet
-        An error for nbgrader and for the site's build, a short message in Jupyter.
-
-    Notes
-    -----
-    A check cell ends with `checks.report(a_region=checks.stability_region(a_region, ...), ...)`.
-
-    Examples
-    --------
-    >>> report(a=Verdict("right", "it solves the equation"))
-    ✓ a: right: it solves the equation
-    """
-    for name, verdict in verdicts.items():
-        if not isinstance(verdict, Verdict):
-            verdicts[name] = Verdict(
-                UNCHECKED, "the check cell was changed: it hands over no verdict"
-            )
-        elif name in error_hints.stopped:
-            verdicts[name] = Verdict(
-                MISSING,
-                f"not checked: its cell stopped with {error_hints.stopped[name]}; fix that first",
-            )
-        elif problem and verdict.status == WRONG:
-            verdicts[name] = replace(
-                verdict, mistake=_mistake(problem, name, verdict.answer), answer=None
-            )
+def deliver(verdicts):
+    """Collect the verdicts of a check cell, or show them and raise `NotYet` unless all are right."""
     collected = _collected.get()
     if collected is not None:
         collected.update(verdicts)
@@ -114,7 +75,7 @@ def collecting():
     Examples
     --------
     >>> with collecting() as verdicts:
-    ...     report(a=Verdict("missing", "not answered yet"))
+    ...     deliver({"a": Verdict("missing", "not answered yet")})
     >>> verdicts["a"].status
     'missing'
     """
@@ -123,17 +84,6 @@ def collecting():
         yield _collected.get()
     finally:
         _collected.reset(token)
-
-
-def _mistake(problem, name, answer):
-    # loaded for a wrong answer only
-    from workbook.mistakes import name_of
-    from workbook.notebooks.exercises import UnknownExercise
-
-    try:
-        return name_of(problem, name, answer)
-    except UnknownExercise:  # a notebook of another edition
-        return ""
 
 
 def _as_text(verdicts):
