@@ -10,30 +10,21 @@ Matrix([
 Matrix([[0, 0]])
 """
 
-from workbook.systems.linear import (
-    Deviations,
-    Linear,
-    Measurements,
-    Mechanical,
-    Scalar,
-    Varying,
-    WithError,
-)
-from workbook.systems.optimal import Controlled, Functional, Quadratic
-from workbook.systems.random_processes import Coloured, FilterErrors, Process
+from trajlib._lazy import lazy_names
 
-__all__ = [
-    "Coloured",
-    "Controlled",
-    "Deviations",
-    "FilterErrors",
-    "Functional",
-    "Linear",
-    "Measurements",
-    "Mechanical",
-    "Process",
-    "Quadratic",
-    "Scalar",
-    "Varying",
-    "WithError",
-]
+__getattr__, __dir__, __all__ = lazy_names(
+    __name__,
+    {
+        "linear": [
+            "Deviations",
+            "Linear",
+            "Measurements",
+            "Mechanical",
+            "Scalar",
+            "Varying",
+            "WithError",
+        ],
+        "optimal": ["Controlled", "Functional", "Quadratic"],
+        "random_processes": ["Coloured", "FilterErrors", "Process"],
+    },
+)
