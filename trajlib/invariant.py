@@ -33,6 +33,8 @@ from numbers import Real
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_times
+
 #: Singular values below this many roundings are zero; a functional of which this share lies there
 #: is lost.
 ROUNDINGS, REACHED = 10, 1e-9
@@ -109,7 +111,7 @@ class InvariantEstimator:
     """
 
     def __init__(self, times, basis, nuisance=(), covariance=1.0):
-        self.times = _times(times)
+        self.times = read_times(times, repeated=None)
         self.basis, self.nuisance = list(basis), list(nuisance)
         if not self.basis:
             raise ValueError("basis: expected one or more functions of which the signal is made")
@@ -373,19 +375,6 @@ def _sampled(functions, times, name):
                 f"{name}: function {k} is not finite at t = {times[~np.isfinite(row)][0]:g}"
             )
     return np.array(rows).reshape(len(rows), times.size)
-
-
-def _times(times):
-    times = np.asarray(times, dtype=float)
-    if times.ndim != 1 or times.size == 0 or not np.isfinite(times).all():
-        raise ValueError(f"times: expected a list of finite numbers, got shape {times.shape}")
-    if (np.diff(times) < 0).any():
-        k = int(np.flatnonzero(np.diff(times) < 0)[0])
-        raise ValueError(
-            f"times: they must not decrease, but {times[k]:g} is followed by {times[k + 1]:g}; "
-            "sort them, with their samples"
-        )
-    return times
 
 
 def _samples(h, size):

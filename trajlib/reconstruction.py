@@ -35,6 +35,10 @@ from math import factorial
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_times
+
+#: The advice where two samples have one time.
+REPEATED = "replace samples at one time by their weighted mean"
 #: Weight of the integral of u^2 in the direct method, in units of rho tau^3: it chooses one of many
 #: best motions.
 TIE = 1e-7
@@ -55,7 +59,7 @@ class SweepGains:
     """
 
     def __init__(self, t, sigma, M):
-        self.t = _times(t)
+        self.t = read_times(t, "t", 2, repeated=REPEATED)
         self.rho = _weights(sigma, self.t.size)
         if not (np.isscalar(M) and np.isfinite(M) and M > 0):
             raise ValueError(
@@ -252,7 +256,7 @@ def reconstruct(t, h, sigma, *, max_acceleration=None, M=None, method="sweep"):
     >>> motion.active, round(motion.max_acceleration, 9), round(float(motion.position(4.0)), 3)
     (True, 0.5, 1.033)
     """
-    t = _times(t)
+    t = read_times(t, "t", 2, repeated=REPEATED)
     rho = _weights(sigma, t.size)
     h = _samples(h, rho)
     if method not in ("sweep", "direct"):
@@ -611,32 +615,6 @@ def _straight_line(t, rho, records):
     mean = rho @ known / total
     slope = (rho * (t - centre)) @ (known - mean) / (rho @ (t - centre) ** 2)
     return mean + (t - centre)[:, None] * slope, np.broadcast_to(slope, records.shape)
-
-
-def _times(t):
-    t = np.asarray(t, dtype=float)
-    if t.ndim != 1 or t.size < 2:
-        raise ValueError(
-            f"t: expected a list of two or more times, got "
-            f"{'shape ' + str(t.shape) if t.ndim != 1 else t.size}"
-        )
-    if not np.isfinite(t).all():
-        raise ValueError(
-            f"t: the times must be finite, t[{np.flatnonzero(~np.isfinite(t))[0]}] is not"
-        )
-    wrong = np.flatnonzero(np.diff(t) <= 0)
-    if wrong.size:
-        k = wrong[0]
-        if t[k] == t[k + 1]:
-            raise ValueError(
-                f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one "
-                "time by their weighted mean"
-            )
-        raise ValueError(
-            f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; "
-            "sort times and samples together"
-        )
-    return t
 
 
 def _weights(sigma, size):

@@ -204,3 +204,8 @@ def _html(found):
     if found["times"]:
         return "·" if found.string[found.end()].isdigit() else "\u202f"
     return "√" if found["root"] else SET[found["sign"]]
+
+
+def escape_markdown(text):
+    """Return text for a notebook's Markdown: x1*x2 keeps its star."""
+    return text.replace("*", r"\*").replace("_", r"\_")

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_measurement, read_vector
+from trajlib._arguments.covariances import read_covariance, read_measurement
+from trajlib._arguments.matrices import any_floats, read_vector
 from trajlib.estimation.covariances import trusted_moments
 from trajlib.estimation.exact_or_float import identity_like, latex, solve, symmetric, tidy
 
@@ -60,7 +61,7 @@ def corrected(prior, z, H, R):
     >>> found.estimate[0], found.covariance[0], found.gain[0]
     (3/2, 1/2, 1/2)
     """
-    floats = in_floats(prior.mean, prior.covariance, z, H, R)
+    floats = any_floats(prior.mean, prior.covariance, z, H, R)
     n = prior.covariance.shape[0]
     H, z, R = read_measurement(H, z, R, n, floats)
     x, P = (

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_vector
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.stability.regions import latex_condition
 
@@ -35,7 +36,7 @@ class Moments:
     where: object = sp.true
 
     def __post_init__(self):
-        floats = in_floats(self.mean, self.covariance)
+        floats = any_floats(self.mean, self.covariance)
         mean = read_vector(self.mean, "mean", None, floats)
         object.__setattr__(self, "mean", mean)
         object.__setattr__(
@@ -66,7 +67,7 @@ class Moments:
 
     def transformed(self, B, b=0):
         """Moments of y = Bx + b, `B`: k x n, `b`: k components; covariance B P B^T."""
-        floats = in_floats(B, b, self.covariance)
+        floats = any_floats(B, b, self.covariance)
         n = self.covariance.shape[0]
         B = read_matrix(B, "B", None, n, floats)
         P, mean = (
@@ -113,7 +114,7 @@ def moments_of_values(values, probabilities=None):
     >>> found.mean.T, found.covariance[0, 1]
     (Matrix([[1/3, 2/3]]), 1/9)
     """
-    floats = in_floats(values, probabilities)
+    floats = any_floats(values, probabilities)
     flat = np.ndim(values) == 1
     table = read_matrix(values, "values", None, None, floats)
     table = table.T if flat else table

@@ -12,13 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.estimation.arguments import (
-    ROUNDING,
-    in_floats,
-    read_covariance,
-    read_matrix,
-    read_vector,
-)
+from trajlib._arguments.covariances import ROUNDING, read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
 from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
 
 #: How much of the variances may be left to converge when the gain is kept.
@@ -210,7 +205,7 @@ class KalmanFilter:
 
 
 def _stack(given, read):
-    if in_floats(given) and given.ndim == 3:
+    if any_floats(given) and given.ndim == 3:
         return np.stack([read(one) for one in given])
     return read(given)
 

@@ -12,13 +12,14 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.symbols import read_symbols
 from trajlib.estimation.exact_or_float import identity_like, latex, symmetric
 from trajlib.estimation.stationary_covariance import (
     discrete_stationary_covariance,
     stationary_covariance,
 )
-from trajlib.stability.systems import read_symbols
 
 
 def error_covariance(A, H, Q, R, K):
@@ -55,7 +56,7 @@ def discrete_error_covariance(Phi, H, Q, R, K):
 
 
 def _read(A, H, Q, R, K, name):
-    floats = in_floats(A, H, Q, R, K)
+    floats = any_floats(A, H, Q, R, K)
     A = read_square(A, name, floats)
     n = A.shape[0]
     H = read_matrix(H, "H", None, n, floats)

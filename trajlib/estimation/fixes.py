@@ -18,11 +18,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_matrix, read_vector
+from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
 from trajlib.estimation.exact_or_float import latex, tidy
 from trajlib.estimation.linear_fit import least_squares
-from trajlib.stability.systems import as_prose
 from trajlib.structure import exact
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class FixTest:
         return self.rank == 3
 
     def _repr_markdown_(self):
-        return as_prose(self.reason)
+        return escape_markdown(self.reason)
 
 
 def satellite_observability(position, satellites):
@@ -97,7 +97,7 @@ def bearing_observability(position, observers):
 
 
 def _read(position, points, name):
-    floats = in_floats(position, points)
+    floats = any_floats(position, points)
     return read_vector(position, "position", 3, floats), read_matrix(points, name, None, 3, floats)
 
 
@@ -178,7 +178,7 @@ def satellite_fix(satellites, squared_ranges):
     >>> fix.roots[0].T, fix.roots[1].T                                  # ... and its image in the satellites' plane
     (Matrix([[1/3, 1/3, 1/3]]), Matrix([[1, 1, 1]]))
     """
-    floats = in_floats(satellites, squared_ranges)
+    floats = any_floats(satellites, squared_ranges)
     points = read_matrix(satellites, "satellites", None, 3, floats)
     squares = read_vector(squared_ranges, "squared_ranges", points.shape[0], floats)
     if any(square < 0 if floats else square.is_negative for square in squares):
@@ -295,7 +295,7 @@ def bearing_fix(observers, directions):
     >>> fix.position.T, fix.ahead
     (Matrix([[2, 2, 0]]), (True, True))
     """
-    floats = in_floats(observers, directions)
+    floats = any_floats(observers, directions)
     places = read_matrix(observers, "observers", None, 3, floats)
     toward = read_matrix(directions, "directions", places.shape[0], 3, floats)
     rows, right, units = [], [], []

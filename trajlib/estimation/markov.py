@@ -12,7 +12,10 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_square, read_vector
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_square, read_vector
+from trajlib._arguments.symbols import exact_decimals
+from trajlib._real_symbols import as_real
 from trajlib.estimation.covariances import trusted_moments
 from trajlib.estimation.exact_or_float import identity_like, symmetric
 from trajlib.estimation.modes import (
@@ -23,7 +26,6 @@ from trajlib.estimation.modes import (
     products,
     sums,
 )
-from trajlib.stability.systems import as_real, exact_decimals
 
 
 class DiscreteModel(NamedTuple):
@@ -119,7 +121,7 @@ def discretised(A, Q, step):
     [h**3/3, h**2/2],
     [h**2/2,      h]])
     """
-    floats = in_floats(A, Q)
+    floats = any_floats(A, Q)
     A = read_square(A, "A", floats)
     if floats:
         Q = read_covariance(Q, "Q", A.shape[0], True)
@@ -132,7 +134,7 @@ def discretised(A, Q, step):
 
 
 def _read(A, Q, start, name):
-    floats = in_floats(A, Q, start.mean, start.covariance)
+    floats = any_floats(A, Q, start.mean, start.covariance)
     A = read_square(A, name, floats)
     n = A.shape[0]
     return (

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_matrix, read_square
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.symbols import exact_decimals
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.markov import continuous_moments
-from trajlib.stability.systems import exact_decimals
 
 
 @dataclass(frozen=True)
@@ -106,7 +106,7 @@ def filter_measurements(A, Q, start, measurements, begin=0):
     >>> run.at(1).mean[0], run.at(1).covariance[0]
     (3*exp(-1)/2, 1/2)
     """
-    floats = in_floats(A, Q, start.mean, start.covariance)
+    floats = any_floats(A, Q, start.mean, start.covariance)
     A = read_square(A, "A", floats)
     begin = exact_decimals(sp.sympify(begin))
     ordered = [(exact_decimals(sp.sympify(one.time)), one) for one in measurements]
@@ -146,7 +146,7 @@ def _corrected(before, one):
         return corrected(before, z, one.H, one.R)
     if not there:
         return None
-    floats = in_floats(one.H, one.R)
+    floats = any_floats(one.H, one.R)
     H, R = (
         read_matrix(one.H, "H", len(z), None, floats),
         read_matrix(one.R, "R", len(z), len(z), floats),

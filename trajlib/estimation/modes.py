@@ -13,9 +13,9 @@ breaks where one is missing.
 
 import sympy as sp
 
+from trajlib._real_symbols import vanishes
 from trajlib.estimation.exact_or_float import tidy, tidy_entry
 from trajlib.stability.inequalities import equation
-from trajlib.stability.systems import vanishes
 
 
 def exact_spectrum(A):

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.estimation.arguments import read_covariance, read_matrix, read_square, read_vector
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import read_matrix, read_square, read_vector
 from trajlib.estimation.markov import discretised
 
 

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_exact_matrix, read_observed
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure.measurement_errors import with_measurement_error
-from trajlib.structure.pairs import read_controlled, read_exact_rectangle, read_observed
 from trajlib.structure.splitting import named_matrices
 
 
@@ -69,7 +69,7 @@ def feedback_by_estimate(A, B, H, K, L, S=None, c=None):
     """
     A, B = (matrix.T for matrix in read_controlled(A, B))
     A, H = read_observed(A, H)
-    K, L = read_exact_rectangle(K, "K"), read_exact_rectangle(L, "L", flat="column")
+    K, L = read_exact_matrix(K, "K"), read_exact_matrix(L, "L", flat="column")
     if (S is None) != (c is None):
         raise ValueError("S, c: expected both or neither")
     n, m = A.rows, H.rows

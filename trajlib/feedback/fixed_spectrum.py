@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import as_prose
 from trajlib.structure.rank_tests import controllability, observability
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ class FixedSpectrum:
         return not self.obstacles
 
     def _repr_markdown_(self):
-        return as_prose(self.reason)
+        return escape_markdown(self.reason)
 
 
 def stabilisability(A, B=None):

@@ -8,8 +8,8 @@ coordinates is one with zeros.
 
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_exact_matrix, read_observed
 from trajlib.stability.regions import stability_conditions
-from trajlib.structure.pairs import read_controlled, read_exact_rectangle, read_observed
 
 
 def stabilising_gains(A, B, K, H=None, parameters=None, margin=0):
@@ -31,7 +31,7 @@ def stabilising_gains(A, B, K, H=None, parameters=None, margin=0):
     k1 < -1
     """
     A, B = (matrix.T for matrix in read_controlled(A, B))
-    K = read_exact_rectangle(K, "K")
+    K = read_exact_matrix(K, "K")
     measured = sp.eye(A.rows) if H is None else read_observed(A, H)[1]
     if K.shape != (B.cols, measured.rows):
         raise ValueError(f"K: expected shape {(B.cols, measured.rows)}, got {K.shape}")
@@ -50,7 +50,7 @@ def convergent_gains(A, H, L, parameters=None, margin=0):
     (l1 > 0) & (l2 > 1)
     """
     A, H = read_observed(A, H)
-    L = read_exact_rectangle(L, "L", flat="column")
+    L = read_exact_matrix(L, "L", flat="column")
     if L.shape != (A.rows, H.rows):
         raise ValueError(f"L: expected shape {(A.rows, H.rows)}, got {L.shape}")
     return stability_conditions(A - L * H, _named(L, parameters), margin=margin)

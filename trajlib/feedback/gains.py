@@ -16,11 +16,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib.feedback.fixed_spectrum import detectability, stabilisability
 from trajlib.stability.hurwitz import characteristic_polynomial
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 from trajlib.structure import exact
-from trajlib.structure.pairs import is_float_array, read_controlled, read_observed
 from trajlib.structure.popov import visible_symbol
 from trajlib.structure.splitting import observability_decomposition
 

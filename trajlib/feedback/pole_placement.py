@@ -29,7 +29,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajlib.structure.pairs import read_controlled
+from trajlib._arguments.matrices import read_controlled
 from trajlib.structure.rank_tests import controllability
 from trajlib.structure.scaling import balanced
 

@@ -17,13 +17,14 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 from trajlib.stability.regions import latex_condition
-from trajlib.stability.systems import as_prose
 from trajlib.structure.splitting import observability_decomposition
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -46,7 +47,7 @@ class QuadraticRegulator:
 
     def _repr_markdown_(self):
         if not self:
-            return as_prose(self.reason)
+            return escape_markdown(self.reason)
         shown = rf"S = {latex(self.cost)},\quad K = {latex(self.gain)}"
         where = "" if self.where == sp.true else rf",\quad {latex_condition(self.where)}"
         return rf"$\displaystyle {shown}{where}$"
@@ -183,7 +184,7 @@ def lqg(A, B, H, G, N, Q, R):
 
 
 def _read(A, B, G, N):
-    floats = in_floats(A, B, G, N)
+    floats = any_floats(A, B, G, N)
     A = read_square(A, "A", floats)
     n = A.shape[0]
     flat = np.ndim(B if floats or isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2

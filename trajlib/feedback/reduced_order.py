@@ -13,9 +13,9 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
 from trajlib.feedback.gains import GainFamily, observer
 from trajlib.structure import exact
-from trajlib.structure.pairs import is_float_array, read_controlled, read_observed
 
 
 @dataclass(frozen=True)

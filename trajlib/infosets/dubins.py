@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.infosets.arguments import number, positive, vectors
+from trajlib._arguments.numbers import read_number, read_points, read_positive
 from trajlib.infosets.turning import apart, cosine_parts
 
 #: First turns that are tried to begin with.
@@ -61,10 +61,10 @@ class DubinsReachable:
     def contains(self, points, tolerance=1e-6):
         """Whether points of shape (..., 2) are reached at the time t. `tolerance`: how near to the
         boundary, in turning radii, a place may be counted to either side."""
-        points = vectors(points, "points")
+        points = read_points(points, "points")
         local = self._to_units(points.reshape(-1, 2))
         found = [
-            _reached(part, self.turn, positive(tolerance, "tolerance", "turning radii"))
+            _reached(part, self.turn, read_positive(tolerance, "tolerance", "turning radii"))
             for part in np.split(local, range(BATCH, len(local), BATCH))
         ]
         return np.concatenate(found).reshape(points.shape[:-1])
@@ -116,14 +116,14 @@ def dubins_reachable(t, *, speed=1.0, k=1.0, heading=0.0, position=(0.0, 0.0)):
     >>> places.support([0, np.pi]).round(6).tolist()
     [3.141593, 0.0]
     """
-    start = vectors(position, "position")
+    start = read_points(position, "position")
     if start.shape != (2,):
         raise ValueError(f"position: expected a point (x, y), got shape {start.shape}")
     return DubinsReachable(
-        positive(t, "t", "time"),
-        positive(speed, "speed", "length/time"),
-        positive(k, "k", "length/time^2"),
-        number(heading, "heading"),
+        read_positive(t, "t", "time"),
+        read_positive(speed, "speed", "length/time"),
+        read_positive(k, "k", "length/time^2"),
+        read_number(heading, "heading"),
         tuple(start.tolist()),
     )
 

@@ -9,6 +9,7 @@ state has: this is no enclosure. The guaranteed mode takes cells of headings,
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_count, read_positive
 from trajlib.infosets import arguments
 from trajlib.infosets.cells import Cells
 from trajlib.infosets.polygons import normals as unit_normals
@@ -49,11 +50,11 @@ class ConstantSpeedInformationSet(Sections):
         mode="guaranteed",
         wrapped=True,
     ):
-        self.mode, self.k = arguments.mode(mode), arguments.positive(k, "k", "length/time^2")
-        self.dt = arguments.positive(dt, "dt", "time")
-        self.speed = arguments.positive(speed, "speed", "length/time")
-        headings = arguments.count(headings, "headings", 8)
-        self.normals = arguments.count(normals, "normals", 3)
+        self.mode, self.k = arguments.mode(mode), read_positive(k, "k", "length/time^2")
+        self.dt = read_positive(dt, "dt", "time")
+        self.speed = read_positive(speed, "speed", "length/time")
+        headings = read_count(headings, "headings", 8)
+        self.normals = read_count(normals, "normals", 3)
         if self.k * self.dt / self.speed >= np.pi:
             raise ValueError(
                 f"dt: a step may turn the vehicle by {self.k * self.dt / self.speed:.3g} rad, more "

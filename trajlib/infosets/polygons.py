@@ -18,7 +18,7 @@ always outwards: what `intersect` returns contains the intersection.
 
 import numpy as np
 
-from trajlib.infosets.arguments import vectors
+from trajlib._arguments.numbers import read_points
 
 EPS = float(np.finfo(float).eps)
 #: Relative error of a computed alpha rho_j + beta rho_k, in units of EPS: four for a quotient of
@@ -79,7 +79,7 @@ class SupportPolygons:
         >>> SupportPolygons.around([[0, 0], [2, 1]], m=4).values.tolist()
         [1.0, 2.0, 0.0, 0.0]
         """
-        points = vectors(points, "points")
+        points = read_points(points, "points")
         if points.ndim < 2 or points.shape[-2] == 0:
             raise ValueError(
                 f"points: expected shape (..., count, 2) with a point or more, got {points.shape}"
@@ -110,7 +110,7 @@ class SupportPolygons:
 
     def shift(self, by):
         """Moved by vectors of shape (..., 2)."""
-        return SupportPolygons.of_tight(self.values + vectors(by, "by") @ normals(self.m).T)
+        return SupportPolygons.of_tight(self.values + read_points(by, "by") @ normals(self.m).T)
 
     def intersect(self, other):
         """What two have in common; never less of it, whatever rounding does. Touching polygons have
@@ -142,7 +142,7 @@ class SupportPolygons:
     def contains(self, points):
         """Whether points of shape (..., 2) lie in them, by broadcasting (rounding counts for the
         point)."""
-        points = vectors(points, "points")
+        points = read_points(points, "points")
         slack = ROUNDINGS * EPS * np.abs(points).sum(axis=-1, keepdims=True)
         return (points @ normals(self.m).T <= self.values + slack).all(axis=-1)
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trajlib.infosets.arguments import positive, vectors
+from trajlib._arguments.numbers import read_points, read_positive
 from trajlib.infosets.polygons import EPS, ROUNDINGS, SupportPolygons, normals
 
 
@@ -24,8 +24,8 @@ class Region:
         half = (
             np.array(
                 [
-                    positive(width, "width", "length"),
-                    positive(width if height is None else height, "height", "length"),
+                    read_positive(width, "width", "length"),
+                    read_positive(width if height is None else height, "height", "length"),
                 ]
             )
             / 2
@@ -40,7 +40,7 @@ class Region:
     @classmethod
     def disc(cls, centre, radius):
         """All points within `radius` of `centre`."""
-        centre, radius = _one(centre, "centre"), positive(radius, "radius", "length")
+        centre, radius = _one(centre, "centre"), read_positive(radius, "radius", "length")
         return cls(
             centre[None], radius, f"disc of radius {radius:g} around ({centre[0]:g}, {centre[1]:g})"
         )
@@ -48,7 +48,7 @@ class Region:
     @classmethod
     def polygon(cls, points):
         """The convex hull of points of shape (count, 2)."""
-        points = vectors(points, "points")
+        points = read_points(points, "points")
         if points.ndim != 2 or len(points) == 0:
             raise ValueError(
                 f"points: expected shape (count, 2) with a point or more, got {points.shape}"
@@ -75,7 +75,7 @@ class Region:
 
 
 def _one(point, name):
-    point = vectors(point, name)
+    point = read_points(point, name)
     if point.shape != (2,):
         raise ValueError(f"{name}: expected a point (x, y), got shape {point.shape}")
     return point

@@ -5,8 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.infosets.arguments import count as read_count
-from trajlib.infosets.arguments import vectors
+from trajlib._arguments.numbers import read_count, read_points
 from trajlib.infosets.errors import EmptyInformationSet
 from trajlib.infosets.polygons import SupportPolygons
 from trajlib.infosets.regions import read_region
@@ -84,7 +83,7 @@ class Sections:
         """Whether the set holds a state (x, y, psi, V), or (x, y, psi) where the speed is known:
         whether the section of a cell that contains psi and V holds (x, y), or as published the
         section of the nearest node."""
-        state = vectors(state, "state", self._state)
+        state = read_points(state, "state", self._state)
         if state.ndim != 1:
             raise ValueError(
                 f"state: expected one of {self._state} numbers, got shape {state.shape}"

@@ -12,6 +12,7 @@ from dataclasses import dataclass, fields, replace
 
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_expression
 from trajlib.pontryagin.arguments import (
     names_of,
     read_bounds,
@@ -20,7 +21,6 @@ from trajlib.pontryagin.arguments import (
     read_table,
     read_terminal,
 )
-from trajlib.stability.systems import exact_decimals, read_expression
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trajlib.solvability.arguments import read_matrix, read_times
+from trajlib._arguments.numbers import read_numeric_matrix, read_times
 
 
 def transition(A, times, reference=None):
@@ -15,7 +15,7 @@ def transition(A, times, reference=None):
     """
     from scipy.linalg import expm
 
-    A = read_matrix(A, "A")
+    A = read_numeric_matrix(A, "A")
     if A.shape[0] != A.shape[1]:
         raise ValueError(f"A: expected a square matrix, got shape {A.shape}")
     times = read_times(times)

@@ -16,8 +16,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_names, read_numeric_matrix
 from trajlib.solvability import rounding
-from trajlib.solvability.arguments import read_matrix, read_names
 from trajlib.solvability.weights import Weights
 
 #: Components of a direction smaller than this share of its norm are left out of the words.
@@ -283,7 +283,7 @@ def analyse(matrix, W=None, *, eps=None, scale=True, matrix_error=None, names=No
         names, units = names or matrix.names, units or matrix.units
         matrix_error = matrix.error if matrix_error is None else matrix_error
         matrix = matrix.matrix
-    matrix = read_matrix(matrix, "matrix")
+    matrix = read_numeric_matrix(matrix, "matrix")
     n, m = matrix.shape
     names, units = read_names(names, m), read_names(units, m, "units")
     if m == 0:

@@ -24,6 +24,8 @@ from itertools import combinations
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
+from trajlib._real_symbols import as_real, restore_names, vanishes
 from trajlib.stability.inequalities import sign_of
 from trajlib.stability.lyapunov import (
     barbashin_krasovskii,
@@ -33,15 +35,7 @@ from trajlib.stability.lyapunov import (
     separate_parts,
 )
 from trajlib.stability.real_solutions import solve_real
-from trajlib.stability.systems import (
-    as_prose,
-    as_real,
-    exact_decimals,
-    read_expression,
-    read_field,
-    vanishes,
-    with_names,
-)
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -75,10 +69,8 @@ class BasinEstimate:
 
     def _repr_markdown_(self):
         if self.level == sp.oo:
-            return f"the whole space ({as_prose(self.reason)})"
-        return (
-            f"$V = {sp.latex(self.V)} < {sp.latex(_short(self.level))}$ ({as_prose(self.reason)})"
-        )
+            return f"the whole space ({escape_markdown(self.reason)})"
+        return f"$V = {sp.latex(self.V)} < {sp.latex(_short(self.level))}$ ({escape_markdown(self.reason)})"
 
 
 def basin_estimate(V, field, state, constraint=None):
@@ -117,7 +109,7 @@ def basin_estimate(V, field, state, constraint=None):
     definite = is_positive_definite(V, real_state)
     if definite.condition is not sp.true:
         raise ValueError(
-            with_names(f"V: it is not known to be positive definite ({definite.reason})", back)
+            restore_names(f"V: it is not known to be positive definite ({definite.reason})", back)
         )
     rate = lyapunov_derivative(V, field, real_state)
     try:
@@ -129,13 +121,13 @@ def basin_estimate(V, field, state, constraint=None):
         obstacles = _obstacles(V, field, real_state, curves)
         level, met, reason = _first_level(V, obstacles, real_state)
     except ValueError as error:
-        raise ValueError(with_names(str(error), back)) from None
+        raise ValueError(restore_names(str(error), back)) from None
     return BasinEstimate(
         V.xreplace(back),
         state,
         level.xreplace(back),
         tuple(tuple(v.xreplace(back) for v in point) for point in met),
-        with_names(reason, back),
+        restore_names(reason, back),
     )
 
 

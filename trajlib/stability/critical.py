@@ -22,15 +22,11 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib.stability.hurwitz import (
-    characteristic_polynomial,
-    hurwitz_minors,
-    is_float_array,
-    read_exact_matrix,
-    read_float_matrix,
-)
+from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
+from trajlib._real_symbols import as_real, restore_names
+from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors
 from trajlib.stability.inequalities import sign_of
-from trajlib.stability.systems import as_prose, as_real, with_names
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -66,7 +62,7 @@ class LinearStability:
     margin: float | None = None
 
     def _repr_markdown_(self):
-        return f"{self.verdict}: {as_prose(self.reason)}"
+        return f"{self.verdict}: {escape_markdown(self.reason)}"
 
 
 def linear_stability(A):
@@ -88,13 +84,13 @@ def linear_stability(A):
     'stable'
     """
     if is_float_array(A):
-        return _from_floats(read_float_matrix(A))
-    A = read_exact_matrix(A)
+        return _from_floats(read_float_matrix(A, square=True))
+    A = read_exact_matrix(A, square=True)
     there, back = as_real(A)
     modes = _modes(A.xreplace(there), sp.Symbol("lambda"))
     verdict, responsible, reason = _verdict(modes)
     return LinearStability(
-        verdict, tuple(_restored(m, back) for m in responsible), with_names(reason, back)
+        verdict, tuple(_restored(m, back) for m in responsible), restore_names(reason, back)
     )
 
 

@@ -10,9 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_field, read_symbols
+from trajlib._real_symbols import as_real
 from trajlib.stability.inequalities import nonnegative, positive, tidied
 from trajlib.stability.real_solutions import solve_real
-from trajlib.stability.systems import as_real, exact_decimals, read_field, read_symbols
 
 
 @dataclass(frozen=True)

@@ -9,19 +9,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_field, read_symbols
+from trajlib._real_symbols import as_real, restore_names, vanishes
 from trajlib.flows import lie_derivative
 from trajlib.stability.inequalities import positive, sign_of, tidied
 from trajlib.stability.real_solutions import solve_real
-from trajlib.stability.systems import (
-    as_prose,
-    as_real,
-    exact_decimals,
-    read_expression,
-    read_field,
-    read_symbols,
-    vanishes,
-    with_names,
-)
+from trajlib.typesetting import escape_markdown
 
 
 def lyapunov_derivative(V, field, state):
@@ -70,7 +63,7 @@ class Definiteness:
     def _repr_markdown_(self):
         if self.verdict == "depends on parameters":
             return f"positive definite if ${sp.latex(self.condition)}$"
-        return f"{self.verdict}: {as_prose(self.reason)}"
+        return f"{self.verdict}: {escape_markdown(self.reason)}"
 
 
 def is_positive_definite(V, state):
@@ -106,7 +99,7 @@ def is_positive_definite(V, state):
     for part, variables in separate_parts(V, real_state):
         condition, reason = _definite_part(part, variables)
         if condition is None or condition is sp.false:
-            return Definiteness(condition, with_names(reason, back))
+            return Definiteness(condition, restore_names(reason, back))
         conditions.append(condition)
     condition = tidied(sp.And(*conditions)).xreplace(back)
     return Definiteness(
@@ -218,7 +211,8 @@ class ZeroDerivativeSet:
     reason: str
 
     def _repr_markdown_(self):
-        return f"$\\dot V = {sp.latex(self.derivative)},\\quad M: {sp.latex(self.zero_set)}$ ({as_prose(self.reason)})"
+        formulas = rf"\dot V = {sp.latex(self.derivative)},\quad M: {sp.latex(self.zero_set)}"
+        return f"${formulas}$ ({escape_markdown(self.reason)})"
 
 
 def barbashin_krasovskii(V, field, state):

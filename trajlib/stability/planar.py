@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.hurwitz import is_float_array, read_exact_matrix
+from trajlib._arguments.matrices import is_float_array, read_exact_matrix
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
+from trajlib._real_symbols import as_real
 from trajlib.stability.inequalities import equation, positive, sign_of, tidied
 from trajlib.stability.real_solutions import definedness
 from trajlib.stability.regions import latex_condition
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
-from trajlib.stability.systems import as_real, exact_decimals, read_expression, read_field
 
 
 @dataclass(frozen=True)
@@ -67,7 +68,7 @@ def classify_planar(A):
     """
     if is_float_array(A):
         return _classify_floats(np.asarray(A, dtype=float))
-    A = read_exact_matrix(A)
+    A = read_exact_matrix(A, square=True)
     if A.rows != 2:
         raise ValueError(f"A: expected a 2 x 2 matrix, got shape {A.shape}")
     there, back = as_real(A)

@@ -10,17 +10,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_field, read_symbols
+from trajlib._real_symbols import as_real, restore_names
 from trajlib.stability.inequalities import sign_factors
 from trajlib.stability.real_solutions import solve_real
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
-from trajlib.stability.systems import (
-    as_real,
-    exact_decimals,
-    read_expression,
-    read_field,
-    read_symbols,
-    with_names,
-)
 
 
 def polar_form(field, state, r, phi):
@@ -136,7 +130,7 @@ def limit_cycles(radial_rate, r, angular_rate=None):
             if (cycle := _cycle(radial, angular, radius, values[radius], condition))
         ]
     except ValueError as error:
-        raise ValueError(with_names(str(error), back)) from None
+        raise ValueError(restore_names(str(error), back)) from None
     cycles = [
         LimitCycle(
             c.radius.xreplace(back),

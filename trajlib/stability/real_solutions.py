@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from trajlib._real_symbols import vanishes
 from trajlib.stability.inequalities import nonnegative, nonzero, positive, tidied
-from trajlib.stability.systems import vanishes
 
 
 class Unsolved(Exception):

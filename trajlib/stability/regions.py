@@ -12,21 +12,16 @@ from fractions import Fraction
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.hurwitz import (
-    characteristic_polynomial,
-    hurwitz_minors,
-    is_float_array,
-    read_coefficients,
-    read_exact_matrix,
-)
-from trajlib.stability.inequalities import conjunction, sign_of
-from trajlib.stability.systems import (
-    as_real,
+from trajlib._arguments.matrices import is_float_array, read_exact_matrix
+from trajlib._arguments.symbols import (
     exact_decimals,
     read_expression,
+    read_expressions,
     read_symbols,
-    read_vector,
 )
+from trajlib._real_symbols import as_real
+from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors, read_coefficients
+from trajlib.stability.inequalities import conjunction, sign_of
 
 
 def shift(poly, margin, symbol=None):
@@ -116,7 +111,7 @@ class StabilityConditions:
                 raise ValueError(f"point: no value for {', '.join(sorted(map(str, missing)))}")
             values = [point[s] for s in self.parameters]
         else:
-            values = read_vector(point, len(self.parameters), "point")
+            values = read_expressions(point, len(self.parameters), "point")
         exact = {s: _exact_number(v) for s, v in zip(self.parameters, values)}
         verdict = self.region.subs(exact, simultaneous=True)
         if verdict not in (sp.true, sp.false):
@@ -178,7 +173,9 @@ def _read_equation(poly_or_matrix, symbol):
         poly_or_matrix = sp.Matrix(poly_or_matrix)
     if isinstance(poly_or_matrix, sp.MatrixBase):
         symbol = sp.Symbol("lambda") if symbol is None else read_symbols(symbol, "symbol")[0]
-        poly_or_matrix = characteristic_polynomial(read_exact_matrix(poly_or_matrix), symbol)
+        poly_or_matrix = characteristic_polynomial(
+            read_exact_matrix(poly_or_matrix, square=True), symbol
+        )
     coefficients = read_coefficients(poly_or_matrix, symbol)
     if isinstance(coefficients[0], Fraction):
         coefficients = [sp.Rational(c.numerator, c.denominator) for c in coefficients]

@@ -15,10 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.pairs import read_controlled, read_observed
 from trajlib.structure.popov import visible_symbol
 from trajlib.structure.splitting import holds_where, inverse, named_matrices
 

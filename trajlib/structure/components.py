@@ -49,8 +49,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.structure import exact
-from trajlib.structure.pairs import read_controlled, read_observed
 from trajlib.structure.splitting import holds_where, named_matrices
 
 

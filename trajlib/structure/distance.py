@@ -28,9 +28,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.structure.floats import tolerance
 from trajlib.structure.nearest import descend, smallest
-from trajlib.structure.pairs import read_controlled, read_observed
 
 _MOST_SQUARES, _AT_ONCE = 150_000, 1000
 

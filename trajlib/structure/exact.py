@@ -13,8 +13,8 @@ from sympy.functions.elementary.hyperbolic import HyperbolicFunction
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.matrices import DomainMatrix
 
+from trajlib._real_symbols import as_real
 from trajlib.stability.inequalities import equation
-from trajlib.stability.systems import as_real
 
 #: Terms of a matrix beyond which an elimination with symbols may take minutes.
 _MOST_TERMS = 200

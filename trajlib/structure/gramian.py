@@ -10,8 +10,8 @@ come from one exponential (C. F. Van Loan, 1978).
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import read_expression
-from trajlib.structure.pairs import read_controlled
+from trajlib._arguments.matrices import read_controlled
+from trajlib._arguments.symbols import read_expression
 
 
 def controllability_gramian(A, B=None, duration=None):

@@ -17,11 +17,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_exact_matrix, read_observed
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib.stability.hurwitz import characteristic_polynomial
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 from trajlib.structure import exact
 from trajlib.structure.canonical import controller_canonical_form
-from trajlib.structure.pairs import read_exact_rectangle, read_observed
 from trajlib.structure.popov import visible_symbol
 from trajlib.structure.splitting import observability_decomposition
 
@@ -107,7 +107,7 @@ def scalar_equation(A, b, h=None):
     A, h = read_observed(A, h, "h")
     if isinstance(A, np.ndarray):
         raise ValueError("A: expected exact matrices (SymPy); for floats use control.ss2tf")
-    b = read_exact_rectangle(b, "b", flat="column")
+    b = read_exact_matrix(b, "b", flat="column")
     if b.shape != (A.rows, 1):
         raise ValueError(f"b: expected one column of length {A.rows}, got shape {b.shape}")
     if h.rows != 1:

@@ -10,7 +10,7 @@ Popov's criterion there.
 import numpy as np
 import sympy as sp
 
-from trajlib.structure.pairs import read_controlled, read_observed
+from trajlib._arguments.matrices import read_controlled, read_observed
 
 
 def observability_matrix(A, H=None):

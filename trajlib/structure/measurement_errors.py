@@ -19,15 +19,13 @@ when its first nd derivatives vanish at t = 0. So for conditions on parameters t
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import read_symbols
-from trajlib.structure.pairs import (
-    as_floats,
+from trajlib._arguments.matrices import (
     is_float_array,
     read_exact_matrix,
-    read_exact_rectangle,
     read_float_matrix,
     read_observed,
 )
+from trajlib._arguments.symbols import read_symbols
 from trajlib.structure.parameters import rank_conditions
 
 
@@ -51,14 +49,10 @@ def with_measurement_error(A, H, S, c):
     A, H = read_observed(A, H)
     floating = isinstance(A, np.ndarray) or is_float_array(S) or is_float_array(c)
     if floating:
-        A, H = as_floats(A, "A"), as_floats(H, "H")
-        S, c = read_float_matrix(as_floats(S, "S")), np.atleast_2d(as_floats(c, "c"))
+        A, H = read_float_matrix(A, "A"), read_float_matrix(H, "H")
+        S, c = read_float_matrix(S, "S", square=True), np.atleast_2d(read_float_matrix(c, "c"))
     else:
-        try:
-            S = read_exact_matrix(S)
-        except ValueError as error:
-            raise ValueError(str(error).replace("A:", "S:", 1)) from None
-        c = read_exact_rectangle(c, "c")
+        S, c = read_exact_matrix(S, "S", square=True), read_exact_matrix(c, "c")
     if tuple(c.shape) != (H.shape[0], S.shape[0]):
         raise ValueError(
             f"c: expected shape {(H.shape[0], S.shape[0])}, a row for each output and a column for "

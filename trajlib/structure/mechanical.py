@@ -13,9 +13,8 @@ from itertools import combinations
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.hurwitz import is_float_array
+from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
 from trajlib.structure import exact
-from trajlib.structure.pairs import as_floats, read_exact_rectangle
 from trajlib.structure.popov import LAMBDA, LostMode, lost_modes
 from trajlib.structure.rank_tests import float_test, rank_test
 
@@ -60,10 +59,10 @@ def mechanical_controllability(M, D, K, L):
     """
     M, D, K = _read_square(M, D, K, other=(L,))
     if isinstance(M, np.ndarray):
-        L = as_floats(L, "L")
+        L = read_float_matrix(L, "L")
         L = L[:, None] if L.ndim == 1 else L
     else:
-        L = read_exact_rectangle(L, "L", flat="column")
+        L = read_exact_matrix(L, "L", flat="column")
     if len(L.shape) != 2 or L.shape[0] != M.shape[0] or not L.shape[1]:
         raise ValueError(
             f"L: expected a matrix with {M.shape[0]} rows, one for each coordinate, got shape "
@@ -111,9 +110,9 @@ def first_order_form(M, D, K, L=None, H1=None, H2=None):
     B = H = None
     if L is not None:
         L = (
-            as_floats(L, "L").reshape(n, -1)
+            read_float_matrix(L, "L").reshape(n, -1)
             if floating
-            else read_exact_rectangle(L, "L", flat="column")
+            else read_exact_matrix(L, "L", flat="column")
         )
         if L.shape[0] != n:
             raise ValueError(f"L: expected a matrix with {n} rows, got shape {tuple(L.shape)}")
@@ -125,7 +124,7 @@ def first_order_form(M, D, K, L=None, H1=None, H2=None):
     if H1 is not None or H2 is not None:
         H1, H2 = (_read_rows(h, n, name) for h, name in zip(_both(H1, H2), ("H1", "H2")))
         if floating:
-            H1, H2 = as_floats(H1, "H1"), as_floats(H2, "H2")
+            H1, H2 = read_float_matrix(H1, "H1"), read_float_matrix(H2, "H2")
         H = np.hstack([H1, H2]) if floating else sp.Matrix.hstack(H1, H2)
     return A, B, H
 
@@ -140,16 +139,16 @@ def _both(H1, H2):
 
 
 def _matrix(H):
-    return H if is_float_array(H) else read_exact_rectangle(H, "H1")
+    return H if is_float_array(H) else read_exact_matrix(H, "H1")
 
 
 def _read_square(M, D, K, other):
     """M, D, K of one size, all exact or all floats (floats if anything in the system is)."""
     matrices = {"M": M, "D": D, "K": K}
     if any(map(is_float_array, (M, D, K, *other))):
-        read = {name: as_floats(m, name) for name, m in matrices.items()}
+        read = {name: read_float_matrix(m, name) for name, m in matrices.items()}
     else:
-        read = {name: read_exact_rectangle(m, name) for name, m in matrices.items()}
+        read = {name: read_exact_matrix(m, name) for name, m in matrices.items()}
     n = read["M"].shape[0]
     for name, m in read.items():
         if tuple(m.shape) != (n, n) or not n:
@@ -160,7 +159,11 @@ def _read_square(M, D, K, other):
 
 
 def _read_rows(H, n, name):
-    H = np.atleast_2d(as_floats(H, name)) if is_float_array(H) else read_exact_rectangle(H, name)
+    H = (
+        np.atleast_2d(read_float_matrix(H, name))
+        if is_float_array(H)
+        else read_exact_matrix(H, name)
+    )
     if len(H.shape) != 2 or H.shape[1] != n or not H.shape[0]:
         raise ValueError(
             f"{name}: expected a matrix with {n} columns, one for each coordinate, got shape "
@@ -171,7 +174,9 @@ def _read_rows(H, n, name):
 
 def _test(M, D, K, H1, H2, word, orient):
     if isinstance(M, np.ndarray):
-        A, _, H = first_order_form(M, D, K, H1=as_floats(H1, "H1"), H2=as_floats(H2, "H2"))
+        A, _, H = first_order_form(
+            M, D, K, H1=read_float_matrix(H1, "H1"), H2=read_float_matrix(H2, "H2")
+        )
         return float_test(A, H, word, lambda v: orient(v[: len(M)]))
     pencil = (M * LAMBDA**2 + D * LAMBDA + K).applyfunc(sp.expand)
     determinant = sp.expand(exact.determinant(pencil))

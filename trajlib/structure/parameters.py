@@ -18,13 +18,14 @@ from textwrap import shorten
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.symbols import read_symbols
+from trajlib._real_symbols import as_real, restore_names
 from trajlib.stability.inequalities import equation, sign_of
 from trajlib.stability.regions import latex_region
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
-from trajlib.stability.systems import as_real, read_symbols, with_names
 from trajlib.structure import exact
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.pairs import read_controlled, read_observed
 from trajlib.structure.popov import LAMBDA, kernels_modulo
 
 _MOST_MINORS = 300
@@ -132,7 +133,7 @@ def rank_conditions(N, parameters, below=sp.Integer(1)):
     try:
         pieces = _pieces(real, symbols, below.xreplace(there))
     except (_NotSolved, sp.PolynomialError) as problem:
-        where = shorten(with_names(str(problem), back), 200, placeholder=" ...")
+        where = shorten(restore_names(str(problem), back), 200, placeholder=" ...")
         raise NotImplementedError(
             f"parameters: the equation {where} = 0, on which the rank may fall, is beyond the "
             "methods here; give some of the parameters values, or study the minors of the Kalman "

@@ -11,12 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.stability.hurwitz import characteristic_polynomial
-from trajlib.stability.systems import as_prose
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.pairs import read_controlled, read_observed
 from trajlib.structure.popov import LAMBDA, LostMode, lost_modes
+from trajlib.typesetting import escape_markdown
 
 __all__ = ["LostMode", "RankTest", "controllability", "observability"]
 
@@ -51,7 +51,7 @@ class RankTest:
         return self.holds
 
     def _repr_markdown_(self):
-        return as_prose(self.reason)
+        return escape_markdown(self.reason)
 
 
 def observability(A, H=None):

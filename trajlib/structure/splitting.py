@@ -15,10 +15,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.stability.regions import latex_condition
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.pairs import read_controlled, read_observed
 
 
 @dataclass(frozen=True)

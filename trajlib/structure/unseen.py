@@ -8,9 +8,9 @@ the orthogonal complement of the other for the transposed system.
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.pairs import read_controlled, read_observed
 
 
 def unobservable_subspace(A, H=None):
