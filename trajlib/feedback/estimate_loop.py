@@ -16,8 +16,8 @@ import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_exact_matrix, read_observed
 from trajlib.stability.hurwitz import characteristic_polynomial
+from trajlib.structure.decomposition import named_matrices
 from trajlib.structure.measurement_errors import with_measurement_error
-from trajlib.structure.splitting import named_matrices
 
 
 @dataclass(frozen=True)

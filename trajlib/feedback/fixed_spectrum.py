@@ -20,7 +20,7 @@ from trajlib.typesetting import escape_markdown
 class FixedSpectrum:
     """What no gain changes; true in an `if` if the rest can be made asymptotically stable.
 
-    - `modes`: tuple of `LostMode`, the fixed eigenvalues, each with its vectors (rows w, no control
+    - `modes`: tuple of `HiddenMode`, the fixed eigenvalues, each with its vectors (rows w, no control
       changes w x, or columns v, a motion exp(lambda t) v is not seen);
     - `obstacles`: those of them that do not decay, Re lambda >= 0;
     - `margin`: the greatest margin that some gain gives (Definition 1.5: Re lambda <= -margin),
@@ -97,21 +97,25 @@ def best_margin(A, B=None, H=None):
     return min((test.margin for test in tests), key=lambda margin: margin)
 
 
-def _fixed(test, word, why):
-    rates = [_slowest(mode.eigenvalue) for mode in test.lost]
-    obstacles = tuple(mode for mode, rate in zip(test.lost, rates) if not _decays(rate, mode))
+def _fixed(test, word, explanation):
+    rates = [_slowest(mode.eigenvalue) for mode in test.hidden_modes]
+    obstacles = tuple(
+        mode for mode, rate in zip(test.hidden_modes, rates) if not _decays(rate, mode)
+    )
     if not rates:
         margin = sp.oo if test.margin is None else np.inf
         return FixedSpectrum((), (), margin, f"{word}, with any margin: no eigenvalue is fixed")
     margin = -_greatest(rates)
-    names = list(dict.fromkeys(_named(mode.eigenvalue) for mode in obstacles or test.lost))
+    names = list(dict.fromkeys(_named(mode.eigenvalue) for mode in obstacles or test.hidden_modes))
     named = ", ".join(names)
     if obstacles:
-        reason = f"not {word}: a mode with {named} does not decay, and {why}"
+        reason = f"not {word}: a mode with {named} does not decay, and {explanation}"
     else:
         are = "is" if len(names) == 1 else "are"
-        reason = f"{word}, with a margin of at most {margin}: {named} {are} fixed, and {why}"
-    return FixedSpectrum(tuple(test.lost), obstacles, margin, reason)
+        reason = (
+            f"{word}, with a margin of at most {margin}: {named} {are} fixed, and {explanation}"
+        )
+    return FixedSpectrum(tuple(test.hidden_modes), obstacles, margin, reason)
 
 
 def _slowest(eigenvalue):

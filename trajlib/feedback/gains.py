@@ -21,8 +21,8 @@ from trajlib._arguments.symbols import exact_decimals, read_expression, read_sym
 from trajlib.feedback.fixed_spectrum import detectability, stabilisability
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact
-from trajlib.structure.popov import visible_symbol
-from trajlib.structure.splitting import observability_decomposition
+from trajlib.structure.decomposition import observability_decomposition
+from trajlib.structure.pbh import visible_symbol
 
 
 @dataclass(frozen=True)
@@ -111,30 +111,32 @@ def _transposed_test(A, H):
     return stabilisability(A.T, H.T)
 
 
-def _family(A, H, wanted, test, kalman):
+def _family(A, H, prescription, test, kalman):
     if is_float_array(A):
         raise ValueError("A: expected exact matrices (SymPy)")
     parts = observability_decomposition(A, H)
-    seen, unseen = parts.sizes
+    observable, unobservable = parts.sizes
     (A11, H1), A22 = parts.part, parts.rest
-    symbol = wanted.symbol or visible_symbol(A, H)
-    fixed = characteristic_polynomial(A22, symbol) if unseen else sp.Integer(1)
-    movable = wanted.movable(symbol, seen, fixed, lambda: test(A, H), kalman)
+    symbol = prescription.symbol or visible_symbol(A, H)
+    fixed = characteristic_polynomial(A22, symbol) if unobservable else sp.Integer(1)
+    movable = prescription.movable(symbol, observable, fixed, lambda: test(A, H), kalman)
     # What has to hold is T L = L1 in the rows of xi: some entries of L stay free, the others
     # follow.
-    rows = parts.transformation[:seen, :]
-    bound = list(exact.independent_rows(rows.T)) if seen else []
+    rows = parts.transformation[:observable, :]
+    bound = list(exact.independent_rows(rows.T)) if observable else []
     unbound = [i for i in range(A.rows) if i not in bound]
     used = {s.name for s in A.free_symbols | H.free_symbols | movable.as_expr().free_symbols}
-    free = sp.Matrix(unseen, H.rows, sp.symbols(_names(unseen * H.rows, used)))
+    free = sp.Matrix(unobservable, H.rows, sp.symbols(_names(unobservable * H.rows, used)))
     gain = sp.zeros(A.rows, H.rows)
     for i, row in enumerate(unbound):
         gain[row, :] = free[i, :]
-    if seen:
-        rest = _unique_gain(A11, H1, movable) - rows.extract(list(range(seen)), unbound) * free
-        found = exact.product(exact.inverse(rows.extract(list(range(seen)), bound)), rest)
+    if observable:
+        rest = (
+            _unique_gain(A11, H1, movable) - rows.extract(list(range(observable)), unbound) * free
+        )
+        gain_rows = exact.product(exact.inverse(rows.extract(list(range(observable)), bound)), rest)
         for i, row in enumerate(bound):
-            gain[row, :] = found[i, :].applyfunc(_readable)
+            gain[row, :] = gain_rows[i, :].applyfunc(_readable)
     polynomial = sp.expand(movable.as_expr() * fixed)
     return GainFamily(gain, tuple(free), polynomial, symbol, fixed, H.rows == 1)
 
@@ -213,9 +215,9 @@ class _Prescription:
     def movable(self, symbol, degree, fixed, test, kalman):
         """The monic polynomial that the part of order `degree` has to get."""
         if self.margin is not None:
-            found = test()
-            if found.modes and sp.sympify(found.margin < self.margin) is sp.true:
-                raise ValueError(f"margin: {self.margin} cannot be had; {found.reason}")
+            fixed_spectrum = test()
+            if fixed_spectrum.modes and sp.sympify(fixed_spectrum.margin < self.margin) is sp.true:
+                raise ValueError(f"margin: {self.margin} cannot be had; {fixed_spectrum.reason}")
             return sp.Poly((symbol + self.margin) ** degree, symbol)
         if self.eigenvalues is not None:
             wanted = sp.Poly(

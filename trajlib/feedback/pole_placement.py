@@ -110,7 +110,7 @@ def place(A, B, eigenvalues):
     placed = [_judged(A, B, gain, wanted) for gain in gains if gain is not None]
     if not placed:
         raise ValueError("eigenvalues: no gain was found that gives them")
-    best = min(placed, key=lambda found: found.distance)
+    best = min(placed, key=lambda placement: placement.distance)
     if B.shape[1] > 1:
         return best
     return (
@@ -133,16 +133,16 @@ def _single(A, b, wanted):
     """The gain for one control, correct in all digits of its floats."""
     digits, last = FIRST, None
     while digits <= LAST:
-        found = _ackermann(A, b, wanted, digits)
-        if found is not None and last is not None:
+        gain = _ackermann(A, b, wanted, digits)
+        if gain is not None and last is not None:
             # zero, but for its rounding
-            small = [abs(new) <= 1e-10 * abs(old) for new, old in zip(found, last)]
+            small = [abs(new) <= 1e-10 * abs(old) for new, old in zip(gain, last)]
             if all(
                 tiny or abs(new - old) <= AGREED * abs(new)
-                for new, old, tiny in zip(found, last, small)
+                for new, old, tiny in zip(gain, last, small)
             ):
-                return np.array([0.0 if tiny else float(new) for new, tiny in zip(found, small)])
-        digits, last = 2 * digits, found
+                return np.array([0.0 if tiny else float(new) for new, tiny in zip(gain, small)])
+        digits, last = 2 * digits, gain
     raise ValueError(f"A, B: {LAST} digits do not tell this pair from one that is not controllable")
 
 
@@ -207,10 +207,10 @@ def _again(A, B, gain, wanted):
                 for value, push in zip(wanted, pushes.T)
             ]
         )
-        found = np.linalg.solve(ahead.T, pushes.T).T.real
+        corrected = np.linalg.solve(ahead.T, pushes.T).T.real
     except np.linalg.LinAlgError:
         return None
-    return found if np.isfinite(found).all() else None
+    return corrected if np.isfinite(corrected).all() else None
 
 
 def _uneven(A, B):
@@ -228,12 +228,12 @@ def _in_good_units(method, A, B, wanted):
 
 def _in_units(A, B):
     """(A, B) with x = D y, u = R v and time in the units of `balanced`; D, R and the rate."""
-    found = balanced(A.T, B.T)  # of the dual pair: its states are measured in the inverse units
-    units = 1 / found.units
-    scaled, inputs = A * units / units[:, None] / found.rate, B / units[:, None] / found.rate
+    balance = balanced(A.T, B.T)  # of the dual pair: its states are measured in the inverse units
+    units = 1 / balance.units
+    scaled, inputs = A * units / units[:, None] / balance.rate, B / units[:, None] / balance.rate
     sizes = np.linalg.norm(inputs, axis=0)
     pushes = 1 / np.where(sizes > 0, sizes, 1)
-    return scaled, inputs * pushes, units, pushes, found.rate
+    return scaled, inputs * pushes, units, pushes, balance.rate
 
 
 def _by_chains(A, B, wanted):
@@ -277,11 +277,11 @@ def _jordan(wanted, most):
             for length in lengths
         ]
     n = sum(map(len, blocks))
-    found, place_of = np.zeros((n, n)), 0
+    matrix, start = np.zeros((n, n)), 0
     for block in blocks:
-        found[place_of : place_of + len(block), place_of : place_of + len(block)] = block
-        place_of += len(block)
-    return found
+        matrix[start : start + len(block), start : start + len(block)] = block
+        start += len(block)
+    return matrix
 
 
 def _judged(A, B, gain, wanted):
@@ -308,8 +308,8 @@ def _judged(A, B, gain, wanted):
     )
 
 
-def _matched(wanted, found):
+def _matched(wanted, values):
     """The order in which the numbers found are next to those wanted, all together."""
     from scipy.optimize import linear_sum_assignment
 
-    return linear_sum_assignment(abs(np.subtract.outer(wanted, found)))[1]
+    return linear_sum_assignment(abs(np.subtract.outer(wanted, values)))[1]

@@ -23,7 +23,7 @@ from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 from trajlib.stability.regions import latex_condition
-from trajlib.structure.splitting import observability_decomposition
+from trajlib.structure.decomposition import observability_decomposition
 from trajlib.typesetting import escape_markdown
 
 
@@ -71,11 +71,11 @@ def lqr(A, B, G, N, stable=True):
     >>> lqr(1, 1, 0, 1).gain[0], lqr(1, 1, 0, 1, stable=False).gain[0]
     (-2, 0)
     >>> print(lqr([[0, 1], [0, 1]], [0, 1], [[0, 0], [0, 1]], 1).reason)    # problem 5.67b
-    no stabilising law of least cost: a mode on the imaginary axis is not seen by the cost
+    no stabilising law of least cost: a mode on the imaginary axis is unobservable in the cost
     """
     A, B, G, N = _read(A, B, G, N)
     if not stable:
-        return _without_the_unseen(A, B, G, N)
+        return _without_unobserved_states(A, B, G, N)
     filter = stationary_filter(A.T, B.T, G, N)
     if not filter:
         # with a cost that sees everything
@@ -87,7 +87,7 @@ def lqr(A, B, G, N, stable=True):
             sp.false,
             "no stabilising law of least cost: "
             + (
-                "a mode on the imaginary axis is not seen by the cost"
+                "a mode on the imaginary axis is unobservable in the cost"
                 if controlled
                 else "not stabilisable, a mode that does not decay is not controlled"
             ),
@@ -102,7 +102,7 @@ def lqr(A, B, G, N, stable=True):
     )
 
 
-def finite_lqr(A, B, G, N, F, left):
+def finite_lqr(A, B, G, N, F, time_to_go):
     """The law u = K(t) x of least cost up to an end T, where x^T F x is paid, at the time T -
     `left`.
 
@@ -122,7 +122,7 @@ def finite_lqr(A, B, G, N, F, left):
         A.shape[0],
         isinstance(A, np.ndarray),
     )
-    cost = dual.covariance(F, left)
+    cost = dual.covariance(F, time_to_go)
     gain = -(
         N.inv() * B.T * cost if isinstance(cost, sp.MatrixBase) else np.linalg.solve(N, B.T @ cost)
     )
@@ -147,11 +147,11 @@ class StochasticRegulator:
     regulator: QuadraticRegulator
     filter: StationaryFilter
     controller: object
-    price: object
-    known: object
+    cost: object
+    cost_of_known_state: object
 
     def __bool__(self):
-        return self.price is not None
+        return self.cost is not None
 
 
 def lqg(A, B, H, G, N, Q, R):
@@ -163,7 +163,7 @@ def lqg(A, B, H, G, N, Q, R):
     4.4.
 
     >>> found = lqg([[0, 1], [-1, 0]], [0, 1], [[0, 1]], sp.diag(0, 1), 1, sp.diag(0, 4), 1)    # problem 5.70
-    >>> found.regulator.gain, found.filter.gain.T, found.price
+    >>> found.regulator.gain, found.filter.gain.T, found.cost
     (Matrix([[0, -1]]), Matrix([[0, 2]]), 6)
     """
     filter = stationary_filter(A, H, Q, R)
@@ -198,7 +198,7 @@ def _read(A, B, G, N):
     )
 
 
-def _without_the_unseen(A, B, G, N):
+def _without_unobserved_states(A, B, G, N):
     """What the cost does not see is left out: of the rest, y = Ty x, every mode is seen, and S is
     unique."""
     split = observability_decomposition(A, G)
@@ -206,15 +206,19 @@ def _without_the_unseen(A, B, G, N):
     if not n:
         zero = B.T * 0
         return QuadraticRegulator(
-            G * 0, zero, A + B @ zero, sp.true, "the cost sees nothing: no control costs least"
+            G * 0,
+            zero,
+            A + B @ zero,
+            sp.true,
+            "no state is observable in the cost: u = 0 costs least",
         )
     T = split.transformation
     back = np.linalg.inv(T) if floats else T.inv()
-    seen, into = T[:n, :], back[:, :n]
-    part = lqr((T @ A @ back)[:n, :n], seen @ B, symmetric(into.T @ G @ into), N)
+    observable, into = T[:n, :], back[:, :n]
+    part = lqr((T @ A @ back)[:n, :n], observable @ B, symmetric(into.T @ G @ into), N)
     if not part:
         return part
-    cost, gain = symmetric(seen.T @ part.cost @ seen), tidy(part.gain @ seen)
+    cost, gain = symmetric(observable.T @ part.cost @ observable), tidy(part.gain @ observable)
     return QuadraticRegulator(
         cost, gain, tidy(A + B @ gain), part.where, part.reason.replace("stabilising ", "")
     )

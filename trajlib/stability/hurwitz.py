@@ -21,7 +21,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
-from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
+from trajlib._arguments.symbols import exact_decimals, join_names, read_expression, read_symbols
 
 
 def characteristic_polynomial(A, symbol):
@@ -176,7 +176,7 @@ def _from_expression(poly, symbol):
         return [_real_coefficient(poly)]
     if symbol is None:
         if len(poly.free_symbols) > 1:
-            names = ", ".join(sorted(map(str, poly.free_symbols)))
+            names = join_names(poly.free_symbols)
             raise ValueError(f"symbol: say which symbol the polynomial is in (it has: {names})")
         (symbol,) = poly.free_symbols
     (symbol,) = read_symbols(symbol, "symbol")

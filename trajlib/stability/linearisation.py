@@ -8,7 +8,7 @@ motion.
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.symbols import read_expressions, read_field, read_symbols
+from trajlib._arguments.symbols import join_names, read_expressions, read_field, read_symbols
 from trajlib._real_symbols import vanishes
 
 
@@ -50,7 +50,7 @@ def linearise(field, state, at, inputs=(), inputs_at=()):
         if A.free_symbols | B.free_symbols:
             raise ValueError(
                 "at: floats need a field without further symbols; substitute numbers for "
-                f"{', '.join(sorted(map(str, A.free_symbols | B.free_symbols)))} first"
+                f"{join_names(A.free_symbols | B.free_symbols)} first"
             )
         A, B = (np.array(M.tolist(), dtype=float).reshape(M.shape) for M in (A, B))
     return (A, B) if inputs else A
@@ -102,10 +102,10 @@ def _jacobians(field, state, inputs):
     return f.jacobian(state), B
 
 
-def _at(expression, point, what):
+def _at(expression, point, name):
     value = expression.subs(point, simultaneous=True)
     if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
-        raise ValueError(f"at: {what} {expression} is not defined there")
+        raise ValueError(f"at: {name} {expression} is not defined there")
     return value
 
 

@@ -71,8 +71,8 @@ def classify_planar(A):
     A = read_exact_matrix(A, square=True)
     if A.rows != 2:
         raise ValueError(f"A: expected a 2 x 2 matrix, got shape {A.shape}")
-    there, back = as_real(A)
-    real = A.xreplace(there)
+    to_real, back = as_real(A)
+    real = A.xreplace(to_real)
     exists = [r.reduced({}) for entry in real for r in definedness(entry)]
     rows = []
     for condition, kind in _table(real):
@@ -212,13 +212,13 @@ def dulac(field, state, multiplier=1, region=None):
         raise ValueError(f"state: expected a planar system, got {len(state)} variables")
     B = exact_decimals(read_expression(multiplier, "multiplier"))
     divergence = sp.simplify(sum(sp.diff(B * exact_decimals(f), x) for f, x in zip(field, state)))
-    there, _back = as_real(divergence, *state, *([] if region is None else [sp.sympify(region)]))
+    to_real, _back = as_real(divergence, *state, *([] if region is None else [sp.sympify(region)]))
     known = []
     for relation in () if region is None else sp.And.make_args(sp.sympify(region)):
         if not isinstance(relation, (sp.Gt, sp.Ge, sp.Lt, sp.Le)):
             raise ValueError(f"region: expected inequalities joined by And, got {region}")
-        known.append((relation.gts - relation.lts).xreplace(there))
-    sign = _sign_on(divergence.xreplace(there), known)
+        known.append((relation.gts - relation.lts).xreplace(to_real))
+    sign = _sign_on(divergence.xreplace(to_real), known)
     return DulacTest(divergence, sign, True if sign not in (None, "zero", "changes") else None)
 
 

@@ -113,20 +113,20 @@ def limit_cycles(radial_rate, r, angular_rate=None):
         else exact_decimals(read_expression(angular_rate, "angular_rate"))
     )
     radius = sp.Dummy("r", positive=True)
-    there, back = as_real(radial, *([] if angular is None else [angular]))
-    there[r], back[radius] = radius, r
-    radial = radial.xreplace(there)
-    angular = None if angular is None else angular.xreplace(there)
+    to_real, back = as_real(radial, *([] if angular is None else [angular]))
+    to_real[r], back[radius] = radius, r
+    radial = radial.xreplace(to_real)
+    angular = None if angular is None else angular.xreplace(to_real)
 
-    found = solve_real([radial], [radius])
-    if found.unsolved or found.integers:
+    solutions = solve_real([radial], [radius])
+    if solutions.unsolved or solutions.integers:
         raise ValueError(
             f"radial_rate: the zeros of {radial_rate} could not all be found; substitute numbers"
         )
     try:
         cycles = [
             cycle
-            for values, condition in found.branches
+            for values, condition in solutions.branches
             if (cycle := _cycle(radial, angular, radius, values[radius], condition))
         ]
     except ValueError as error:

@@ -18,9 +18,9 @@ import sympy as sp
 from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
+from trajlib.structure.decomposition import holds_where, inverse, named_matrices
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.popov import visible_symbol
-from trajlib.structure.splitting import holds_where, inverse, named_matrices
+from trajlib.structure.pbh import visible_symbol
 
 _WORST_CONDITION = 1e12
 
@@ -137,10 +137,10 @@ def _coordinates(A, H, name, kind, word, way_out):
         )
     g = stacked_powers(A, H)
     floating = isinstance(A, np.ndarray)
-    found = floats.split(A, H).rank if floating else exact.rank(g)
-    if found < n:
+    rank = floats.split(A, H).rank if floating else exact.rank(g)
+    if rank < n:
         raise ValueError(
-            f"{name}: the pair is not {word} (rank {found} of {n}), so it has no canonical form; "
+            f"{name}: the pair is not {word} (rank {rank} of {n}), so it has no canonical form; "
             f"{way_out} gives its {word} part, which has one"
         )
     symbol = sp.Symbol("lambda") if floating else visible_symbol(A)

@@ -51,7 +51,7 @@ import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.structure import exact
-from trajlib.structure.splitting import holds_where, named_matrices
+from trajlib.structure.decomposition import holds_where, named_matrices
 
 
 @dataclass(frozen=True)
@@ -186,11 +186,11 @@ def _coordinates(A, H, how, name):
 
 
 def _sequential_chains(A, H):
-    found, chains = sp.zeros(0, A.rows), []
+    rows, chains = sp.zeros(0, A.rows), []
     for i in range(H.rows):
         chain, row = [], H[i, :]
-        while exact.rank(longer := sp.Matrix.vstack(found, row)) > found.rows:
-            found = longer
+        while exact.rank(longer := sp.Matrix.vstack(rows, row)) > rows.rows:
+            rows = longer
             chain.append(row)
             row = (row * A).applyfunc(sp.expand)
         chains.append(chain)
@@ -198,13 +198,13 @@ def _sequential_chains(A, H):
 
 
 def _shuttle_chains(A, H):
-    found, chains = sp.zeros(0, A.rows), [[] for _ in range(H.rows)]
+    rows, chains = sp.zeros(0, A.rows), [[] for _ in range(H.rows)]
     current = {i: H[i, :] for i in range(H.rows)}
     while current:
         for i, row in list(current.items()):
-            longer = sp.Matrix.vstack(found, row)
-            if exact.rank(longer) > found.rows:
-                found = longer
+            longer = sp.Matrix.vstack(rows, row)
+            if exact.rank(longer) > rows.rows:
+                rows = longer
                 chains[i].append(row)
                 current[i] = (row * A).applyfunc(sp.expand)
             else:

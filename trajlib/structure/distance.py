@@ -93,7 +93,7 @@ def _bracket(A, H, within):
     rounding = tolerance(len(A))
     upper, value, _ = min(
         (descend(A, H, start) for start in (*np.linalg.eigvals(A), np.trace(A) / len(A))),
-        key=lambda found: found[0],
+        key=lambda minimum: minimum[0],
     )
     if upper <= rounding:
         return 0, upper + rounding, value
@@ -104,12 +104,12 @@ def _bracket(A, H, within):
     settled = upper
     while len(squares):
         corners = squares[:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
-        points, place = np.unique(corners.reshape(-1, 2), axis=0, return_inverse=True)
+        points, index = np.unique(corners.reshape(-1, 2), axis=0, return_inverse=True)
         points = left + side * (points[:, 0] + 1j * points[:, 1])
         sigmas = _not_less_than(A, H, points, side)
         best = points[np.argmin(sigmas)]
-        upper, value = min((upper, value), descend(A, H, best)[:2], key=lambda found: found[0])
-        least = sigmas[place.reshape(-1, 4)].min(axis=1)
+        upper, value = min((upper, value), descend(A, H, best)[:2], key=lambda minimum: minimum[0])
+        least = sigmas[index.reshape(-1, 4)].min(axis=1)
         bounds = np.sqrt(np.maximum(least**2 - side**2 / 2, 0))
         open_ = bounds < (1 - within) * upper
         settled = min(settled, bounds[~open_].min(initial=settled))
@@ -140,8 +140,8 @@ def _not_less_than(A, H, points, side):
     if side < 1e-4:
         return np.array([max(smallest(A, H, point)[0] - rounding, 0) for point in points])
     least = []
-    for some in np.array_split(points, len(points) // _AT_ONCE + 1):
-        pencils = A - some[:, None, None] * np.eye(len(A))
+    for batch in np.array_split(points, len(points) // _AT_ONCE + 1):
+        pencils = A - batch[:, None, None] * np.eye(len(A))
         least.append(
             np.linalg.eigvalsh(pencils.conj().transpose(0, 2, 1) @ pencils + H.T @ H)[:, 0]
         )

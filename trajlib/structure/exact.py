@@ -31,8 +31,8 @@ def field_matrix(matrix):
 
 def _refuse_functions(matrix):
     for term in sorted(matrix.atoms(sp.Function, sp.Pow), key=str):
-        foreign = term.free_symbols if isinstance(term, sp.Function) else term.exp.free_symbols
-        if foreign and not isinstance(term, AppliedUndef):
+        symbols = term.free_symbols if isinstance(term, sp.Function) else term.exp.free_symbols
+        if symbols and not isinstance(term, AppliedUndef):
             plain = term.xreplace({s: sp.Symbol(s.name) for s in term.free_symbols})
             angle = isinstance(term, (TrigonometricFunction, HyperbolicFunction))
             hint = ", or the rational functions of tau = tan(angle/2)" if angle else ""
@@ -60,8 +60,8 @@ def rank(matrix):
 
 
 def _has_full_rank_at_a_point(matrix):
-    there = at_a_point(matrix) if matrix.free_symbols else None
-    return there is not None and field_matrix(there).rank() == min(matrix.shape)
+    at_point = at_a_point(matrix) if matrix.free_symbols else None
+    return at_point is not None and field_matrix(at_point).rank() == min(matrix.shape)
 
 
 def number_of_terms(matrix):
@@ -74,11 +74,11 @@ def at_a_point(matrix):
     _refuse_functions(matrix)
     symbols, random = sorted(matrix.free_symbols, key=str), Random(len(matrix))
     for _ in range(5):
-        there = matrix.subs(
+        at_point = matrix.subs(
             {s: (-1 if s.is_negative else 1) * random.randint(2, 10**4) ** 2 for s in symbols}
         )
-        if not there.has(sp.nan, sp.zoo) and not there.free_symbols:
-            return there
+        if not at_point.has(sp.nan, sp.zoo) and not at_point.free_symbols:
+            return at_point
     return None
 
 
@@ -133,9 +133,9 @@ def where_defined(*matrices):
     """The values of the symbols, taken as real, for which no entry has a zero denominator: an And
     of inequations."""
     below = denominator(*matrices)
-    there, back = as_real(below)
+    to_real, back = as_real(below)
     return sp.And(
-        *(sp.Not(equation(factor)) for factor in factors(below.xreplace(there)))
+        *(sp.Not(equation(factor)) for factor in factors(below.xreplace(to_real)))
     ).xreplace(back)
 
 

@@ -22,8 +22,8 @@ from trajlib._arguments.symbols import exact_decimals, read_expression, read_sym
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact
 from trajlib.structure.canonical import controller_canonical_form
-from trajlib.structure.popov import visible_symbol
-from trajlib.structure.splitting import observability_decomposition
+from trajlib.structure.decomposition import observability_decomposition
+from trajlib.structure.pbh import visible_symbol
 
 
 def state_form(left, right, symbol=None):

@@ -25,7 +25,7 @@ from trajlib._arguments.matrices import (
     read_float_matrix,
     read_observed,
 )
-from trajlib._arguments.symbols import read_symbols
+from trajlib._arguments.symbols import join_names, read_symbols
 from trajlib.structure.parameters import rank_conditions
 
 
@@ -116,9 +116,9 @@ def time_varying_conditions(A, H, time, parameters=()):
             f"A: expected a constant matrix, got one that contains {time}; study the rank of "
             "time_varying_observability_matrix instead"
         )
-    if strangers := H.free_symbols - {time, *parameters} | A.free_symbols - {*parameters}:
+    if undeclared := H.free_symbols - {time, *parameters} | A.free_symbols - {*parameters}:
         raise ValueError(
-            f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
+            f"parameters: the system also has {join_names(undeclared)}; name every "
             "symbol that is not a number"
         )
     blocks = [N[: H.rows, :]]

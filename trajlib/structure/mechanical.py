@@ -15,7 +15,7 @@ import sympy as sp
 
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
 from trajlib.structure import exact
-from trajlib.structure.popov import LAMBDA, LostMode, lost_modes
+from trajlib.structure.pbh import LAMBDA, HiddenMode, hidden_modes
 from trajlib.structure.rank_tests import float_test, rank_test
 
 
@@ -32,7 +32,7 @@ def mechanical_observability(M, D, K, H1, H2=None):
     >>> import sympy as sp
     >>> M, zero, K = sp.Matrix([[2, 1], [1, 1]]), sp.zeros(2), sp.diag(-5, 6)
     >>> found = mechanical_observability(M, zero, K, sp.Matrix([[1, 3]]), sp.zeros(1, 2))
-    >>> found.rank, found.order, [m.eigenvalue for m in found.lost]
+    >>> found.rank, found.order, [m.eigenvalue for m in found.hidden_modes]
     (2, 4, [-sqrt(3), sqrt(3)])
     """
     H1, H2 = _both(H1, H2)
@@ -86,8 +86,8 @@ def first_order_form(M, D, K, L=None, H1=None, H2=None):
     [ 0,  1],
     [-2, -3]]), Matrix([[0, 1]]), Matrix([[1, 0]]))
     """
-    given = [m for m in (L, H1, H2) if m is not None]
-    M, D, K = _read_square(M, D, K, other=given)
+    others = [m for m in (L, H1, H2) if m is not None]
+    M, D, K = _read_square(M, D, K, other=others)
     n, floating = M.shape[0], isinstance(M, np.ndarray)
     singular = np.linalg.cond(M) > 1e14 if floating else sp.simplify(M.det()) == 0
     if singular:
@@ -197,10 +197,14 @@ def _test(M, D, K, H1, H2, word, orient):
             break
     order = sp.degree(sp.numer(sp.together(determinant)), LAMBDA) if determinant.has(LAMBDA) else 0
     dimensions = sp.degree(divisor, LAMBDA) if divisor.has(LAMBDA) else 0
-    lost = [
-        LostMode(m.eigenvalue, orient(m.vectors))
-        for m in (lost_modes(whole, divisor) if dimensions else ())
+    modes = [
+        HiddenMode(m.eigenvalue, orient(m.vectors))
+        for m in (hidden_modes(whole, divisor) if dimensions else ())
     ]
     return rank_test(
-        int(order - dimensions), int(order), lost, word, generic=bool(whole.free_symbols - {LAMBDA})
+        int(order - dimensions),
+        int(order),
+        modes,
+        word,
+        generic=bool(whole.free_symbols - {LAMBDA}),
     )

@@ -26,7 +26,7 @@ def nearest(A, H, stairs):
     """Local minima of a pair of norm 1, in the coordinates of `stairs`: triples (least singular
     value, its lambda, its unit vector), the least first."""
     points = _starts(stairs)
-    found, taken = [], []
+    minima, taken = [], []
     for index in np.argsort(_rough_values(A, H, points)):
         start = points[index]
         # Near neighbours lead to one minimum; the first three starts are the most promising,
@@ -34,10 +34,10 @@ def nearest(A, H, stairs):
         if len(taken) >= 3 and min(abs(start - other) for other in taken) <= 1e-3:
             continue
         taken.append(start)
-        found.append(descend(A, H, start))
+        minima.append(descend(A, H, start))
         if len(taken) == _DESCENTS:
             break
-    return sorted(found, key=lambda one: one[0])
+    return sorted(minima, key=lambda minimum: minimum[0])
 
 
 def smallest(A, H, value):
@@ -67,9 +67,9 @@ def _starts(stairs):
 def _means(eigenvalues):
     """Each eigenvalue in the closed upper half-plane, and its means with its nearest neighbours."""
     means = []
-    for one in eigenvalues[eigenvalues.imag >= 0]:
-        apart = np.abs(eigenvalues - one)
-        near = eigenvalues[np.argsort(apart)][: np.count_nonzero(apart <= 0.3)][:_MEANS]
+    for eigenvalue in eigenvalues[eigenvalues.imag >= 0]:
+        distances = np.abs(eigenvalues - eigenvalue)
+        near = eigenvalues[np.argsort(distances)][: np.count_nonzero(distances <= 0.3)][:_MEANS]
         means += list(np.cumsum(near) / np.arange(1, len(near) + 1))
     return means
 
@@ -93,9 +93,9 @@ def descend(A, H, value):
         better = None
         for other in (*steps, np.vdot(v, A @ v)):
             other = other if np.imag(value) else np.real(other)
-            found = (*smallest(A, H, other), other)
-            if found[0] < sigma * (1 - 1e-3) and (better is None or found[0] < better[0]):
-                better = found
+            trial = (*smallest(A, H, other), other)
+            if trial[0] < sigma * (1 - 1e-3) and (better is None or trial[0] < better[0]):
+                better = trial
             if better and better[0] < sigma / 5:
                 break
         if better is None or sigma <= 2 * _EPS:

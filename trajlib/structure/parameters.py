@@ -19,14 +19,14 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
-from trajlib._arguments.symbols import read_symbols
+from trajlib._arguments.symbols import join_names, read_symbols
 from trajlib._real_symbols import as_real, restore_names
 from trajlib.stability.inequalities import equation, sign_of
 from trajlib.stability.regions import latex_region
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
 from trajlib.structure import exact
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.popov import LAMBDA, kernels_modulo
+from trajlib.structure.pbh import LAMBDA, kernels_modulo
 
 _MOST_MINORS = 300
 #: Terms of a polynomial modulo which a rank can still be found in seconds.
@@ -102,9 +102,9 @@ def _conditions(A, H, parameters):
         raise ValueError(
             "A: expected SymPy matrices with the parameters in them; an array of floats has none"
         )
-    if strangers := (A.free_symbols | H.free_symbols) - set(parameters):
+    if undeclared := (A.free_symbols | H.free_symbols) - set(parameters):
         raise ValueError(
-            f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
+            f"parameters: the system also has {join_names(undeclared)}; name every "
             "symbol that is not a number"
         )
     if roots := sorted(
@@ -127,11 +127,11 @@ def rank_conditions(N, parameters, below=sp.Integer(1)):
             f"parameters: {len(parameters)} of them in a matrix this large are beyond the "
             "methods here; give some of the parameters values"
         )
-    there, back = as_real(N, below)
-    real, symbols = N.xreplace(there), tuple(there.get(p, p) for p in parameters)
+    to_real, back = as_real(N, below)
+    real, symbols = N.xreplace(to_real), tuple(to_real.get(p, p) for p in parameters)
     generic = exact.rank(real)
     try:
-        pieces = _pieces(real, symbols, below.xreplace(there))
+        pieces = _pieces(real, symbols, below.xreplace(to_real))
     except (_NotSolved, sp.PolynomialError) as problem:
         where = shorten(restore_names(str(problem), back), 200, placeholder=" ...")
         raise NotImplementedError(
@@ -141,7 +141,7 @@ def rank_conditions(N, parameters, below=sp.Integer(1)):
         ) from None
     whole = [(sp.true, generic)] if generic < N.cols else []
     largest = [p for p in pieces if not any(_inside(p, q) for q in pieces if q is not p)]
-    undefined = [equation(factor) for factor in exact.factors(below.xreplace(there))]
+    undefined = [equation(factor) for factor in exact.factors(below.xreplace(to_real))]
     region = (
         sp.false
         if whole
@@ -187,13 +187,13 @@ def _written(symbol, value):
 def _pieces(N, symbols, below):
     """The pieces on which the rank is lower than generic; larger ones first, none inside another of
     the same or a lower rank."""
-    found = sorted(_fallen(N, symbols, _Piece({}), below), key=_order)
+    pieces = sorted(_fallen(N, symbols, _Piece({}), below), key=_order)
     return [
         p
-        for i, p in enumerate(found)
+        for i, p in enumerate(pieces)
         if not any(
             q.rank <= p.rank and _inside(p, q) and (q != p or j < i)
-            for j, q in enumerate(found)
+            for j, q in enumerate(pieces)
             if j != i
         )
     ]
@@ -228,10 +228,10 @@ def _fallen(N, symbols, piece, below):
                     == 0
                 ):
                     continue
-                here = _rank_modulo(N, factor)
-                if here < rank:
-                    yield _Piece(piece.values | values, equations, here)
-                for deeper, unsolved in _zeros(_lower_on(factor, N, here), symbols):
+                rank_here = _rank_modulo(N, factor)
+                if rank_here < rank:
+                    yield _Piece(piece.values | values, equations, rank_here)
+                for deeper, unsolved in _zeros(_lower_on(factor, N, rank_here), symbols):
                     if unsolved:
                         raise _NotSolved(*unsolved)
                     yield from _restricted(N, symbols, piece, below, deeper, rank)
@@ -268,10 +268,10 @@ def _plain(expression):
 def _some_minor(N, rank):
     """The numerator of a minor of order `rank` that is not identically zero, from the first rows
     and columns that give one."""
-    there = exact.at_a_point(N)
-    there = N if there is None or exact.rank(there) < rank else there
-    columns = list(exact.field_matrix(there).rref()[1])
-    rows = list(exact.independent_rows(there.extract(list(range(N.rows)), columns)))
+    at_point = exact.at_a_point(N)
+    at_point = N if at_point is None or exact.rank(at_point) < rank else at_point
+    columns = list(exact.field_matrix(at_point).rref()[1])
+    rows = list(exact.independent_rows(at_point.extract(list(range(N.rows)), columns)))
     return sp.numer(sp.together(exact.determinant(N.extract(rows, columns))))
 
 
@@ -407,10 +407,10 @@ def _maximal_minors(N):
         choices = combinations(range(N.rows), N.cols)
     else:
         choices = [exact.independent_rows(N)] if exact.rank(N) == N.cols else []
-    found = {}
+    minors = {}
     for rows in choices:
         minor = sp.factor(exact.determinant(N.extract(list(rows), list(range(N.cols)))))
         if minor != 0:
             above, below = (sp.factor_list(part)[1] for part in sp.fraction(minor))
-            found.setdefault((frozenset(above), frozenset(below)), minor)
-    return list(found.values())
+            minors.setdefault((frozenset(above), frozenset(below)), minor)
+    return list(minors.values())

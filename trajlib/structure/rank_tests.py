@@ -15,10 +15,10 @@ from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.popov import LAMBDA, LostMode, lost_modes
+from trajlib.structure.pbh import LAMBDA, HiddenMode, hidden_modes
 from trajlib.typesetting import escape_markdown
 
-__all__ = ["LostMode", "RankTest", "controllability", "observability"]
+__all__ = ["HiddenMode", "RankTest", "controllability", "observability"]
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class RankTest:
 
     - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the
       state;
-    - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion
+    - `hidden_modes`: tuple of `HiddenMode`, the characteristic numbers at which the rank of Popov's criterion
       falls;
     - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having
       the norm 1 and every output the length 1 in units that balance the system. A change of that
@@ -43,7 +43,7 @@ class RankTest:
     holds: bool
     rank: int
     order: int
-    lost: tuple
+    hidden_modes: tuple
     margin: float | None = None
     reason: str = ""
 
@@ -68,8 +68,8 @@ def observability(A, H=None):
     >>> found = observability(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]]))
     >>> found.holds, found.rank, found.order
     (False, 2, 3)
-    >>> found.lost
-    (LostMode(eigenvalue=0, vectors=Matrix([
+    >>> found.hidden_modes
+    (HiddenMode(eigenvalue=0, vectors=Matrix([
     [ 1],
     [ 0],
     [-1]])),)
@@ -89,8 +89,8 @@ def controllability(A, B=None):
 
     >>> import sympy as sp
     >>> found = controllability(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0]))
-    >>> found.rank, found.lost
-    (2, (LostMode(eigenvalue=0, vectors=Matrix([[1, 0, 1]])),))
+    >>> found.rank, found.hidden_modes
+    (2, (HiddenMode(eigenvalue=0, vectors=Matrix([[1, 0, 1]])),))
     """
     A, H = read_controlled(A, B)
     return _test(A, H, "controllable", lambda vectors: vectors.T)
@@ -100,47 +100,47 @@ def _test(A, H, word, orient):
     if isinstance(A, np.ndarray):
         return float_test(A, H, word, orient)
     if A.free_symbols | H.free_symbols:
-        there = exact.at_a_point(sp.Matrix.vstack(A, H))
+        at_point = exact.at_a_point(sp.Matrix.vstack(A, H))
         if (
-            there is not None
-            and exact.rank(stacked_powers(there[: A.rows, :], there[A.rows :, :])) == A.rows
+            at_point is not None
+            and exact.rank(stacked_powers(at_point[: A.rows, :], at_point[A.rows :, :])) == A.rows
         ):
             return rank_test(A.rows, A.rows, (), word, generic=True)
     N = stacked_powers(A, H)
     rank = exact.rank(N)
-    lost = _lost_modes(A, exact.null_columns(N)) if rank < A.rows else ()
+    modes = _modes_in(A, exact.null_columns(N)) if rank < A.rows else ()
     return rank_test(
         rank,
         A.rows,
-        [LostMode(m.eigenvalue, orient(m.vectors)) for m in lost],
+        [HiddenMode(m.eigenvalue, orient(m.vectors)) for m in modes],
         word,
         generic=bool(A.free_symbols | H.free_symbols),
     )
 
 
-def _lost_modes(A, unseen):
+def _modes_in(A, subspace):
     """The modes of A in an invariant subspace, found in its own coordinates: there they all are
     lost."""
-    rows, columns = list(exact.independent_rows(unseen)), list(range(unseen.cols))
+    rows, columns = list(exact.independent_rows(subspace)), list(range(subspace.cols))
     inner = exact.product(
-        exact.inverse(unseen.extract(rows, columns)), (A * unseen).extract(rows, columns)
+        exact.inverse(subspace.extract(rows, columns)), (A * subspace).extract(rows, columns)
     )
-    return lost_modes(
-        inner - LAMBDA * sp.eye(inner.rows), characteristic_polynomial(inner, LAMBDA), unseen
+    return hidden_modes(
+        inner - LAMBDA * sp.eye(inner.rows), characteristic_polynomial(inner, LAMBDA), subspace
     )
 
 
-def rank_test(rank, order, lost, word, margin=None, generic=False, remark=""):
+def rank_test(rank, order, modes, word, margin=None, generic=False, remark=""):
     """A `RankTest` with its verdict in words."""
     holds = rank == order
     reason = f"{word if holds else f'not {word}'}: rank {rank} of {order}"
-    if lost:
-        reason += ", the rank of Popov's criterion falls at " + ", ".join(
-            dict.fromkeys(_named(m.eigenvalue) for m in lost)
+    if modes:
+        reason += ", the rank in the PBH test falls at " + ", ".join(
+            dict.fromkeys(_named(m.eigenvalue) for m in modes)
         )
     if generic:
         reason += " (for general values of the symbols)"
-    return RankTest(holds, rank, order, tuple(lost), margin, reason + remark)
+    return RankTest(holds, rank, order, tuple(modes), margin, reason + remark)
 
 
 def _named(eigenvalue):
@@ -167,5 +167,5 @@ def float_test(A, H, word, orient=lambda vectors: vectors):
             f", small: a change of the entries by {split.margin:.1e} of their size can turn the "
             "verdict; exact entries (SymPy) would decide"
         )
-    lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(split)]
-    return rank_test(split.rank, len(A), lost, word, split.margin, remark=remark)
+    modes = [HiddenMode(value, orient(vectors)) for value, vectors in floats.hidden_modes(split)]
+    return rank_test(split.rank, len(A), modes, word, split.margin, remark=remark)

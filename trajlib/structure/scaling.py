@@ -68,11 +68,11 @@ def _exponents(sizes, used):
     equations[k, j] += 1
     equations[k, i] -= 1
     equations[k[i < n], m] = -1
-    found = np.linalg.lstsq(
+    exponents = np.linalg.lstsq(
         equations.T @ equations, -equations.T @ np.log2(sizes[i, j]), rcond=1e-10
     )[0]
     # All states and outputs may shift together; the first state is taken as unit, so that other
     # units round alike.
-    found[:m] = found[:m] - found[0]
-    found = np.rint(found).astype(int)
-    return found[:m] + found[m] * (np.arange(m) < n), found[:n], int(found[m])
+    exponents[:m] = exponents[:m] - exponents[0]
+    exponents = np.rint(exponents).astype(int)
+    return exponents[:m] + exponents[m] * (np.arange(m) < n), exponents[:n], int(exponents[m])

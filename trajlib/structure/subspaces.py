@@ -27,7 +27,7 @@ def unobservable_subspace(A, H=None):
     """
     A, H = read_observed(A, H)
     if isinstance(A, np.ndarray):
-        return floats.told_split(A, H).unseen
+        return floats.split_with_warning(A, H).unobservable
     return exact.null_columns(stacked_powers(A, H))
 
 
@@ -47,7 +47,7 @@ def controllable_subspace(A, B=None):
     """
     A, H = read_controlled(A, B)
     if isinstance(A, np.ndarray):
-        return floats.told_split(A, H).seen
+        return floats.split_with_warning(A, H).complement
     powers = stacked_powers(A, H)
     chosen = list(exact.independent_rows(powers))
     return powers.extract(chosen, list(range(A.rows))).T if chosen else sp.zeros(A.rows, 0)

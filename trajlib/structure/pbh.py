@@ -17,7 +17,7 @@ LAMBDA = sp.Dummy("lambda")
 
 
 @dataclass(frozen=True)
-class LostMode:
+class HiddenMode:
     """A characteristic number at which the rank in Popov's criterion falls.
 
     `eigenvalue`: the number in closed form, or, where it has none, the irreducible `sp.Poly` in
@@ -45,8 +45,8 @@ def visible_symbol(*matrices, names=("lambda", "s", "mu", "lambda_")):
     return sp.Symbol(next(name for name in names if name not in used))
 
 
-def lost_modes(P, determinant, basis=None):
-    """The `LostMode`s at the roots of `determinant` (expressions in LAMBDA): columns v with
+def hidden_modes(P, determinant, basis=None):
+    """The `HiddenMode`s at the roots of `determinant` (expressions in LAMBDA): columns v with
     P(lambda) v = 0, or, with a `basis`, `basis` v."""
     modes, shown = [], visible_symbol(P)
     for factor, kernel in (
@@ -60,8 +60,8 @@ def lost_modes(P, determinant, basis=None):
             )
         roots = closed_roots(factor)
         if not roots:
-            modes.append(LostMode(factor.replace(LAMBDA, shown), kernel.subs(LAMBDA, shown)))
-        modes += [LostMode(root, kernel.subs(LAMBDA, root).applyfunc(_settled)) for root in roots]
+            modes.append(HiddenMode(factor.replace(LAMBDA, shown), kernel.subs(LAMBDA, shown)))
+        modes += [HiddenMode(root, kernel.subs(LAMBDA, root).applyfunc(_settled)) for root in roots]
     return tuple(modes)
 
 
@@ -103,8 +103,8 @@ def kernels_modulo(P, f):
     f = f.set_domain(domain)
     try:
         yield f, _kernel(P, f, domain)
-    except _Divisor as found:
-        for part in (found.args[0], f.quo(found.args[0])):
+    except _Divisor as divisor:
+        for part in (divisor.args[0], f.quo(divisor.args[0])):
             yield from kernels_modulo(P, part.monic())
 
 

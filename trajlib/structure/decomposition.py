@@ -134,7 +134,7 @@ def _coordinates(A, H):
     """Rows g of the observable coordinates, then rows orthogonal to them; and the two numbers."""
     n = A.shape[0]
     if isinstance(A, np.ndarray):
-        split = floats.told_split(A, H)
+        split = floats.split_with_warning(A, H)
         return split.rows, (split.rank, n - split.rank)
     N = stacked_powers(A, H)
     chosen = exact.independent_rows(N)
