@@ -7,6 +7,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals
+from trajlib._types import Matrix
 
 
 def is_float_array(matrix):
@@ -122,7 +123,7 @@ def read_vector(vector, name, length, floats):
     return row[0] if floats else row.T
 
 
-def read_observed(A, H, name="H"):
+def read_observed(A, H, name="H") -> tuple[Matrix, Matrix]:
     """Return the pair (A, H), both exact or both floats; a StateSpace in place of A has its own."""
     if is_state_space(A):
         A, H = A.A, A.C if H is None else H
@@ -144,7 +145,7 @@ def read_observed(A, H, name="H"):
     return A, H
 
 
-def read_controlled(A, B):
+def read_controlled(A, B) -> tuple[Matrix, Matrix]:
     """Return the dual pair (A^T, B^T) of (A, B), which is observable if (A, B) is controllable."""
     if is_state_space(A):
         A, B = A.A, A.B if B is None else B

@@ -1,13 +1,13 @@
-"""Decomposition by observation and by control, Theorems 2.8 and 2.9 of the problem book.
+"""Observability and controllability decompositions, Theorems 2.8 and 2.9 of the problem book.
 
-By observation (2.7) the new coordinates are (xi; eta) = T x with T A T^-1 = [[A11, 0], [A21, A22]],
-H T^-1 = [H1, 0] and (A11, H1) observable. As in example 3, xi_i = g_i^T x with the first
+By observability (2.7) the new coordinates are (xi; eta) = T x with T A T^-1 = [[A11, 0], [A21,
+A22]], H T^-1 = [H1, 0] and (A11, H1) observable. As in example 3, xi_i = g_i^T x with the first
 independent ones of the vectors of N (for one output g_1 = h, g_2 = A^T h, ...), and eta comes from
-the simplest whole vectors orthogonal to them.
+the simplest integer vectors orthogonal to them.
 
-By control (2.6) x = T^-1 (xi; eta), T A T^-1 = [[A11, A12], [0, A22]], T B = [B1; 0] and (A11, B1)
-is controllable. As in example 6, the columns of T^-1 are the first independent columns of W and
-whole vectors orthogonal to them.
+By controllability (2.6) x = T^-1 (xi; eta), T A T^-1 = [[A11, A12], [0, A22]], T B = [B1; 0] and
+(A11, B1) is controllable. As in example 6, the columns of T^-1 are the first independent columns of
+W and integer vectors orthogonal to them.
 """
 
 from dataclasses import dataclass
@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._types import Matrix, MatrixLike
 from trajlib.stability.regions import latex_condition
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
@@ -23,42 +24,52 @@ from trajlib.structure.kalman_matrices import stacked_powers
 
 @dataclass(frozen=True)
 class Decomposition:
-    """A system in coordinates (xi; eta) = `transformation` x, xi being the observable (or
-    controllable) ones.
+    """A system in coordinates (xi; eta) = `transformation` x, xi being observable (or controllable).
 
-    - `transformation`: T, n x n; `basis`: its inverse, x = `basis` (xi; eta);
-    - `matrix`: T A T^-1; `outputs`: H T^-1 = [H1, 0], or `inputs`: T B = [B1; 0] (the other one is
-      None);
-    - `sizes`: (number of xi, number of eta); `part` and `rest`: the pair (A11, H1) or (A11, B1),
-      and A22;
-    - `where`: the values of the symbols, taken as real, for which all this holds. At the others the
-      coordinates fail or the sizes are different: put such a value into the system and decompose it
-      anew.
+    Attributes
+    ----------
+    transformation : matrix, shape (n, n)
+        T.
+    matrix : matrix, shape (n, n)
+        T A T^-1.
+    sizes : tuple of int
+        (number of xi, number of eta).
+    outputs : matrix or None
+        H T^-1 = [H1, 0], for a decomposition by observability.
+    inputs : matrix or None
+        T B = [B1; 0], for a decomposition by controllability.
     """
 
-    transformation: object
-    matrix: object
-    sizes: tuple
-    outputs: object = None
-    inputs: object = None
+    transformation: Matrix
+    matrix: Matrix
+    sizes: tuple[int, int]
+    outputs: Matrix = None
+    inputs: Matrix = None
 
     @property
-    def basis(self):
+    def basis(self) -> Matrix:
+        """Return the inverse of the transformation, x = `basis` (xi; eta)."""
         return inverse(self.transformation)
 
     @property
-    def part(self):
+    def part(self) -> tuple[Matrix, Matrix]:
+        """Return the observable pair (A11, H1) or the controllable pair (A11, B1)."""
         k = self.sizes[0]
-        return self.matrix[:k, :k], self.outputs[
-            :, :k
-        ] if self.outputs is not None else self.inputs[:k, :]
+        A11 = self.matrix[:k, :k]
+        return (A11, self.inputs[:k, :]) if self.outputs is None else (A11, self.outputs[:, :k])
 
     @property
-    def rest(self):
+    def rest(self) -> Matrix:
+        """Return A22, the matrix of the unobservable (uncontrollable) part."""
         return self.matrix[self.sizes[0] :, self.sizes[0] :]
 
     @property
-    def where(self):
+    def where(self) -> sp.Basic:
+        """Return the condition on the symbols, taken as real, under which the decomposition holds.
+
+        At other values the coordinates fail or the sizes are different: put such a value into the
+        system and decompose it anew.
+        """
         return holds_where(self.transformation, self.basis, self.matrix, self.outputs, self.inputs)
 
     def _repr_latex_(self):
@@ -71,16 +82,33 @@ class Decomposition:
         return named_matrices(shown, self.where)
 
 
-def observability_decomposition(A, H=None):
-    """Decomposition by observation, observable coordinates first (MATLAB: obsvf, which puts them
-    last).
+def observability_decomposition(A: MatrixLike, H: MatrixLike | None = None) -> Decomposition:
+    """Return the decomposition into an observable and an unobservable part, observable first.
 
-    `A`: n x n, `H`: m x n. Exact input gives the basis of the problem book (generic if there are
-    symbols), floats a T that is orthogonal in the units that balance the system. An observable pair
-    gives sizes (n, 0); one that rounding could make unobservable, a warning. Returns
-    `Decomposition` with `outputs`. Raises ValueError for shapes that do not fit. Source: Theorem
-    2.9 and example 3 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax; a StateSpace in place of it has its own `H`.
+    H : matrix_like, shape (m, n)
+        Matrix of the output z = Hx.
 
+    Returns
+    -------
+    Decomposition
+        With `outputs`. Exact input gives the basis of the problem book (generic if there are
+        symbols), floats a T that is orthogonal in the units that balance the system. An observable
+        pair has sizes (n, 0); one that rounding could make unobservable gives a warning.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit.
+
+    Notes ----- MATLAB: ``obsvf``, which puts the observable coordinates last. Source: Theorem 2.9
+    and example 3 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = observability_decomposition(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]]))
     >>> found.transformation, found.sizes
@@ -100,16 +128,33 @@ def observability_decomposition(A, H=None):
     return Decomposition(T, multiply(T, A, back), sizes, outputs=multiply(H, back))
 
 
-def controllability_decomposition(A, B=None):
-    """Decomposition by control, controllable coordinates first (MATLAB: ctrbf, which puts them
-    last).
+def controllability_decomposition(A: MatrixLike, B: MatrixLike | None = None) -> Decomposition:
+    """Return the decomposition into a controllable and an uncontrollable part, controllable first.
 
-    `A`: n x n, `B`: n x s. Exact input gives the basis of the problem book (generic if there are
-    symbols), floats a T that is orthogonal in the units that balance the system. A controllable
-    pair gives sizes (n, 0); one that rounding could make uncontrollable, a warning. Returns
-    `Decomposition` with `inputs`. Raises ValueError for shapes that do not fit. Source: Theorem 2.8
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; a StateSpace in place of it has its own `B`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+
+    Returns
+    -------
+    Decomposition
+        With `inputs`. Exact input gives the basis of the problem book (generic if there are
+        symbols), floats a T that is orthogonal in the units that balance the system. A controllable
+        pair has sizes (n, 0); one that rounding could make uncontrollable gives a warning.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit.
+
+    Notes ----- MATLAB: ``ctrbf``, which puts the controllable coordinates last. Source: Theorem 2.8
     and example 6 of the problem book.
 
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = controllability_decomposition(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0]))
     >>> found.basis, found.sizes
@@ -131,7 +176,7 @@ def controllability_decomposition(A, B=None):
 
 
 def _coordinates(A, H):
-    """Rows g of the observable coordinates, then rows orthogonal to them; and the two numbers."""
+    """Return the rows of xi, then rows orthogonal to them; and the two numbers."""
     n = A.shape[0]
     if isinstance(A, np.ndarray):
         split = floats.split_with_warning(A, H)
@@ -155,12 +200,12 @@ def multiply(*matrices):
 
 
 def holds_where(*matrices):
-    """Where coordinates hold that were found for general values of the symbols: T, its inverse and
-    all in them defined.
+    """Return the condition under which coordinates found for general values of the symbols hold.
 
-    Where both T and its inverse are defined their product is E, also after the last cancellation;
-    the system itself is defined there, being made of the others; and the rows that span xi are
-    independent, so that the sizes are right.
+    T, its inverse and all other matrices must be defined. Where both T and its inverse are, their
+    product is the identity, also after the last cancellation; the system itself is defined there,
+    being made of the others; and the rows that span xi are independent, so that the sizes are
+    right.
     """
     return (
         sp.true
@@ -170,8 +215,7 @@ def holds_where(*matrices):
 
 
 def named_matrices(shown, where=sp.true):
-    """LaTeX of several matrices with their names, those that are None left out, and where they
-    hold."""
+    """Return LaTeX of matrices (None left out) with their names, and where they hold."""
 
     def latex(m):
         return sp.latex(sp.Matrix(np.round(m, 6)) if isinstance(m, np.ndarray) else m)

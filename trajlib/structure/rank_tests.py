@@ -1,9 +1,9 @@
-"""Is the state seen, can it be steered? The criteria of Kalman and of Popov, Theorems 2.1 - 2.4 of
-the problem book.
+"""Observability and controllability: the Kalman criterion and the PBH test, Theorems 2.1 - 2.4.
 
-Exact systems: the rank of Kalman's matrix, and Popov's criterion for the characteristic numbers at
-which the rank of (A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not
-show. Floats: the staircase form in balanced units and Popov's singular values (module `floats`).
+Exact systems: the rank of the Kalman matrix, and the PBH test (Popov, Belevitch, Hautus) for the
+eigenvalues at which the rank of (A - lambda I; H) falls, with the motions exp(lambda t) v whose
+output is zero. Floats: the staircase form in balanced units and the least singular value in the PBH
+test (module `floats`).
 """
 
 from dataclasses import dataclass
@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._types import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
@@ -23,27 +24,35 @@ __all__ = ["HiddenMode", "RankTest", "controllability", "observability"]
 
 @dataclass(frozen=True)
 class RankTest:
-    """Whether a system is observable (or controllable), the rank of Kalman's matrix, and what is
-    lost; true in an `if` if it is.
+    """The verdict on observability or controllability; true in an `if` if the property holds.
 
-    - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the
-      state;
-    - `hidden_modes`: tuple of `HiddenMode`, the characteristic numbers at which the rank of Popov's criterion
-      falls;
-    - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having
-      the norm 1 and every output the length 1 in units that balance the system. A change of that
-      size makes the verdict no; a smaller one may do so too, since the search is not proved to be
-      complete (`distance_to_unobservable` and `distance_to_uncontrollable` give proved bounds, in
-      the units given). None for exact systems;
-    - `reason`: the verdict in words. With symbols everything is generic: true for all values of the
-      symbols but exceptional ones, which `observability_conditions` and
-      `controllability_conditions` give.
+    With symbols everything is generic: true for all values of the symbols but exceptional ones,
+    which `observability_conditions` and `controllability_conditions` give.
+
+    Attributes
+    ----------
+    holds : bool
+        The verdict, `rank == order`.
+    rank : int
+        Rank of the Kalman matrix N (or W).
+    order : int
+        Dimension of the state.
+    hidden_modes : tuple of HiddenMode
+        The eigenvalues at which the rank in the PBH test falls, with their vectors.
+    margin : float or None
+        For floats the smallest singular value found in the PBH test, A having the norm 1 and every
+        output the length 1 in units that balance the system. A change of that size makes the
+        verdict no; a smaller one may do so too, since the search is not proved to be complete
+        (`distance_to_unobservable` and `distance_to_uncontrollable` give proved bounds, in the
+        units given). None for exact systems.
+    reason : str
+        The verdict in words.
     """
 
     holds: bool
     rank: int
     order: int
-    hidden_modes: tuple
+    hidden_modes: tuple[HiddenMode, ...]
     margin: float | None = None
     reason: str = ""
 
@@ -54,16 +63,34 @@ class RankTest:
         return escape_markdown(self.reason)
 
 
-def observability(A, H=None):
-    """Is x' = Ax, z = Hx observable? Rank, lost modes, margin (MATLAB: rank(obsv(A, C)), Popov's or
-    PBH test).
+def observability(A: MatrixLike, H: MatrixLike | None = None) -> RankTest:
+    """Decide whether x' = Ax, z = Hx is observable, with rank, unobservable modes and margin.
 
-    `A`: n x n, `H`: m x n. SymPy matrices or lists of rows are judged exactly; with symbols the
-    verdict is generic (it may fail for special values: see `observability_conditions`). NumPy
-    arrays of floats, or a StateSpace in place of `A`, are judged in balanced units by their
-    staircase form, with a margin. Returns `RankTest`. Raises ValueError for shapes that do not fit
-    and entries that are not real. Source: Theorems 2.1 and 2.3 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        A SymPy matrix or list of rows is judged exactly; with symbols the verdict is generic (it
+        may fail for special values: see `observability_conditions`). A NumPy array of floats, or a
+        StateSpace, is judged in balanced units by its staircase form, with a margin.
+    H : matrix_like, shape (m, n)
+        Matrix of the output; left out for a StateSpace, which has its own.
 
+    Returns
+    -------
+    RankTest
+        True in an `if` if the system is observable; the vectors of its modes are columns.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or for entries that are not real.
+
+    Notes
+    -----
+    MATLAB: ``rank(obsv(A, C))``, or the PBH test. Source: Theorems 2.1 and 2.3 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = observability(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]]))
     >>> found.holds, found.rank, found.order
@@ -78,15 +105,33 @@ def observability(A, H=None):
     return _test(A, H, "observable", lambda vectors: vectors)
 
 
-def controllability(A, B=None):
-    """Is x' = Ax + Bu controllable? Rank, lost modes, margin (MATLAB: rank(ctrb(A, B)), Popov's or
-    PBH test).
+def controllability(A: MatrixLike, B: MatrixLike | None = None) -> RankTest:
+    """Decide whether x' = Ax + Bu is controllable, with rank, uncontrollable modes and margin.
 
-    `A`: n x n, `B`: n x s; exact, symbolic (generic) or floats as in `observability`. The vectors
-    of the lost modes are rows w with w A = lambda w, w B = 0: no control changes w x exp(-lambda
-    t). Returns `RankTest`. Raises ValueError for shapes that do not fit and entries that are not
-    real. Source: Theorems 2.2 and 2.4 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Exact, symbolic (generic) or floats, as in `observability`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control; left out for a StateSpace, which has its own.
 
+    Returns
+    -------
+    RankTest
+        True in an `if` if the system is controllable; the vectors of its modes are rows w with w A
+        = lambda w, w B = 0: no control changes w x exp(-lambda t).
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or for entries that are not real.
+
+    Notes
+    -----
+    MATLAB: ``rank(ctrb(A, B))``, or the PBH test. Source: Theorems 2.2 and 2.4 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = controllability(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0]))
     >>> found.rank, found.hidden_modes
@@ -119,8 +164,7 @@ def _test(A, H, word, orient):
 
 
 def _modes_in(A, subspace):
-    """The modes of A in an invariant subspace, found in its own coordinates: there they all are
-    lost."""
+    """Return the modes of A in an invariant subspace, found in its own coordinates."""
     rows, columns = list(exact.independent_rows(subspace)), list(range(subspace.cols))
     inner = exact.product(
         exact.inverse(subspace.extract(rows, columns)), (A * subspace).extract(rows, columns)
@@ -131,7 +175,7 @@ def _modes_in(A, subspace):
 
 
 def rank_test(rank, order, modes, word, margin=None, generic=False, remark=""):
-    """A `RankTest` with its verdict in words."""
+    """Return a `RankTest` with its verdict in words."""
     holds = rank == order
     reason = f"{word if holds else f'not {word}'}: rank {rank} of {order}"
     if modes:
@@ -156,7 +200,7 @@ def _named(eigenvalue):
 
 
 def float_test(A, H, word, orient=lambda vectors: vectors):
-    """The verdict in floats; a margin close to rounding is told."""
+    """Return the verdict in floats; a margin close to rounding is reported."""
     split = floats.split(A, H)
     remark = f"; margin {split.margin:.3g} in balanced units"
     if split.rank < len(A):

@@ -1,26 +1,47 @@
-"""The states that the output never shows, and the states that a control reaches.
+"""The unobservable subspace and the controllable subspace of a linear system.
 
 The kernel of N is the largest subspace inside the kernel of H that A maps into itself: a motion
-that starts there has z = 0 for all time. The image of W is what can be reached from x = 0. One is
-the orthogonal complement of the other for the transposed system.
+that starts there has z = 0 for all time. The image of W is the set of states that are reached from
+x = 0. One is the orthogonal complement of the other for the transposed system.
 """
 
 import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._types import Matrix, MatrixLike
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
 
 
-def unobservable_subspace(A, H=None):
-    """Basis of the initial states with z = 0 for all time (MATLAB: null(obsv(A, C))).
+def unobservable_subspace(A: MatrixLike, H: MatrixLike | None = None) -> Matrix:
+    """Return a basis of the initial states with z = 0 for all time.
 
-    `A`: n x n, `H`: m x n. Returns an n x k matrix whose columns are a basis (k = n - rank N, also
-    0): exact input gives coprime whole entries, generic if there are symbols; floats give
-    orthonormal columns, and a warning if rounding could make a state unobservable. Raises
-    ValueError for shapes that do not fit. Source: Theorem 2.9 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax; a StateSpace in place of it has its own `H`.
+    H : matrix_like, shape (m, n)
+        Matrix of the output z = Hx.
 
+    Returns
+    -------
+    matrix, shape (n, k)
+        Columns of a basis, k = n - rank N (also 0). Exact input gives coprime integer entries,
+        generic if there are symbols; floats give orthonormal columns, and a warning if rounding
+        could make a state unobservable.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit.
+
+    Notes
+    -----
+    MATLAB: ``null(obsv(A, C))``. Source: Theorem 2.9 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> unobservable_subspace(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]])).T
     Matrix([[1, 0, -1]])
@@ -31,14 +52,34 @@ def unobservable_subspace(A, H=None):
     return exact.null_columns(stacked_powers(A, H))
 
 
-def controllable_subspace(A, B=None):
-    """Basis of the states reached from x = 0 by some control (MATLAB: orth(ctrb(A, B))).
+def controllable_subspace(A: MatrixLike, B: MatrixLike | None = None) -> Matrix:
+    """Return a basis of the states that some control reaches from x = 0.
 
-    `A`: n x n, `B`: n x s. Returns an n x k matrix, k = rank W, whose columns are the first
-    independent columns of W (b, Ab, ...), generic if there are symbols; floats give orthonormal
-    columns, and a warning if rounding could take a state away. Raises ValueError for shapes that do
-    not fit. Source: Theorem 2.8 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; a StateSpace in place of it has its own `B`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
 
+    Returns
+    -------
+    matrix, shape (n, k)
+        The first k = rank W independent columns of W (b, Ab, ...), generic if there are symbols;
+        floats give orthonormal columns, and a warning if rounding could make a state
+        uncontrollable.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit.
+
+    Notes
+    -----
+    MATLAB: ``orth(ctrb(A, B))``. Source: Theorem 2.8 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> controllable_subspace(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0])).T
     Matrix([
