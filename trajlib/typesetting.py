@@ -224,3 +224,8 @@ def _html(match):
     if match["times"]:
         return "·" if match.string[match.end()].isdigit() else "\u202f"
     return "√" if match["root"] else SET[match["sign"]]
+
+
+def escape_markdown(text: str) -> str:
+    """Return text for a notebook's Markdown: x1*x2 keeps its star."""
+    return text.replace("*", r"\*").replace("_", r"\_")

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import any_floats, read_matrix
 from trajlib._typing import Matrix, MatrixLike
-from trajlib.estimation.arguments import in_floats, read_matrix
 from trajlib.estimation.exact_or_float import latex
 from trajlib.estimation.fix_observability import cross_matrix
 from trajlib.estimation.linear_fit import least_squares
@@ -72,7 +72,7 @@ def bearing_fix(observers: MatrixLike, directions: MatrixLike) -> BearingFix:
     >>> fix.position.T, fix.ahead
     (Matrix([[2, 2, 0]]), (True, True))
     """
-    floats = in_floats(observers, directions)
+    floats = any_floats(observers, directions)
     positions = read_matrix(observers, "observers", None, 3, floats)
     sights = read_matrix(directions, "directions", positions.shape[0], 3, floats)
     rows, right, units = [], [], []

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.symbols import exact_decimals
 from trajlib._typing import MatrixLike, ScalarLike
-from trajlib.estimation.arguments import in_floats, read_matrix, read_square
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.markov import continuous_moments
-from trajlib.stability.systems import exact_decimals
 
 
 @dataclass(frozen=True)
@@ -177,7 +177,7 @@ def filter_measurements(
     >>> run.at(1).mean[0], run.at(1).covariance[0]
     (3*exp(-1)/2, 1/2)
     """
-    floats = in_floats(A, Q, start.mean, start.covariance)
+    floats = any_floats(A, Q, start.mean, start.covariance)
     A = read_square(A, "A", floats)
     initial_time = exact_decimals(sp.sympify(initial_time))
     ordered = [(exact_decimals(sp.sympify(entry.time)), entry) for entry in measurements]
@@ -221,7 +221,7 @@ def _corrected(before, measurement):
         return corrected(before, z, measurement.H, measurement.R)
     if not present:
         return None
-    floats = in_floats(measurement.H, measurement.R)
+    floats = any_floats(measurement.H, measurement.R)
     H, R = (
         read_matrix(measurement.H, "H", len(z), None, floats),
         read_matrix(measurement.R, "R", len(z), len(z), floats),

@@ -17,20 +17,16 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
+from trajlib._arguments.symbols import exact_decimals
+from trajlib._real_symbols import as_real
 from trajlib._typing import ArrayLike, Matrix, MatrixLike, ScalarLike
-from trajlib.estimation.arguments import (
-    in_floats,
-    read_covariance,
-    read_matrix,
-    read_square,
-    read_vector,
-)
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.exact_or_float import solve, symmetric
 from trajlib.estimation.modes import Modes, continuous_basis, exact_spectrum
 from trajlib.estimation.simulation import Paths, equal_steps, simulate_continuous
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
-from trajlib.stability.systems import as_real, exact_decimals
 
 
 @dataclass(frozen=True)
@@ -74,7 +70,7 @@ class ContinuousFilter:
     R: MatrixLike
 
     def __post_init__(self):
-        floats = in_floats(self.A, self.H, self.Q, self.R)
+        floats = any_floats(self.A, self.H, self.Q, self.R)
         A = read_square(self.A, "A", floats)
         H = read_matrix(self.H, "H", None, A.shape[0], floats)
         Q = read_covariance(self.Q, "Q", A.shape[0], floats)

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance, read_measurement
+from trajlib._arguments.matrices import any_floats, read_vector
 from trajlib._typing import Matrix, MatrixLike
-from trajlib.estimation.arguments import in_floats, read_covariance, read_measurement, read_vector
 from trajlib.estimation.covariances import Moments, trusted_moments
 from trajlib.estimation.exact_or_float import identity_like, latex, solve, symmetric, tidy
 
@@ -95,7 +96,7 @@ def corrected(prior: Moments, z: MatrixLike, H: MatrixLike, R: MatrixLike) -> Co
     >>> correction.estimate[0], correction.covariance[0], correction.gain[0]
     (3/2, 1/2, 1/2)
     """
-    floats = in_floats(prior.mean, prior.covariance, z, H, R)
+    floats = any_floats(prior.mean, prior.covariance, z, H, R)
     n = prior.covariance.shape[0]
     H, z, R = read_measurement(H, z, R, n, floats)
     x, P = (

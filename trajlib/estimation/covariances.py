@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
 from trajlib._typing import Matrix, MatrixLike
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_vector
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.stability.regions import latex_condition
 
@@ -55,7 +56,7 @@ class Moments:
     where: sp.Basic = sp.true
 
     def __post_init__(self):
-        floats = in_floats(self.mean, self.covariance)
+        floats = any_floats(self.mean, self.covariance)
         mean = read_vector(self.mean, "mean", None, floats)
         object.__setattr__(self, "mean", mean)
         object.__setattr__(
@@ -107,7 +108,7 @@ class Moments:
         -------
         Moments
         """
-        floats = in_floats(B, b, self.covariance)
+        floats = any_floats(B, b, self.covariance)
         n = self.covariance.shape[0]
         B = read_matrix(B, "B", None, n, floats)
         P, mean = (

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
 from trajlib._typing import ArrayLike
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_vector
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.filter_covariances import at_steps, check_definiteness, filter_covariances
 from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
@@ -255,7 +256,7 @@ class KalmanFilter:
 
 
 def _stack(matrices, read):
-    if in_floats(matrices) and matrices.ndim == 3:
+    if any_floats(matrices) and matrices.ndim == 3:
         return np.stack([read(matrix) for matrix in matrices])
     return read(matrices)
 

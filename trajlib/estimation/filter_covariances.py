@@ -8,7 +8,7 @@ measurement ends that, and the covariances are stepped again.
 
 import numpy as np
 
-from trajlib.estimation.arguments import ROUNDING
+from trajlib._arguments.covariances import ROUNDING
 
 #: The gain is kept once the rest of the convergence is below this share of the variances.
 SETTLED = 1e-13

@@ -5,10 +5,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
 from trajlib._typing import Matrix, MatrixLike
-from trajlib.estimation.arguments import in_floats, read_matrix, read_vector
-from trajlib.stability.systems import as_prose
 from trajlib.structure import exact
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,7 @@ class FixTest:
         return self.rank == 3
 
     def _repr_markdown_(self):
-        return as_prose(self.reason)
+        return escape_markdown(self.reason)
 
 
 def satellite_observability(position: MatrixLike, satellites: MatrixLike) -> FixTest:
@@ -125,7 +125,7 @@ def bearing_observability(position: MatrixLike, observers: MatrixLike) -> FixTes
 
 
 def _read_positions(position, points, name):
-    floats = in_floats(position, points)
+    floats = any_floats(position, points)
     return read_vector(position, "position", 3, floats), read_matrix(points, name, None, 3, floats)
 
 

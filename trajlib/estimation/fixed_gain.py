@@ -12,11 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.symbols import read_symbols
 from trajlib._typing import MatrixLike, Scalar
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
 from trajlib.estimation.exact_or_float import latex, symmetric
 from trajlib.estimation.stationary_covariances import StationaryCovariance, stationary_covariance
-from trajlib.stability.systems import read_symbols
 
 
 def error_covariance(
@@ -64,7 +65,7 @@ def error_covariance(
 
 
 def _read(A, H, Q, R, K):
-    floats = in_floats(A, H, Q, R, K)
+    floats = any_floats(A, H, Q, R, K)
     A = read_square(A, "A", floats)
     n = A.shape[0]
     H = read_matrix(H, "H", None, n, floats)

@@ -10,10 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_vector
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import ArrayLike, Matrix, MatrixLike, Scalar, ScalarLike
-from trajlib.estimation.arguments import in_floats, read_covariance, read_vector
 from trajlib.estimation.exact_or_float import latex, solve
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,7 @@ def optimal_weights(
     """
     (tau,) = read_symbols(tau, "tau")
     correlation = exact_decimals(read_expression(correlation, "correlation"))
-    if in_floats(times, noise, t):
+    if any_floats(times, noise, t):
         return _float_weights(correlation, tau, times, t, noise)
     times = read_vector(times, "times", None, False)
     if times.free_symbols:

@@ -15,8 +15,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_measurement
+from trajlib._arguments.matrices import any_floats
 from trajlib._typing import Matrix, MatrixLike, Scalar
-from trajlib.estimation.arguments import in_floats, read_measurement
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.exact_or_float import latex, solve, symmetric, tidy
@@ -131,7 +132,7 @@ def least_squares(
     if prior is not None:
         earlier = LeastSquares(prior.mean, prior.covariance, [], 0, 0)
         return _corrected(earlier, H, z, R)
-    floats = in_floats(H, z, R)
+    floats = any_floats(H, z, R)
     H, z, R = read_measurement(H, z, R, None, floats)
     if floats:
         estimate, covariance = _fit_floats(H, z, R)

@@ -12,8 +12,11 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_square, read_vector
+from trajlib._arguments.symbols import exact_decimals
+from trajlib._real_symbols import as_real
 from trajlib._typing import Matrix, MatrixLike, ScalarLike
-from trajlib.estimation.arguments import in_floats, read_covariance, read_square, read_vector
 from trajlib.estimation.covariances import Moments, trusted_moments
 from trajlib.estimation.exact_or_float import identity_like, symmetric
 from trajlib.estimation.modes import (
@@ -24,7 +27,6 @@ from trajlib.estimation.modes import (
     products,
     sums,
 )
-from trajlib.stability.systems import as_real, exact_decimals
 
 
 class DiscreteModel(NamedTuple):
@@ -197,7 +199,7 @@ def discretise(A: MatrixLike, Q: MatrixLike, step: ScalarLike) -> DiscreteModel:
     [h**3/3, h**2/2],
     [h**2/2,      h]])
     """
-    floats = in_floats(A, Q)
+    floats = any_floats(A, Q)
     A = read_square(A, "A", floats)
     if floats:
         Q = read_covariance(Q, "Q", A.shape[0], True)
@@ -210,7 +212,7 @@ def discretise(A: MatrixLike, Q: MatrixLike, step: ScalarLike) -> DiscreteModel:
 
 
 def _read(A, Q, start, name):
-    floats = in_floats(A, Q, start.mean, start.covariance)
+    floats = any_floats(A, Q, start.mean, start.covariance)
     A = read_square(A, name, floats)
     n = A.shape[0]
     return (

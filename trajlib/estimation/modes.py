@@ -11,9 +11,9 @@ defective matrices are no exception.
 
 import sympy as sp
 
+from trajlib._real_symbols import vanishes
 from trajlib.estimation.exact_or_float import tidy, tidy_entry
 from trajlib.stability.inequalities import equation
-from trajlib.stability.systems import vanishes
 
 
 def exact_spectrum(A):

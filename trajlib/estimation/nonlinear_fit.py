@@ -13,9 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import read_vector
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import ArrayLike
-from trajlib.estimation.arguments import read_covariance, read_vector
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 #: How often a step is shortened before the misfit counts as no longer falling.
 HALVINGS = 40

@@ -15,10 +15,10 @@ Hamiltonian matrix by z = (1 + s)/(1 - s), also for a singular Phi.
 import numpy as np
 import sympy as sp
 
+from trajlib._real_symbols import as_real, vanishes
 from trajlib.estimation.exact_or_float import solve
 from trajlib.stability.inequalities import equation, positive
 from trajlib.stability.regions import stability_conditions
-from trajlib.stability.systems import as_real, vanishes
 
 
 def continuous_hamiltonian(A, H, Q, R):

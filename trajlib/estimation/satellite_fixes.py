@@ -15,8 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
 from trajlib._typing import ArrayLike, Matrix, MatrixLike
-from trajlib.estimation.arguments import in_floats, read_matrix, read_vector
 from trajlib.estimation.exact_or_float import latex, tidy
 from trajlib.estimation.fix_observability import row_differences
 from trajlib.estimation.linear_fit import least_squares
@@ -114,7 +114,7 @@ def satellite_fix(satellites: MatrixLike, squared_ranges: MatrixLike) -> Satelli
     >>> fix.roots[0].T, fix.roots[1].T                                  # ... and its image in the satellites' plane
     (Matrix([[1/3, 1/3, 1/3]]), Matrix([[1, 1, 1]]))
     """
-    floats = in_floats(satellites, squared_ranges)
+    floats = any_floats(satellites, squared_ranges)
     points = read_matrix(satellites, "satellites", None, 3, floats)
     squares = read_vector(squared_ranges, "squared_ranges", points.shape[0], floats)
     if any(square < 0 if floats else square.is_negative for square in squares):

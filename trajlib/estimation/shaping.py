@@ -10,10 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import MatrixLike, ScalarLike
-from trajlib.estimation.arguments import in_floats, read_matrix, read_square
 from trajlib.estimation.exact_or_float import stack
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 
 @dataclass(frozen=True)
@@ -188,7 +188,7 @@ def with_shaping(
     [0,  1],
     [0, -1]]), Matrix([[1, 0]]))
     """
-    if in_floats(A, B, Q, H, C):
+    if any_floats(A, B, Q, H, C):
         raise ValueError("A: expected exact matrices (SymPy)")
     A = read_square(A, "A", False)
     n, k = A.rows, shaping.A.rows

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import read_matrix, read_square, read_vector
 from trajlib._typing import ArrayLike
-from trajlib.estimation.arguments import read_covariance, read_matrix, read_square, read_vector
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.discrete_filter import FilterRun
 from trajlib.estimation.markov import discretise

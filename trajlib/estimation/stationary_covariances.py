@@ -9,12 +9,13 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_square
 from trajlib._typing import Matrix, MatrixLike
-from trajlib.estimation.arguments import in_floats, read_covariance, read_square
 from trajlib.estimation.exact_or_float import latex, solve, symmetric
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.stability.regions import latex_condition, stability_conditions
-from trajlib.stability.systems import as_prose
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -40,7 +41,7 @@ class StationaryCovariance:
 
     def _repr_markdown_(self):
         if not self:
-            return as_prose(self.reason)
+            return escape_markdown(self.reason)
         where = "" if self.where == sp.true else rf",\quad {latex_condition(self.where)}"
         return rf"$\displaystyle P_\infty = {latex(self.covariance)}{where}$"
 
@@ -122,7 +123,7 @@ def discrete_stationary_covariance(Phi: MatrixLike, Q: MatrixLike) -> Stationary
 
 
 def _limit(A, Q, name, time):
-    floats = in_floats(A, Q)
+    floats = any_floats(A, Q)
     A = read_square(A, name, floats)
     Q = read_covariance(Q, "Q", A.shape[0], floats)
     where, reason = time.stable(A)

@@ -14,13 +14,14 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
 from trajlib._typing import Matrix, MatrixLike
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
 from trajlib.estimation.exact_or_float import identity_like, latex, solve, symmetric
 from trajlib.estimation.riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
 from trajlib.stability.regions import latex_condition
-from trajlib.stability.systems import as_prose
 from trajlib.structure.rank_tests import controllability, observability
+from trajlib.typesetting import escape_markdown
 
 #: Errors that decay by less than this share of the size of the matrix count as not decaying, in
 #: floats.
@@ -60,7 +61,7 @@ class StationaryFilter:
 
     def _repr_markdown_(self):
         if not self:
-            return as_prose(self.reason)
+            return escape_markdown(self.reason)
         parts = {"P": self.covariance, "P^+": self.corrected, "K": self.gain}
         shown = r",\quad ".join(
             f"{name} = {latex(part)}" for name, part in parts.items() if part is not None
@@ -165,7 +166,7 @@ def discrete_stationary_filter(
 
 
 def _stationary(A, H, Q, R, name, time):
-    floats = in_floats(A, H, Q, R)
+    floats = any_floats(A, H, Q, R)
     A = read_square(A, name, floats)
     n = A.shape[0]
     H = read_matrix(H, "H", None, n, floats)

@@ -16,8 +16,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_number, read_points, read_positive
 from trajlib._typing import ArrayLike
-from trajlib.infosets.arguments import read_number, read_positive, read_vectors
 from trajlib.infosets.turning import angle_between, cosine_parts
 
 #: First turns that are tried to begin with.
@@ -92,7 +92,7 @@ class DubinsReachable:
         -------
         ndarray, shape (...)
         """
-        points = read_vectors(points, "points")
+        points = read_points(points, "points")
         local = self._to_units(points.reshape(-1, 2))
         reached = [
             _reached(part, self.turn, read_positive(tolerance, "tolerance", "turning radii"))
@@ -192,7 +192,7 @@ def dubins_reachable(
     >>> reachable.support([0, np.pi]).round(6).tolist()
     [3.141593, 0.0]
     """
-    start = read_vectors(position, "position")
+    start = read_points(position, "position")
     if start.shape != (2,):
         raise ValueError(f"position: expected a point (x, y), got shape {start.shape}")
     return DubinsReachable(

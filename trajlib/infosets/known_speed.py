@@ -9,6 +9,7 @@ with one row.
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_count, read_positive
 from trajlib._typing import ArrayLike
 from trajlib.infosets import arguments
 from trajlib.infosets.cells import Cells
@@ -74,12 +75,12 @@ class ConstantSpeedInformationSet(Sections):
     ) -> None:
         self.mode, self.k = (
             arguments.read_mode(mode),
-            arguments.read_positive(k, "k", "length/time^2"),
+            read_positive(k, "k", "length/time^2"),
         )
-        self.dt = arguments.read_positive(dt, "dt", "time")
-        self.speed = arguments.read_positive(speed, "speed", "length/time")
-        headings = arguments.read_count(headings, "headings", 8)
-        self.normals = arguments.read_count(normals, "normals", 3)
+        self.dt = read_positive(dt, "dt", "time")
+        self.speed = read_positive(speed, "speed", "length/time")
+        headings = read_count(headings, "headings", 8)
+        self.normals = read_count(normals, "normals", 3)
         if self.k * self.dt / self.speed >= np.pi:
             raise ValueError(
                 f"dt: a step may turn the vehicle by {self.k * self.dt / self.speed:.3g} rad, more "

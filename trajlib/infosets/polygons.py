@@ -20,8 +20,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_points
 from trajlib._typing import ArrayLike
-from trajlib.infosets.arguments import read_vectors
 
 EPS = float(np.finfo(float).eps)
 #: Relative error of a computed alpha rho_j + beta rho_k, in units of EPS: four for a quotient of
@@ -122,7 +122,7 @@ class SupportPolygons:
         >>> SupportPolygons.around([[0, 0], [2, 1]], m=4).values.tolist()
         [1.0, 2.0, 0.0, 0.0]
         """
-        points = read_vectors(points, "points")
+        points = read_points(points, "points")
         if points.ndim < 2 or points.shape[-2] == 0:
             raise ValueError(
                 f"points: expected shape (..., count, 2) with a point or more, got {points.shape}"
@@ -173,7 +173,7 @@ class SupportPolygons:
         -------
         SupportPolygons
         """
-        return SupportPolygons.of_tight(self.values + read_vectors(by, "by") @ normals(self.m).T)
+        return SupportPolygons.of_tight(self.values + read_points(by, "by") @ normals(self.m).T)
 
     def intersect(self, other: SupportPolygons | ArrayLike) -> SupportPolygons:
         """Return polygons that contain the intersection, whatever the rounding.
@@ -227,7 +227,7 @@ class SupportPolygons:
         ndarray
             Boolean; true within rounding of the boundary.
         """
-        points = read_vectors(points, "points")
+        points = read_points(points, "points")
         slack = ROUNDINGS * EPS * np.abs(points).sum(axis=-1, keepdims=True)
         return (points @ normals(self.m).T <= self.values + slack).all(axis=-1)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_points, read_positive
 from trajlib._typing import ArrayLike
-from trajlib.infosets.arguments import read_positive, read_vectors
 from trajlib.infosets.polygons import EPS, ROUNDINGS, SupportPolygons, normals
 
 
@@ -97,7 +97,7 @@ class Region:
         -------
         Region
         """
-        points = read_vectors(points, "points")
+        points = read_points(points, "points")
         if points.ndim != 2 or len(points) == 0:
             raise ValueError(
                 f"points: expected shape (count, 2) with a point or more, got {points.shape}"
@@ -138,7 +138,7 @@ class Region:
 
 
 def _read_point(point, name):
-    point = read_vectors(point, name)
+    point = read_points(point, name)
     if point.shape != (2,):
         raise ValueError(f"{name}: expected a point (x, y), got shape {point.shape}")
     return point

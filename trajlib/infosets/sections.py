@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_count, read_points
 from trajlib._typing import ArrayLike
-from trajlib.infosets.arguments import read_count, read_vectors
 from trajlib.infosets.errors import EmptyInformationSet
 from trajlib.infosets.polygons import SupportPolygons
 from trajlib.infosets.regions import Region, read_region
@@ -141,7 +141,7 @@ class Sections:
             Whether the section of a cell that contains psi and V contains (x, y); as published, the
             section of the nearest node.
         """
-        state = read_vectors(state, "state", self._state)
+        state = read_points(state, "state", self._state)
         if state.ndim != 1:
             raise ValueError(
                 f"state: expected one of {self._state} numbers, got shape {state.shape}"

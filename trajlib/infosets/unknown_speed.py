@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_count, read_interval, read_positive
 from trajlib._typing import ArrayLike
 from trajlib.infosets import arguments
 from trajlib.infosets.cells import Cells
@@ -79,20 +80,20 @@ class InformationSet(Sections):
     ) -> None:
         self.mode, self.k = (
             arguments.read_mode(mode),
-            arguments.read_positive(k, "k", "length/time^2"),
+            read_positive(k, "k", "length/time^2"),
         )
-        self.dt = arguments.read_positive(dt, "dt", "time")
-        self.mu = arguments.read_pair(mu, "mu", "(mu1, mu2)")
+        self.dt = read_positive(dt, "dt", "time")
+        self.mu = read_interval(mu, "mu", "(mu1, mu2)")
         if not self.mu[0] < 0 < self.mu[1]:
             raise ValueError(
                 f"mu: expected mu1 < 0 < mu2, got {mu!r}; a speed that is known and constant is "
                 "for ConstantSpeedInformationSet"
             )
-        speeds = arguments.read_pair(speeds, "speeds")
+        speeds = read_interval(speeds, "speeds")
         if speeds[0] <= 0:
             raise ValueError(f"speeds: the model needs V > 0, got {speeds[0]:g}")
-        headings = arguments.read_count(headings, "headings", 8)
-        self.normals = arguments.read_count(normals, "normals", 3)
+        headings = read_count(headings, "headings", 8)
+        self.normals = read_count(normals, "normals", 3)
         section, arc = (
             read_region(region, self.normals).values,
             arguments.read_arc(heading_range, "heading_range"),
@@ -102,7 +103,7 @@ class InformationSet(Sections):
         if mode == "published":
             self._grid = Nodes(
                 *common,
-                arguments.read_count(20 if max_speeds is None else max_speeds, "max_speeds", 4),
+                read_count(20 if max_speeds is None else max_speeds, "max_speeds", 4),
             )
         elif max_speeds is not None:
             raise ValueError(

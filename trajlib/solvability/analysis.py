@@ -16,9 +16,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_names, read_numeric_matrix
 from trajlib._typing import ArrayLike
 from trajlib.solvability import rounding
-from trajlib.solvability.arguments import read_matrix, read_names
 from trajlib.solvability.result import Solvability
 from trajlib.solvability.variational import Linearisation
 from trajlib.solvability.weights import Weights
@@ -80,7 +80,7 @@ def analyse(
         names, units = names or matrix.names, units or matrix.units
         matrix_error = matrix.error if matrix_error is None else matrix_error
         matrix = matrix.matrix
-    matrix = read_matrix(matrix, "matrix")
+    matrix = read_numeric_matrix(matrix, "matrix")
     n, m = matrix.shape
     names, units = read_names(names, m), read_names(units, m, "units")
     if m == 0:

@@ -4,8 +4,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_numeric_matrix, read_times
 from trajlib._typing import ArrayLike
-from trajlib.solvability.arguments import read_matrix, read_times
 
 
 def transition(A: ArrayLike, times: ArrayLike, reference: float | None = None) -> np.ndarray:
@@ -40,7 +40,7 @@ def transition(A: ArrayLike, times: ArrayLike, reference: float | None = None) -
     """
     from scipy.linalg import expm
 
-    A = read_matrix(A, "A")
+    A = read_numeric_matrix(A, "A")
     if A.shape[0] != A.shape[1]:
         raise ValueError(f"A: expected a square matrix, got shape {A.shape}")
     times = read_times(times)

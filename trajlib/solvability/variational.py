@@ -13,8 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_names, read_times
 from trajlib._typing import ArrayLike
-from trajlib.solvability.arguments import read_names, read_times
 from trajlib.solvability.transitions import stack
 
 #: The error of each entry is found from a second integration whose tolerance is smaller by this

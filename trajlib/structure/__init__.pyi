@@ -5,6 +5,13 @@ from trajlib.structure.canonical import observer_canonical_form as observer_cano
 from trajlib.structure.components import ComponentDecomposition as ComponentDecomposition
 from trajlib.structure.components import decompose_by_inputs as decompose_by_inputs
 from trajlib.structure.components import decompose_by_outputs as decompose_by_outputs
+from trajlib.structure.decomposition import Decomposition as Decomposition
+from trajlib.structure.decomposition import (
+    controllability_decomposition as controllability_decomposition,
+)
+from trajlib.structure.decomposition import (
+    observability_decomposition as observability_decomposition,
+)
 from trajlib.structure.distance import Distance as Distance
 from trajlib.structure.distance import distance_to_uncontrollable as distance_to_uncontrollable
 from trajlib.structure.distance import distance_to_unobservable as distance_to_unobservable
@@ -27,14 +34,9 @@ from trajlib.structure.mechanical import mechanical_observability as mechanical_
 from trajlib.structure.parameters import RankConditions as RankConditions
 from trajlib.structure.parameters import controllability_conditions as controllability_conditions
 from trajlib.structure.parameters import observability_conditions as observability_conditions
-from trajlib.structure.rank_tests import LostMode as LostMode
+from trajlib.structure.rank_tests import HiddenMode as HiddenMode
 from trajlib.structure.rank_tests import RankTest as RankTest
 from trajlib.structure.rank_tests import controllability as controllability
 from trajlib.structure.rank_tests import observability as observability
-from trajlib.structure.splitting import Decomposition as Decomposition
-from trajlib.structure.splitting import (
-    controllability_decomposition as controllability_decomposition,
-)
-from trajlib.structure.splitting import observability_decomposition as observability_decomposition
-from trajlib.structure.unseen import controllable_subspace as controllable_subspace
-from trajlib.structure.unseen import unobservable_subspace as unobservable_subspace
+from trajlib.structure.subspaces import controllable_subspace as controllable_subspace
+from trajlib.structure.subspaces import unobservable_subspace as unobservable_subspace

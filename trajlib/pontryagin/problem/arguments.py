@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 
 import sympy as sp
 
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 
 
 def read_table(dynamics):

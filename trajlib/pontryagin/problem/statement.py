@@ -15,6 +15,7 @@ from typing import Any, Self
 
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_expression
 from trajlib.pontryagin.problem.arguments import (
     names_of,
     read_bounds,
@@ -23,7 +24,6 @@ from trajlib.pontryagin.problem.arguments import (
     read_table,
     read_terminal,
 )
-from trajlib.stability.systems import exact_decimals, read_expression
 
 
 @dataclass(frozen=True, eq=False)

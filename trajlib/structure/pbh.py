@@ -1,15 +1,16 @@
 """Kernels of a polynomial matrix P(lambda) at the roots of an irreducible polynomial f.
 
-Popov's criteria (Theorems 2.3 - 2.6) ask for the rank of such a matrix at the characteristic
-numbers. All roots of an irreducible f are alike, so the elimination runs in the field of the
-polynomials in lambda modulo f and never needs the roots themselves; the kernel comes out in terms
-of lambda, whatever root lambda is.
+The PBH test (Popov, Belevitch, Hautus; Theorems 2.3 - 2.6) asks for the rank of such a matrix at
+the eigenvalues. All roots of an irreducible f are alike, so the elimination runs in the field of
+the polynomials in lambda modulo f and never needs the roots themselves; the kernel is given in
+terms of lambda, for any root.
 """
 
 from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._types import Matrix
 from trajlib.structure.exact import simple_multiple
 
 # A stand-in, so that the user's own matrices may contain a symbol lambda.
@@ -17,17 +18,21 @@ LAMBDA = sp.Dummy("lambda")
 
 
 @dataclass(frozen=True)
-class LostMode:
-    """A characteristic number at which the rank in Popov's criterion falls.
+class HiddenMode:
+    """An unobservable or uncontrollable mode: an eigenvalue at which the rank in the PBH test falls.
 
-    `eigenvalue`: the number in closed form, or, where it has none, the irreducible `sp.Poly` in
-    lambda that it is a root of; the vectors then contain lambda. `vectors`: for observability the
-    matrix whose columns v satisfy A v = lambda v, H v = 0; for controllability the one whose rows w
-    satisfy w A = lambda w, w B = 0.
+    Attributes
+    ----------
+    eigenvalue : sympy.Expr, complex or sympy.Poly
+        The eigenvalue in closed form, or, where it has none, the irreducible polynomial in lambda
+        that it is a root of; the vectors then contain lambda.
+    vectors : matrix
+        For observability the columns v with A v = lambda v, H v = 0; for controllability the rows w
+        with w A = lambda w, w B = 0.
     """
 
-    eigenvalue: object
-    vectors: object
+    eigenvalue: sp.Expr | sp.Poly | complex
+    vectors: Matrix
 
     def _repr_latex_(self):
         vectors = sp.Matrix(self.vectors)
@@ -39,15 +44,13 @@ class LostMode:
 
 
 def visible_symbol(*matrices, names=("lambda", "s", "mu", "lambda_")):
-    """The lambda of results: a plain symbol, with another name if the matrices contain one that is
-    called so."""
+    """Return lambda, or another symbol if the matrices contain one of that name."""
     used = {s.name for m in matrices for s in m.free_symbols - {LAMBDA}}
     return sp.Symbol(next(name for name in names if name not in used))
 
 
-def lost_modes(P, determinant, basis=None):
-    """The `LostMode`s at the roots of `determinant` (expressions in LAMBDA): columns v with
-    P(lambda) v = 0, or, with a `basis`, `basis` v."""
+def hidden_modes(P, determinant, basis=None):
+    """Return the modes with P(lambda) v = 0 (given as `basis` v) at the roots of `determinant`."""
     modes, shown = [], visible_symbol(P)
     for factor, kernel in (
         pair for f in irreducible_factors(determinant, P) for pair in kernels_modulo(P, f)
@@ -60,13 +63,13 @@ def lost_modes(P, determinant, basis=None):
             )
         roots = closed_roots(factor)
         if not roots:
-            modes.append(LostMode(factor.replace(LAMBDA, shown), kernel.subs(LAMBDA, shown)))
-        modes += [LostMode(root, kernel.subs(LAMBDA, root).applyfunc(_settled)) for root in roots]
+            modes.append(HiddenMode(factor.replace(LAMBDA, shown), kernel.subs(LAMBDA, shown)))
+        modes += [HiddenMode(root, kernel.subs(LAMBDA, root).applyfunc(_settled)) for root in roots]
     return tuple(modes)
 
 
 def irreducible_factors(polynomial, P):
-    """Monic irreducible factors in lambda over the field of the coefficients of P, each once."""
+    """Return the monic irreducible factors in lambda over the field of P, each once."""
     domain = _field([*P, polynomial])
     if not domain.is_EX:
         return [f.monic() for f, _ in sp.Poly(polynomial, LAMBDA, domain=domain).factor_list()[1]]
@@ -85,35 +88,34 @@ def _field(entries):
 
 
 def closed_roots(f):
-    """The roots in closed form, or () where a formula would help nobody."""
+    """Return the roots in closed form, or () where such a formula would be too long."""
     if f.degree() <= 2 or (f.degree() == 4 and f.nth(3) == f.nth(1) == 0):
         return tuple(sorted(sp.roots(f.as_expr(), f.gen), key=sp.default_sort_key))
     return ()
 
 
 def kernels_modulo(P, f):
-    """Pairs (factor, basis of the kernel of P at its roots, as columns in lambda) for a monic f
-    without multiple roots.
+    """Yield pairs (factor, basis of the kernel of P at its roots) for a monic square-free f.
 
-    There is one pair, (f, kernel), if f is irreducible. An f that falls apart over a field in which
-    SymPy cannot factor shows it by an element without inverse; then its two parts are treated one
-    by one.
+    The basis has columns in lambda. There is one pair, (f, kernel), if f is irreducible. An f that
+    is reducible over a field in which SymPy cannot factor shows it by an element without inverse;
+    then its two parts are treated one by one.
     """
     domain = _field([*P, f.as_expr()])
     f = f.set_domain(domain)
     try:
         yield f, _kernel(P, f, domain)
-    except _Divisor as found:
-        for part in (found.args[0], f.quo(found.args[0])):
+    except _Divisor as divisor:
+        for part in (divisor.args[0], f.quo(divisor.args[0])):
             yield from kernels_modulo(P, part.monic())
 
 
 class _Divisor(Exception):
-    """The argument is a proper divisor of the modulus."""
+    """Signals a proper divisor of the modulus, its argument."""
 
 
 def _kernel(P, f, domain):
-    """Gauss's elimination modulo f."""
+    """Return the kernel of P by Gaussian elimination modulo f."""
     rows = [[sp.Poly(e, LAMBDA, domain=domain).rem(f) for e in P.row(i)] for i in range(P.rows)]
     pivots = []
     for column in range(P.cols):
