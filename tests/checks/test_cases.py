@@ -5,12 +5,11 @@ import inspect
 from pathlib import Path
 
 import pytest
+from case import CHECKS, check_named
 
-from workbook import checks
 from workbook.checks.contract.shapes import COMMON, SHAPES
 
 TABLES = sorted((Path(__file__).parent / "cases").glob("*/*.py"))
-NOT_CHECKS = {"NotYet", "Unusable", "Verdict", "collecting", "judged", "report"}
 
 
 def _load(path):
@@ -38,12 +37,12 @@ def rows():
 
 @pytest.mark.parametrize("case", list(rows()))
 def test_case(case):
-    verdict = getattr(checks, case.check)(case.answer, *case.data, **dict(case.options))
+    verdict = check_named(case.check)(case.answer, *case.data, **dict(case.options))
     assert verdict.status == case.verdict, verdict.message
     assert len(verdict.message) > 10
 
 
-@pytest.mark.parametrize("name", sorted(set(dir(checks)) - NOT_CHECKS))
+@pytest.mark.parametrize("name", CHECKS)
 def test_every_check_has_its_table(name):
     verdicts = [case.verdict for case in CASES if case.check == name]
     assert (
@@ -55,8 +54,8 @@ def test_every_check_has_its_table(name):
 @pytest.mark.parametrize("room", SHAPES)
 def test_every_check_of_a_room_tells_the_shapes_of_its_data(room):
     told, asked = SHAPES[room], set()
-    for name in set(dir(checks)) - NOT_CHECKS:
-        check = getattr(checks, name)
+    for name in CHECKS:
+        check = check_named(name)
         if check.__module__.split(".")[-2] == room:
             names = list(inspect.signature(check).parameters)[1:]
             assert all(

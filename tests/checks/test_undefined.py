@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from case import check_named
 
 from workbook import checks
 from workbook.checks.contract.verdict import Invalid, Wrong
@@ -103,8 +104,8 @@ MOVE, SEEN, SOLVED = map(
     cases, ("pontryagin/transfers", "structure/observability", "research/solvability")
 )
 SPLINE, PLANE = cases("research/reconstruction"), cases("stability/stationary")
-LINES, FLAT = cases("stability/critical"), cases("stability/first_approximation")
-LISTS = cases("stability/rest_families")
+LINES, FLAT = cases("stability/critical"), cases("stability/linearisation")
+LISTS = cases("stability/equilibrium_families")
 STRIP = sp.Piecewise((LAW.TO_ORIGIN, sp.Abs(LAW.x1 - sp.Rational(1, 2)) > sp.Rational(1, 25)))
 SIDES = LAW.x1 + LAW.x2 * sp.Abs(LAW.x2) / 2
 PUSH = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > 1))
@@ -177,7 +178,7 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
     ],
 )
 def test_answers_that_are_undefined_where_it_matters(check, answer, data, verdict, said):
-    found = getattr(checks, check)(answer, *data)
+    found = check_named(check)(answer, *data)
     assert (found.status, said in found.message) == (verdict, True), found
 
 

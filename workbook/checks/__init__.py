@@ -6,6 +6,7 @@
 import sys
 
 from trajlib._lazy import lazy_names
+from workbook.checks import research as research  # `checks.research.*`, lazy itself
 from workbook.checks.contract import error_hints
 
 __getattr__, __dir__, __all__ = lazy_names(
@@ -219,36 +220,6 @@ __getattr__, __dir__, __all__ = lazy_names(
             "best_motion_exists",
             "best_value",
             "stationary_duration",
-        ],
-        "research.infosets": ["common_point", "support_values"],
-        "research.interpolation": ["of_interpolant"],
-        "research.invariance": ["invariant_weights"],
-        "research.reconstruction": [
-            "boundary_decay",
-            "bounded_misfit",
-            "digits_lost",
-            "filter_gain",
-            "multiple_eigenvalues",
-            "spline_acceleration",
-            "spline_misfit",
-            "spline_positions",
-            "transition_polynomial",
-            "weight_for_bound",
-            "weight_of_harmonic",
-        ],
-        "research.solvability": [
-            "bearing_tells_range",
-            "bias_of_estimate",
-            "breaks_bound",
-            "condition_of_nearly_equal",
-            "fooling_error",
-            "modes_of_range",
-            "most_rows",
-            "numbers_seen",
-            "range_error",
-            "stations_insufficient",
-            "unseen_by_bearings",
-            "worst_of_three",
         ],
     },
 )

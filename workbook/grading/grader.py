@@ -43,7 +43,7 @@ class Bench:
         self._sandbox.start()  # it loads its own while the judging children's is loaded here
         try:
             if not self._ready:
-                preload(*ALWAYS, packages=["workbook.checks"])
+                preload(*ALWAYS, packages=["workbook.checks", "workbook.checks.research"])
             self._sandbox.__enter__()
         except BaseException:
             self._sandbox.__exit__()

@@ -4,6 +4,7 @@ tests."""
 import importlib.util
 import re
 import sys
+from operator import attrgetter
 from pathlib import Path
 
 from docutils import nodes
@@ -43,9 +44,10 @@ class CheckCases(SphinxDirective):
             shown = nodes.literal("", f"checks.{name}")
             if name in at_home:
                 purpose, *more = (
-                    " ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n")
+                    " ".join(part.split())
+                    for part in attrgetter(name)(checks).__doc__.split("\n\n")
                 )
-                anchor = nodes.target("", "", ids=[f"check-{name}"])
+                anchor = nodes.target("", "", ids=[_anchor(name)])
                 section += nodes.paragraph("", "", anchor, shown, *spans(f": {purpose}"))
                 section += [
                     nodes.paragraph("", "", *spans(part))
@@ -54,7 +56,7 @@ class CheckCases(SphinxDirective):
                 ]
             else:
                 section += nodes.paragraph(
-                    "", "", nodes.reference("", "", shown, refid=f"check-{name}", internal=True)
+                    "", "", nodes.reference("", "", shown, refid=_anchor(name), internal=True)
                 )
             section += _table([case for case in module.CASES if case.check == name])
         section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
@@ -65,13 +67,17 @@ class CheckCases(SphinxDirective):
         return section
 
 
+def _anchor(name):
+    return f"check-{name.replace('.', '-')}"
+
+
 def homes_of(modules):
     """The file, of those in which a check has cases, where it is told what it asks, by the names of
     the checks."""
     homes = {}
     for path, module in modules.items():
         for name in {case.check for case in module.CASES}:
-            if getattr(checks, name).__module__.split(".")[-2:] == [path.parent.name, path.stem]:
+            if attrgetter(name)(checks).__module__.split(".")[-2:] == [path.parent.name, path.stem]:
                 homes[name] = path
             homes.setdefault(name, path)
     return homes

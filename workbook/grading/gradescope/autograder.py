@@ -180,8 +180,9 @@ def _make_ready():
 
     from workbook import checks
 
-    for name in checks.__all__:
-        getattr(checks, name)
+    for package in (checks, checks.research):
+        for name in package.__all__:
+            getattr(package, name)
 
 
 if __name__ == "__main__":

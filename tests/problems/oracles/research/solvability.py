@@ -43,4 +43,7 @@ def stations_insufficient(mutant, reference, matrix, first, second):
     return True
 
 
-ORACLES = {"breaks_bound": breaks_bound, "stations_insufficient": stations_insufficient}
+ORACLES = {
+    "research.breaks_bound": breaks_bound,
+    "research.stations_insufficient": stations_insufficient,
+}
