@@ -13,7 +13,8 @@ import math
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Expression, Integer, Number
+from workbook.checks.contract import coercion
+from workbook.checks.contract.claims import Expression, Number
 from workbook.checks.contract.tolerance import in_decimals, same
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.in_time import INTEGRATED
@@ -143,10 +144,17 @@ def reached_within(answer, problem, duration, parameters):
     return f"it tells the times that suffice from those that do not: {agreement}"
 
 
-@judged(Expression("parameters"))
-def switchings(claim, problem, parameters):
+@judged
+def switching_count(answer, problem, parameters=()):
     """How often the fastest control switches, as an expression in the parameters; not asked where
-    all of them are whole numbers."""
+    all of them are whole numbers.
+
+    Without parameters: the greatest number of switchings that a fastest transfer needs, from
+    whatever initial state.
+    """
+    if not parameters:
+        return _judge_greatest_count(coercion.as_integer(answer), problem)
+    claim = coercion.as_expression(answer, parameters)
     transfer = Transfer(problem, parameters)
     for values, best in transfer.samples(4 * SAMPLES):
         if all(value.is_integer for value in values.values()):
@@ -163,19 +171,15 @@ def switchings(claim, problem, parameters):
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 
 
-@judged(Integer())
-def most_switchings(claim, problem, parameters):
-    """The greatest number of switchings that a fastest transfer needs."""
-    transfer = Transfer(problem, parameters)
-    most = max((best.switchings(), k) for k, (_, best) in enumerate(transfer.samples(4 * SAMPLES)))[
-        0
-    ]
-    if claim < most:
+def _judge_greatest_count(claim, problem):
+    transfer = Transfer(problem, [x for x in problem.dynamics if problem.initial.get(x) is None])
+    greatest = max(best.switchings() for _, best in transfer.samples(4 * SAMPLES))
+    if claim < greatest:
         raise Wrong(
             "there are starts from which the fastest control switches more often than "
             f"{_times(claim)}"
         )
-    if claim > most:
+    if claim > greatest:
         raise Wrong(
             f"among {4 * SAMPLES} starts there is none from which the fastest control switches as "
             f"often as {_times(claim)}"

@@ -200,24 +200,6 @@ def saddle_angles(answer, field, state, parameters, angle):
     )
 
 
-@judged
-def focus_parameters(answer, field, state, parameters):
-    """The parameters for which the stationary angles that are no saddles are foci (complex roots);
-    borders count either way."""
-    return _judge_kind(
-        answer, field, state, parameters, lambda discriminant: discriminant < 0, "focus"
-    )
-
-
-@judged
-def node_parameters(answer, field, state, parameters):
-    """The parameters for which the stationary angles that are no saddles are nodes (real roots);
-    borders count either way."""
-    return _judge_kind(
-        answer, field, state, parameters, lambda discriminant: discriminant > 0, "node"
-    )
-
-
 class Motion:
     """A program motion: what the program leaves open is found by Newton's iteration, at given
     values of the parameters."""
@@ -359,7 +341,17 @@ def _judge_angles(answer, field, state, parameters, angle, kind, word):
     return f"it agrees with the roots of the characteristic equation at the stationary angles: {agreement}"
 
 
-def _judge_kind(answer, field, state, parameters, kind, word):
+def is_angle_equation(field, state):
+    """Return whether a planar field is that of an equation phi'' = f(phi, phi') periodic in phi."""
+    if len(state) != 2 or sp.sympify(field[0]) != state[1]:
+        return False
+    force = sp.sympify(field[1])
+    return force.has(state[0]) and force.subs(state[0], state[0] + 2 * sp.pi) == force
+
+
+def judge_angle_roots(answer, field, state, parameters, sign):
+    """Compare a condition with the discriminants at the angles that are no saddles: -1 focus, 1 node."""
+    word = "node" if sign > 0 else "focus"
     phi, rate = state
     force = sp.sympify(field[1])
     slope, friction = (sp.diff(force, x).subs(rate, 0) for x in state)
@@ -377,13 +369,13 @@ def _judge_kind(answer, field, state, parameters, kind, word):
             friction**2 + abs(slope) for slope, friction in pairs
         ):
             return None
-        return all(map(kind, found))
+        return all(sign * discriminant > 0 for discriminant in found)
 
     def told(values):
         slope, friction = next((pair for pair in discriminants(values)[1] if pair[0] < 0), (0, 0))
         return _roots_told(slope, friction)
 
-    exact = exactly(border < 0 if word == "focus" else border > 0, given, (phi,), truth)
+    exact = exactly(sign * border > 0, given, (phi,), truth)
     agreement = compare(answer, parameters, exact, contrary(told))
     return (
         "for these parameters, and for no others, the stationary angles that are no saddles are "

@@ -23,6 +23,7 @@ from workbook.checks.contract.tolerance import changed, half_unit, in_decimals, 
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_factors
 from workbook.checks.references.stationary_points import rest_points
+from workbook.checks.stability.nominal_motions import is_angle_equation, judge_angle_roots
 from workbook.checks.tools.conditions import Case, Truth, compare, exactly, place_text
 from workbook.checks.tools.samples import draw, drawn, ends
 from workbook.checks.tools.values import real_at, uncertain_at
@@ -62,27 +63,10 @@ def nullcline(answer, rate, variable, parameters, domain=None):
 
 
 @judged
-def cycle_radius(answer, radial, radius, parameters):
-    """The radius of the closed orbit of r' = R(r) in polar coordinates with an angle that keeps
-    turning."""
-    return _judge_points(
-        answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit"
-    )
-
-
-@judged
 def stationary_exists(answer, field, state, parameters, domain=None):
     """The parameters for which there is a stationary point in the domain."""
     return _judge_existence(
         answer, rest_points(field, state, parameters, domain), "stationary point"
-    )
-
-
-@judged
-def cycle_exists(answer, radial, radius, parameters):
-    """The parameters for which r' = R(r) has a closed orbit, a circle around zero."""
-    return _judge_existence(
-        answer, rest_points([radial], [radius], parameters, _cycles(radius)), "closed orbit"
     )
 
 
@@ -193,15 +177,23 @@ def stationary_type(answer, field, state, parameters, domain=None):
 @judged
 def focus_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a focus; the border, where the roots are
-    equal, counts either way."""
-    return _judge_roots(answer, rest_points(field, state, parameters, domain), -1, "a focus")
+    equal, counts either way.
+
+    Without a domain, of an equation phi'' = f(phi, phi') that is periodic in phi: for which all
+    stationary angles that are no saddles are foci.
+    """
+    return _judge_roots(answer, field, state, parameters, domain, -1)
 
 
 @judged
 def node_region(answer, field, state, parameters, domain=None):
     """The parameters for which the stationary point is a node; the border, where the roots are
-    equal, counts either way."""
-    return _judge_roots(answer, rest_points(field, state, parameters, domain), 1, "a node")
+    equal, counts either way.
+
+    Without a domain, of an equation phi'' = f(phi, phi') that is periodic in phi: for which all
+    stationary angles that are no saddles are nodes.
+    """
+    return _judge_roots(answer, field, state, parameters, domain, 1)
 
 
 @judged
@@ -452,9 +444,19 @@ def _judge_existence(answer, family, noun):
     return f"there is a {noun} exactly for these parameters: {agreement}"
 
 
-def _judge_roots(answer, family, sign, noun):
-    """Compare a condition with the sign of the discriminant at the stationary point: -1 focus, 1
-    node."""
+def _judge_roots(answer, field, state, parameters, domain, sign):
+    """Compare a condition with the sign of the discriminant: -1 focus, 1 node."""
+    if domain is None and is_angle_equation(field, state):
+        return judge_angle_roots(answer, field, state, parameters, sign)
+    return _judge_point_roots(
+        answer,
+        rest_points(field, state, parameters, domain),
+        sign,
+        "a node" if sign > 0 else "a focus",
+    )
+
+
+def _judge_point_roots(answer, family, sign, noun):
 
     def at(values):
         numbers = family.numbers(values)

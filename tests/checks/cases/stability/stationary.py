@@ -36,7 +36,7 @@ CHASE = (
     [b, c],
     {rho: open_ray, beta: sp.Interval.Lopen(-sp.pi, sp.pi), b: sp.Interval.open(0, 1)},
 )
-RADIAL = ((u - 2) * r - r**3, r, [u])
+RADIAL = ([(u - 2) * r - r**3], [r], [u], {r: open_ray})
 TURNING = ((u - 2) * r - r**3, r + 1, r, [u])
 ON_CYCLE = ([(u - 2) * r - r**3], [r], [u], {r: open_ray})
 ROUND = ([-u * rho, -u * beta], [rho, beta], [u], {u: open_ray})
@@ -394,22 +394,24 @@ CASES = [
         "invalid",
         "an equation without its right-hand side",
     ),
-    Case("cycle_exists", u > 2, RADIAL, "right", "the radicand"),
-    Case("cycle_exists", sp.Interval.open(2, sp.oo), RADIAL, "right", "an interval"),
-    Case("cycle_exists", u >= 2, RADIAL, "wrong", "the radius zero"),
-    Case("cycle_exists", u >= 2.0, RADIAL, "wrong", "the radius zero, as a decimal"),
-    Case("cycle_exists", u > 2.004, RADIAL, "right", "to three digits"),
-    Case("cycle_exists", u > 2.02, RADIAL, "wrong", "off by one per cent"),
-    Case("cycle_exists", sp.And(u > 2, u < 10**7), RADIAL, "wrong", "cut off far out"),
-    Case("cycle_exists", u > 2.0, RADIAL, "right", "a decimal"),
-    Case("cycle_exists", u >= 2.0, RADIAL, "wrong", "the radius zero, a decimal"),
-    Case("cycle_exists", sp.Ne(u, 2), RADIAL, "wrong", "either sign of the radicand"),
-    Case("cycle_exists", 2, RADIAL, "invalid", "the value alone"),
-    Case("cycle_radius", sp.sqrt(u - 2), RADIAL, "right", "the root"),
-    Case("cycle_radius", [(sp.Symbol("u") - 2) ** 0.5], RADIAL, "right", "plain symbols, a list"),
-    Case("cycle_radius", u - 2, RADIAL, "wrong", "the square"),
-    Case("cycle_radius", [0, sp.sqrt(u - 2)], RADIAL, "wrong", "the state of rest counted"),
-    Case("cycle_radius", sp.Eq(r**2, u - 2), RADIAL, "invalid", "an equation"),
+    Case("stationary_exists", u > 2, RADIAL, "right", "the radicand"),
+    Case("stationary_exists", sp.Interval.open(2, sp.oo), RADIAL, "right", "an interval"),
+    Case("stationary_exists", u >= 2, RADIAL, "wrong", "the radius zero"),
+    Case("stationary_exists", u >= 2.0, RADIAL, "wrong", "the radius zero, as a decimal"),
+    Case("stationary_exists", u > 2.004, RADIAL, "right", "to three digits"),
+    Case("stationary_exists", u > 2.02, RADIAL, "wrong", "off by one per cent"),
+    Case("stationary_exists", sp.And(u > 2, u < 10**7), RADIAL, "wrong", "cut off far out"),
+    Case("stationary_exists", u > 2.0, RADIAL, "right", "a decimal"),
+    Case("stationary_exists", u >= 2.0, RADIAL, "wrong", "the radius zero, a decimal"),
+    Case("stationary_exists", sp.Ne(u, 2), RADIAL, "wrong", "either sign of the radicand"),
+    Case("stationary_exists", 2, RADIAL, "invalid", "the value alone"),
+    Case("stationary_points", sp.sqrt(u - 2), RADIAL, "right", "the root"),
+    Case(
+        "stationary_points", [(sp.Symbol("u") - 2) ** 0.5], RADIAL, "right", "plain symbols, a list"
+    ),
+    Case("stationary_points", u - 2, RADIAL, "wrong", "the square"),
+    Case("stationary_points", [0, sp.sqrt(u - 2)], RADIAL, "wrong", "the state of rest counted"),
+    Case("stationary_points", sp.Eq(r**2, u - 2), RADIAL, "invalid", "an equation"),
     Case("cycle_period", 2 * sp.pi / (1 + sp.sqrt(u - 2)), TURNING, "right", "one turn"),
     Case("cycle_period", 6.28 / (1 + sp.sqrt(u - 2)), TURNING, "right", "decimals"),
     Case(

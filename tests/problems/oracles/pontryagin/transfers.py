@@ -35,7 +35,7 @@ ORACLES = dict.fromkeys(
     (
         "optimal_switching",
         "meeting_time",
-        "switchings",
+        "switching_count",
         "isochrone_radius",
         "least_rate",
         "turning_rate",

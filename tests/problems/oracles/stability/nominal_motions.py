@@ -74,6 +74,4 @@ ORACLES = {
     "unstable_rest_angles": same_angles,
     "stable_angles": angle_condition,
     "saddle_angles": angle_condition,
-    "focus_parameters": kind_of_angles,
-    "node_parameters": kind_of_angles,
 }
