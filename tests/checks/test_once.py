@@ -16,7 +16,7 @@ t, T, a, b = sp.symbols("t T a b", positive=True)
 TURNED = [x * sp.cos(angle) + y * sp.sin(angle), y * sp.cos(angle) - x * sp.sin(angle)]
 CALLS = {
     "uncorrelated": ("solveset", [[0, sp.pi / 2], [0]], (*TURNED, [x, y], sp.diag(1, 4), angle)),
-    "research.bearing_tells_range": (
+    "research.range_observable": (
         "factor",
         [sp.Ne(a, 0), sp.Ne(b, 0)],
         ([x + y * t, 1 + t], t, T, [a, b]),

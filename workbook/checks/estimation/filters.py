@@ -64,7 +64,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
 
 
 @judged(Laid("parameters", shape=processes.shape_of("mean")))
-def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.true):
+def estimate_standard_deviations(claim, process, measured, at, parameters=(), given=sp.true):
     """The standard deviations of the errors of the best estimate at a time, a column; of a single
     coordinate an expression."""
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):

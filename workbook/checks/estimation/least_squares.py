@@ -42,7 +42,7 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
 
 
 @judged(Expression("parameters"))
-def least_sum(claim, measured, unknowns, deviations=None, parameters=()):
+def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=()):
     """The least value of the weighted sum of the squared residuals."""
     for values in in_every_case(general_values(parameters), claim):
         rows, wanted = _weighted(measured, unknowns, deviations, values)

@@ -30,7 +30,7 @@ LATEST = 1000
 
 
 @judged(Laid("start", "noises", "parameters", shape=processes.shape_of("mean")))
-def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
+def state_after_steps(claim, process, start, noises, parameters=(), given=sp.true):
     """The state of a process in discrete time after as many steps as there are noises, a column in
     the symbols of its start and of the noises; of a single coordinate an expression."""
     columns = [
@@ -65,7 +65,7 @@ def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
 
 
 @judged(Laid("time", "parameters", shape=processes.shape_of("mean")))
-def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
+def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
     """The mean of the process at the time t, a column; of a single coordinate an expression.
 
     `times` are those for which the answer is asked, if not for all.
@@ -77,7 +77,7 @@ def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
 
 
 @judged(Matrix("time", "parameters", shape=processes.shape_of("A")))
-def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=None):
+def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
     """The covariance matrix of the process at the time t; of a single coordinate an expression.
 
     `times` are those for which the answer is asked, if not for all.
@@ -96,7 +96,7 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
 
 
 @judged(Expression("time", "parameters"))
-def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, times=None):
+def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, times=None):
     """The correlation coefficient at the time t of two quantities, with the rows `of`.
 
     `times` are those for which the answer is asked, if not for all after the start.
@@ -113,7 +113,7 @@ def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, t
 
 
 @judged(Expressions("parameters", length=3))
-def shaping_equation(claims, process, parameters=(), given=sp.true):
+def shaping_filter(claims, process, parameters=(), given=sp.true):
     """[a, Q, D] of the equation w' = a w + q, with the intensity Q of q and the variance D of w(0),
     that makes the noise of a `Coloured` process."""
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
@@ -134,7 +134,7 @@ def shaping_equation(claims, process, parameters=(), given=sp.true):
 
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
-def settled_covariance(claim, process, parameters=(), given=sp.true):
+def stationary_covariance(claim, process, parameters=(), given=sp.true):
     """The covariance matrix that the process settles to, whatever it is at the start, for those
     parameters with which it does."""
     process = processes.plain(process)
@@ -187,7 +187,7 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
 
 
 @judged
-def settling_region(answer, process, parameters, given=sp.true):
+def stationary_covariance_exists(answer, process, parameters, given=sp.true):
     """The parameters for which the covariance of the process settles to one matrix, whatever it is
     at the start."""
     process = processes.plain(process)
@@ -205,7 +205,7 @@ def settling_region(answer, process, parameters, given=sp.true):
 
 
 @judged
-def covariance_rises(answer, process, parameters, given=sp.true):
+def covariance_increases(answer, process, parameters, given=sp.true):
     """The condition on the parameters under which the variance of every combination of the
     coordinates rises all the time; of a single coordinate: under which its variance does.
 

@@ -46,7 +46,7 @@ class StateForm(Claim):
 
 
 @judged(StateForm("A", "B", "C", "H"))
-def state_form(claim, equation):
+def state_space_form(claim, equation):
     """A state form [A, B, C, H] of one equation, y' = Ay + Bu, x = Cy, z = Hy, of its order: in any
     coordinates, with all motions x(t), z(t) of the equation and no others."""
     yield from _comparisons(claim, equation)
@@ -55,7 +55,7 @@ def state_form(claim, equation):
 
 @judged(StateForm("A", "B", "C", "H", "K", "L"))
 def equation_gains(claim, equation):
-    """A state form as in `state_form` with the gains of u = K e, e' = Ae + Bu + L(z - He): the list
+    """A state form as in `state_space_form` with the gains of u = K e, e' = Ae + Bu + L(z - He): the list
     [A, B, C, H, K, L]. They stabilise, and where a mode that no gain changes bounds the margin,
     with the greatest one."""
     *form, K, L = claim

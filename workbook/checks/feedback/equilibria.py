@@ -2,7 +2,7 @@
 
 The first approximation decides. Where it is silent under every gain, since an eigenvalue that none
 changes lies on the imaginary axis, motions that start close to the equilibrium do, as they do for
-`zero_stability`.
+`zero_solution_stability`.
 """
 
 import functools
@@ -44,7 +44,7 @@ class GainsAtPoints(Claim):
 
 
 @judged(GainsAtPoints())
-def rest_gains(claim, field, state, controls, domain=None, zeros=None):
+def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
     """Pairs [y*, K] for all equilibria y* in the domain that need no control: the first
     approximation under u = K (y - y*) is asymptotically stable; K is [] where no gain makes y*
     asymptotically stable.

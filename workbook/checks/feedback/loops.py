@@ -308,7 +308,7 @@ def _judge_none_static(system, requirement):
 
 
 @judged(Gains("parameters", shapes=lambda data: [_by_state(data), _column(data)]))
-def estimate_gains(gains, system, parameters=(), given=sp.true, margin=0):
+def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=0):
     """The gains [K, L] of a feedback u = K e by the estimate e of an observer; an empty list if
     there are none.
 

@@ -80,7 +80,7 @@ def compare_margins(answer, symbols, truth, what):
 
 
 @judged
-def observer_obstacle(answer, system, parameters=()):
+def undetectable_mode(answer, system, parameters=()):
     """A motion that forbids an asymptotic observer, {lambda: v}: A v = lambda v, H v = 0, Re lambda
     >= 0; {} if none.
 

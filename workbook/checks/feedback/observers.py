@@ -88,7 +88,7 @@ def observer_equations(
         length=lambda data: len(data["state"]) + len(data["estimates"]),
     )
 )
-def complete_model(claims, field, state, controls, desired, H, K, L, estimates, time):
+def closed_loop_equations(claims, field, state, controls, desired, H, K, L, estimates, time):
     """The right-hand sides for the state x and for the estimates e of its deviations from the
     process x*, u* with the `desired` motion, under u = u* + K e and the observer e' = Ae + BKe + L
     (z - H x* - He), z = Hx.

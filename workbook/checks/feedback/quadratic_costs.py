@@ -37,7 +37,7 @@ def _square(data):
 
 
 @judged(Gain("time", "parameters", shape=_gain_shape))
-def best_gain(claim, problem, time=None, parameters=(), given=sp.true):
+def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
     """The gain K of the law u = Kx of least cost, with a given end in the symbol of `time`; an
     empty list if no law is the best of those that bring every state to zero."""
     if claim is None:
@@ -157,7 +157,7 @@ def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
 
 
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
-def best_eigenvalues(claims, problem, parameters=(), given=sp.true):
+def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
     """The different eigenvalues of A + BK under the law of least cost for infinite time."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         one = regulators.Regulator(problem, values)
@@ -184,7 +184,7 @@ def best_eigenvalues(claims, problem, parameters=(), given=sp.true):
 
 
 @judged(Laid("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
-def best_rest(claim, problem, start, parameters=(), given=sp.true):
+def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
     """The state at which the motion under the law of least cost comes to rest, a column in the
     symbols of its start."""
     from scipy.linalg import null_space
@@ -210,7 +210,7 @@ def best_rest(claim, problem, start, parameters=(), given=sp.true):
 
 
 @judged(Matrix("cost", "parameters", shape=_square))
-def cost_rate(claim, problem, cost, parameters=()):
+def cost_riccati_equation(claim, problem, cost, parameters=()):
     """The right-hand side of the Riccati equation S' = ..., a matrix in the symbols of S, which are
     the `cost`."""
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]

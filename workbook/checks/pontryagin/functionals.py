@@ -45,7 +45,7 @@ class OfMotion(Expression):
 
 
 @judged(OfMotion())
-def best_motion(claim, functional, parameters=()):
+def extremum_motion(claim, functional, parameters=()):
     """The motion x(t) on which a functional is least, or greatest, as an expression in time and
     parameters."""
     for values, best in _optima(functional, tuple(parameters)):
@@ -68,7 +68,7 @@ def best_motion(claim, functional, parameters=()):
 
 
 @judged(Expression("parameters"))
-def best_value(claim, functional, parameters=()):
+def extremum_value(claim, functional, parameters=()):
     """The least, or greatest, value of a functional, as an expression in the parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         if values:
@@ -93,7 +93,7 @@ def best_value(claim, functional, parameters=()):
 
 
 @judged(YesNo())
-def best_motion_exists(claim, functional, duration=None):
+def extremum_exists(claim, functional, duration=None):
     """Whether a functional has a best motion; with `duration`, the symbol in the end of the
     interval, one that is best among those of all durations.
 

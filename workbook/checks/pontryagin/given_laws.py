@@ -59,7 +59,7 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
 
 
 @judged(Expression("parameters"))
-def end_under_law(claim, quantity, problem, law, time, unknown, parameters):
+def final_value_under_law(claim, quantity, problem, law, time, unknown, parameters):
     """A quantity of the end: an expression in the states there, the unknown constants of the law
     and the parameters.
 

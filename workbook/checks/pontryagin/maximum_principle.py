@@ -222,7 +222,7 @@ def maximising_control(answer, problem, costates, domain=None):
         lambda data: [*data["problem"].state, *data["costates"], *data["problem"].parameters]
     )
 )
-def greatest_hamiltonian(claim, problem, costates, domain=None):
+def maximised_hamiltonian(claim, problem, costates, domain=None):
     """The greatest value of H over the admissible controls with lambda_0 = 1, of controls that
     enter it linearly."""
     H, controls = sp.expand(hamiltonian(problem, costates)), list(problem.control)

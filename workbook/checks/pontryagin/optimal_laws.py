@@ -70,7 +70,7 @@ def optimal_law(answer, problem, parameters, time=None):
 
 
 @judged(Expression("domain", "parameters"))
-def optimal_change(claim, problem, change, domain, parameters):
+def arc_transition_curve(claim, problem, change, domain, parameters):
     """The curve in the plane of the states on which the control of the best processes goes over
     from one kind of arc to another.
 

@@ -509,7 +509,7 @@ def optimal_duration(claim, problem, parameters=None):
 
 
 @judged(Expression("parameters"))
-def held_at_first(claim, problem, control, value, parameters):
+def initial_arc_duration(claim, problem, control, value, parameters):
     """How long the best process keeps one of several controls at a value in the beginning; zero
     where it begins with another."""
     j = list(problem.controls).index(control)
@@ -579,7 +579,7 @@ def _begins_at_once(claim, held):
 
 
 @judged(Expression("parameters"))
-def optimal_extent(claim, problem, quantity, parameters=None):
+def optimal_range(claim, problem, quantity, parameters=None):
     """How far a quantity ranges along the optimal process, from its least value to its greatest, as
     an expression in the parameters; where several processes are optimal, it is the same for all of
     them."""

@@ -190,7 +190,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
 
 
 @judged(ConditionOn(of_state, "parameters"))
-def reachable_starts(claim, system, target, parameters=None, start=None):
+def reachable_initial_states(claim, system, target, parameters=None, start=None):
     """The condition on the initial state under which the target can be reached; the border of the
     set counts either way."""
     truth = sampled_optimum(*frozen(system, target, parameters, start))
@@ -214,7 +214,7 @@ def reachable_starts(claim, system, target, parameters=None, start=None):
 
 
 @judged
-def reached_part(answer, system, target, ends, variable, parameters=None, start=None):
+def reached_target_points(answer, system, target, ends, variable, parameters=None, start=None):
     """The points of the target at which optimal motions end: a condition on `variable`, which
     numbers the points `ends`.
 
@@ -309,7 +309,7 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
 
 
 @judged(Expressions("variable", "parameters", length=2))
-def switching_crossing(claim, system, target, ends, variable, parameters=None, start=None):
+def switching_curve_crossing(claim, system, target, ends, variable, parameters=None, start=None):
     """[before, after]: the determinants of (dP/ds, velocity) on the switching curve P(s) with the
     two controls.
 
@@ -521,7 +521,7 @@ def _sides_of(claim, domain, data, shares):
 
 
 @judged
-def continuous_time(answer, system, target, ends, variable, parameters, start=None):
+def minimal_time_continuous(answer, system, target, ends, variable, parameters, start=None):
     """The values of a parameter for which the fastest time is continuous where the target can be
     reached; borders count either way.
 
@@ -603,7 +603,7 @@ def _jump(value, data, ends, variable, name):
 
 
 @judged
-def other_extremals(answer, system, target, start=None):
+def other_extremal_exists(answer, system, target, start=None):
     """The condition on the start under which there is an extremal to the line besides the fastest
     one; it may cross the line before."""
     truth = _second_extremal(system, target, start)
@@ -678,7 +678,7 @@ def _second_extremal(system, target, start):
 
 @judged(Expression(of_state))
 def other_extremal_time(claim, system, target, start=None):
-    """The time that the other extremal of `other_extremals` takes, where there is one."""
+    """The time that the other extremal of `other_extremal_exists` takes, where there is one."""
     truth = sampled_optimum(*frozen(system, target, {}, start))
     lanes, later = _line_extremals(truth)
     said = Law(claim, truth)(lanes.x, lanes.case)

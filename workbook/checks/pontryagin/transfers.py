@@ -45,7 +45,7 @@ def meeting_time(claim, problem, count):
 
 
 @judged(Expression("angle", lambda data: list(data["problem"].controls)))
-def turning_rate(claim, problem, angle):
+def polar_angle_rate(claim, problem, angle):
     """The rate of the polar angle of the state of a planar system, as an expression in the angle
     and the control."""
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
@@ -95,7 +95,7 @@ def least_rate(claim, quantity, problem):
 
 
 @judged
-def transfer_starts(answer, problem, parameters):
+def transferable_initial_states(answer, problem, parameters):
     """The starts, or parameters, for which the target can be reached; a start on the target may be
     counted either way."""
     transfer, truth = _reachable(problem, tuple(parameters))
@@ -113,7 +113,7 @@ def _reachable(problem, parameters):
 
 
 @judged
-def reached_within(answer, problem, duration, parameters):
+def reachable_in_time(answer, problem, duration, parameters):
     """The condition, in the parameters and the symbol `duration`, for the target to be reached in a
     time not longer than it."""
     transfer = Transfer(problem, parameters)

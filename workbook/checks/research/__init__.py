@@ -8,8 +8,8 @@ from trajlib._lazy import lazy_names
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
     {
-        "infosets": ["common_point", "support_values"],
-        "interpolation": ["of_interpolant"],
+        "infosets": ["common_point_exists", "support_values"],
+        "interpolation": ["interpolant_quantity"],
         "invariance": ["invariant_weights"],
         "reconstruction": [
             "boundary_decay",
@@ -25,18 +25,18 @@ __getattr__, __dir__, __all__ = lazy_names(
             "weight_of_harmonic",
         ],
         "solvability": [
-            "bearing_tells_range",
             "bias_of_estimate",
-            "breaks_bound",
-            "condition_of_nearly_equal",
-            "fooling_error",
-            "modes_of_range",
-            "most_rows",
-            "numbers_seen",
+            "bound_violating_error",
+            "dependence_hiding_error",
+            "greatest_row_count",
+            "nearly_dependent_condition_number",
+            "observability_ranks",
             "range_error",
+            "range_modes",
+            "range_observable",
             "stations_insufficient",
-            "unseen_by_bearings",
-            "worst_of_three",
+            "unobservable_by_bearings",
+            "worst_case_error",
         ],
     },
 )

@@ -42,7 +42,7 @@ def support_values(claims, sides, bounds, directions):
 
 
 @judged
-def common_point(answer, sides, bounds):
+def common_point_exists(answer, sides, bounds):
     """Condition for {p: sides p <= bounds} to have a point, for positive values of the symbols of
     the bounds."""
     symbols = _symbols(bounds)

@@ -15,7 +15,7 @@ SAMPLES, SEED = 8, 81
 
 
 @judged(Expression("nodes"))
-def of_interpolant(claim, quantity, motion, nodes, level, slope=None, places=None):
+def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, places=None):
     """A quantity of the polynomial that agrees with a motion at all nodes, as an expression in
     their variables. In the quantity `level` stands for the polynomial and `slope` for its
     derivative by the first variable."""

@@ -48,7 +48,7 @@ def bias_of_estimate(claim, system, unknowns, wanted, left_out):
 
 
 @judged(Expression("system.A", "tau", "delta"))
-def worst_of_three(claim, system, unknowns, wanted, tau, delta):
+def worst_case_error(claim, system, unknowns, wanted, tau, delta):
     """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to
     delta."""
     j = list(unknowns).index(wanted)
@@ -73,7 +73,7 @@ def worst_of_three(claim, system, unknowns, wanted, tau, delta):
 
 
 @judged
-def unseen_by_bearings(answer, relative, t):
+def unobservable_by_bearings(answer, relative, t):
     """A change (dx0, dy0, dvx, dvy) of a uniform motion that changes no bearing to first order."""
     claim = coercion.as_expressions(answer, _symbols(sp.Matrix(relative), t), 4)
     for values in random_values(_symbols(sp.Matrix(relative), t), 75):
@@ -99,7 +99,7 @@ def unseen_by_bearings(answer, relative, t):
 
 
 @judged
-def bearing_tells_range(answer, relative, t, T, turn):
+def range_observable(answer, relative, t, T, turn):
     """Condition that one bearing at t > T, after the observer's velocity has changed by `turn`,
     fixes the range."""
     symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn]
@@ -154,7 +154,7 @@ def range_error(claim, relative, t, T, turn, delta):
 
 
 @judged(Expressions("matrix", "sight", "initial", length=4))
-def modes_of_range(claims, matrix, sight, initial, rate, t):
+def range_modes(claims, matrix, sight, initial, rate, t):
     """The four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
     symbols = [*_symbols(matrix), *sight, *initial]
     for values in in_every_case(random_values(symbols, 79), claims):
@@ -175,7 +175,7 @@ def modes_of_range(claims, matrix, sight, initial, rate, t):
 
 
 @judged(Expressions(length=lambda data: len(data["sights"])))
-def numbers_seen(claims, matrix, sights):
+def observability_ranks(claims, matrix, sights):
     """How many combinations of the unknowns are determined by ranges along each of the given
     directions."""
     values = next(random_values(_symbols(matrix), 81))
@@ -286,7 +286,7 @@ def _pairs_of_directions(count=48):
 
 
 @judged(Expressions(length=lambda data: data["matrix"].rows))
-def breaks_bound(claim, matrix, state, factor):
+def bound_violating_error(claim, matrix, state, factor):
     """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times,
     with Z = H x + e."""
     e = np.array([float(coercion.as_number(part)) for part in claim])
@@ -307,7 +307,7 @@ def breaks_bound(claim, matrix, state, factor):
 
 
 @judged(Integer())
-def most_rows(n, m, mu, eps):
+def greatest_row_count(n, m, mu, eps):
     """The greatest number n of rows for which the condition number mu is below the threshold
     mu*."""
     m, mu, eps = int(m), sp.Rational(mu), sp.Rational(eps)
@@ -329,7 +329,7 @@ def most_rows(n, m, mu, eps):
 
 
 @judged(Expression("delta"))
-def condition_of_nearly_equal(claim, delta):
+def nearly_dependent_condition_number(claim, delta):
     """The condition number of two columns of length 1 along h and h + delta g, for perpendicular
     unit vectors h, g."""
     for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
@@ -340,7 +340,7 @@ def condition_of_nearly_equal(claim, delta):
 
 
 @judged(Expression("M"))
-def fooling_error(claim, M):
+def dependence_hiding_error(claim, M):
     """The error of a column that is a multiple of another from which on the condition number is
     below M."""
     for limit in (1.5, 4.0, 30.0, 1e3, 1e5):

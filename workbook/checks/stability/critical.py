@@ -116,7 +116,7 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
 
 
 @judged
-def growing_motion(answer, field, state, parameters, time, constants=(), program=None, part=None):
+def unbounded_motion(answer, field, state, parameters, time, constants=(), program=None, part=None):
     """A motion x(t) that satisfies x' = A x and grows without bound: the witness of instability."""
     part = list(state if part is None else part)
     motion = coercion.as_expressions(answer, [time, *constants, *parameters], len(part))
@@ -192,7 +192,7 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
 
 
 @judged
-def conserved_form(answer, field, state, parameters, program=None, part=None):
+def conserved_quadratic_form(answer, field, state, parameters, program=None, part=None):
     """A positive definite quadratic form that keeps its value along all motions of the linear
     system."""
     part = list(state if part is None else part)

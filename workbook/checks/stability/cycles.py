@@ -173,7 +173,7 @@ def cycle_stability(answer, field, state, radius=None):
 
 
 @judged(Number())
-def return_slope(claim, field, state, radius=None):
+def return_map_slope(claim, field, state, radius=None):
     """The slope of the return map r -> P(r) at a limit cycle: by how much one turn multiplies a
     small deviation.
 

@@ -43,7 +43,7 @@ KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "sadd
 
 
 @judged
-def rest_values(answer, field, state, parameters=(), given=(), integer=None):
+def equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values x* of all stationary solutions x(t) = x*, as expressions in the parameters and an
     integer.
 
@@ -56,7 +56,7 @@ def rest_values(answer, field, state, parameters=(), given=(), integer=None):
 
 
 @judged
-def stable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
+def stable_equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values of the stationary solutions that Theorem 1.4 proves asymptotically stable."""
     return (
         "there, and nowhere else, all roots of the characteristic equation have negative real parts"
@@ -67,7 +67,7 @@ def stable_rest_values(answer, field, state, parameters=(), given=(), integer=No
 
 
 @judged
-def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
+def unstable_equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
     """The values of the stationary solutions that Theorem 1.4 proves unstable."""
     return (
         "there, and nowhere else, a root of the characteristic equation has a positive real part"
@@ -93,7 +93,7 @@ def _all_and_no_others(word, answer, field, state, parameters, given, integer):
 
 
 @judged
-def deviation_matrices(answer, field, state, parameters=(), given=(), integer=None, zeros=None):
+def linearisation_matrices(answer, field, state, parameters=(), given=(), integer=None, zeros=None):
     """The matrices A of the equations in deviations y' = A y that occur at the stationary
     solutions, in any order.
 
@@ -157,7 +157,7 @@ def growth_rate(claim, field, state, parameters=(), given=()):
 
 
 @judged
-def single_rest(answer, field, state, parameters):
+def unique_equilibrium(answer, field, state, parameters):
     """The parameters for which x' = f(x) with polynomial f has one stationary solution only; real
     roots are counted exactly."""
     *others, force = [sp.sympify(f).subs(dict.fromkeys(state[1:], 0)) for f in field]
@@ -186,7 +186,7 @@ def single_rest(answer, field, state, parameters):
 
 
 @judged
-def rest_kinds(answer, field, state):
+def equilibrium_types(answer, field, state):
     """The kind of every stationary point of a planar portrait, as a dict {x*: word}; the words are
     `KINDS`."""
     ((_, flow, found),) = _systems(field, state, (), ())

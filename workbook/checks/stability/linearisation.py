@@ -38,7 +38,7 @@ class Rates:
 
 
 @judged
-def first_approximation_unstable(answer, system, parameters):
+def linearisation_unstable(answer, system, parameters):
     """The parameters for which some eigenvalue of the first approximation in `Deviations` has a
     positive real part."""
     return compare_region(
@@ -51,7 +51,7 @@ def first_approximation_unstable(answer, system, parameters):
 
 
 @judged(Choice(words=STABILITY))
-def zero_stability(claim, field, state):
+def zero_solution_stability(claim, field, state):
     """Whether x = 0 is asymptotically stable, stable (and no more) or unstable.
 
     Decided by the spectrum of the first approximation; where that is silent, by motions that start

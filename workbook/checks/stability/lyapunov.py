@@ -89,7 +89,7 @@ def vanishing_set(answer, function, field, state, parameters=()):
 
 
 @judged
-def departure(answer, function, field, state, parameters=()):
+def rate_on_vanishing_set(answer, function, field, state, parameters=()):
     """The rate of the last state variable where V' vanishes: what takes a motion out of this set
     (Theorem 1.5).
 
@@ -116,7 +116,7 @@ def departure(answer, function, field, state, parameters=()):
 
 
 @judged
-def proved_stable(answer, function, field, state, parameters):
+def asymptotic_stability_by_lyapunov(answer, function, field, state, parameters):
     """The parameters for which V proves asymptotic stability of zero by Theorem 1.5.
 
     That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays where
@@ -145,7 +145,7 @@ def proved_stable(answer, function, field, state, parameters):
 
 
 @judged
-def proved_global(answer, function, field, state, parameters, given=()):
+def global_stability_by_lyapunov(answer, function, field, state, parameters, given=()):
     """The values of `parameters` for which V proves asymptotic stability of zero in the large.
 
     That is: V > 0 grows without bound in every direction, and V' <= 0 everywhere, but not

@@ -5,7 +5,7 @@ A program is a dict from those components of the state that a problem prescribes
 time, `{x: V0*t, y: 0}`; the other components and the controls along it are constants, which the
 checks here find for themselves by Newton's iteration. A stationary angle is the solution phi(t) =
 phi0 of an equation phi'' = f(phi, phi'), given as the field of its state (phi, phi'), found by
-`rest_angles`.
+`equilibrium_angles`.
 """
 
 import numpy as np
@@ -32,7 +32,7 @@ AS_IT_SAYS = (
 
 
 @judged
-def program_motion(answer, field, state, parameters, program, controls, time):
+def nominal_motion(answer, field, state, parameters, program, controls, time):
     """The program motion and its controls as functions of time: a dict by names, or a list, the
     controls last.
 
@@ -90,7 +90,7 @@ def linearisation(claim, field, state, at, parameters=()):
 
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["state"]), len(data["controls"]))))
-def input_matrix_along(claim, field, state, parameters, program, controls):
+def input_matrix(claim, field, state, parameters, program, controls):
     """The n x s matrix B of the equations in deviations x' = A x + B w from a program motion (s
     symbols `controls`)."""
     motion = Motion(field, state, parameters, program)
@@ -100,7 +100,7 @@ def input_matrix_along(claim, field, state, parameters, program, controls):
 
 
 @judged
-def rest_angles_exist(answer, field, state, parameters):
+def equilibrium_angles_exist(answer, field, state, parameters):
     """The parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
@@ -123,26 +123,26 @@ def rest_angles_exist(answer, field, state, parameters):
 
 
 @judged
-def rest_angles(answer, field, state, parameters, integer):
+def equilibrium_angles(answer, field, state, parameters, integer):
     """All stationary angles, as expressions in the parameters and an integer; angles that differ by
     2 pi are the same."""
     return _judge_rest_angles(answer, field, state, parameters, integer, "stationary")
 
 
 @judged
-def stable_rest_angles(answer, field, state, parameters, integer):
+def stable_equilibrium_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves asymptotically stable, in the same form."""
     return _judge_rest_angles(answer, field, state, parameters, integer, "asymptotically stable")
 
 
 @judged
-def unstable_rest_angles(answer, field, state, parameters, integer):
+def unstable_equilibrium_angles(answer, field, state, parameters, integer):
     """The stationary angles that Theorem 1.4 proves unstable, in the same form."""
     return _judge_rest_angles(answer, field, state, parameters, integer, "unstable")
 
 
 @judged(Expression("deviations", "angle", "parameters"))
-def angle_deviations(claim, field, state, parameters, angle, deviations):
+def angle_linearisation(claim, field, state, parameters, angle, deviations):
     """The first approximation psi'' = ... of the equation in deviations from a stationary angle,
     linear in psi and psi'.
 
@@ -179,7 +179,7 @@ def angle_deviations(claim, field, state, parameters, angle, deviations):
 
 
 @judged
-def stable_angles(answer, field, state, parameters, angle):
+def stable_angle_condition(answer, field, state, parameters, angle):
     """The condition on a stationary angle for it to be asymptotically stable."""
     return _judge_angles(
         answer,
@@ -193,7 +193,7 @@ def stable_angles(answer, field, state, parameters, angle):
 
 
 @judged
-def saddle_angles(answer, field, state, parameters, angle):
+def saddle_angle_condition(answer, field, state, parameters, angle):
     """The condition on a stationary angle for it to be a saddle."""
     return _judge_angles(
         answer, field, state, parameters, angle, lambda sum_, product: product < 0, "a saddle"

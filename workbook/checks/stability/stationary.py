@@ -197,7 +197,7 @@ def node_region(answer, field, state, parameters, domain=None):
 
 
 @judged
-def dulac(answer, field, state, parameters, domain=None):
+def dulac_function(answer, field, state, parameters, domain=None):
     """A pair (B, div(B f)) whose second member has one sign in the domain: no closed orbit lies
     there (Dulac, Bendixson)."""
     symbols = [*state, *parameters]

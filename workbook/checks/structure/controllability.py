@@ -52,7 +52,7 @@ def controllability_matrix(claim, system, parameters=()):
 
 
 @judged(Vectors("parameters", size="system.unknowns"))
-def uncontrolled_combinations(claim, system, parameters=()):
+def uncontrollable_combinations(claim, system, parameters=()):
     """A basis of the rows w whose combinations w x of the coordinates no control changes; an empty
     list if every one is changed.
 
@@ -63,7 +63,7 @@ def uncontrolled_combinations(claim, system, parameters=()):
 
 
 @judged(bases_by_value(CONTROL))
-def uncontrolled_where_lost(claim, system, parameter):
+def uncontrollable_combinations_at(claim, system, parameter):
     """Every real value of the parameter for which the system is not controllable, as {value: basis
     of the rows w}.
 

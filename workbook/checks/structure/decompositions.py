@@ -120,7 +120,7 @@ def canonical_observable_part(answer, system, parameters=()):
 
 
 @judged(Matrix(shape="system.A"))
-def sequential_split(claim, system):
+def sequential_decomposition(claim, system):
     """New coordinates in parts: part 1 is all that the first component sees or reaches, part 2 what
     the second adds, and so on, the rest last.
 
@@ -133,7 +133,7 @@ def sequential_split(claim, system):
 
 
 @judged(Matrix(shape="system.A"))
-def parallel_split(claim, system):
+def parallel_decomposition(claim, system):
     """New coordinates in parts, one a component, the rest last: with an output the matrix T of T x,
     z_i shows part i alone and makes it observable; with a control P of x = P xi, u_i enters part i
     alone and makes it controllable.
@@ -146,7 +146,7 @@ def parallel_split(claim, system):
 
 
 @judged(Matrix("parameters", shape="system.A"))
-def similarity(claim, system, other, parameters=()):
+def similarity_matrix(claim, system, other, parameters=()):
     """A matrix S of y = S x that turns x' = A x into the equations y' = A' y of the `other` system,
     which may be in `Deviations`: it is invertible and S A = A' S (all n x n)."""
     A_from, A_to = system.A, matrix_of(other, parameters)

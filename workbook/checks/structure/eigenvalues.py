@@ -9,7 +9,7 @@ from workbook.systems import Mechanical
 
 
 @judged(EIGENVALUES)
-def lost_eigenvalues(claim, system, parameters=()):
+def fixed_eigenvalues(claim, system, parameters=()):
     """The different eigenvalues of A, for a `Mechanical` system the values of lambda, at which the
     rank falls, of the matrix with the output or, if it has one, with the control; an empty list or
     set if there are none.

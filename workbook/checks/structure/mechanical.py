@@ -56,7 +56,7 @@ ALONE = dataclasses.replace(
 
 
 @judged(EIGENVALUES)
-def mechanical_roots(claim, system, parameters=()):
+def mechanical_eigenvalues(claim, system, parameters=()):
     """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M;
     with parameters for their values in general position."""
     pair = seen(system, parameters)

@@ -49,7 +49,7 @@ def unobservable_parameters(answer, system, parameters):
 
 
 @judged(Vectors("parameters", size="system.unknowns", names="start"))
-def unseen_states(claim, system, parameters=(), start=()):
+def unobservable_states(claim, system, parameters=(), start=()):
     """A basis of the starts whose motions give z = 0 for all time, an empty list if zero is the
     only one: x(0), with an error (x(0), C), for a `Mechanical` system, with invertible M, (x(0),
     x'(0)); of `Measurements` the changes of the unknowns that alter none to first order.
@@ -61,7 +61,7 @@ def unseen_states(claim, system, parameters=(), start=()):
 
 
 @judged(bases_by_value(OUTPUT))
-def unseen_where_lost(claim, system, parameter):
+def unobservable_states_at(claim, system, parameter):
     """Every real value of the parameter for which the system is not observable, as {value: basis of
     the starts that give z = 0}.
 

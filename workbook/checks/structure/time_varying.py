@@ -17,7 +17,7 @@ from workbook.checks.tools.wording import number_text, rounded_text
 
 
 @judged(Expression("time", "start", "parameters"))
-def measured_motion(claim, system, start, time, parameters=()):
+def measured_output(claim, system, start, time, parameters=()):
     """The single output z(t) along the motion from the start, an expression in the symbols of the
     start, the time and the parameters; its row may change with the time."""
     from scipy.linalg import expm
@@ -31,7 +31,7 @@ def measured_motion(claim, system, start, time, parameters=()):
 
 
 @judged(Matrix("system.time", "parameters", shape="system.A"))
-def derivative_rows(claim, system, parameters):
+def observability_matrix(claim, system, parameters):
     """The n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions
     (H: 1 x n)."""
     n = system.A.rows

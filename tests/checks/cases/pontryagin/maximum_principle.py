@@ -285,34 +285,34 @@ CASES = [
     Case("kelley_holds", "no", (FULLER, TWO), "wrong", "it holds"),
     Case("kelley_holds", 2, (SQUARE, TWO), "invalid", "a number"),
     Case(
-        "greatest_hamiltonian",
+        "maximised_hamiltonian",
         sp.Abs(psi2) + psi1 * x2 - x1**2,
         (FULLER, TWO),
         "right",
         "one control",
     ),
     Case(
-        "greatest_hamiltonian",
+        "maximised_hamiltonian",
         speed * sp.Max(0, psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha)) + sp.Abs(psi3) - 1,
         (ROBOT, THREE),
         "right",
         "two controls, one of them not negative",
     ),
     Case(
-        "greatest_hamiltonian",
+        "maximised_hamiltonian",
         psi2 + psi1 * x2 - x1**2,
         (FULLER, TWO),
         "wrong",
         "one bound for all",
     ),
     Case(
-        "greatest_hamiltonian",
+        "maximised_hamiltonian",
         speed * (psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha)) + sp.Abs(psi3) - 1,
         (ROBOT, THREE),
         "wrong",
         "full speed always",
     ),
-    Case("greatest_hamiltonian", u * psi2, (FULLER, TWO), "invalid", "the control is left in it"),
+    Case("maximised_hamiltonian", u * psi2, (FULLER, TWO), "invalid", "the control is left in it"),
     Case(
         "singular_costates",
         [sp.cos(alpha) / v, sp.sin(alpha) / v, 0],
@@ -362,7 +362,7 @@ CASES = [
 LIMITS = [
     "`singular_costates`: what `pontryagin.Problem` says of the end has no part in it, so that "
     "such an arc may be "
-    "excluded by it. `greatest_hamiltonian`: controls that enter H linearly, between bounds.",
+    "excluded by it. `maximised_hamiltonian`: controls that enter H linearly, between bounds.",
     "`singular_control` and its like: points of singular arcs are searched with lambda_0 = 1; "
     "abnormal ones do not count.",
     "`singular_surface`: an equation is followed to its zeros by Newton's method from random "

@@ -101,51 +101,59 @@ CARRIAGE = Problem(
 )
 
 CASES = [
-    Case("held_at_first", SPOT, (ROBOT, v, 0, BEHIND), "right", "a turn on the spot"),
+    Case("initial_arc_duration", SPOT, (ROBOT, v, 0, BEHIND), "right", "a turn on the spot"),
     Case(
-        "held_at_first",
+        "initial_arc_duration",
         0,
         (ROBOT, v, bound, BEHIND),
         "right",
         "it does not begin with the other bound",
     ),
     Case(
-        "held_at_first",
+        "initial_arc_duration",
         sp.pi - sp.atan(2 / a),
         (ROBOT, v, 0, BEHIND),
         "wrong",
         "until it looks at the target",
     ),
-    Case("held_at_first", 0, (ROBOT, v, 0, BEHIND), "wrong", "not at all"),
+    Case("initial_arc_duration", 0, (ROBOT, v, 0, BEHIND), "wrong", "not at all"),
     Case(
-        "held_at_first", sp.Max(TURNED, 0), (ROBOT, v, 0, AROUND), "right", "at some places alone"
+        "initial_arc_duration",
+        sp.Max(TURNED, 0),
+        (ROBOT, v, 0, AROUND),
+        "right",
+        "at some places alone",
     ),
     Case(
-        "held_at_first",
+        "initial_arc_duration",
         (TURNED + sp.Abs(TURNED)) / 2,
         (ROBOT, v, 0, AROUND),
         "right",
         "by a modulus",
     ),
     Case(
-        "held_at_first", sp.Max(sp.N(TURNED, 4), 0), (ROBOT, v, 0, AROUND), "right", "in decimals"
+        "initial_arc_duration",
+        sp.Max(sp.N(TURNED, 4), 0),
+        (ROBOT, v, 0, AROUND),
+        "right",
+        "in decimals",
     ),
     Case(
-        "held_at_first",
+        "initial_arc_duration",
         (TURNED + sp.sqrt(TURNED**2 + sp.Rational(1, 10**9))) / 2,
         (ROBOT, v, 0, AROUND),
         "wrong",
         "the corner made smooth by a root",
     ),
     Case(
-        "held_at_first",
+        "initial_arc_duration",
         TURNED * (1 + sp.tanh(10**4 * TURNED)) / 2,
         (ROBOT, v, 0, AROUND),
         "wrong",
         "by a tanh",
     ),
     Case(
-        "held_at_first",
+        "initial_arc_duration",
         Piecewise(
             (0, TURNED < -SMALL),
             ((TURNED + SMALL) ** 2 / (4 * SMALL), TURNED < SMALL),
@@ -155,7 +163,7 @@ CASES = [
         "wrong",
         "by a parabola",
     ),
-    Case("held_at_first", q, (ROBOT, v, 0, BEHIND), "invalid", "in the state"),
+    Case("initial_arc_duration", q, (ROBOT, v, 0, BEHIND), "invalid", "in the state"),
     Case(
         "optimal_duration",
         SPOT + sp.pi / 2 + sp.sqrt(a**2 + 3) - 1,
@@ -472,25 +480,23 @@ CASES = [
         "optimal_costate", [sp.sin(t), sp.cos(t)], (ENERGY, t, PLACES), "wrong", "another multiple"
     ),
     Case("optimal_costate", [sp.sin(t)], (ENERGY, t, PLACES), "invalid", "one of two"),
+    Case("optimal_range", sp.sqrt(1 + a**2) - 1, (CLIMB, y, WIDE), "right", "how high a way leads"),
+    Case("optimal_range", 2 * a, (CLIMB, x, WIDE), "right", "between the ends"),
+    Case("optimal_range", 3, (FAR, x1 + 2 * x2), "right", "a quantity of two states"),
     Case(
-        "optimal_extent", sp.sqrt(1 + a**2) - 1, (CLIMB, y, WIDE), "right", "how high a way leads"
-    ),
-    Case("optimal_extent", 2 * a, (CLIMB, x, WIDE), "right", "between the ends"),
-    Case("optimal_extent", 3, (FAR, x1 + 2 * x2), "right", "a quantity of two states"),
-    Case(
-        "optimal_extent",
+        "optimal_range",
         sp.sqrt(1 + a**2),
         (CLIMB, y, WIDE),
         "wrong",
         "the greatest value of another quantity",
     ),
-    Case("optimal_extent", a / 2, (CLIMB, y, WIDE), "wrong", "half the way"),
-    Case("optimal_extent", 0, (CLIMB, y, WIDE), "wrong", "along the straight way"),
-    Case("optimal_extent", y, (CLIMB, y, WIDE), "invalid", "the quantity itself"),
+    Case("optimal_range", a / 2, (CLIMB, y, WIDE), "wrong", "half the way"),
+    Case("optimal_range", 0, (CLIMB, y, WIDE), "wrong", "along the straight way"),
+    Case("optimal_range", y, (CLIMB, y, WIDE), "invalid", "the quantity itself"),
 ]
 
 LIMITS = [
     "One control. The optimum is the best process found: a proof only where the problem is convex.",
-    "`optimal_duration`, `held_at_first` with several controls: the best process found among "
+    "`optimal_duration`, `initial_arc_duration` with several controls: the best process found among "
     "those whose controls are constant on a few arcs, from a given start in least time.",
 ]

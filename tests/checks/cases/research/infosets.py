@@ -52,21 +52,27 @@ CASES = [
     Case("research.support_values", [0, w, 2 * w], TIGHT, "invalid", "three of six"),
     Case("research.support_values", [0, c, 2 * c, c, 0, -c], TIGHT, "invalid", "another symbol"),
     Case("research.support_values", ..., TIGHT, "missing", "the untouched stub"),
-    Case("research.common_point", c <= 3 * w, STRIPS, "right", "a relation"),
+    Case("research.common_point_exists", c <= 3 * w, STRIPS, "right", "a relation"),
     Case(
-        "research.common_point",
+        "research.common_point_exists",
         sp.Abs(c - w) <= 2 * w,
         STRIPS,
         "right",
         "a distance, for positive numbers",
     ),
-    Case("research.common_point", sp.Ge(sp.Min(2 * w, 3 * w - c), 0), STRIPS, "right", "a minimum"),
-    Case("research.common_point", c < 3 * w, STRIPS, "wrong", "without the last point"),
-    Case("research.common_point", c <= 2 * w, STRIPS, "wrong", "too few"),
-    Case("research.common_point", True, STRIPS, "wrong", "always"),
-    Case("research.common_point", c <= 3.05 * w, STRIPS, "wrong", "somewhat too many"),
     Case(
-        "research.common_point",
+        "research.common_point_exists",
+        sp.Ge(sp.Min(2 * w, 3 * w - c), 0),
+        STRIPS,
+        "right",
+        "a minimum",
+    ),
+    Case("research.common_point_exists", c < 3 * w, STRIPS, "wrong", "without the last point"),
+    Case("research.common_point_exists", c <= 2 * w, STRIPS, "wrong", "too few"),
+    Case("research.common_point_exists", True, STRIPS, "wrong", "always"),
+    Case("research.common_point_exists", c <= 3.05 * w, STRIPS, "wrong", "somewhat too many"),
+    Case(
+        "research.common_point_exists",
         s >= 12,
         (
             TRIANGLE,
@@ -76,7 +82,7 @@ CASES = [
         "a triangle",
     ),
     Case(
-        "research.common_point",
+        "research.common_point_exists",
         s >= 6,
         (
             TRIANGLE,
@@ -85,8 +91,8 @@ CASES = [
         "wrong",
         "one side only",
     ),
-    Case("research.common_point", c - 3 * w, STRIPS, "invalid", "an expression"),
-    Case("research.common_point", ..., STRIPS, "missing", "the untouched stub"),
+    Case("research.common_point_exists", c - 3 * w, STRIPS, "invalid", "an expression"),
+    Case("research.common_point_exists", ..., STRIPS, "missing", "the untouched stub"),
 ]
 LIMITS = [
     "Support values are compared at six random places with positive values of the symbols; one "

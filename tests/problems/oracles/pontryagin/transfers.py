@@ -38,7 +38,7 @@ ORACLES = dict.fromkeys(
         "switching_count",
         "isochrone_radius",
         "least_rate",
-        "turning_rate",
+        "polar_angle_rate",
     ),
     same_transfer,
 )
