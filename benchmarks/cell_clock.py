@@ -14,7 +14,7 @@ import sys
 from dataclasses import replace
 from pathlib import Path
 
-from workbook.checks.contract.encoding import decode
+from workbook.checks.contract.decoding import decode
 from workbook.grading import forkserver, judging, worker_pool
 from workbook.grading.sandbox import Sandbox
 

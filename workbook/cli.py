@@ -73,7 +73,8 @@ def solve(
     """Run a problem's worked solution (from a checkout) and print its answers and their
     verdicts."""
     from workbook.authoring import read
-    from workbook.checks.contract.encoding import decode, describe
+    from workbook.checks.contract.decoding import decode
+    from workbook.checks.contract.encoding import describe
     from workbook.notebooks.execution import judge, run_notebook
 
     exercise = exercises.find(number)

@@ -28,8 +28,10 @@ from hypothesis import strategies as st
 from sympy.core.function import AppliedUndef, UndefinedFunction
 from sympy.logic.boolalg import ITE
 
-from workbook.checks.contract import encoding
-from workbook.checks.contract.encoding import EncodingError, decode, describe, encode
+from workbook.checks.contract import limits
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import describe, encode
+from workbook.checks.contract.traversal import EncodingError
 
 x, y, z = sp.symbols("x y z")
 t = sp.Symbol("t", real=True)
@@ -486,7 +488,8 @@ def test_equal_sets_and_dicts_give_equal_bytes():
 
 PROGRAM = """
 import hashlib, sympy as sp
-from workbook.checks.contract.encoding import encode, decode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 x, y, t = sp.symbols("x y t")
 f = sp.Function("f")
 values = [{"b", "a", "c", x, sp.pi, (1, "z")}, {x: 1, "x": 2, 3: 4}, sp.solveset(sp.sin(x) * sp.cos(2*x), x),
@@ -519,7 +522,8 @@ def test_the_same_bytes_in_every_process():
 def test_plain_values_import_nothing_heavy():
     heavy = ["numpy", "sympy", "casadi", "workbook.checks.contract.sympy_codec"]
     program = (
-        "import sys; from workbook.checks.contract.encoding import *; "
+        "import sys; from workbook.checks.contract.decoding import decode; "
+        "from workbook.checks.contract.encoding import describe, encode; "
         "decode(encode([1, 2.5, 'a', {'k': (1j, ...)}, {3}])); describe([1, {}]); "
     )
     assert in_process(program + f"print([m for m in {heavy} if m in sys.modules])").strip() == "[]"
@@ -754,7 +758,7 @@ HOSTILE = {
     "lone surrogate": b'"\\ud800"',
     "null": b"null",
     "null within": b"[1,null]",
-    "too many bytes": b'"' + b"a" * encoding.MAX_BYTES + b'"',
+    "too many bytes": b'"' + b"a" * limits.MAX_BYTES + b'"',
     # size and depth
     "huge integer": b"9" * 1_000_000,
     "integer above the limit": text(10**2000),
@@ -1006,7 +1010,7 @@ COSTLY = {  # what SymPy takes many seconds over as soon as it evaluates
 def test_decoding_computes_nothing(tree):
     with within(seconds=1):
         value = decode(text(tree))
-    assert encode(value) == text(tree) and len(describe(value)) <= encoding.MAX_DESCRIPTION
+    assert encode(value) == text(tree) and len(describe(value)) <= limits.MAX_DESCRIPTION
 
 
 # Names: an expression that a check compiles with lambdify is Python code
@@ -1107,7 +1111,7 @@ def decodes_or_refuses(data):
         value = decode(data)
     except EncodingError:
         return
-    assert len(describe(value)) <= encoding.MAX_DESCRIPTION
+    assert len(describe(value)) <= limits.MAX_DESCRIPTION
     encode(value)
 
 
@@ -1253,7 +1257,7 @@ def test_hostile_objects_are_refused_unread(make):
     finally:
         ARMED.clear()
     assert message is not None and touched == []
-    assert len(described) <= encoding.MAX_DESCRIPTION
+    assert len(described) <= limits.MAX_DESCRIPTION
 
 
 def test_the_traps_do_catch():
@@ -1358,7 +1362,7 @@ def test_unfit_values_are_refused_kindly(value, message):
     with pytest.raises(EncodingError, match=message) as caught, within(seconds=1):
         encode(value)
     assert len(str(caught.value)) < 500
-    assert len(describe(value)) <= encoding.MAX_DESCRIPTION
+    assert len(describe(value)) <= limits.MAX_DESCRIPTION
 
 
 # Limits: what is just within them crosses
@@ -1447,4 +1451,4 @@ def test_descriptions_stay_short_and_quick():
     )
     with within(seconds=2):
         texts = [describe(value) for value in values]
-    assert all(len(text) <= encoding.MAX_DESCRIPTION for text in texts)
+    assert all(len(text) <= limits.MAX_DESCRIPTION for text in texts)

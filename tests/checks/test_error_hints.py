@@ -119,7 +119,7 @@ def test_other_names_that_do_not_exist_are_told_as_ever(outputs):
 @pytest.mark.parametrize("after", ["after and", "after chain", "after unreadable"])
 def test_the_value_before_a_failed_cell_is_not_judged(first_day, after):
     assert re.match(
-        "… a_region: missing: not judged: the cell that assigns it stopped with",
+        "… a_region: missing: not checked: its cell stopped with",
         shown(first_day[after]),
     )
 

@@ -18,7 +18,9 @@ from hypothesis import strategies as st
 
 from workbook import checks
 from workbook.checks.contract import reporting
-from workbook.checks.contract.encoding import EncodingError, decode, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import Unusable, Verdict, Wrong, judged
 from workbook.systems import Linear, Process
 
@@ -272,8 +274,10 @@ def test_code_in_a_message_is_set_as_code():
     )
 
 
-#: First aid is printed as it stands.
-MESSAGES = [path for path in Path(checks.__file__).parent.rglob("*.py") if path.stem != "first_aid"]
+#: The hints on errors are printed as they are, outside of a report.
+MESSAGES = [
+    path for path in Path(checks.__file__).parent.rglob("*.py") if path.stem != "error_hints"
+]
 
 
 @pytest.mark.parametrize("path", MESSAGES, ids=lambda path: f"{path.parent.name}/{path.stem}")

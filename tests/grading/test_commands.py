@@ -17,7 +17,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment
 from guide import like, steps
 
-from workbook.checks.contract.encoding import decode, describe
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import describe
 from workbook.grading import commands, grader, worker_pool
 from workbook.grading.assignment import BadInput
 from workbook.grading.judging import Judgement

@@ -19,7 +19,8 @@ from trajlib.typesetting import plain
 from workbook.authoring import read
 from workbook.authoring.contract import master_file
 from workbook.authoring.mistakes import sentence
-from workbook.checks.contract.encoding import decode, describe, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
 from workbook.grading import assignment as assignments
 from workbook.grading import judging

@@ -11,8 +11,9 @@ from calls import calls_noted, codes_that_note
 from forms import each_form
 
 from workbook import checks
-from workbook.authoring.statements import reported_names
-from workbook.checks.contract.encoding import decode, encode
+from workbook.checks.contract.check_cells import reported_names
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.systems import Controlled
 
 #: What `_pace` is on the quiet machine that the limits of verdicts are for.

@@ -16,7 +16,8 @@ from forms import forms
 from harness import Workbench, solve
 
 from workbook.authoring import read
-from workbook.checks.contract.encoding import EncodingError, encode
+from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.traversal import EncodingError
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import in_child, judge_cells
 

@@ -8,7 +8,8 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from workbook.authoring.errors import MasterError
-from workbook.authoring.statements import assigned_names, reported_names
+from workbook.authoring.statements import assigned_names
+from workbook.checks.contract.check_cells import reported_names
 
 TYPES = (
     "number",

@@ -61,11 +61,12 @@ def _mark(path, student, marks):
     import sympy as sp
 
     from workbook.checks import collecting
-    from workbook.checks.contract import coercion, verdict
+    from workbook.checks.contract import coercion, condition_coercion, verdict
 
     # It judges the objects themselves, as checks do that know no encoder, and of any size.
     verdict.encode = verdict.decode = lambda answer: answer
-    coercion.grows_too_fast, coercion.LARGEST_POWER = lambda *answer: False, float("inf")
+    coercion.grows_too_fast = condition_coercion.grows_too_fast = lambda *answer: False
+    condition_coercion.LARGEST_POWER = float("inf")
     notebook = json.loads(path.read_text(encoding="utf-8"))
     namespace = {"__name__": "__main__"}
     with collecting() as verdicts:

@@ -29,7 +29,13 @@ _collected = ContextVar("collected verdicts", default=None)
 
 
 class NotYet(Exception):
-    """Raised when not every answer of a check cell is right; the message is the report itself."""
+    """Raised when not every answer of a check cell is right; the message is the report itself.
+
+    Parameters
+    ----------
+    verdicts : dict
+        A `Verdict` for each name of an answer.
+    """
 
     def __init__(self, verdicts):
         super().__init__(_as_text(verdicts))
@@ -47,11 +53,25 @@ class NotYet(Exception):
 def report(problem="", /, **verdicts):
     """Show a line for each answer; raise `NotYet` unless all are right.
 
-    `report(a_region=checks.stability_region(a_region, ...), ...)`: the names are those of the
-    answer variables, the values what the checks return. An error for nbgrader and for the site's
-    build, a polite message in Jupyter. A wrong answer to a `problem`, whose number stands first in
-    the students' notebooks, is told the mistake if that is known.
+    Parameters
+    ----------
+    problem : str, optional
+        The problem's number, which stands first in the students' notebooks. With it the mistake that
+        may have led to a wrong answer is shown if it is known.
+    **verdicts : Verdict
+        What the checks return, under the names of the answer variables.
 
+    Raises
+    ------
+    NotYet
+        An error for nbgrader and for the site's build, a short message in Jupyter.
+
+    Notes
+    -----
+    A check cell ends with `checks.report(a_region=checks.stability_region(a_region, ...), ...)`.
+
+    Examples
+    --------
     >>> report(a=Verdict("right", "it solves the equation"))
     ✓ a: right: it solves the equation
     """
@@ -63,8 +83,7 @@ def report(problem="", /, **verdicts):
         elif name in error_hints.stopped:
             verdicts[name] = Verdict(
                 MISSING,
-                "not judged: the cell that assigns it stopped with "
-                f"{error_hints.stopped[name]}; mend that first",
+                f"not checked: its cell stopped with {error_hints.stopped[name]}; fix that first",
             )
         elif problem and verdict.status == WRONG:
             verdicts[name] = replace(
@@ -85,9 +104,15 @@ def report(problem="", /, **verdicts):
 
 @contextmanager
 def collecting():
-    """Inside this context `report` neither shows nor raises: it adds its verdicts to the dict given
-    back.
+    """Collect the verdicts of all reports in this context, which neither show nor raise.
 
+    Yields
+    ------
+    dict
+        A `Verdict` for each name of an answer, filled as the reports run.
+
+    Examples
+    --------
     >>> with collecting() as verdicts:
     ...     report(a=Verdict("missing", "not answered yet"))
     >>> verdicts["a"].status
@@ -101,6 +126,7 @@ def collecting():
 
 
 def _mistake(problem, name, answer):
+    # loaded for a wrong answer only
     from workbook.mistakes import name_of
     from workbook.notebooks.exercises import UnknownExercise
 
@@ -138,8 +164,7 @@ def _as_html(verdicts):
 
 
 def _style(status):
-    """Ink on ground, dark on light in any theme; the site has colours of its own, for its dark
-    pages too."""
+    """Return the colours of a line, dark on light in any theme; the site overrides them."""
     ink, ground = COLOURS[status]
     return (
         f"color: var(--{status}, {ink}); background: var(--{status}-ground, {ground}); padding: "

@@ -14,8 +14,8 @@ and covariance may be asked for at times before 0.
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Laid, Matrix, Values
-from workbook.checks.contract.tolerance import REPEATED, same
+from workbook.checks.contract.claims import Matrix, MatrixOrVector, Values
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
 from workbook.checks.tools.comparisons import Entries, Members
@@ -28,7 +28,7 @@ COUNT = 6
 BEFORE, AFTER = "before", "after"
 
 
-@judged(Laid("parameters", shape=processes.shape_of("mean")))
+@judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     """The best estimate of the state at a time from what was measured; of a single coordinate an
     expression."""
@@ -63,7 +63,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     return "it is the covariance of the state under the condition of what was measured"
 
 
-@judged(Laid("parameters", shape=processes.shape_of("mean")))
+@judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
 def estimate_standard_deviations(claim, process, measured, at, parameters=(), given=sp.true):
     """The standard deviations of the errors of the best estimate at a time, a column; of a single
     coordinate an expression."""
@@ -98,7 +98,7 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
 
-@judged(Laid("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
+@judged(MatrixOrVector("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
 def steady_gain(claim, process, parameters=(), given=sp.true):
     """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in
     discrete time y+ = y + K (z - H y)."""
@@ -146,7 +146,11 @@ def steady_filter_exists(answer, process, parameters):
     return f"a filter settles, and its errors decay, for these values alone: {known}"
 
 
-@judged(Laid("estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")))
+@judged(
+    MatrixOrVector(
+        "estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")
+    )
+)
 def filter_equation(claim, process, estimates, outputs, covariance, parameters=()):
     """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in
     the symbols of the estimates y, of the outputs z and of P, the `covariance` of the errors; of a
@@ -221,7 +225,7 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
         said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
-            return same(number[1], other, number[0], size, REPEATED)
+            return agree(number[1], other, number[0], size, REPEATED)
 
         yield Members(
             list(zip(claims, said)),

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Matrix
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import Entries, Same
 from workbook.checks.tools.samples import general_values, in_every_case
@@ -28,7 +28,7 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
             numbers_at(claims, values, unknowns),
         )
         uncertain = [uncertain_at(claim, values) for claim in claims]
-        if not same(said, true, claims, abs(true).max(), uncertain=uncertain).all():
+        if not agree(said, true, claims, abs(true).max(), uncertain=uncertain).all():
             residuals = wanted - rows @ said.real
             slopes = rows.T @ residuals
             k = int(np.argmax(abs(slopes)))

@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Matrix, Values
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.tools.comparisons import Members, Same
 from workbook.checks.tools.samples import general_values, in_every_case
@@ -90,7 +90,7 @@ def uncorrelated(claims, first, second, vector, law, angle):
     yield Members(
         said,
         true,
-        lambda one, other: same(one[1], other, one[0]),
+        lambda one, other: agree(one[1], other, one[0]),
         stranger,
         lambda count, others: "there is another angle at which the covariance vanishes",
     )

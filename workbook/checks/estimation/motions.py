@@ -11,8 +11,8 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Expression, Expressions, Laid, Matrix, Values
-from workbook.checks.contract.tolerance import REPEATED, same
+from workbook.checks.contract.claims import Expression, Expressions, Matrix, MatrixOrVector, Values
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
 from workbook.checks.references.spectra import decays
@@ -29,7 +29,7 @@ STEPS = (0, 1, 2, 3, 5, 6)
 LATEST = 1000
 
 
-@judged(Laid("start", "noises", "parameters", shape=processes.shape_of("mean")))
+@judged(MatrixOrVector("start", "noises", "parameters", shape=processes.shape_of("mean")))
 def state_after_steps(claim, process, start, noises, parameters=(), given=sp.true):
     """The state of a process in discrete time after as many steps as there are noises, a column in
     the symbols of its start and of the noises; of a single coordinate an expression."""
@@ -64,7 +64,7 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
     return "the steps, one after the other, lead to this state"
 
 
-@judged(Laid("time", "parameters", shape=processes.shape_of("mean")))
+@judged(MatrixOrVector("time", "parameters", shape=processes.shape_of("mean")))
 def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
     """The mean of the process at the time t, a column; of a single coordinate an expression.
 
@@ -168,7 +168,7 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
         said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
-            return same(number[1], other, number[0], size, REPEATED)
+            return agree(number[1], other, number[0], size, REPEATED)
 
         yield Members(
             list(zip(claims, said)),

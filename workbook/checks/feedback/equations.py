@@ -10,7 +10,7 @@ function alone need not have all of them.
 
 import numpy as np
 
-from workbook.checks.contract.claims import Claim, Laid
+from workbook.checks.contract.claims import Claim, MatrixOrVector
 from workbook.checks.contract.coercion import as_matrix
 from workbook.checks.contract.tolerance import EXACT
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
@@ -39,7 +39,7 @@ class StateForm(Claim):
         return [
             A,
             *(
-                Laid.coerce(part, (), (1, A.rows) if name in self.ROWS else (A.rows, 1))
+                MatrixOrVector.coerce(part, (), (1, A.rows) if name in self.ROWS else (A.rows, 1))
                 for name, part in zip(self.names[1:], answer[1:])
             ),
         ]

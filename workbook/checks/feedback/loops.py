@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Claim, Laid, Parts
+from workbook.checks.contract.claims import Claim, MatrixOrVector, Parts
 from workbook.checks.contract.tolerance import EXACT, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
@@ -26,7 +26,7 @@ from workbook.checks.tools.wording import number_text, where_text
 from workbook.systems import Linear, Scalar
 
 
-class Gain(Laid):
+class Gain(MatrixOrVector):
     """A matrix of the `shape` given, a vector also lying down or upright; None for an empty
     list."""
 
@@ -44,7 +44,7 @@ class Gains(Claim):
             return None
         pair = Parts(
             *(
-                Laid(*self.names, shape=lambda data, k=k: self.form["shapes"](data)[k])
+                MatrixOrVector(*self.names, shape=lambda data, k=k: self.form["shapes"](data)[k])
                 for k in range(2)
             ),
             expected="a list of two matrices, [K, L], or an empty list",

@@ -10,8 +10,8 @@ is found from the data (`truths/regulators.py`).
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Expression, Laid, Matrix, Values
-from workbook.checks.contract.tolerance import REPEATED, same
+from workbook.checks.contract.claims import Expression, Matrix, MatrixOrVector, Values
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import Gain
 from workbook.checks.references import processes, regulators
@@ -165,7 +165,7 @@ def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
         said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other, size=np.linalg.norm(loop)):
-            return same(number[1], other, number[0], size, REPEATED)
+            return agree(number[1], other, number[0], size, REPEATED)
 
         yield Members(
             list(zip(claims, said)),
@@ -183,7 +183,7 @@ def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
     return "these are the modes of the loop with the best law"
 
 
-@judged(Laid("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
+@judged(MatrixOrVector("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
 def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
     """The state at which the motion under the law of least cost comes to rest, a column in the
     symbols of its start."""
@@ -244,7 +244,11 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
     return "the covariance of the whole loop with the best gains has this cost"
 
 
-@judged(Laid("estimates", "outputs", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
+@judged(
+    MatrixOrVector(
+        "estimates", "outputs", "parameters", shape=lambda data: (data["problem"].A.rows, 1)
+    )
+)
 def controller_equations(claim, problem, process, estimates, outputs, parameters=(), given=sp.true):
     """The right-hand sides of the equations of the best feedback by measurements, e' = ..., a
     column in the symbols of the estimates e and of the outputs z, its own control u = Ke put in."""

@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.samples import draw
@@ -44,7 +44,7 @@ def control_equation(claim, problem, domain=None):
     u = problem.control[0]
     for values, true, size in places:
         said = value_at(claim, values, f"{u}'")
-        if same(said, true, claim, size=size, computed=EXACT):
+        if agree(said, true, claim, size=size, computed=EXACT):
             continue
         if not told:
             raise Wrong(

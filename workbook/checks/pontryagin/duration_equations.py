@@ -4,7 +4,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.optima.best_processes import best_processes
 from workbook.checks.tools.values import real_function
@@ -25,7 +25,7 @@ def duration_equation(answer, problem, duration, parameters):
     claim = left - right
     if duration not in claim.free_symbols:
         raise Invalid(f"expected an equation for {duration}")
-    function, allowed = real_function(symbols, [claim]), max(1e-6, 10 * share(claim))
+    function, allowed = real_function(symbols, [claim]), max(1e-6, 10 * relative_tolerance(claim))
     for values, best in best_processes(problem, parameters):
         T, numbers, where = best.duration, [float(v) for v in values.values()], rounded_text(values)
         at, *near = function(T * np.array([1, 1 - NEXT, 1 + NEXT]), *numbers)[0]

@@ -13,7 +13,13 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Number, YesNo
-from workbook.checks.contract.tolerance import changed, in_decimals, rounds_to, same, share
+from workbook.checks.contract.tolerance import (
+    agree,
+    in_decimals,
+    perturbed,
+    relative_tolerance,
+    rounds_to,
+)
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.optima.functional_optimum import FunctionalOptimum
 from workbook.checks.tools.comparisons import Same, Word
@@ -50,12 +56,12 @@ def extremum_motion(claim, functional, parameters=()):
     parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         where = f"for {values_text(values)} " if values else ""
-        sides = changed(claim) if in_decimals(claim) else []
+        sides = perturbed(claim) if in_decimals(claim) else []
         motion = _Motion(
             claim.subs(values),
             best,
             where,
-            share(claim) if sides is None else COMPUTED,
+            relative_tolerance(claim) if sides is None else COMPUTED,
             [[_Motion(side.subs(values), best, where) for (side,) in pair] for pair in sides or ()],
         )
         motion.has_the_given_ends()
@@ -77,7 +83,7 @@ def extremum_value(claim, functional, parameters=()):
             )
             continue
         said = real_function([], [claim])()[0]
-        if not same(said, best.value, claim, computed=COMPUTED):
+        if not agree(said, best.value, claim, computed=COMPUTED):
             if not np.isfinite(said):
                 raise Wrong("your value is no real number")
             beyond = (said < best.value) != functional.maximise
@@ -162,7 +168,7 @@ def _rate(functional, duration, T, step=0.004):
 
 
 class _Motion:
-    """A student's motion for given values of the parameters; `changed` are pairs of motions that
+    """A student's motion for given values of the parameters; `perturbed` are pairs of motions that
     its decimals leave open."""
 
     def __init__(self, claim, best, where, rounding=COMPUTED, changed=()):

@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.samples import sample_cases
 from workbook.checks.tools.values import real_function, value_at
@@ -49,7 +49,7 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
             at = values | {variable: sp.Float((times if by is None else controls)[k, 0], 17)}
             for name, claim, true, scale in zip(problem.state, claims, states[k, :, 0], size[:, 0]):
                 said = value_at(claim, at, str(name))
-                if not same(said, true, claim, size=scale, computed=FOLLOWED):
+                if not agree(said, true, claim, size=scale, computed=FOLLOWED):
                     raise Wrong(
                         f"for {rounded_text(at)} your {name} is {said:.4g}; under the law given "
                         "the motion that starts as it should "
@@ -73,7 +73,7 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
     ):
         values = dict(zip(parameters, case))
         true, said = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
-        if not same(said, true, claim, size=size, computed=10 * FOLLOWED):
+        if not agree(said, true, claim, size=size, computed=10 * FOLLOWED):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
                 f"{told_for(values)}your {quantity} is {said:.4g}; if the constants of the law are "

@@ -10,7 +10,12 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Claim
-from workbook.checks.contract.tolerance import changed, changed_together, in_decimals, share
+from workbook.checks.contract.tolerance import (
+    in_decimals,
+    perturbed,
+    perturbed_in_pairs,
+    relative_tolerance,
+)
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.tools.values import real_function
 
@@ -66,9 +71,11 @@ class InTime:
             ]
 
         self._values, self._rates = compiled(claims)
-        followed = changed(*claims) if in_decimals(*claims) else []
+        followed = perturbed(*claims) if in_decimals(*claims) else []
         self._changed = [[compiled(side) for side in sides] for sides in followed or ()]
-        self.rounding = share(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
+        self.rounding = (
+            relative_tolerance(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
+        )
 
     def values(self, times, parameters):
         """What the expressions are at an instant, or at an array of them: a row for each; nan where
@@ -122,7 +129,7 @@ class Steering:
             until if until is None else real_function(self.parameters, [until]) for _, until in arcs
         ]
         parts = [part for arc in arcs for part in arc if part is not None]
-        others = changed(*parts) if followed and in_decimals(*parts) else []
+        others = perturbed(*parts) if followed and in_decimals(*parts) else []
         #: Pairs of controls that the decimals of this one leave open.
         self.changed = [
             [Steering(_arcs(side, arcs), time, parameters, False) for side in sides]
@@ -131,10 +138,12 @@ class Steering:
         #: The same with two of them changed, a row for each decimal and one for each after it.
         self.together = [
             [Steering(_arcs(both, arcs), time, parameters, False) for both in row]
-            for row in (changed_together(*parts) if others else ())
+            for row in (perturbed_in_pairs(*parts) if others else ())
         ]
-        self.rounding = share(*parts, computed=INTEGRATED) if others is None else INTEGRATED
-        self.lasting = (1 if followed else 3) * share(*parts, computed=INTEGRATED)
+        self.rounding = (
+            relative_tolerance(*parts, computed=INTEGRATED) if others is None else INTEGRATED
+        )
+        self.lasting = (1 if followed else 3) * relative_tolerance(*parts, computed=INTEGRATED)
 
     def ends(self, values):
         """When the arcs end, one after the other; None for a single expression, which goes on for

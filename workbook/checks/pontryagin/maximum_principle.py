@@ -15,7 +15,14 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Integer, YesNo
 from workbook.checks.contract.members import members
-from workbook.checks.contract.tolerance import DECIMALS, EXACT, changed, in_decimals, same, share
+from workbook.checks.contract.tolerance import (
+    DECIMALS,
+    EXACT,
+    agree,
+    in_decimals,
+    perturbed,
+    relative_tolerance,
+)
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.followed import reach
 from workbook.checks.pontryagin.in_time import Control, Steering
@@ -188,7 +195,7 @@ def maximising_control(answer, problem, costates, domain=None):
         numbers, bounds = [float(values[s]) for s in symbols], _bounds(problem, values)
         said = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
         for u, value, (low, high) in zip(controls, said, bounds):
-            slack = share(*claims) * (1 + abs(value))
+            slack = relative_tolerance(*claims) * (1 + abs(value))
             if not low - slack <= value <= high + slack:
                 raise Wrong(
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
@@ -240,7 +247,7 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
         ]
         parts = [float(part.subs(values)) for part in sp.Add.make_args(rest)]
         said, wanted = value_at(claim, values, "the greatest value of H"), sum(parts) + sum(terms)
-        if not same(said, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
+        if not agree(said, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
             raise Wrong(
                 f"for {rounded_text(values)} your expression gives {said:.4g}; "
                 + (
@@ -326,7 +333,7 @@ def singular_control(claim, problem, costates, control=None, domain=None):
         low, high = _bounds(problem, values)[list(problem.control).index(arcs.control)]
         # of a control that is zero
         rounded = np.isfinite(high - low) and abs(said + a / b) <= POINTS * (high - low)
-        if not rounded and not same(said, -a / b, claim, size=abs(a / b), computed=POINTS):
+        if not rounded and not agree(said, -a / b, claim, size=abs(a / b), computed=POINTS):
             raise Wrong(
                 f"at a point of a singular arc your control gives {said:.4g}, under which "
                 f"dH/d{arcs.control} does not stay zero"
@@ -360,7 +367,7 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
                 value_at(claim, values, str(psi)),
                 max(abs(values[one]) for one in costates),
             )
-            if not same(said, values[psi], claim, size=size, computed=POINTS):
+            if not agree(said, values[psi], claim, size=size, computed=POINTS):
                 raise Wrong(
                     f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your "
                     f"{psi} is {said:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
@@ -387,7 +394,7 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     _without_control(claim, arcs)
     for values in _points(arcs, domain):
         said = value_at(claim, values, "Kelley's expression")
-        if not same(said, real_at(true, values), claim, computed=POINTS):
+        if not agree(said, real_at(true, values), claim, computed=POINTS):
             raise Wrong(
                 f"at a point of a singular arc your expression gives {said:.4g}, which is not the "
                 "left-hand side of Kelley's condition there"
@@ -527,7 +534,7 @@ class _Zeros:
         self._slopes = real_function(
             [*symbols, *parameters], [sp.diff(e, s) for e in claims for s in symbols]
         )
-        followed = changed(*claims) if in_decimals(*claims) else []
+        followed = perturbed(*claims) if in_decimals(*claims) else []
         self._most = POINTS if followed == [] else DECIMALS
         self._changed = [
             [real_function([*symbols, *parameters], side) for side in sides]
@@ -637,7 +644,7 @@ def _equal(claim, true, values, what):
     true = sp.expand(true)
     parts = [abs(number_at(part, values)) for part in sp.Add.make_args(true)]
     said, wanted = value_at(claim, values, what), number_at(true, values).real
-    if not same(said, wanted, claim, size=max(parts), computed=EXACT):
+    if not agree(said, wanted, claim, size=max(parts), computed=EXACT):
         if true.is_number:  # the true number would be the answer itself
             raise Wrong(f"{what} is not {said:.4g}, which your expression gives")
         raise Wrong(

@@ -16,7 +16,7 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import changed, in_decimals, same, share
+from workbook.checks.contract.tolerance import agree, in_decimals, perturbed, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.followed import does_as_well, point_text
 from workbook.checks.references.optima.direct_optimum import optima
@@ -91,7 +91,7 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
             places.append({given: y[k], **{p: values[p] for p in others}})
             if not np.isfinite(said):
                 raise Wrong(f"for {given} = {y[k]:.4g} your curve gives no real number")
-            if not same(said, true, claim, true, LOCATED):
+            if not agree(said, true, claim, true, LOCATED):
                 raise Wrong(
                     f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {said:.4g}; the "
                     f"control of the best process {told_for(values)}does not change there"
@@ -146,12 +146,12 @@ class _Law:
                     )
                     for (side,) in pair
                 ]
-                for pair in changed(claim) or ()
+                for pair in perturbed(claim) or ()
             ]
             if followed
             else ()
         )
-        self.rounding = share(claim, computed=LAGGING)
+        self.rounding = relative_tolerance(claim, computed=LAGGING)
 
     def wide(self):
         """The same law in numbers of any size."""

@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import in_decimals, same
+from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.followed import (
     COSTS,
@@ -397,7 +397,7 @@ def optimal_cost(claim, problem, parameters=None):
     for (values, best), said, open_ in _evaluated(claim, found, "the cost"):
         where = told_for(values)
         right = functools.partial(
-            same,
+            agree,
             true=best.cost,
             written=claim,
             size=best.cost_size(),
@@ -446,7 +446,7 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
     seen = []
     for (values, best), said, open_ in _evaluated(claim, near, f"the {what}") if near else ():
         true = getattr(best, what)
-        if not same(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
+        if not agree(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
             raise Wrong(
                 f"{told_for(values)}your expression goes over from one form to another, and gives "
                 f"{said:.4g} next to that; the {what} of the best process found is "
@@ -477,7 +477,7 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
     states, true = states[:, inside], true[inside]
     said = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
     off = ~np.atleast_1d(
-        same(np.nan_to_num(said, nan=np.inf), true, claim, best.cost_size(), COSTS)
+        agree(np.nan_to_num(said, nan=np.inf), true, claim, best.cost_size(), COSTS)
     )
     for k in np.flatnonzero(off)[:1]:
         gives = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
@@ -494,7 +494,7 @@ def optimal_duration(claim, problem, parameters=None):
     found = best_processes(problem, parameters, 2 * SAMPLES)
     for (values, best), said, open_ in _evaluated(claim, found, "the duration"):
         right = functools.partial(
-            same, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_
+            agree, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_
         )
         if not (right(said) or right(said := value_at(claim, values, "the duration"))):
             raise Wrong(
@@ -523,7 +523,7 @@ def initial_arc_duration(claim, problem, control, value, parameters):
         first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
         true = float(sum(length for length, _ in first))
         held.append((values, true))
-        if not same(said, true, claim, best.duration, ARC if true else MISSED):
+        if not agree(said, true, claim, best.duration, ARC if true else MISSED):
             raise Wrong(
                 f"{told_for(values)}you keep {control} = {value} for {said:.4g} at first; the best "
                 "process found does so "
@@ -600,7 +600,7 @@ def optimal_range(claim, problem, quantity, parameters=None):
         )
         true = float(np.ptp(path(np.linspace(0, best.duration, 4001))))
         said = value_at(claim, values, "the extent")
-        if not same(said, true, claim, computed=FOLLOWED):
+        if not agree(said, true, claim, computed=FOLLOWED):
             raise Wrong(
                 f"{told_for(values)}your expression gives {said:.4g}; along the best process found "
                 f"{quantity} ranges over {'less' if said > true else 'more'}"

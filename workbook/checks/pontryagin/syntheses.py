@@ -18,7 +18,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import ConditionOn, Expression, Expressions
-from workbook.checks.contract.tolerance import changed, in_decimals, same, share
+from workbook.checks.contract.tolerance import agree, in_decimals, perturbed, relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import SAME, Law, follow
 from workbook.checks.references.optima import reach
@@ -173,7 +173,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
     truth = sampled_optimum(*frozen(system, target, parameters, start))
     lanes = truth.lanes(in_decimals(claim))
     said = Law(claim, truth)(lanes.x, lanes.case)
-    tolerance = share(claim, computed=1e-4)
+    tolerance = relative_tolerance(claim, computed=1e-4)
     good = np.isfinite(said) & (abs(said - lanes.time) <= tolerance * lanes.time + 1e-6)
     for k in np.flatnonzero(~good):
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
@@ -285,7 +285,7 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
     `ends` of the target."""
     target = _family(system, target, ends, variable, parameters, start)
     said = real_function([variable, *target.parameters], claim)
-    tolerance = share(*claim, computed=1e-6)
+    tolerance = relative_tolerance(*claim, computed=1e-6)
     met = 0
     for values in target.samples():
         places = target.places(values, count=24)
@@ -318,7 +318,7 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
     """
     target = _family(system, target, ends, variable, parameters, start)
     said = real_function([variable, *target.parameters], claim)
-    tolerance = share(*claim, computed=1e-5)
+    tolerance = relative_tolerance(*claim, computed=1e-5)
     for values in target.samples():
         places = target.places(values, count=12)
         points, times, after = target.switchings(places, values)
@@ -412,7 +412,7 @@ def _through_the_target(claim, domain, data):
     numbers, true = (lanes.x[:, given], *cases.T), lanes.x[:, 1 - given]
     said, *sides = (
         real_function(symbols, [one])(*numbers)[0]
-        for one in (claim, *(side for pair in changed(claim) or () for (side,) in pair))
+        for one in (claim, *(side for pair in perturbed(claim) or () for (side,) in pair))
     )
     open_ = sum(
         np.fmax(abs(one - said), abs(other - said)) for one, other in zip(sides[::2], sides[1::2])
@@ -437,7 +437,7 @@ def _change_on(places, claim, domain, data):
         lambda x, rows: truth.solve(x, case[rows]).control == control[rows], first, last, 24
     )
     off = (((first + last) / 2 - on) * across).sum(axis=1) / across[:, given]
-    right = same(on[:, given], on[:, given] + off, claim, np.linalg.norm(on, axis=1), LOCATED)
+    right = agree(on[:, given], on[:, given] + off, claim, np.linalg.norm(on, axis=1), LOCATED)
     for k in np.flatnonzero(~right):
         raise Wrong(
             f"{places[k][0]} of your curve the control of the fastest motions does not change on "
@@ -682,7 +682,7 @@ def other_extremal_time(claim, system, target, start=None):
     truth = sampled_optimum(*frozen(system, target, {}, start))
     lanes, later = _line_extremals(truth)
     said = Law(claim, truth)(lanes.x, lanes.case)
-    tolerance = share(claim, computed=1e-6)
+    tolerance = relative_tolerance(claim, computed=1e-6)
     for k in np.flatnonzero(np.isfinite(later) & ~(abs(said - later) <= tolerance * later)):
         place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, lanes.x[k]))
         told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"

@@ -15,7 +15,7 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Number
-from workbook.checks.contract.tolerance import in_decimals, same
+from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.in_time import INTEGRATED
 from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Transfer
@@ -235,7 +235,7 @@ def isochrone_radius(claim, problem, duration, count):
 
 def _close(said, true, claim, size=0.0):
     """Equality to the precision of the optimum; three digits where the claim holds decimals."""
-    return same(said, true, claim, size, computed=2 * INTEGRATED)
+    return agree(said, true, claim, size, computed=2 * INTEGRATED)
 
 
 def _times(count):

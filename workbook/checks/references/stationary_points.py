@@ -11,7 +11,7 @@ import math
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.tools.samples import (
     cases,
     draw,
@@ -176,7 +176,7 @@ class RestPoints:
         size = max(np.abs(rest).max(), 1e-12)
         uncertain = [None] * len(rest) if uncertain is None else uncertain
         return all(
-            same(r + d, r, expression, size, uncertain=open_)
+            agree(r + d, r, expression, size, uncertain=open_)
             for d, r, expression, open_ in zip(difference, rest, written, uncertain)
         )
 

@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Number
-from workbook.checks.contract.tolerance import half_unit, in_decimals, same
+from workbook.checks.contract.tolerance import agree, half_unit, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import Same
 from workbook.checks.tools.samples import in_every_case, random_values, spread
@@ -85,7 +85,7 @@ def digits_lost(number, transition, kappa, value):
     """By how many decimal digits the error of the forward recursion grows with every sample."""
     claim = float(number)
     greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
-    if not same(claim, math.log10(greatest), number):
+    if not agree(claim, math.log10(greatest), number):
         factor = 10**claim if abs(claim) < 300 else math.inf
         raise Wrong(
             f"an error would grow by the factor {factor:.4g} with every sample; multiplying a "

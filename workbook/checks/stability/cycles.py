@@ -15,7 +15,7 @@ from sympy.core.relational import Relational
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Number
 from workbook.checks.contract.members import NUMBERS, members
-from workbook.checks.contract.tolerance import REPEATED, in_decimals, rounds_to, same
+from workbook.checks.contract.tolerance import REPEATED, agree, in_decimals, rounds_to
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import known_field
 from workbook.checks.tools.values import number_at, value_at
@@ -93,7 +93,7 @@ def limit_cycles(answer, field, state):
             raise Wrong("r = 0 is a position of equilibrium, not a closed orbit")
         if radius < 0:
             raise Wrong(f"the radius {radius:.4g} is negative")
-        if not any(same(radius, other, number, computed=REPEATED) for other in found):
+        if not any(agree(radius, other, number, computed=REPEATED) for other in found):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
             raise Wrong(
                 f"the circle r = {radius:.4g} is not a closed orbit: r' = "
@@ -103,7 +103,8 @@ def limit_cycles(answer, field, state):
         other
         for other in found
         if not any(
-            same(radius, other, number, computed=REPEATED) for number, radius in zip(numbers, radii)
+            agree(radius, other, number, computed=REPEATED)
+            for number, radius in zip(numbers, radii)
         )
     ]
     if missed:
@@ -197,7 +198,7 @@ def return_map_slope(claim, field, state, radius=None):
         exponent = 0.0
     slope = math.exp(exponent)
     # A whole number may be one that was rounded: such a slope is large.
-    if not same(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
+    if not agree(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
         if float(claim) <= 0:
             raise Wrong(
                 "the slope is positive: a motion that starts outside the cycle stays outside, for "

@@ -8,7 +8,7 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.members import in_order
-from workbook.checks.contract.tolerance import REPEATED, same
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
 from workbook.checks.tools.values import numbers_at
@@ -134,7 +134,7 @@ def _judge_spectrum(written, matrix, point):
     left = list(eigenvalues)
     for number, claim in zip(numbers, written):
         # A double eigenvalue comes out of the floating-point computation with half of its digits.
-        near = [value for value in eigenvalues if same(number, value, claim, 1, REPEATED)]
+        near = [value for value in eigenvalues if agree(number, value, claim, 1, REPEATED)]
         if not near:
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
             raise Wrong(
@@ -172,7 +172,7 @@ def _values_told(flow, place):
 def _is_at(place, point):
     """Whether a point as it is written is one that was searched for; a double zero is found to half
     of its digits."""
-    return same(np.array(place, dtype=float), point, place, np.abs(point).max(), REPEATED).all()
+    return agree(np.array(place, dtype=float), point, place, np.abs(point).max(), REPEATED).all()
 
 
 def _among(point, points):

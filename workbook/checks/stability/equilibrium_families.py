@@ -15,7 +15,7 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.members import VECTORS, families
-from workbook.checks.contract.tolerance import REPEATED, half_unit, in_decimals, same
+from workbook.checks.contract.tolerance import REPEATED, agree, half_unit, in_decimals
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
 from workbook.checks.stability.equilibrium_sets import agreement
@@ -141,7 +141,7 @@ def growth_rate(claim, field, state, parameters=(), given=()):
         for point in found:
             matrix = flow.jacobian(point)
             rate = max(np.linalg.eigvals(matrix).real)
-            if rate <= 1e-9 or same(number, rate, claim, 0, REPEATED, uncertain_at(claim, values)):
+            if rate <= 1e-9 or agree(number, rate, claim, 0, REPEATED, uncertain_at(claim, values)):
                 continue
             residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
             # Which solution it is the student is asked for in another item.
@@ -409,7 +409,7 @@ def _same(matrix, other, floor):
 def _is(number, value, claim, values):
     """Whether a number, that an expression became at values of its symbols, is one that was
     searched for."""
-    return same(number, value, claim, 1, REPEATED, uncertain_at(claim, values))
+    return agree(number, value, claim, 1, REPEATED, uncertain_at(claim, values))
 
 
 def _matrix_text(matrix):

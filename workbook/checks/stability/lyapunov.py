@@ -10,7 +10,7 @@ from sympy.core.relational import Relational
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import ConditionOn, Expression
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
 from workbook.checks.tools.conditions import (
@@ -256,7 +256,7 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
                 f"{told}: V proves attraction up to this level, but also up to a higher one"
             )
         true = largest(number.real, directions * low[:, None])
-        if true is not None and not same(
+        if true is not None and not agree(
             number, float(true), claim, uncertain=uncertain_at(claim, values)
         ):
             raise Wrong(
@@ -532,7 +532,7 @@ def _membership(condition, state):
         return lambda points: ~negated(points)
     if not isinstance(condition, Relational):
         raise Invalid("expected inequalities joined by And, Or and Not")
-    # Symbols are the data's own and functions are SymPy's (coercion.as_condition), so the code made
+    # Symbols are the data's own and functions are SymPy's (condition_coercion.as_condition), so the code made
     # is ours.
     try:
         difference = _numeric(condition.lhs - condition.rhs, state)

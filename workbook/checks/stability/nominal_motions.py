@@ -14,7 +14,7 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Matrix
 from workbook.checks.contract.members import VECTORS, families, in_order
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import STEP
 from workbook.checks.references.stationary_angles import stationary_angles
@@ -287,7 +287,7 @@ def _judge_rest_angles(answer, field, state, parameters, integer, word):
                 near = [
                     phi
                     for phi, true in zip(found, turned)
-                    if same(given.real, true, family, 2 * np.pi)
+                    if agree(given.real, true, family, 2 * np.pi)
                 ]
                 if not near:
                     raise Wrong(

@@ -19,7 +19,7 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Choice, Expression
 from workbook.checks.contract.members import VECTORS, in_order
-from workbook.checks.contract.tolerance import changed, half_unit, in_decimals, same
+from workbook.checks.contract.tolerance import agree, half_unit, in_decimals, perturbed
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_factors
 from workbook.checks.references.stationary_points import rest_points
@@ -84,7 +84,7 @@ def cycle_period(claim, radial, angular, radius, parameters):
                 "real number"
             )
         rate = float(turning(rest, numbers)[0])
-        if period <= 0 or not same(rate * period, math.copysign(2 * math.pi, rate), claim):
+        if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
             raise Wrong(
                 f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
                 f"{period:.4g}, which is not one turn"
@@ -108,7 +108,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
             said = [real_at(entry, values) for entry in matrix[:, k]]
             if any(value is None for value in said):
                 raise Wrong(f"for {sample_text(values)} your matrix is not real")
-            if not same(said, true[:, k], list(matrix[:, k]), size).all():
+            if not agree(said, true[:, k], list(matrix[:, k]), size).all():
                 raise Wrong(f"for {sample_text(values)} {other_rate(state[k], said, true[:, k])}")
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
@@ -120,7 +120,7 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
     reading = rest_points([expression], state, parameters, domain)
     for values, numbers, rest in family.samples(claim):
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
-        if said is None or not same(said, true, claim, _scale(expression, values, state, rest)):
+        if said is None or not agree(said, true, claim, _scale(expression, values, state, rest)):
             told = "no real number" if said is None else f"{said:.4g}"
             if not values:  # the true number would be the answer itself
                 raise Wrong(f"the value at the stationary solution is another one than {told}")
@@ -217,7 +217,7 @@ def dulac_function(answer, field, state, parameters, domain=None):
                 "real number"
             )
         true, said = parts[:-2, k].sum(), parts[-2, k]
-        if not (math.isfinite(true) and same(said, true, divergence, abs(parts[:-2, k]).sum())):
+        if not (math.isfinite(true) and agree(said, true, divergence, abs(parts[:-2, k]).sum())):
             raise Wrong(
                 f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
                 f"your second expression gives {said:.4g}"
@@ -286,7 +286,7 @@ def first_integral(answer, field, state, parameters, domain=None):
 
 def _left_open(claim, found):
     """By how much the decimals of an expression leave open what is `found` of it."""
-    followed = changed(claim) if in_decimals(claim) else []
+    followed = perturbed(claim) if in_decimals(claim) else []
     if followed is None:
         raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
     here = found(claim) if followed else 0.0

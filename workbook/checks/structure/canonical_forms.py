@@ -17,7 +17,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from workbook.checks.contract.claims import Matrix
-from workbook.checks.contract.tolerance import same, share
+from workbook.checks.contract.tolerance import agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
@@ -145,7 +145,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
         for k, (row, following) in enumerate(zip(said, [*said[1:], 0 * h])):
             rate = row @ A_there
             rest = rate - following - h * ((rate - following) @ h) / (h @ h)
-            if not np.linalg.norm(rest) <= share(claim) * (
+            if not np.linalg.norm(rest) <= relative_tolerance(claim) * (
                 np.linalg.norm(rate) + np.linalg.norm(following)
             ):
                 j = int(np.argmax(abs(rest)))
@@ -161,13 +161,13 @@ def canonical_part_coordinates(claim, system, parameters=()):
 def judge_form(claim, pair, form):
     """Shape and characteristic polynomial of a matrix that is to be the form by observation of the
     pair's A."""
-    tolerance = share(claim)
+    tolerance = relative_tolerance(claim)
     for values, place, _ in pair.samples_for(claim):
         said = matrix_at(claim, values)
         shape_of_form(said, tolerance, form, where_text(values))
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
         own = np.array([1, *(0 - said[:, 0])])  # not -said: a zero would be told as -0
-        if not same(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
+        if not agree(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
             # not 0: the value there is a coefficient, which is asked for
             at = max(
                 (1, -1, 2, -2, 3, 5),
@@ -222,7 +222,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
             own, wanted = (said, true) if by_rows else (said[::-1].T, true[::-1].T)
             if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(
                 own @ wanted - np.eye(n)
-            ) <= 10 * share(claim):
+            ) <= 10 * relative_tolerance(claim):
                 return "this is the inverse of the matrix asked: it gives " + (
                     "x from xi; asked is T in xi = T x"
                     if by_rows

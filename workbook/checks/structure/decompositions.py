@@ -29,7 +29,7 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Matrix
-from workbook.checks.contract.tolerance import EXACT, half_unit, share
+from workbook.checks.contract.tolerance import EXACT, half_unit, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import echelon, product, unseen_subspace
@@ -107,7 +107,7 @@ def canonical_observable_part(answer, system, parameters=()):
     """The list [A11, H1] of the observable subsystem in the canonical form by observation (2.5),
     with H1 = (1 0 ... 0)."""
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
-    pair, tolerance = seen(system, parameters), share(matrix, output)
+    pair, tolerance = seen(system, parameters), relative_tolerance(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
         said = matrix_at(output, values)
         if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
@@ -150,7 +150,7 @@ def similarity_matrix(claim, system, other, parameters=()):
     """A matrix S of y = S x that turns x' = A x into the equations y' = A' y of the `other` system,
     which may be in `Deviations`: it is invertible and S A = A' S (all n x n)."""
     A_from, A_to = system.A, matrix_of(other, parameters)
-    tolerance = share(claim)
+    tolerance = relative_tolerance(claim)
     given, wanted = (
         pair_of(A_from, A_from[:1, :], parameters),
         pair_of(A_to, A_to[:1, :], parameters),
@@ -194,7 +194,7 @@ def _by_observation(claim, system, parameters=()):
 
 def _judge_split(claim, pair, side):
     """The rows of T for the pair: the first ones vanish on the unseen states."""
-    n, tolerance = pair.order, share(claim)
+    n, tolerance = pair.order, relative_tolerance(claim)
     for values, A, H, unseen in pair.systems_for(claim):
         said, size = matrix_at(claim, values), n - len(unseen)
         _invertible(said, tolerance, values)
@@ -235,7 +235,7 @@ def _judge_split(claim, pair, side):
 def _judge_system(matrix, output, pair, side):
     """A system (A', H') of the pair's order: the blocks vanish, and some change of variables turns
     the pair into it."""
-    n, tolerance = pair.order, share(matrix, output)
+    n, tolerance = pair.order, relative_tolerance(matrix, output)
     if matrix.rows != n:
         raise Invalid(
             f"expected the matrices of the whole system of order {n}; the order of yours is "
@@ -271,7 +271,7 @@ def _judge_system(matrix, output, pair, side):
 
 def _judge_part(matrix, output, pair):
     """An observable system of order rank N that is the image of the pair's."""
-    tolerance = share(matrix, output)
+    tolerance = relative_tolerance(matrix, output)
     for values, A, H, unseen in pair.systems_for([matrix, output]):
         if matrix.rows != pair.order - len(unseen):
             raise Wrong(
@@ -415,7 +415,7 @@ def _judge_components(claim, system, sequential):
     """Zeros outside the blocks that a decomposition by components leaves, in the form by
     observation."""
     claim, pair, side = _by_observation(claim, system)
-    tolerance, n, m = share(claim), pair.order, pair.outputs
+    tolerance, n, m = relative_tolerance(claim), pair.order, pair.outputs
     ((_, A, H, _),), ((_, place),) = pair.systems, pair.samples
     sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(place))
     # of every coordinate; m is the rest

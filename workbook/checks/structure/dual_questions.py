@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from workbook.checks.contract.claims import Values
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
@@ -166,7 +166,7 @@ def judge_kalman(claim, pair, side):
         sizes = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))[:, None]
 
         def told(said, k, j):
-            if said.shape == true.T.shape and same(said.T, true, claim.T, sizes).all():
+            if said.shape == true.T.shape and agree(said.T, true, claim.T, sizes).all():
                 return f"this is the transpose of {side.matrix}"
             asked = (
                 f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}"
@@ -211,7 +211,7 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
         scale, where = max([1e-30, *abs(every)]), where_text(values)
 
         def fits(one, other, computed=EXACT):
-            return same(one[1], other, one[0], scale, computed)
+            return agree(one[1], other, one[0], scale, computed)
 
         def stranger(one):
             number = number_text(one[1])

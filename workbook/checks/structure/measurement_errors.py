@@ -11,7 +11,7 @@ import numpy as np
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.invariant_subspaces import echelon, product, to_floats
 from workbook.checks.references.records import augmented, seen
@@ -108,7 +108,7 @@ def amplitude_from_output(claim, system, outputs, time):
 
 
 def _compare_block(said, true, claim, what, where):
-    bad = ~same(said, true, claim, max(abs(true).max(initial=0), 1.0))
+    bad = ~agree(said, true, claim, max(abs(true).max(initial=0), 1.0))
     if bad.any():
         i, j = np.argwhere(bad)[0]
         raise Wrong(f"{what}{where}; yours has {number_text(said[i, j])} there")

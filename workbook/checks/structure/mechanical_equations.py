@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Matrix, Parts
-from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.tools.comparisons import Follows
@@ -55,7 +55,7 @@ def mechanical_equations(claim, system, parameters=()):
                     f"{number_text(sign * own[place])}"
                     f"{where_text(values)}, and that is not what the energies give"
                 ),
-                share(*claim),
+                relative_tolerance(*claim),
             )
     judge_everywhere(
         claim[0],

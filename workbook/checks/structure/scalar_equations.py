@@ -14,7 +14,7 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from workbook.checks.contract.claims import Expressions
-from workbook.checks.contract.tolerance import EXACT, same, share
+from workbook.checks.contract.tolerance import EXACT, agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.records import reached, seen
@@ -52,8 +52,10 @@ def canonical_coordinate(claim, system, parameters=()):
         there, b = system.A.subs(values), system.B.subs(values)
         row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, there.rows + 1)])
         true = _floats(_first_coordinate(there, b))[0]
-        if not same(row, true, claim, np.linalg.norm(true)).all():
-            _explain_row(row, _floats(there), _floats(b)[:, 0], share(claim), where_text(values))
+        if not agree(row, true, claim, np.linalg.norm(true)).all():
+            _explain_row(
+                row, _floats(there), _floats(b)[:, 0], relative_tolerance(claim), where_text(values)
+            )
     return "the control enters the last derivative alone, with the coefficient 1"
 
 

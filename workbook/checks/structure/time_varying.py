@@ -8,7 +8,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Matrix
-from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import Entries, Same
 from workbook.checks.tools.samples import in_every_case, signed_values
@@ -115,7 +115,7 @@ def frozen_determinant(claim, system, parameters):
             np.prod([np.linalg.norm(r) for r in rows]),
             value_at(claim, values, "this determinant"),
         )
-        if not abs(said - np.linalg.det(rows)) <= share(claim) * scale:
+        if not abs(said - np.linalg.det(rows)) <= relative_tolerance(claim) * scale:
             # The rows and not their determinant, which may be the answer itself.
             told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(

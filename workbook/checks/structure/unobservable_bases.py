@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Number, Table, Vectors
-from workbook.checks.contract.tolerance import EXACT, in_decimals, rounds_to, share
+from workbook.checks.contract.tolerance import EXACT, in_decimals, relative_tolerance, rounds_to
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import to_floats
@@ -25,7 +25,7 @@ from workbook.checks.tools.wording import number_text, where_text
 
 def judge_basis(vectors, pair, side, at=None):
     """A basis of what is unseen, a list of vectors; `at` tells of the place, if `pair` does not."""
-    n, tolerance = pair.unknowns, share(*vectors)
+    n, tolerance = pair.unknowns, relative_tolerance(*vectors)
     for values, place, unseen in pair.samples_for(vectors):
         where = where_text(values) if at is None else at
         said = np.array(

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.tolerance import EXACT, in_decimals, same
+from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.values import matrix_at, truth_at, uncertain_at, value_at
 from workbook.checks.tools.wording import apart, rounded_text
@@ -42,7 +42,7 @@ class Same:
         said = value_at(self.claim, self.values, self.what)
         if not cmath.isfinite(self.true):
             raise RuntimeError(f"{self.what} could not be computed")
-        if not same(
+        if not agree(
             said,
             self.true,
             self.claim,
@@ -84,7 +84,7 @@ class Entries:
             if in_decimals(*self.claim)
             else None
         )
-        right = same(said, true, self.claim, self.size, self.computed, uncertain)
+        right = agree(said, true, self.claim, self.size, self.computed, uncertain)
         if not right.all():
             row = int(np.argmin(right.all(axis=1)))
             raise Wrong(

@@ -18,7 +18,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.coercion import LARGEST, MOST_ADDED
-from workbook.checks.contract.tolerance import DECIMALS, changed, half_unit, in_decimals
+from workbook.checks.contract.tolerance import DECIMALS, half_unit, in_decimals, perturbed
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.tools.wording import rounded_text
 
@@ -107,7 +107,7 @@ def values_at_all(claim, places, what):
 def uncertain_at(claim, values):
     """By how much the decimals of an expression leave open what it becomes; nan where that cannot
     be followed."""
-    followed = changed(claim) if in_decimals(claim) and sp.sympify(claim).free_symbols else None
+    followed = perturbed(claim) if in_decimals(claim) and sp.sympify(claim).free_symbols else None
     if followed is None:
         return np.nan
     try:
@@ -124,7 +124,7 @@ def uncertain_at_all(claim, places):
     symbols = list(places[0])
     if not (in_decimals(claim) and claim.free_symbols) or _binds(claim):
         return [uncertain_at(claim, values) for values in places]
-    followed = changed(claim)
+    followed = perturbed(claim)
     if followed is None:
         return [np.nan] * len(places)
     numbers = np.array([[float(values[s]) for s in symbols] for values in places]).T

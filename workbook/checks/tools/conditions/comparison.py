@@ -3,7 +3,7 @@
 import sympy as sp
 from sympy.core.relational import Relational
 
-from workbook.checks.contract import coercion
+from workbook.checks.contract import condition_coercion
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.conditions.decimals import readings
 from workbook.checks.tools.conditions.decision import find_difference
@@ -49,8 +49,8 @@ def read_condition(answer, parameters, truth):
     if numbers and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
         asked = set().union(*(case.condition.free_symbols for case, _ in truth.cases))
         parameters = [p for p in parameters if p in asked] or parameters
-        return coercion.as_condition(answer, parameters[:1])
-    return coercion.as_condition(answer, parameters)
+        return condition_coercion.as_condition(answer, parameters[:1])
+    return condition_coercion.as_condition(answer, parameters)
 
 
 def contrary(reason):
