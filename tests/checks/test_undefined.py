@@ -103,7 +103,7 @@ LAW = cases("pontryagin/syntheses")
 MOVE, SEEN, SOLVED = map(
     cases, ("pontryagin/transfers", "structure/observability", "research/solvability")
 )
-SPLINE, PLANE = cases("research/reconstruction"), cases("stability/stationary")
+SPLINE, PLANE = cases("research/reconstruction"), cases("stability/phase_plane")
 LINES, FLAT = cases("stability/critical"), cases("stability/linearisation")
 LISTS = cases("stability/equilibrium_families")
 STRIP = sp.Piecewise((LAW.TO_ORIGIN, sp.Abs(LAW.x1 - sp.Rational(1, 2)) > sp.Rational(1, 25)))

@@ -18,7 +18,9 @@ from workbook.checks.contract.members import NUMBERS, members
 from workbook.checks.contract.tolerance import REPEATED, agree, in_decimals, rounds_to
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import known_field
-from workbook.checks.tools.values import number_at, value_at
+from workbook.checks.references.stationary_points import rest_points
+from workbook.checks.tools.values import number_at, real_at, value_at
+from workbook.checks.tools.wording import sample_text
 
 CYCLES = ("stable", "unstable", "semistable")
 #: Angles at which a circle is tried; not multiples of pi/2, where single terms of a field vanish.
@@ -171,6 +173,32 @@ def cycle_stability(answer, field, state, radius=None):
         f"motions inside move {'towards' if inside == 'to' else 'away from'} it, "
         f"motions outside {'towards' if outside == 'to' else 'away from'} it"
     )
+
+
+@judged(Expression("parameters"))
+def cycle_period(claim, radial, angular, radius, parameters):
+    """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi
+    in it."""
+    family = rest_points([radial], [radius], parameters, _cycles(radius))
+    turning = rest_points([angular], [radius], parameters, _cycles(radius))
+    for values, numbers, rest in family.samples(claim):
+        period = real_at(claim, values)
+        if period is None:
+            raise Wrong(
+                f"for {sample_text(values)} there is a closed orbit, but your expression gives no "
+                "real number"
+            )
+        rate = float(turning(rest, numbers)[0])
+        if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
+            raise Wrong(
+                f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
+                f"{period:.4g}, which is not one turn"
+            )
+    return "in this time the angle gains one full turn on the closed orbit"
+
+
+def _cycles(radius):
+    return {radius: sp.Interval.open(0, sp.oo)}
 
 
 @judged(Number())

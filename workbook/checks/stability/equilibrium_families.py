@@ -15,14 +15,14 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.members import VECTORS, families
-from workbook.checks.contract.tolerance import REPEATED, agree, half_unit, in_decimals
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
 from workbook.checks.stability.equilibrium_sets import agreement
 from workbook.checks.tools.conditions import Case, Truth, compare, contrary
 from workbook.checks.tools.samples import allowed_values, in_every_case, joined
 from workbook.checks.tools.values import matrix_at, number_at, uncertain_at
-from workbook.checks.tools.wording import number_text, point_text, roots_text, where_text
+from workbook.checks.tools.wording import number_text, point_text, where_text
 
 #: Stationary values are compared between -REACH and REACH; families are followed as far as that and
 #: a little further.
@@ -39,7 +39,6 @@ SORTED = {
     ),
     "unstable": ("unstable ones", lambda flow, point: _growth(flow, point) > 0),
 }
-KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "saddle", "centre")
 
 
 @judged
@@ -79,7 +78,7 @@ def _all_and_no_others(word, answer, field, state, parameters, given, integer):
     """How it is known that an answer names all rest points of a kind, a key of `SORTED`, and no
     others."""
     claims, (noun, belongs) = _claims(answer, state, parameters, integer), SORTED[word]
-    for values, flow, found in _systems(field, state, parameters, given, claims):
+    for values, flow, found in sampled_systems(field, state, parameters, given, claims):
         _judge_values(
             claims,
             values,
@@ -105,7 +104,7 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
         coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n))
         for part in _list_of_matrices(answer)
     ]
-    for values, flow, found in _systems(field, state, parameters, given, matrices, zeros):
+    for values, flow, found in sampled_systems(field, state, parameters, given, matrices, zeros):
         true = [(point, flow.jacobian(point)) for point in found]
         floor = ROUNDING * max(np.linalg.norm(other) for _, other in true)
         claimed = [
@@ -136,7 +135,7 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
 @judged(Expression("parameters"))
 def growth_rate(claim, field, state, parameters=(), given=()):
     """The positive root of the characteristic equation at the unstable stationary solutions."""
-    for values, flow, found in _systems(field, state, parameters, given, claim):
+    for values, flow, found in sampled_systems(field, state, parameters, given, claim):
         number = number_at(claim, values)
         for point in found:
             matrix = flow.jacobian(point)
@@ -185,79 +184,7 @@ def unique_equilibrium(answer, field, state, parameters):
     return f"the number of real roots of the equation of rest is one there and nowhere else: {agreement}"
 
 
-@judged
-def equilibrium_types(answer, field, state):
-    """The kind of every stationary point of a planar portrait, as a dict {x*: word}; the words are
-    `KINDS`."""
-    ((_, flow, found),) = _systems(field, state, (), ())
-    left = list(found)
-    pairs = list(answer.items()) if isinstance(answer, dict) else answer
-    if not (
-        isinstance(pairs, (list, tuple))
-        and all(isinstance(p, (list, tuple)) and len(p) == 2 for p in pairs)
-    ):
-        raise Invalid("expected a dict such as {3: 'saddle'}, from the value to the word")
-    for value, word in pairs:
-        kind = coercion.as_choice(word, KINDS)
-        claim = coercion.as_number(_first_coordinate(value, state, ()))
-        number = float(claim)
-        near = [point for point in found if _is(number, point[0], claim, {})]
-        if not near:
-            raise Wrong(
-                f"x = {number:.4g} is no stationary solution: the right-hand sides are "
-                f"{point_text(flow([number, 0.0]))}, not zero"
-            )
-        eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
-        if kind != _kind(eigenvalues):
-            raise Wrong(
-                f"at x = {number:.4g} the roots of the characteristic equation are "
-                f"{roots_text(eigenvalues)}: that is no {kind}"
-            )
-        left = [point for point in left if point is not near[0]]
-    if left:
-        raise Wrong("the portrait has a stationary point that your answer does not name")
-    return "at every stationary point the roots of the characteristic equation are as the word says"
-
-
-@judged
-def saddle_slopes(answer, field, state):
-    """The slopes of the motions through the saddles of an equation of second order: [of those that
-    leave, of those that come].
-
-    Judged by the direction of the field close to each saddle: along these lines it points to or
-    away from it.
-    """
-    claims = list(map(coercion.as_number, coercion.as_expressions(answer, (), 2)))
-    ((_, flow, found),) = _systems(field, state, (), ())
-    saddles = [point for point in found if np.linalg.det(flow.jacobian(point)) < 0]
-    if not saddles:
-        raise RuntimeError("the equation has no saddle")
-    for point in saddles:
-
-        def rates(slope, point=point):
-            line = np.array([1.0, slope]) / np.hypot(1, slope)
-            velocity = flow.derivative(point, line)
-            return line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
-
-        for claim, sign, told in zip(claims, (1, -1), ("leave", "come to")):
-            slope = float(claim)
-            across, along = rates(slope)
-            moved = (
-                [slope - half_unit(slope), slope + half_unit(slope)] if in_decimals(claim) else []
-            )
-            allowed = 1e-7 * np.linalg.norm(flow.jacobian(point)) + max(
-                (abs(rates(other)[0] - across) for other in moved), default=0.0
-            )
-            if not abs(across) <= allowed or not along * sign > 0:
-                raise Wrong(
-                    f"along the line of slope {slope:.4g} through the saddle at {state[0]} = "
-                    f"{point[0]:.4g} small deviations change at the rate {along:.3g} along it and "
-                    f"{across:.3g} across it: these motions do not {told} the saddle"
-                )
-    return "along these lines the linear field at each saddle points straight away from it and straight to it"
-
-
-def _systems(field, state, parameters, given, claim=(), zeros=None):
+def sampled_systems(field, state, parameters, given, claim=(), zeros=None):
     """Triples (values, field, rest points between -REACH and REACH) for four samples of the
     parameters that satisfy `given`, and for more where the answer distinguishes cases that these do
     not meet; the rest points are the zeros of `zeros`, if these are told."""
@@ -289,10 +216,10 @@ def _claims(answer, state, parameters, integer):
         integer,
         "the values written out: a list of expressions, or a set as solveset gives it",
     )
-    return [_first_coordinate(part, state, symbols) for part in parts]
+    return [first_coordinate(part, state, symbols) for part in parts]
 
 
-def _first_coordinate(part, state, symbols):
+def first_coordinate(part, state, symbols):
     """The value x* of a number or of a point (x*, 0, ...)."""
     if isinstance(part, VECTORS) and np.ndim(part) > 0:
         first, *others = coercion.as_expressions(part, symbols, len(state))
@@ -314,7 +241,7 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
             number = number.real
             if abs(number) > REACH:
                 continue
-            near = [point for point in found if _is(number, point[0], family, here)]
+            near = [point for point in found if is_value(number, point[0], family, here)]
             if not near:
                 rates = point_text(flow([number] + [0.0] * (len(flow.state) - 1)))
                 raise Wrong(
@@ -389,15 +316,6 @@ def _list_of_matrices(answer):
     return [answer] if flat else list(answer)
 
 
-def _kind(eigenvalues):
-    real, imaginary = eigenvalues.real, max(abs(eigenvalues.imag))
-    if min(real) < 0 < max(real):
-        return "saddle"
-    if max(abs(real)) < 1e-9 * (1 + imaginary):
-        return "centre"
-    return f"{'stable' if max(real) < 0 else 'unstable'} {'focus' if imaginary > 1e-9 else 'node'}"
-
-
 def _symbols(integer):
     return [] if integer is None else [integer]
 
@@ -406,7 +324,7 @@ def _same(matrix, other, floor):
     return np.linalg.norm(matrix - other) <= max(1e-6 * np.linalg.norm(other), floor)
 
 
-def _is(number, value, claim, values):
+def is_value(number, value, claim, values):
     """Whether a number, that an expression became at values of its symbols, is one that was
     searched for."""
     return agree(number, value, claim, 1, REPEATED, uncertain_at(claim, values))

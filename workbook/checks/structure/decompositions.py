@@ -21,7 +21,6 @@ all that it does) is free of this.
   control).
 """
 
-import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,13 +28,13 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Matrix
-from workbook.checks.contract.tolerance import EXACT, half_unit, relative_tolerance
+from workbook.checks.contract.tolerance import EXACT, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.references.invariant_subspaces import echelon, product, unseen_subspace
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.references.records import by_control, matrix_of, reached, seen
 from workbook.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
+from workbook.checks.structure.similar_systems import are_similar, difference_text
 from workbook.checks.tools.values import matrix_at, uncertain_entries
 from workbook.checks.tools.wording import number_text, where_text
 
@@ -83,7 +82,7 @@ def decomposition(claim, system, parameters=()):
     eta), which leads to the form (2.6): eta' contains neither xi nor u, and xi has rank W
     coordinates.
     """
-    return _judge_split(*_by_observation(claim, system, parameters))
+    return _judge_split(*by_observation(claim, system, parameters))
 
 
 @judged
@@ -98,7 +97,7 @@ def decomposed_system(answer, system, parameters=()):
         system.B.cols if control else system.H.rows,
         columns=control,
     )
-    matrix, pair, side = _by_observation(matrix, system, parameters)
+    matrix, pair, side = by_observation(matrix, system, parameters)
     return _judge_system(matrix, other.T if control else other, pair, side)
 
 
@@ -119,32 +118,6 @@ def canonical_observable_part(answer, system, parameters=()):
     return _judge_part(matrix, output, pair)
 
 
-@judged(Matrix(shape="system.A"))
-def sequential_decomposition(claim, system):
-    """New coordinates in parts: part 1 is all that the first component sees or reaches, part 2 what
-    the second adds, and so on, the rest last.
-
-    Of a system with an output it is the matrix T of the coordinates T x: the derivatives of part i
-    contain the parts 1..i alone; z_i shows part i alone, unless it adds nothing to those before.
-    With a control it is P of x = P xi: the derivatives of part i contain the parts from i on; u_i
-    enters part i alone, unless it adds nothing.
-    """
-    return _judge_components(claim, system, sequential=True)
-
-
-@judged(Matrix(shape="system.A"))
-def parallel_decomposition(claim, system):
-    """New coordinates in parts, one a component, the rest last: with an output the matrix T of T x,
-    z_i shows part i alone and makes it observable; with a control P of x = P xi, u_i enters part i
-    alone and makes it controllable.
-
-    Part i is spanned by the rows of its chain that are taken when h1, h2, h1 A, h2 A, ... (columns
-    b1, b2, A b1, ...) are taken by turns while independent, each up to those with lower powers of
-    A.
-    """
-    return _judge_components(claim, system, sequential=False)
-
-
 @judged(Matrix("parameters", shape="system.A"))
 def similarity_matrix(claim, system, other, parameters=()):
     """A matrix S of y = S x that turns x' = A x into the equations y' = A' y of the `other` system,
@@ -157,7 +130,7 @@ def similarity_matrix(claim, system, other, parameters=()):
     )
     for (values, one, _, _), (_, other, _, _) in zip(given.systems, wanted.systems):
         said = matrix_at(claim, values)
-        _invertible(said, tolerance, values)
+        require_invertible(said, tolerance, values)
         left, right = said @ one, other @ said
         size = (
             np.linalg.norm(said, axis=1)[:, None] * np.linalg.norm(one)
@@ -185,7 +158,7 @@ def similarity_matrix(claim, system, other, parameters=()):
     return "it is invertible, and the derivatives of y agree in both systems"
 
 
-def _by_observation(claim, system, parameters=()):
+def by_observation(claim, system, parameters=()):
     """A matrix, the pair and the words of a question, transposed if it is one of control."""
     if by_control(system):
         return claim.T, reached(system, parameters), CONTROL
@@ -197,7 +170,7 @@ def _judge_split(claim, pair, side):
     n, tolerance = pair.order, relative_tolerance(claim)
     for values, A, H, unseen in pair.systems_for(claim):
         said, size = matrix_at(claim, values), n - len(unseen)
-        _invertible(said, tolerance, values)
+        require_invertible(said, tolerance, values)
         space, _ = np.linalg.qr(unseen.T)
         if (
             abs(said[:size] @ space)
@@ -252,19 +225,19 @@ def _judge_system(matrix, output, pair, side):
                 f"has as many coordinates as {side.size} says"
             )
         open_ = uncertain_entries(matrix, values)
-        if not _same_system(A, H, new_A, new_H, tolerance, A, open_):
+        if not are_similar(A, H, new_A, new_H, tolerance, A, open_):
             part = new_A[:size, :size], new_H[:, :size]
             if (
                 size < n
                 and np.allclose(np.poly(new_A), np.poly(A))
-                and _same_system(A, H, *part, tolerance, _seen_part(A, unseen), open_)
+                and are_similar(A, H, *part, tolerance, _seen_part(A, unseen), open_)
             ):
                 raise Wrong(
                     f"your {side.part} part is that of the given system, but no change of "
                     f"variables gives the rest of your equations{where_text(values)}: look at eta, "
                     "and at how the two parts act on each other"
                 )
-            raise Wrong(_why_different(A, new_A, *part, values, side))
+            raise Wrong(difference_text(A, new_A, *part, values, side))
     _serves_everywhere(matrix, output, pair, side)
     return "the blocks are zero where they have to be, and a change of variables turns the given system into yours"
 
@@ -279,10 +252,10 @@ def _judge_part(matrix, output, pair):
                 f"rank N, and that is not {matrix.rows}{where_text(values)}"
             )
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
-        if not _same_system(
+        if not are_similar(
             A, H, new_A, new_H, tolerance, _seen_part(A, unseen), uncertain_entries(matrix, values)
         ):
-            raise Wrong(_why_different(None, new_A, new_A, new_H, values, OUTPUT))
+            raise Wrong(difference_text(None, new_A, new_A, new_H, values, OUTPUT))
     _serves_everywhere(matrix, output, pair, OUTPUT)
     return "its outputs are those of the given system, and it is observable"
 
@@ -308,231 +281,6 @@ def _seen_part(A, unseen):
     """The matrix of the states without what is unseen, in an orthonormal basis."""
     kept = np.linalg.svd(unseen)[2][len(unseen) :] if len(unseen) else np.eye(len(A))
     return kept @ A @ kept.T
-
-
-def _same_system(A, H, new_A, new_H, tolerance, similar=None, open_=()):
-    """Whether T A = A' T, H = H' T has a solution T of full rank; T has as many rows as A'.
-    Decimals leave A' `open_` by so much; it has to be similar to the matrix `similar`."""
-    # Decimals may have all their digits, or stand for simple fractions.
-    if tolerance > 1e-6 and (
-        _same_system(A, H, new_A, new_H, 1e-9)
-        or _same_system(A, H, _as_fractions(new_A), _as_fractions(new_H), 1e-9)
-    ):
-        return True
-    # Rounded entries leave some T almost a solution for an eigenvalue that is off; the
-    # characteristic polynomial tells.
-    if tolerance > 1e-6 and not _same_polynomial(new_A, similar, open_):
-        return False
-    rows, n = len(new_A), len(A)
-    weight, unit = (
-        max(np.linalg.norm(H), 1e-300),
-        max(np.linalg.norm(A) + np.linalg.norm(new_A), 1e-300),
-    )
-    scale = max(np.linalg.norm(new_H), 1e-300)
-    left, right = np.eye(rows), np.eye(n)
-    # Row by row: the entry (i, j) of T is number n i + j of the unknowns, in units in which H and
-    # H' have the same size.
-    equations = np.vstack(
-        [(np.kron(left, A.T) - np.kron(new_A, right)) / unit, np.kron(new_H / scale, right)]
-    )
-    sides = np.concatenate([np.zeros(rows * n), (H / weight).ravel()])
-    u, sizes, v = np.linalg.svd(equations)
-    count = int((sizes > 0.5 * tolerance).sum()) if tolerance > 1e-6 else int((sizes > 1e-9).sum())
-    particular = v[:count].T.conj() @ ((u[:, :count].T.conj() @ sides) / sizes[:count])
-    if not np.linalg.norm(equations @ particular - sides) <= max(2 * tolerance, 1e-8):
-        return False
-    random, free = np.random.default_rng(4), v[count:]
-    for _ in range(3):
-        step = free.T.conj() @ random.normal(size=len(free)) if len(free) else 0
-        spread = np.linalg.svd(
-            (particular + max(np.linalg.norm(particular), 1.0) * step).reshape(rows, n),
-            compute_uv=False,
-        )
-        if spread.size == 0 or spread[-1] > (1e-3 if tolerance > 1e-6 else 1e-8) * spread[0]:
-            return True
-    return False
-
-
-def _same_polynomial(said, true, open_):
-    """Whether two matrices have the same characteristic polynomial, up to what the entries of the
-    first are off by."""
-    own = np.poly(said)
-    allowed = EXACT * max(np.linalg.norm(said), np.linalg.norm(true)) ** np.arange(len(own))
-    for i, j in np.ndindex(said.shape):
-        step = np.zeros(said.shape)
-        step[i, j] = open_[i, j]
-        allowed = allowed + abs(np.poly(said + step) - own)
-    # A hundredth for products of two such steps.
-    return bool((abs(own - np.poly(true)) <= 1.01 * allowed).all())
-
-
-@functools.partial(np.vectorize, otypes=[complex])
-def _as_fractions(number):
-    """The fraction with the smallest denominator up to 60 that the number is to three digits; else
-    the number itself."""
-    size = abs(number)
-    if not size or number.imag:
-        return number
-    return next(
-        (
-            round(number.real * q) / q
-            for q in range(1, 61)
-            if abs(round(number.real * q) / q - number.real) <= half_unit(size)
-        ),
-        number,
-    )
-
-
-def _why_different(A, new_A, part, part_output, values, side):
-    """The property in which a system differs from the given one."""
-    if A is not None:
-        own, true = np.poly(new_A), np.poly(A)
-        if not np.allclose(own, true, rtol=1e-6, atol=1e-6 * max(abs(true))):
-            # not 0: the value there is a coefficient, which is asked for
-            at = max(
-                (1, -1, 2, -2, 3, 5),
-                key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))),
-            )
-            there, here = (number_text(np.polyval(poly, at)) for poly in (true, own))
-            told = (
-                f"det(lambda E - A) at lambda = {at} is {there} for the given matrix and {here} "
-                "for yours"
-                if there != here
-                else "by rounding, your matrix has other eigenvalues; exact numbers would be safe"
-            )
-            return f"no change of variables turns the given system into yours: {told}{where_text(values)}"
-    if not _observable(part, part_output):
-        return f"in your system the part xi is not {side.part}{where_text(values)}"
-    if side.by_control:
-        return (
-            f"no change of variables turns the given system into yours{where_text(values)}: "
-            "controls have another influence there"
-        )
-    return f"no change of variables turns the given system into yours{where_text(values)}: it has other functions z(t)"
-
-
-def _judge_components(claim, system, sequential):
-    """Zeros outside the blocks that a decomposition by components leaves, in the form by
-    observation."""
-    claim, pair, side = _by_observation(claim, system)
-    tolerance, n, m = relative_tolerance(claim), pair.order, pair.outputs
-    ((_, A, H, _),), ((_, place),) = pair.systems, pair.samples
-    sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(place))
-    # of every coordinate; m is the rest
-    part = np.repeat(np.arange(m + 1), [*sizes, n - sum(sizes)])
-    said = matrix_at(claim, {})
-    _invertible(said, tolerance, {})
-    try:
-        _judge_parts(said, A, H, part, tolerance, side, sequential)
-    except Wrong:
-        # Which coordinate each row would be if the rows stood in the order in which they are taken.
-        turns = sorted(
-            range(n), key=lambda k: (part[k] == m, k - np.flatnonzero(part == part[k])[0], part[k])
-        )
-        if not sequential and _is_parallel(said[np.argsort(turns)], A, H, part, tolerance, side):
-            raise Wrong(
-                f"your {'columns' if side.by_control else 'rows'} stand in the order in which they "
-                "are taken "
-                f"by turns; asked is part by part, first all that belong to the first component"
-            ) from None
-        raise
-    return "the matrix is invertible, and every zero that the decomposition asks for is one"
-
-
-def _is_parallel(said, *rest):
-    try:
-        _judge_parts(said, *rest, sequential=False)
-    except Wrong:
-        return False
-    return True
-
-
-def _judge_parts(said, A, H, part, tolerance, side, sequential):
-    """The zeros of a decomposition; `part` is the number of the part of every coordinate, the rest
-    having the last number."""
-    n, m = len(A), len(H)
-    sizes = [int((part == k).sum()) for k in range(m)]
-    inverse = np.linalg.inv(said)
-    new_A, new_H = said @ A @ inverse, H @ inverse
-    names = [f"coordinate {k + 1}" for k in range(n)]
-    told = "look again at which coordinates make up each part, and how many they are"
-    # What rounding of T to three digits can make of a zero.
-    bound = (
-        tolerance
-        * np.linalg.norm(said, axis=1)[:, None]
-        * np.linalg.norm(A)
-        * np.linalg.norm(inverse, axis=0)[None, :]
-    )
-    for i, j in np.ndindex(n, n):
-        free = part[j] <= part[i] if sequential else part[j] < m or part[i] == m
-        if not free and not abs(new_A[i, j]) <= bound[i, j]:
-            raise Wrong(f"{side.mixed(names[i], names[j], new_A[i, j])}, and it should not: {told}")
-    bound = (
-        tolerance * np.linalg.norm(H, axis=1)[:, None] * np.linalg.norm(inverse, axis=0)[None, :]
-    )
-    for k, j in np.ndindex(m, n):
-        free = part[j] == k if sizes[k] else part[j] < k if sequential else part[j] < m
-        if not free and not abs(new_H[k, j]) <= bound[k, j]:
-            raise Wrong(f"{side.shown(k, m, names[j], new_H[k, j])}, and it should not: {told}")
-    if not sequential:
-        _judge_chains([said[part == k] for k in range(m)], A, H, tolerance, side)
-
-
-def _judge_chains(parts, A, H, tolerance, side):
-    """Each part is spanned by its own rows h A^k, each up to rows with lower powers of A."""
-    lower, ends = np.zeros((0, len(A))), H
-    for power in range(max(map(len, parts), default=0)):
-        upper = _orthonormal(np.vstack([lower, ends]))
-        for k, part in enumerate(parts):
-            if power >= len(part):
-                continue
-            rows = _orthonormal(part)
-            u, sizes, _ = np.linalg.svd(rows - rows @ upper.T @ upper)
-            inside = u[:, np.pad(sizes, (0, len(rows) - len(sizes))) <= 10 * tolerance].T @ rows
-            own = _orthonormal(np.vstack([lower, ends[k : k + 1]]))
-            if (
-                len(inside) != power + 1
-                or np.linalg.norm(inside - inside @ own.T @ own) > 10 * tolerance
-            ):
-                name = (
-                    f"b{k + 1}, A b{k + 1}, ..."
-                    if side.by_control
-                    else f"h{k + 1}, h{k + 1} A, ..."
-                )
-                raise Wrong(
-                    f"part {k + 1} is not spanned by its own chain {name}, each up to what is "
-                    f"taken with lower powers of A: it fails at the power {power}"
-                )
-        lower, ends = upper, ends @ A
-
-
-def _orthonormal(rows):
-    """An orthonormal basis, in rows, of the span of some rows, whatever their lengths."""
-    lengths = np.linalg.norm(rows, axis=1)
-    _, sizes, v = np.linalg.svd(rows[lengths > 0] / lengths[lengths > 0, None], full_matrices=False)
-    return v[sizes > 1e-9 * sizes.max(initial=0)]
-
-
-def _sizes_in_turn(A, H):
-    """How many coordinates each output adds to what those before see."""
-    seen = [len(A) - len(unseen_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
-    return [after - before for before, after in zip([0, *seen], seen)]
-
-
-def _sizes_by_turns(A, H):
-    """How many rows each chain h, h A, h A^2, ... gives when they are taken by turns while
-    independent of all before."""
-    transposed, taken, sizes = list(zip(*A)), [], [0] * len(H)
-    ends = [list(row) for row in H]
-    for _ in range(len(A)):
-        for k, row in enumerate(ends):
-            if row is not None and len(echelon([*taken, row])[0]) > len(taken):
-                taken.append(row)
-                sizes[k] += 1
-                ends[k] = product(transposed, row)
-            else:
-                ends[k] = None
-    return sizes
 
 
 def _as_system(answer, parameters, names, outputs, columns=False):
@@ -561,7 +309,7 @@ def _as_system(answer, parameters, names, outputs, columns=False):
     return matrix, other
 
 
-def _invertible(said, tolerance, values):
+def require_invertible(said, tolerance, values):
     """Raise `Wrong` for a matrix without an inverse, whatever the units of its rows."""
     lengths = np.linalg.norm(said, axis=1)
     if not lengths.all():
@@ -588,14 +336,3 @@ def _first_mixed(new_A, new_H, size, side):
         return side.mixed(names[i], names[size + j], new_A[i, size + j])
     k, j = np.unravel_index(np.argmax(shown), shown.shape)
     return side.shown(k, len(new_H), names[size + j], new_H[k, size + j])
-
-
-def _observable(A, H):
-    """Whether a small system of floats is observable, by Kalman's matrix with blocks of one
-    size."""
-    if not len(A):
-        return True
-    blocks = [H / max(np.linalg.norm(H), 1e-300)]
-    for _ in range(len(A) - 1):
-        blocks.append(blocks[-1] @ A / max(np.linalg.norm(A), 1e-300))
-    return bool(np.linalg.svd(np.vstack(blocks), compute_uv=False)[-1] > 1e-6)

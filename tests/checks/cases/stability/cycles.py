@@ -24,6 +24,10 @@ MOTION = (*STABLE, t, r0)
 BLOWUP = (*UNSTABLE, t, r0)
 R = 1 / sp.sqrt(1 + (1 / r0**2 - 1) * sp.exp(-2 * t))
 
+u = sp.Symbol("u", real=True)
+radius = sp.Symbol("r", real=True)
+TURNING = ((u - 2) * radius - radius**3, radius + 1, radius, [u])
+
 CASES = [
     Case("polar_form", [-r * (r**2 - 1), -1], POLAR, "right", "factored"),
     Case("polar_form", (r - r**3, -1.0), POLAR, "right", "expanded, a tuple"),
@@ -199,6 +203,13 @@ CASES = [
     Case("return_map_slope", ..., STABLE, "missing", "the untouched stub"),
     Case("return_map_slope", r, STABLE, "invalid", "an expression with a symbol"),
     Case("return_map_slope", "one", SEMI, "invalid", "a word"),
+    Case("cycle_period", 2 * sp.pi / (1 + sp.sqrt(u - 2)), TURNING, "right", "one turn"),
+    Case("cycle_period", 6.28 / (1 + sp.sqrt(u - 2)), TURNING, "right", "decimals"),
+    Case(
+        "cycle_period", 2 * sp.pi / sp.sqrt(u - 2), TURNING, "wrong", "a part of the rate forgotten"
+    ),
+    Case("cycle_period", 2 * sp.pi / (1 + radius), TURNING, "invalid", "the radius left in"),
+    Case("cycle_period", sp.pi / (1 + sp.sqrt(u - 2)), TURNING, "wrong", "half a turn"),
 ]
 LIMITS = [
     "Cycles are looked for among the circles around zero with radii between 0.013 and 20. A "

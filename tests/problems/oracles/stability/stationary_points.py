@@ -5,7 +5,7 @@ from random import Random
 import sympy as sp
 
 from oracles.sameness import holds, same_condition, same_value, vanishes
-from oracles.stability.nominal_motions import kind_of_angles
+from oracles.stability.equilibrium_angles import kind_of_angles
 
 
 def first_integral(mutant, reference, field, state, *_):

@@ -1,31 +1,28 @@
-"""Stationary points of planar systems that contain parameters: where they are, of what type, and
-what excludes closed orbits.
+"""Stationary points of planar systems that contain parameters: position, existence and type.
 
 `domain` is a dict from symbols of the state or parameters to SymPy intervals, as in
 `trajlib.stability.equilibria`; an interval of length 2 pi makes a state variable an angle, for
 which values modulo 2 pi are the same. What `domain` does not name ranges over all numbers that the
-assumptions of the symbol allow. The truth is found from the field alone, for sample values of the
-parameters, by Newton's method from many starts at once. "The stationary point" of a check is the
-only one in the domain: a data cell that leaves room for two makes the answer unchecked.
+assumptions of the symbol allow. The reference is found from the field alone, for sample values of
+the parameters, by Newton's method from many initial points at once. "The stationary point" of a
+check is the only one in the domain: a data cell that leaves room for two makes the answer
+unchecked. A circular cycle is a stationary point of the radial equation r' = R(r), r > 0.
 """
 
-import cmath
 import math
 
-import mpmath
 import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Choice, Expression
 from workbook.checks.contract.members import VECTORS, in_order
-from workbook.checks.contract.tolerance import agree, half_unit, in_decimals, perturbed
+from workbook.checks.contract.tolerance import agree, half_unit, in_decimals
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.references.exceptional_values import judge_factors
 from workbook.checks.references.stationary_points import rest_points
-from workbook.checks.stability.nominal_motions import is_angle_equation, judge_angle_roots
+from workbook.checks.stability.equilibrium_angles import is_angle_equation, judge_angle_roots
 from workbook.checks.tools.conditions import Case, Truth, compare, exactly, place_text
-from workbook.checks.tools.samples import draw, drawn, ends
+from workbook.checks.tools.samples import ends
 from workbook.checks.tools.values import real_at, uncertain_at
 from workbook.checks.tools.wording import other_rate, point_text, roots_text, sample_text
 
@@ -68,28 +65,6 @@ def stationary_exists(answer, field, state, parameters, domain=None):
     return _judge_existence(
         answer, rest_points(field, state, parameters, domain), "stationary point"
     )
-
-
-@judged(Expression("parameters"))
-def cycle_period(claim, radial, angular, radius, parameters):
-    """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi
-    in it."""
-    family = rest_points([radial], [radius], parameters, _cycles(radius))
-    turning = rest_points([angular], [radius], parameters, _cycles(radius))
-    for values, numbers, rest in family.samples(claim):
-        period = real_at(claim, values)
-        if period is None:
-            raise Wrong(
-                f"for {sample_text(values)} there is a closed orbit, but your expression gives no "
-                "real number"
-            )
-        rate = float(turning(rest, numbers)[0])
-        if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
-            raise Wrong(
-                f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
-                f"{period:.4g}, which is not one turn"
-            )
-    return "in this time the angle gains one full turn on the closed orbit"
 
 
 @judged
@@ -194,167 +169,6 @@ def node_region(answer, field, state, parameters, domain=None):
     stationary angles that are no saddles are nodes.
     """
     return _judge_roots(answer, field, state, parameters, domain, 1)
-
-
-@judged
-def dulac_function(answer, field, state, parameters, domain=None):
-    """A pair (B, div(B f)) whose second member has one sign in the domain: no closed orbit lies
-    there (Dulac, Bendixson)."""
-    symbols = [*state, *parameters]
-    multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
-    terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
-    random = np.random.default_rng(9)
-    places = drawn(random, symbols, domain, 300, [multiplier, divergence])
-    with np.errstate(all="ignore"):
-        parts, places = _within_reach(
-            [_values(e, symbols, places) for e in (*terms, divergence, multiplier)], places
-        )
-    for k, place in enumerate(places.T):
-        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, place))
-        if not np.all(np.isfinite(parts[:, k])):
-            raise Wrong(
-                f"at {where}, a point of the domain, your multiplier or its divergence is not a "
-                "real number"
-            )
-        true, said = parts[:-2, k].sum(), parts[-2, k]
-        if not (math.isfinite(true) and agree(said, true, divergence, abs(parts[:-2, k]).sum())):
-            raise Wrong(
-                f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
-                f"your second expression gives {said:.4g}"
-            )
-    signs = np.sign(np.where(abs(parts[-2]) > 1e-12 * abs(parts[:-2]).sum(axis=0), parts[-2], 0))
-    if not signs.any():
-        raise Wrong(
-            "the divergence vanishes everywhere, so it excludes nothing: such a field may well "
-            "have closed orbits"
-        )
-    if signs.min() < 0 < signs.max():
-        low, high = places[:, np.argmin(signs)], places[:, np.argmax(signs)]
-        raise Wrong(
-            "the divergence changes its sign in the domain: it is negative at "
-            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, low))
-            + " and positive at "
-            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, high))
-        )
-    judge_factors(terms, state, domain, "the divergence vanishes everywhere")
-    return (
-        "the divergence belongs to this multiplier and keeps one sign at 300 points of the domain"
-    )
-
-
-@judged
-def first_integral(answer, field, state, parameters, domain=None):
-    """A function of the state that keeps its value along the motions and is not constant."""
-    symbols = [*state, *parameters]
-    claim = coercion.as_expression(answer, symbols)
-    slopes = [sp.diff(claim, x) for x in state]
-    random = np.random.default_rng(10)
-    places = drawn(random, symbols, domain, 60, claim)
-    with np.errstate(all="ignore"):
-        (levels, *gradient), places = _within_reach(
-            [_values(part, symbols, places) for part in (claim, *slopes)], places
-        )
-        velocity = np.array([_values(component, symbols, places) for component in field])
-    gradient = np.array(gradient)
-    for k in np.flatnonzero(~np.isfinite([levels, *gradient]).all(axis=0)):
-        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, k]))
-        raise Wrong(
-            f"your expression is not real, or has no derivatives, at {where}, a point of the domain"
-        )
-    if not np.any(abs(gradient) > 1e-12):
-        raise Wrong(
-            "your expression does not depend on the state: a constant tells nothing about the "
-            "motions"
-        )
-    rates, sizes = (gradient * velocity).sum(axis=0), abs(gradient * velocity).sum(axis=0)
-    allowed = 1e-9 * sizes + _left_open(
-        claim,
-        lambda part: (
-            np.array([_values(sp.diff(part, x), symbols, places) for x in state]) * velocity
-        ).sum(axis=0),
-    )
-    worst = int(np.argmax(abs(rates) - allowed))
-    if not abs(rates[worst]) <= allowed[worst] < math.inf:
-        raise Wrong(
-            "along the motion through "
-            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, worst]))
-            + f" your expression changes at the rate {rates[worst]:.4g}, not zero"
-        )
-    judge_factors(slopes, state, domain, "your expression does not depend on the state")
-    return "it keeps its value along the motions, at random states"
-
-
-def _left_open(claim, found):
-    """By how much the decimals of an expression leave open what is `found` of it."""
-    followed = perturbed(claim) if in_decimals(claim) else []
-    if followed is None:
-        raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
-    here = found(claim) if followed else 0.0
-    return sum(np.maximum(*(abs(found(part) - here) for (part,) in sides)) for sides in followed)
-
-
-@judged
-def phase_curve(answer, field, state, parameters, through, domain=None):
-    """The phase curve through given points of the border of the domain, as an expression for the
-    second state variable.
-
-    Judged by its slope, which is that of the field everywhere, and by its limits at the points
-    `through`.
-    """
-    first, second = state
-    claim = coercion.as_expression(answer, [first, *parameters])
-    slope = sp.diff(claim, first)
-    family = rest_points(field, state, parameters, domain)
-    random = np.random.default_rng(12)
-    for values, numbers, _ in family.samples(claim, need_rest=False, count=5):
-        scale = 0.0
-        for _ in range(6):
-            x = sp.Rational(round(10**4 * draw(random, first, domain)), 10**4)
-            y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
-            where = f"for {sample_text(values)} at {first} = {float(x):.3g}"
-            if y is None or dy is None or not family.inside(np.array([float(x), y])):
-                raise Wrong(
-                    f"{where} your expression gives "
-                    + (
-                        "no real number"
-                        if y is None or dy is None
-                        else f"{second} = {y:.3g}, outside the domain"
-                    )
-                )
-            velocity = family(np.array([float(x), y]), numbers)
-            scale = max(scale, y)
-
-            def turned(part, at=values | {first: x}, numbers=numbers):
-                y, dy = (
-                    real_at(expression, at) or 0.0 for expression in (part, sp.diff(part, first))
-                )
-                velocity = family(np.array([float(at[first]), y]), numbers)
-                return dy * velocity[0] - velocity[1]
-
-            allowed = 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])) + _left_open(
-                claim, turned
-            )
-            if not abs(dy * velocity[0] - velocity[1]) <= allowed < math.inf:
-                steep = abs(velocity[0]) <= 1e-9 * abs(velocity[1])
-                raise Wrong(
-                    f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves "
-                    + (
-                        "straight up or down"
-                        if steep
-                        else f"along the slope {velocity[1] / velocity[0]:.4g}"
-                    )
-                )
-        for end_x, end_y in through:
-            middle = sum(ends(first, domain)) / 2
-            close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
-            y = real_at(claim, values | {first: close})
-            if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
-                raise Wrong(
-                    f"for {sample_text(values)} your curve does not go through ({end_x}, {end_y}): "
-                    "close to it "
-                    f"{second} is " + ("not real" if y is None else f"{y:.3g}")
-                )
-    return "its slope is that of the motions, and it goes through the points asked for"
 
 
 # What the checks share: a point, a condition of existence, a condition on the roots.
@@ -522,50 +336,6 @@ def _points(answer, family):
             raise Invalid("expected at least one point")
         return points
     return [single(answer)]
-
-
-def _cycles(radius):
-    return {radius: sp.Interval.open(0, sp.oo)}
-
-
-def _within_reach(values, places):
-    """Values, a row for each expression, and places without those where a value is too large for a
-    float."""
-    fits = ~np.isinf(values).any(axis=0)
-    if not fits.any():
-        raise Invalid("your answer has no values of a size that can be computed with")
-    return np.array(values)[:, fits], places[:, fits]
-
-
-def _values(expression, symbols, places):
-    """An expression at many places; nan where it is not real, inf where a float cannot hold it.
-    Symbols and functions are known (`coercion.with_symbols`)."""
-    if expression.has(sp.nan, sp.zoo):
-        return np.full(places.shape[1], math.nan)
-    # The slope of a Max holds steps, for which SymPy would solve inequalities.
-    expression = expression.replace(sp.Heaviside, lambda x, *_: (1 + sp.sign(x)) / 2)
-    try:
-        function = sp.lambdify(symbols, expression, "mpmath")
-    except (ValueError, NotImplementedError):  # the slope of a floor
-        return np.full(places.shape[1], math.nan)
-
-    def value(place):
-        try:
-            found = function(*place)
-            number = complex(found)
-        # TypeError: a Piecewise without a case for this place; NameError: what has no values, as a
-        # delta function
-        except (ZeroDivisionError, ValueError, OverflowError, TypeError, NameError):
-            return math.nan
-        if cmath.isinf(number) and isinstance(found, mpmath.mpf) and mpmath.isfinite(found):
-            return math.inf
-        return (
-            number.real
-            if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number))
-            else math.nan
-        )
-
-    return np.array([value(place.tolist()) for place in places.T])
 
 
 def _scale(expression, values, state, rest):

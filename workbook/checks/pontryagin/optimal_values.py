@@ -1,0 +1,276 @@
+"""Costs, durations and ranges of optimal processes, as expressions in the parameters.
+
+The data are those of `optimal_controls`.
+"""
+
+import functools
+import itertools
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression
+from workbook.checks.contract.tolerance import agree, in_decimals
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.followed import (
+    COSTS,
+    point_text,
+)
+from workbook.checks.pontryagin.in_time import (
+    INTEGRATED,
+)
+from workbook.checks.pontryagin.optimal_controls import ARC, CERTAIN, MISSED, is_time_optimal
+from workbook.checks.references.optima.best_processes import (
+    best_processes,
+    best_processes_at,
+)
+from workbook.checks.references.optima.transfer_optima import SAMPLES
+from workbook.checks.references.scales import COST, TIME, same_at_every_scale
+from workbook.checks.tools.kinks import next_to_bends
+from workbook.checks.tools.searching import bisected
+from workbook.checks.tools.values import real_function, uncertain_at_all, value_at, values_at_all
+from workbook.checks.tools.wording import told_for
+
+#: A smaller part of a time than this is none; after so small parts of a way its growth is looked
+#: at.
+ABSENT, GROWN = 1e-13, (1e-2, 1e-6)
+#: How close two places are that lie on both sides of a bend, and how many times as far as the truth
+#: an expression may move between them.
+BESIDE, LEAPS = 1e-5, 4
+#: To what share the extreme values of a quantity along the best process are known.
+FOLLOWED = 5e-4
+
+
+@judged(Expression("parameters"))
+def optimal_cost(claim, problem, parameters=None):
+    """The cost of the optimal process, as an expression in the parameters.
+
+    Where these are the start and the duration is free, what is left of a process is optimal too:
+    the cost is asked there as well.
+    """
+    better = "greater" if problem.maximise else "less"
+    starts = list(problem.initial.values())
+    anywhere = (
+        problem.duration is None
+        and not problem.first_return
+        and len(set(starts)) == len(starts)
+        and all(start in (parameters or {}) for start in starts)
+    )
+    cost_of = (
+        real_function([*starts, *(p for p in parameters if p not in starts)], [claim])
+        if anywhere
+        else None
+    )
+    found = best_processes(problem, parameters, 2 * SAMPLES)
+    for (values, best), said, open_ in _evaluated(claim, found, "the cost"):
+        where = told_for(values)
+        right = functools.partial(
+            agree,
+            true=best.cost,
+            written=claim,
+            size=best.cost_size(),
+            computed=COSTS,
+            uncertain=open_,
+        )
+        if not (right(said) or right(said := value_at(claim, values, "the cost"))):
+            beyond = (said < best.cost) != problem.maximise
+            raise Wrong(
+                f"{where}your cost is {said:.4g}; "
+                + (
+                    "no admissible process that keeps to the ends was found that does so well"
+                    if beyond
+                    else f"there is an admissible process with a cost that is {better}"
+                )
+            )
+        if anywhere:
+            _left_over(claim, cost_of, values, best, starts, parameters)
+    _right_next_to_bends(claim, problem, parameters, found, "cost")
+    same_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
+    return "it is the cost of the best process found"
+
+
+def _evaluated(claim, found, what):
+    """The pairs found, each with what a claim is there, in the digits of floats, and what its
+    decimals leave open."""
+    places = [values for values, _ in found]
+    return zip(found, values_at_all(claim, places, what), uncertain_at_all(claim, places))
+
+
+def _right_next_to_bends(claim, problem, parameters, found, what):
+    """Raise `Wrong` for an expression that is not the cost, or the duration, next to where it goes
+    over from one form to another, on the way between the places of the processes found; decimals
+    leave open where that is."""
+    if (
+        in_decimals(claim)
+        or len(found) < 2
+        or not isinstance(parameters, dict)
+        or not all(isinstance(domain, sp.Interval) for domain in parameters.values())
+    ):
+        return
+    size = max(abs(getattr(best, what)) for _, best in found)
+    near = best_processes_at(
+        problem, parameters, next_to_bends(claim, [values for values, _ in found])
+    )
+    seen = []
+    for (values, best), said, open_ in _evaluated(claim, near, f"the {what}") if near else ():
+        true = getattr(best, what)
+        if not agree(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
+            raise Wrong(
+                f"{told_for(values)}your expression goes over from one form to another, and gives "
+                f"{said:.4g} next to that; the {what} of the best process found is "
+                f"{'less' if said > true else 'greater'}"
+            )
+        seen.append((values, said, true))
+    for (values, one, least), (others, other, greatest) in itertools.pairwise(seen):
+        beside = all(
+            np.isclose(float(values[s]), float(others[s]), rtol=BESIDE, atol=BESIDE) for s in values
+        )
+        if beside and abs(other - one) > LEAPS * max(abs(greatest - least), COSTS * abs(one)):
+            raise Wrong(
+                f"{told_for(values)}your expression jumps, from one form to another; next to that "
+                f"the {what} of the best process found hardly changes"
+            )
+
+
+def _left_over(claim, cost_of, values, best, starts, parameters):
+    """Raise `Wrong` where a claim for all starts is not what the rest of the best process costs."""
+    states, true = best.left()
+    inside = np.all(
+        [
+            (y > float(parameters[s].inf)) & (y < float(parameters[s].sup))
+            for s, y in zip(starts, states)
+        ],
+        axis=0,
+    )
+    states, true = states[:, inside], true[inside]
+    said = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
+    off = ~np.atleast_1d(
+        agree(np.nan_to_num(said, nan=np.inf), true, claim, best.cost_size(), COSTS)
+    )
+    for k in np.flatnonzero(off)[:1]:
+        gives = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
+        raise Wrong(
+            f"from the start {point_text(states[:, k])} your cost is {gives}; the best process "
+            "found costs "
+            + ("more" if true[k] > said[k] else "less" if np.isfinite(said[k]) else "a real number")
+        )
+
+
+@judged(Expression("parameters"))
+def optimal_duration(claim, problem, parameters=None):
+    """The duration of the optimal process, as an expression in the parameters."""
+    found = best_processes(problem, parameters, 2 * SAMPLES)
+    for (values, best), said, open_ in _evaluated(claim, found, "the duration"):
+        right = functools.partial(
+            agree, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_
+        )
+        if not (right(said) or right(said := value_at(claim, values, "the duration"))):
+            raise Wrong(
+                f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}"
+            )
+    if is_time_optimal(problem):
+        _right_next_to_bends(claim, problem, parameters, found, "duration")
+    same_at_every_scale(
+        claim, problem, parameters, [values for values, _ in found], TIME, "duration"
+    )
+    return "it is the duration of the best process found"
+
+
+@judged(Expression("parameters"))
+def initial_arc_duration(claim, problem, control, value, parameters):
+    """How long the best process keeps one of several controls at a value in the beginning; zero
+    where it begins with another."""
+    j = list(problem.controls).index(control)
+    low, high = problem.controls[control]
+    held, found = [], best_processes(problem, parameters)
+    for (values, best), said in zip(
+        found, values_at_all(claim, [values for values, _ in found], "the time")
+    ):
+        given = float(sp.sympify(value).subs(values))
+        near = CERTAIN * float((high - low).subs(values))
+        first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
+        true = float(sum(length for length, _ in first))
+        held.append((values, true))
+        if not agree(said, true, claim, best.duration, ARC if true else MISSED):
+            raise Wrong(
+                f"{told_for(values)}you keep {control} = {value} for {said:.4g} at first; the best "
+                "process found does so "
+                + (
+                    "longer"
+                    if true > said
+                    else "for a shorter time"
+                    if true
+                    else "at no time in the beginning"
+                )
+            )
+    _begins_at_once(claim, held)
+    same_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
+    return "the best processes found keep it so long"
+
+
+def _begins_at_once(claim, held):
+    """Raise `Wrong` for a time that grows from zero by and by, on the way from parameters for which
+    it is zero to others: where the arc appears it grows with a corner, so that next to it the slope
+    is no smaller."""
+    symbols = [s for s in held[0][0] if s in claim.free_symbols]
+    none, some = (
+        np.array(
+            [[float(values[s]) for s in symbols] for values, true in held if (true > 0) == part]
+        )
+        for part in (False, True)
+    )
+    function, count = real_function(symbols, [claim]), min(len(none), len(some))
+    if not count:
+        return
+
+    def said(parts, rows):
+        return function(*(none[rows] + parts[:, None] * (some[rows] - none[rows])).T)[0]
+
+    rows = np.arange(count)
+    whole = said(np.ones(count), rows)
+    begun = bisected(
+        lambda parts, rows: abs(said(parts, rows)) <= ABSENT * whole[rows],
+        np.zeros(count),
+        np.ones(count),
+        50,
+    )[1]
+    here, *grown = (said(np.minimum(begun + step, 1), rows) for step in (0, *GROWN))
+    far, near = ((one - here) / step for one, step in zip(grown, GROWN))
+    for k in np.flatnonzero(
+        ~((near > far / 2) & (abs(said(np.zeros(count), rows)) <= ABSENT * whole))
+    )[:1]:
+        at = dict(zip(symbols, none[k] + begun[k] * (some[k] - none[k])))
+        raise Wrong(
+            f"{told_for(at)}your time leaves zero by and by; that of the best process does so at "
+            "once"
+        )
+
+
+@judged(Expression("parameters"))
+def optimal_range(claim, problem, quantity, parameters=None):
+    """How far a quantity ranges along the optimal process, from its least value to its greatest, as
+    an expression in the parameters; where several processes are optimal, it is the same for all of
+    them."""
+    from scipy.interpolate import CubicHermiteSpline
+
+    symbols, named = list(problem.dynamics), list(parameters or {})
+    value = real_function([*symbols, *named], [quantity])
+    slopes = real_function([*symbols, *named], [quantity.diff(s) for s in symbols])
+    for values, best in best_processes(problem, parameters):
+        given = [float(values[p]) for p in named]
+        along = np.column_stack([best.start[:-1], best.states])
+        controls = [best.controls[0], *best.controls]
+        rates = [best.field(np.append(y, 0), u)[:-1] for y, u in zip(along.T, controls)]
+        path = CubicHermiteSpline(
+            np.append(0, best.times),
+            value(*along, *given)[0],
+            [slopes(*y, *given) @ rate for y, rate in zip(along.T, rates)],
+        )
+        true = float(np.ptp(path(np.linspace(0, best.duration, 4001))))
+        said = value_at(claim, values, "the extent")
+        if not agree(said, true, claim, computed=FOLLOWED):
+            raise Wrong(
+                f"{told_for(values)}your expression gives {said:.4g}; along the best process found "
+                f"{quantity} ranges over {'less' if said > true else 'more'}"
+            )
+    return "so far it ranges along the best process found"

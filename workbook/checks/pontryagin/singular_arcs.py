@@ -1,0 +1,212 @@
+"""Singular arcs: control, costates, surface, order and Kelley condition.
+
+`problem` is a `pontryagin.Problem`; `costates` are the symbols psi_1, ..., psi_n in the order of
+its states. The cost has the multiplier lambda_0 = 1: H = psi^T f - f_0, or + f_0 if the cost is
+maximised. Points of singular arcs come from `references.singular_arcs`.
+"""
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression, Expressions, Integer, YesNo
+from workbook.checks.contract.members import members
+from workbook.checks.contract.tolerance import (
+    agree,
+)
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.sample_points import (
+    PLACES,
+    POINTS,
+    ZeroSet,
+    as_difference,
+    control_bounds,
+    is_in_domain,
+)
+from workbook.checks.references.singular_arcs import singular_arcs
+from workbook.checks.tools.comparisons import Word
+from workbook.checks.tools.samples import draw
+from workbook.checks.tools.values import (
+    real_at,
+    value_at,
+)
+from workbook.checks.tools.wording import rounded_text
+
+# Singular arcs.
+
+
+@judged(Integer())
+def singular_order(claim, problem, costates, control=None):
+    """The order q of the singular arcs: the control appears first in the derivative of order 2q of
+    dH/du."""
+    arcs = _arcs(problem, costates, control)
+    if claim != arcs.order:
+        raise Wrong(
+            f"differentiate dH/du along the trajectories: {arcs.control} does not appear first in "
+            f"the derivative of order {2 * int(claim)}"
+        )
+    return f"{arcs.control} appears first in the derivative of order {2 * arcs.order}"
+
+
+@judged
+def singular_surface(answer, problem, costates, control=None, domain=None):
+    """Where singular arcs lie: an equation in states and parameters, or a list of equations that
+    hold together."""
+    arcs = _arcs(problem, costates, control)
+    symbols = [*problem.state, *problem.parameters]
+    claims = [
+        as_difference(part, symbols)
+        for part in members(
+            answer, "an equation in the states, or several", single=(sp.Expr, sp.Eq)
+        )
+    ]
+    surface = ZeroSet(claims, list(problem.state), list(problem.parameters))
+    for values in _points(arcs, domain):
+        if not surface.distance(values) <= surface.left_open(values):
+            raise Wrong("there are singular arcs on which your equation does not hold")
+    seen = 0
+    random = np.random.default_rng(23)
+    for _ in range(6 * PLACES):
+        values = {s: draw(random, s, domain) for s in symbols}
+        place = surface.near(values)
+        if place is None or not is_in_domain(place, domain):
+            continue
+        seen += 1
+        if not arcs.multipliers_exist(place, 20 * surface.left_open(place)):
+            raise Wrong(
+                f"at {rounded_text(place)} your equation holds, and with no costates this is a "
+                "point of a singular arc"
+            )
+        if seen == PLACES:
+            break
+    return f"singular arcs lie there and nowhere else, tried at {PLACES} places on either side"
+
+
+@judged(
+    Expression(
+        lambda data: [
+            *data["problem"].state,
+            *data["problem"].control,
+            *data["costates"],
+            *data["problem"].parameters,
+        ]
+    )
+)
+def singular_control(claim, problem, costates, control=None, domain=None):
+    """The control on singular arcs, in states and parameters; what holds on the arcs may be
+    used."""
+    arcs = _arcs(problem, costates, control)
+    rest, slope = arcs.highest.subs(arcs.control, 0), sp.diff(arcs.highest, arcs.control)
+    _without_control(claim, arcs)
+    for values in _points(arcs, domain):
+        a, b = (real_at(e, values) for e in (rest, slope))
+        if b is None or abs(b) < POINTS * (1 + abs(a)):
+            continue
+        said = value_at(claim, values, f"the singular {arcs.control}")
+        low, high = control_bounds(problem, values)[list(problem.control).index(arcs.control)]
+        # of a control that is zero
+        rounded = np.isfinite(high - low) and abs(said + a / b) <= POINTS * (high - low)
+        if not rounded and not agree(said, -a / b, claim, size=abs(a / b), computed=POINTS):
+            raise Wrong(
+                f"at a point of a singular arc your control gives {said:.4g}, under which "
+                f"dH/d{arcs.control} does not stay zero"
+            )
+    return "it keeps dH/du at zero on singular arcs"
+
+
+@judged(
+    Expressions(
+        lambda data: [
+            *data["problem"].state,
+            *data["problem"].control,
+            *data["problem"].parameters,
+        ],
+        length="costates",
+    )
+)
+def singular_costates(claims, problem, costates, control=None, domain=None):
+    """What the costates are, with lambda_0 = 1, as long as one control is singular, in states,
+    parameters and the other controls, which lie on their bounds; the conditions at the end have no
+    part in it."""
+    arcs = singular_arcs(problem, control or problem.control[0], tuple(costates))
+    for values in _points(arcs, domain):
+        for psi, claim in zip(costates, claims):
+            if arcs.control in claim.free_symbols:
+                raise Wrong(
+                    f"your {psi} depends on {arcs.control}, which can have any value there for a "
+                    "moment"
+                )
+            said, size = (
+                value_at(claim, values, str(psi)),
+                max(abs(values[one]) for one in costates),
+            )
+            if not agree(said, values[psi], claim, size=size, computed=POINTS):
+                raise Wrong(
+                    f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your "
+                    f"{psi} is {said:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
+                    "or H does not"
+                )
+    return "with them dH/du stays zero, and H is what it has to be"
+
+
+@judged(
+    Expression(
+        lambda data: [
+            *data["problem"].state,
+            *data["problem"].control,
+            *data["costates"],
+            *data["problem"].parameters,
+        ]
+    )
+)
+def kelley_expression(claim, problem, costates, control=None, domain=None):
+    """The left-hand side of Kelley's condition, (-1)^q d/du d^(2q)/dt^(2q) dH/du, on singular
+    arcs."""
+    arcs = _arcs(problem, costates, control)
+    true = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
+    _without_control(claim, arcs)
+    for values in _points(arcs, domain):
+        said = value_at(claim, values, "Kelley's expression")
+        if not agree(said, real_at(true, values), claim, computed=POINTS):
+            raise Wrong(
+                f"at a point of a singular arc your expression gives {said:.4g}, which is not the "
+                "left-hand side of Kelley's condition there"
+            )
+    return "it is Kelley's expression on singular arcs"
+
+
+@judged(YesNo())
+def kelley_holds(claim, problem, costates, control=None, domain=None):
+    """Whether Kelley's condition holds on the singular arcs."""
+    arcs = _arcs(problem, costates, control)
+    kelley = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
+    signs = {bool(real_at(kelley, values) <= 0) for values in _points(arcs, domain)}
+    if len(signs) > 1:
+        raise RuntimeError("Kelley's condition holds on a part of the singular arcs")
+    yield Word(
+        claim,
+        signs.pop(),
+        "look at the sign of (-1)^q d/du d^(2q)/dt^(2q) dH/du on the arc, with lambda_0 = 1",
+    )
+    return "its sign was looked at on singular arcs"
+
+
+def _arcs(problem, costates, control):
+    arcs = singular_arcs(problem, control or problem.control[0], tuple(costates))
+    if arcs.order is None:
+        raise RuntimeError("no derivative of dH/du holds the control")
+    return arcs
+
+
+def _without_control(claim, arcs):
+    if arcs.control in claim.free_symbols:
+        raise Wrong(
+            f"your expression contains {arcs.control} itself, on which nothing depends that is "
+            "asked for here"
+        )
+
+
+def _points(arcs, domain):
+    found = arcs.points(domain)
+    if len(found) < 3:
+        raise RuntimeError("no points of singular arcs were found")
+    return found
