@@ -58,9 +58,7 @@ def test_every_check_of_a_room_tells_the_shapes_of_its_data(room):
         check = check_named(name)
         if check.__module__.split(".")[-2] == room:
             names = list(inspect.signature(check).parameters)[1:]
-            assert all(
-                f"`{argument}`: {told[argument]}" in " ".join(check.__doc__.split())
-                for argument in names
-            ), name
+            lines = {line.strip() for line in check.__doc__.splitlines()}
+            assert {f"{argument} : {told[argument]}" for argument in names} <= lines, name
             asked |= set(names)
     assert set(told) - set(COMMON) <= asked, "shapes of no check's data"

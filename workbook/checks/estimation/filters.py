@@ -30,8 +30,10 @@ BEFORE, AFTER = "before", "after"
 
 @judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
-    """The best estimate of the state at a time from what was measured; of a single coordinate an
-    expression."""
+    """Check the best estimate of the state at a time from what was measured.
+
+    Of a single coordinate it is an expression.
+    """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true, _ = processes.given(one, known, time)
         yield Entries(
@@ -49,8 +51,10 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.true):
-    """The covariance matrix of the errors of the best estimate at a time; of a single coordinate
-    the variance."""
+    """Check the covariance matrix of the errors of the best estimate at a time.
+
+    Of a single coordinate it is the variance.
+    """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = processes.given(one, known, time)[1]
         yield Entries(
@@ -65,8 +69,10 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
 
 @judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
 def estimate_standard_deviations(claim, process, measured, at, parameters=(), given=sp.true):
-    """The standard deviations of the errors of the best estimate at a time, a column; of a single
-    coordinate an expression."""
+    """Check the standard deviations of the errors of the best estimate at a time.
+
+    They are a column; of a single coordinate an expression.
+    """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
         true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
         yield Entries(
@@ -87,8 +93,10 @@ def estimate_standard_deviations(claim, process, measured, at, parameters=(), gi
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFORE):
-    """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a
-    measurement, "before" or "after"."""
+    """Check the covariance matrix of the errors of the steady filter.
+
+    In discrete time it is that at the `moment` of a measurement, "before" or "after".
+    """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = processes.numbers(process, values, start=False)
         true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
@@ -100,8 +108,10 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
 
 @judged(MatrixOrVector("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
 def steady_gain(claim, process, parameters=(), given=sp.true):
-    """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in
-    discrete time y+ = y + K (z - H y)."""
+    """Check the gain K of the steady filter, a column for each measurement.
+
+    The filter is y' = A y + K (z - H y), in discrete time y+ = y + K (z - H y).
+    """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         one = processes.numbers(process, values, start=False)
         true = processes.gain_of(one, processes.steady(one)[0])
@@ -129,7 +139,10 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
 
 @judged
 def steady_filter_exists(answer, process, parameters):
-    """The condition on the parameters under which there is a steady filter whose errors decay."""
+    """Check the condition under which there is a steady filter whose errors decay.
+
+    It is a condition on the parameters.
+    """
 
     def told(values, holds):
         return (
@@ -152,9 +165,11 @@ def steady_filter_exists(answer, process, parameters):
     )
 )
 def filter_equation(claim, process, estimates, outputs, covariance, parameters=()):
-    """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in
-    the symbols of the estimates y, of the outputs z and of P, the `covariance` of the errors; of a
-    single coordinate an expression."""
+    """Check the right-hand side y' = ... of the equation of the filter in continuous time.
+
+    It is a column in the symbols of the estimates y, of the outputs z and of P, the
+    `covariance` of the errors; of a single coordinate an expression.
+    """
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, P = (
@@ -180,9 +195,11 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
 
 @judged(Matrix("covariance", "parameters", shape=lambda data: data["covariance"].shape))
 def riccati_equation(claim, process, covariance, parameters=()):
-    """The right-hand side of the Riccati equation of the filter as a matrix in the symbols of P,
-    the `covariance`: in continuous time P' = ..., in discrete time what P, the covariance before a
-    measurement, is before the next one."""
+    """Check the right-hand side of the Riccati equation of the filter.
+
+    It is a matrix in the symbols of P, the `covariance`: in continuous time P' = ..., in
+    discrete time the covariance before the next measurement, if P is that before this one.
+    """
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
@@ -215,8 +232,10 @@ def riccati_equation(claim, process, covariance, parameters=()):
 
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
 def error_eigenvalues(claims, process, parameters=(), given=sp.true):
-    """The different eigenvalues of the matrix of the errors of the steady filter, A - K H, in
-    discrete time A (E - K H)."""
+    """Check the different eigenvalues of the error matrix of the steady filter.
+
+    The matrix is A - K H, in discrete time A (I - K H).
+    """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         one = processes.numbers(process, values, start=False)
         gain = processes.gain_of(one, processes.steady(one)[0])

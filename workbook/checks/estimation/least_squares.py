@@ -20,7 +20,7 @@ from workbook.checks.tools.wording import number_text, where_text
 
 @judged(Expressions("parameters", length=lambda data: len(data["unknowns"])))
 def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
-    """The estimate of the unknowns, in their order."""
+    """Check the estimate of the unknowns, in their order."""
     for values in in_every_case(general_values(parameters), claims):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         true, said = (
@@ -43,7 +43,7 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
 
 @judged(Expression("parameters"))
 def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=()):
-    """The least value of the weighted sum of the squared residuals."""
+    """Check the least value of the weighted sum of the squared residuals."""
     for values in in_every_case(general_values(parameters), claim):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
@@ -53,7 +53,7 @@ def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["unknowns"]),) * 2))
 def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
-    """The covariance matrix of the errors of the estimate."""
+    """Check the covariance matrix of the errors of the estimate."""
     for values in in_every_case(general_values(parameters), claim):
         rows, _ = _weighted(measured, unknowns, deviations, values)
         # Each estimate is a sum of measurements, whose weighted errors are independent with the

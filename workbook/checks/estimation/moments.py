@@ -22,7 +22,7 @@ from workbook.checks.tools.wording import number_text
 
 @judged(Expressions("parameters", length="quantities"))
 def expectations(claims, quantities, vector, law, parameters=()):
-    """The means of quantities under the law {value: probability}."""
+    """Check the means of quantities under the law {value: probability}."""
     for values in in_every_case(general_values(parameters), claims):
         for claim, quantity in zip(claims, quantities):
             mean, size = _mean(quantity, vector, law, values)
@@ -37,8 +37,11 @@ def expectations(claims, quantities, vector, law, parameters=()):
     )
 )
 def covariance(claim, first, second, vector, law, parameters=()):
-    """The covariance of two quantities; of two lists of them the matrix of the covariances of each
-    of the first with each of the second."""
+    """Check the covariance of two quantities.
+
+    Of two lists of them it is the matrix of the covariances of each of the first with each of
+    the second.
+    """
     rows, columns = _several(first), _several(second)
     for values in in_every_case(general_values(parameters), claim):
         found, size = (
@@ -58,7 +61,7 @@ def covariance(claim, first, second, vector, law, parameters=()):
 
 @judged(Expression("parameters"))
 def correlation(claim, first, second, vector, law, parameters=()):
-    """The correlation coefficient of two quantities."""
+    """Check the correlation coefficient of two quantities."""
     for values in in_every_case(general_values(parameters), claim):
         found, _ = _covariances([first, second], vector, law, values)
         yield Same(
@@ -72,8 +75,10 @@ def correlation(claim, first, second, vector, law, parameters=()):
 
 @judged(Values(expected="a list of angles"))
 def uncorrelated(claims, first, second, vector, law, angle):
-    """All angles from 0 to pi, without pi itself, at which two quantities, linear in the vector,
-    are not correlated."""
+    """Check all angles at which two quantities, linear in the vector, are not correlated.
+
+    The angles run from 0 to pi, without pi itself.
+    """
     rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
     crossed = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
     said = [(claim, value_at(claim, {}, "an angle")) for claim in claims]

@@ -31,8 +31,11 @@ LATEST = 1000
 
 @judged(MatrixOrVector("start", "noises", "parameters", shape=processes.shape_of("mean")))
 def state_after_steps(claim, process, start, noises, parameters=(), given=sp.true):
-    """The state of a process in discrete time after as many steps as there are noises, a column in
-    the symbols of its start and of the noises; of a single coordinate an expression."""
+    """Check the state of a process in discrete time after as many steps as there are noises.
+
+    It is a column in the symbols of the initial state and of the noises; of a single coordinate
+    an expression.
+    """
     columns = [
         sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
         for column in (start, *noises)
@@ -66,7 +69,9 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
 
 @judged(MatrixOrVector("time", "parameters", shape=processes.shape_of("mean")))
 def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
-    """The mean of the process at the time t, a column; of a single coordinate an expression.
+    """Check the mean of the process at the time t.
+
+    It is a column; of a single coordinate an expression.
 
     `times` are those for which the answer is asked, if not for all.
     """
@@ -78,7 +83,9 @@ def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None)
 
 @judged(Matrix("time", "parameters", shape=processes.shape_of("A")))
 def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
-    """The covariance matrix of the process at the time t; of a single coordinate an expression.
+    """Check the covariance matrix of the process at the time t.
+
+    Of a single coordinate it is an expression.
 
     `times` are those for which the answer is asked, if not for all.
     """
@@ -97,7 +104,7 @@ def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times
 
 @judged(Expression("time", "parameters"))
 def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, times=None):
-    """The correlation coefficient at the time t of two quantities, with the rows `of`.
+    """Check the correlation coefficient at the time t of two quantities, with the rows `of`.
 
     `times` are those for which the answer is asked, if not for all after the start.
     """
@@ -114,8 +121,10 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
 
 @judged(Expressions("parameters", length=3))
 def shaping_filter(claims, process, parameters=(), given=sp.true):
-    """[a, Q, D] of the equation w' = a w + q, with the intensity Q of q and the variance D of w(0),
-    that makes the noise of a `Coloured` process."""
+    """Check the shaping filter [a, Q, D] of the noise of a `Coloured` process.
+
+    The equation is w' = a w + q, with the intensity Q of q and the variance D of w(0).
+    """
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         D, a = (float(part.subs(values)) for part in processes.variance_and_rate(process))
         for claim, true, what in zip(
@@ -135,8 +144,10 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def stationary_covariance(claim, process, parameters=(), given=sp.true):
-    """The covariance matrix that the process settles to, whatever it is at the start, for those
-    parameters with which it does."""
+    """Check the covariance matrix that the process converges to from every initial covariance.
+
+    It is asked for those parameters with which the process converges.
+    """
     process = processes.plain(process)
     settling = sp.And(joined(given), decays(process.A, process.discrete))
     for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
@@ -157,8 +168,11 @@ def stationary_covariance(claim, process, parameters=(), given=sp.true):
 
 @judged(Values("parameters", expected="a list or a set of exponents"))
 def covariance_exponents(claims, process, parameters=(), given=sp.true):
-    """The different l with e^(l t), in discrete time with l^k, in the covariance of a process that
-    starts anywhere; what the noise makes it keep is not counted."""
+    """Check the different l with e^(l t), in discrete time l^k, in the covariance of a process.
+
+    The process has any initial covariance; what the noise contributes in the limit is not
+    counted.
+    """
     process = processes.plain(process)
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         modes = np.linalg.eigvals(processes.array(process.A, values))
@@ -188,8 +202,7 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
 
 @judged
 def stationary_covariance_exists(answer, process, parameters, given=sp.true):
-    """The parameters for which the covariance of the process settles to one matrix, whatever it is
-    at the start."""
+    """Check the parameters for which the covariance converges whatever it is initially."""
     process = processes.plain(process)
 
     def told(values):
@@ -206,8 +219,9 @@ def stationary_covariance_exists(answer, process, parameters, given=sp.true):
 
 @judged
 def covariance_increases(answer, process, parameters, given=sp.true):
-    """The condition on the parameters under which the variance of every combination of the
-    coordinates rises all the time; of a single coordinate: under which its variance does.
+    """Check the condition under which the variance of every combination increases all the time.
+
+    It is a condition on the parameters; of a single coordinate its variance is meant.
 
     The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
     """

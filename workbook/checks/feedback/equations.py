@@ -47,17 +47,23 @@ class StateForm(Claim):
 
 @judged(StateForm("A", "B", "C", "H"))
 def state_space_form(claim, equation):
-    """A state form [A, B, C, H] of one equation, y' = Ay + Bu, x = Cy, z = Hy, of its order: in any
-    coordinates, with all motions x(t), z(t) of the equation and no others."""
+    """Check a state-space form [A, B, C, H] of one equation.
+
+    The form is y' = Ay + Bu, x = Cy, z = Hy, of the order of the equation: in any coordinates,
+    with all motions x(t), z(t) of the equation and no others.
+    """
     yield from _comparisons(claim, equation)
     return "its motions are those of the equation, all of them, and z is what is measured"
 
 
 @judged(StateForm("A", "B", "C", "H", "K", "L"))
 def equation_gains(claim, equation):
-    """A state form as in `state_space_form` with the gains of u = K e, e' = Ae + Bu + L(z - He): the list
-    [A, B, C, H, K, L]. They stabilise, and where a mode that no gain changes bounds the margin,
-    with the greatest one."""
+    """Check a state-space form with gains, the list [A, B, C, H, K, L].
+
+    The form is that of `state_space_form`, the feedback u = K e, e' = Ae + Bu + L(z - He). The
+    gains have to stabilise and, where a mode that no gain changes bounds the margin, to do so
+    with the greatest one.
+    """
     *form, K, L = claim
     A, B, _, H = form
     yield from _comparisons(form, equation)

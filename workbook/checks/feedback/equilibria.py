@@ -45,12 +45,13 @@ class GainsAtPoints(Claim):
 
 @judged(GainsAtPoints())
 def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
-    """Pairs [y*, K] for all equilibria y* in the domain that need no control: the first
-    approximation under u = K (y - y*) is asymptotically stable; K is [] where no gain makes y*
-    asymptotically stable.
+    """Check pairs [y*, K] for all equilibria y* in the domain that need no control.
 
-    Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros as
-    the right-hand sides without a control, all simple.
+    The linearisation under u = K (y - y*) has to be asymptotically stable; K is [] where no
+    gain makes y* asymptotically stable.
+
+    Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros
+    as the right-hand sides without a control, all simple.
     """
     flow = known_field(tuple(field), (*state, *controls))
     at_rest = [sp.sympify(f).subs(dict.fromkeys(controls, 0)) for f in field]

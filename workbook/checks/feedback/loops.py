@@ -258,8 +258,10 @@ def loop_of(system):
 def observer_gain(
     gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
 ):
-    """A gain L of an observer, or an empty list if there is none: the spectrum of A - LH is as
-    required. Of a system `WithError` it belongs to the state with w below it.
+    """Check a gain L of an observer, or an empty list if there is none.
+
+    The spectrum of A - LH has to be as required. Of a system `WithError` the gain belongs to
+    the state with w below it.
 
     Required is the `margin` for all values of the parameters that are as `given`, or the
     `polynomial` in `symbol`, whose coefficients are parameters.
@@ -272,11 +274,12 @@ def observer_gain(
 def feedback_gain(
     gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
 ):
-    """A gain K of the feedback u = Kx, of a system with an output of the static feedback u = Kz, or
-    an empty list if there is none.
+    """Check a gain K of the feedback u = Kx, or an empty list if there is none.
 
-    The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback will
-    do is decided as a condition on the entries of K.
+    Of a system with an output it is that of the static feedback u = Kz.
+
+    The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback
+    will do is decided as a condition on the entries of K.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
     if not system.H:
@@ -309,11 +312,12 @@ def _judge_none_static(system, requirement):
 
 @judged(Gains("parameters", shapes=lambda data: [_by_state(data), _column(data)]))
 def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=0):
-    """The gains [K, L] of a feedback u = K e by the estimate e of an observer; an empty list if
-    there are none.
+    """Check the gains [K, L] of a feedback u = K e by the estimate e of an observer.
 
-    Of a system `WithError` L belongs to the state with w below it. Required is the margin for all
-    values of the parameters, of the loop and of the errors.
+    An empty list says that there are none.
+
+    Of a system `WithError` L belongs to the state with w below it. Required is the margin for
+    all values of the parameters, of the loop and of the errors.
     """
     requirement = Requirement(tuple(parameters), given, margin)
     parts = [_driven(system, parameters, requirement), _watched(system, parameters, requirement)]

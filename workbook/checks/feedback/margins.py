@@ -29,9 +29,10 @@ from workbook.systems import Scalar
 
 @judged
 def gain_region(answer, system, gain, parameters, margin=0):
-    """The condition on `parameters` under which the `gain`, a matrix of symbols, serves: with a
-    control u = Kx, or with an output too u = Kz, stabilises the system; without one the errors of
-    the observer decay, A - LH.
+    """Check the condition on `parameters` under which the `gain` stabilises.
+
+    The gain is a matrix of symbols: with a control u = Kx, or with an output too u = Kz,
+    stabilises the system; without a control the errors of the observer decay, A - LH.
 
     Of one equation, `Scalar`, u = `gain` z. With a margin its border counts either way.
     """
@@ -42,13 +43,15 @@ def gain_region(answer, system, gain, parameters, margin=0):
 
 @judged
 def possible_margins(answer, system, mu, parameters=()):
-    """The condition on mu > 0 under which the margin mu can be had; false if there is none at all:
-    with an output alone by some observer, with a control alone by some feedback u = Kx, with both,
-    or for a `Scalar` equation of its full order, by some feedback by an estimate, whose errors are
-    included, and an error of the measurement if it has one.
+    """Check the condition on mu > 0 under which the margin mu can be attained.
 
-    With parameters the condition is on mu and these, so it also says for which values there is no
-    margin.
+    The condition is false if no margin can: with an output alone by some observer, with a
+    control alone by some feedback u = Kx, with both, or for a `Scalar` equation of its full
+    order, by some feedback by an estimate, whose errors are included, and an error of the
+    measurement if it has one.
+
+    With parameters the condition is on mu and these, so it also says for which values there is
+    no margin.
     """
     if isinstance(system, Scalar):
         what, truth = "feedback by an estimate", up_to(mu, common_margin(system))
@@ -81,8 +84,9 @@ def compare_margins(answer, symbols, truth, what):
 
 @judged
 def undetectable_mode(answer, system, parameters=()):
-    """A motion that forbids an asymptotic observer, {lambda: v}: A v = lambda v, H v = 0, Re lambda
-    >= 0; {} if none.
+    """Check a motion that excludes an asymptotic observer, {lambda: v}; {} if there is none.
+
+    It satisfies A v = lambda v, H v = 0, Re lambda >= 0.
 
     With parameters: for all their values, zero too where it is allowed.
     """

@@ -42,8 +42,9 @@ def observer_equations(
     polynomial=None,
     symbol=None,
 ):
-    """The right-hand sides of the equations of an observer of x' = Ax + Bu, z = Hx, in the
-    `estimates`, z and u.
+    """Check the right-hand sides of the equations of an observer of x' = Ax + Bu, z = Hx.
+
+    They are expressions in the `estimates`, z and u.
 
     The requirement is that of `observer_gain`, on the matrix that the errors obey.
     """
@@ -89,12 +90,13 @@ def observer_equations(
     )
 )
 def closed_loop_equations(claims, field, state, controls, desired, H, K, L, estimates, time):
-    """The right-hand sides for the state x and for the estimates e of its deviations from the
-    process x*, u* with the `desired` motion, under u = u* + K e and the observer e' = Ae + BKe + L
-    (z - H x* - He), z = Hx.
+    """Check the right-hand sides for the state x and for the estimates e of its deviations.
 
-    The field is linear, `desired` prescribes some of the state as functions of time; what it leaves
-    open is constant.
+    The deviations are those from the process x*, u* with the `desired` motion, under u = u* + K
+    e and the observer e' = Ae + BKe + L (z - H x* - He), z = Hx.
+
+    The field is linear, `desired` prescribes some of the state as functions of time; what it
+    leaves open is constant.
     """
     e, prescribed = sp.Matrix(estimates), {s: sp.sympify(motion) for s, motion in desired.items()}
     open_ = [s for s in (*state, *controls) if s not in prescribed]

@@ -38,8 +38,11 @@ def _square(data):
 
 @judged(Gain("time", "parameters", shape=_gain_shape))
 def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
-    """The gain K of the law u = Kx of least cost, with a given end in the symbol of `time`; an
-    empty list if no law is the best of those that bring every state to zero."""
+    """Check the gain K of the law u = Kx of least cost.
+
+    With a given end it is an expression in the symbol of `time`. An empty list says that no law
+    is the best of those that bring every state to zero.
+    """
     if claim is None:
         if problem.anywhere or problem.duration != sp.oo or regulators.exists(problem):
             raise Wrong(
@@ -98,8 +101,10 @@ def _other_control(values):
 
 @judged(Matrix("time", "parameters", shape=_square))
 def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
-    """The matrix S of the least cost from x, factor x^T S x, with a given end in the symbol of
-    `time`."""
+    """Check the matrix S of the least cost from x, factor x^T S x.
+
+    With a given end it is an expression in the symbol of `time`.
+    """
     for values, one, moment in _moments(problem, time, claim, parameters, given):
         true = one.least(moment)
         yield Entries(claim, true, _other_cost(one, values), values, abs(true).max())
@@ -140,7 +145,7 @@ def _other_cost(one, values):
 
 @judged(Expression("start", "parameters"))
 def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
-    """The least cost from a start at the time 0, in the symbols of the start."""
+    """Check the least cost from an initial state at the time 0, in its symbols."""
     for values in in_every_case(
         allowed_values([*start, *parameters], given, 2 * COUNT), claim, given
     ):
@@ -158,7 +163,7 @@ def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
 
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
 def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
-    """The different eigenvalues of A + BK under the law of least cost for infinite time."""
+    """Check the different eigenvalues of A + BK under the law of least cost for infinite time."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         one = regulators.Regulator(problem, values)
         loop = one.A + one.B @ one.gain_for(one.least())
@@ -185,8 +190,10 @@ def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
 
 @judged(MatrixOrVector("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
 def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
-    """The state at which the motion under the law of least cost comes to rest, a column in the
-    symbols of its start."""
+    """Check the limit of the state under the law of least cost.
+
+    It is a column in the symbols of the initial state.
+    """
     from scipy.linalg import null_space
 
     for values in in_every_case(allowed_values([*start, *parameters], given, COUNT), claim, given):
@@ -211,8 +218,10 @@ def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
 
 @judged(Matrix("cost", "parameters", shape=_square))
 def cost_riccati_equation(claim, problem, cost, parameters=()):
-    """The right-hand side of the Riccati equation S' = ..., a matrix in the symbols of S, which are
-    the `cost`."""
+    """Check the right-hand side of the Riccati equation S' = ... of the cost.
+
+    It is a matrix in the symbols of S, which are the `cost`.
+    """
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, S = regulators.Regulator(problem, values), processes.array(cost, values)
@@ -232,8 +241,11 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
 
 @judged(Expression("parameters"))
 def steady_cost(claim, problem, process, parameters=(), given=sp.true):
-    """The least value of the limit of factor M[x^T G x + u^T N u], if the noise of a process drives
-    the system and u may depend on its measurements; on the state itself if the process has none."""
+    """Check the least limit of factor E[x^T G x + u^T N u] with a noise that drives the system.
+
+    The control u may depend on the measurements of the process; on the state itself if the
+    process has none.
+    """
     from scipy.linalg import solve_continuous_lyapunov
 
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
@@ -250,8 +262,11 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
     )
 )
 def controller_equations(claim, problem, process, estimates, outputs, parameters=(), given=sp.true):
-    """The right-hand sides of the equations of the best feedback by measurements, e' = ..., a
-    column in the symbols of the estimates e and of the outputs z, its own control u = Ke put in."""
+    """Check the right-hand sides e' = ... of the best feedback by measurements.
+
+    They are a column in the symbols of the estimates e and of the outputs z, the control u = Ke
+    inserted.
+    """
     for values in in_every_case(
         allowed_values([*estimates, *outputs, *parameters], given, COUNT), claim, given
     ):

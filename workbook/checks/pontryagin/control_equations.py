@@ -35,8 +35,11 @@ CURVED = 1e-3
     )
 )
 def control_equation(claim, problem, domain=None):
-    """The right-hand side of u' = ... for a control that makes H greatest inside its bounds, in
-    states, control and parameters, the costates eliminated; for problems with one control."""
+    """Check the right-hand side of u' = ... for a control inside its bounds that maximises H.
+
+    It is an expression in states, control and parameters, the costates eliminated; for problems
+    with one control.
+    """
     truth = _Rate(problem)
     places = list(truth.places(domain))
     # the one true number would be the answer itself

@@ -17,8 +17,10 @@ KNOWN = 2e-3
 
 @judged(Costates("time", "parameters", problem="problem"))
 def optimal_costate(claims, problem, time, parameters=None):
-    """Costates along the optimal process with lambda_0 = 1, a list in the order of the states, or
-    one expression."""
+    """Check costates along the optimal process with lambda_0 = 1.
+
+    They are a list in the order of the states, or one expression.
+    """
     costate, sign = InTime(claims, time, parameters), -1 if problem.maximise else 1
     free = np.array(free_at_the_start(problem, parameters))
     for values, best in best_processes(problem, parameters):
@@ -71,8 +73,10 @@ def optimal_costate(claims, problem, time, parameters=None):
 
 @judged(Expression("time"))
 def optimal_switching(claim, problem, time):
-    """The switching function dH/du along a transfer to a line in least or greatest time, with
-    lambda_0 = 1."""
+    """Check the switching function dH/du along a transfer to a line, with lambda_0 = 1.
+
+    The time of the transfer is minimised or maximised.
+    """
     function, ((_, best),) = InTime([claim], time, ()), Transfer(problem).samples()
     found = best.switching_function()
     size = max(abs(value) for _, value in found)

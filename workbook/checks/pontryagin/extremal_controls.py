@@ -18,11 +18,11 @@ from workbook.checks.tools.wording import rounded_text
 
 @judged
 def extremal_control(answer, problem, time, parameters=None, start=None):
-    """A control in time under which the maximum principle holds, whether or not it is optimal.
+    """Check a control in time under which the maximum principle holds, optimal or not.
 
-    For problems with one control, a given duration and a free end: forward in time go the states,
-    backward the costates. `parameters` is a dict from symbols in the control to intervals; with
-    `start`, the control begins with this one of them.
+    For problems with one control, a given duration and a free end: forward in time go the
+    states, backward the costates. `parameters` is a dict from symbols in the control to
+    intervals; with `start`, the control begins with this one of them.
     """
     u, (low, high) = problem.control[0], control_bounds(problem, {})[0]
     arcs = Control.coerce(answer, [time, *(parameters or {})], time)

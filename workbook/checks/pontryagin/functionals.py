@@ -52,8 +52,10 @@ class OfMotion(Expression):
 
 @judged(OfMotion())
 def extremum_motion(claim, functional, parameters=()):
-    """The motion x(t) on which a functional is least, or greatest, as an expression in time and
-    parameters."""
+    """Check the motion x(t) on which a functional is least, or greatest.
+
+    It is an expression in time and parameters.
+    """
     for values, best in _optima(functional, tuple(parameters)):
         where = f"for {values_text(values)} " if values else ""
         sides = perturbed(claim) if in_decimals(claim) else []
@@ -75,7 +77,7 @@ def extremum_motion(claim, functional, parameters=()):
 
 @judged(Expression("parameters"))
 def extremum_value(claim, functional, parameters=()):
-    """The least, or greatest, value of a functional, as an expression in the parameters."""
+    """Check the least, or greatest, value of a functional, as an expression in the parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         if values:
             yield Same(
@@ -100,11 +102,13 @@ def extremum_value(claim, functional, parameters=()):
 
 @judged(YesNo())
 def extremum_exists(claim, functional, duration=None):
-    """Whether a functional has a best motion; with `duration`, the symbol in the end of the
-    interval, one that is best among those of all durations.
+    """Check whether a functional has a best motion.
 
-    For integrands that are at most quadratic. A functional that is strictly convex for the motions
-    with the given ends has a best motion.
+    With `duration`, the symbol in the end of the interval, a motion is meant that is best among
+    those of all durations.
+
+    For integrands that are at most quadratic. A functional that is strictly convex for the
+    motions with the given ends has a best motion.
     """
     word = _word(functional)
     if duration is None:
@@ -132,8 +136,10 @@ def extremum_exists(claim, functional, duration=None):
 
 @judged(Number())
 def stationary_duration(claim, functional, duration):
-    """A duration at which the best value of a functional is stationary, whether or not it is best
-    there; `duration` is its symbol in the end of the interval."""
+    """Check a duration at which the best value of a functional is stationary, optimal or not.
+
+    The symbol `duration` stands in the end of the interval.
+    """
     T = float(claim)
     if not 0 < T < DURATIONS[-1]:
         raise Wrong(f"expected a duration between 0 and {DURATIONS[-1]:g}")

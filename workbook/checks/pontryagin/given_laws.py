@@ -36,8 +36,9 @@ BEGINNINGS, SEARCHED, MET = 4, 30, 1e-10
     )
 )
 def motion_under_law(claims, problem, law, time, parameters, by=None):
-    """All states of the motion as functions of time, or of `by`, the control, which then stands in
-    the place of time.
+    """Check all states of the motion under a law as functions of time.
+
+    With `by`, the control, they are functions of the control instead of the time.
     """
     run, (control,) = _Run(problem, law, time, list(parameters)), problem.control
     variable = time if by is None else control
@@ -60,11 +61,13 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
 
 @judged(Expression("parameters"))
 def final_value_under_law(claim, quantity, problem, law, time, unknown, parameters):
-    """A quantity of the end: an expression in the states there, the unknown constants of the law
-    and the parameters.
+    """Check a final quantity in the final states, the constants of the law and the parameters.
 
-    `unknown` is a dict from these constants, the duration perhaps among them, to intervals, as many
-    as the problem has conditions at the end: these determine them, one value each in its interval.
+    The constants of the law are unknown.
+
+    `unknown` is a dict from these constants, the duration perhaps among them, to intervals, as
+    many as the problem has conditions at the end: these determine them, one value each in its
+    interval.
     """
     names = [*unknown, *parameters]
     wanted = real_function([*problem.state, *names], [sp.sympify(quantity)])

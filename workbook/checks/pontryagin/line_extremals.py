@@ -21,8 +21,10 @@ from workbook.checks.tools.conditions import Case, Truth, compare, place_text
 
 @judged
 def other_extremal_exists(answer, system, target, start=None):
-    """The condition on the start under which there is an extremal to the line besides the fastest
-    one; it may cross the line before."""
+    """Check the condition on the initial state for an extremal that is not the fastest one.
+
+    The extremal leads to the line, which it may cross before.
+    """
     truth = _second_extremal(system, target, start)
     agreement = compare(
         answer,
@@ -95,7 +97,7 @@ def _second_extremal(system, target, start):
 
 @judged(Expression("system.state"))
 def other_extremal_time(claim, system, target, start=None):
-    """The time that the other extremal of `other_extremal_exists` takes, where there is one."""
+    """Check the time that the extremal of `other_extremal_exists` takes, where there is one."""
     truth = sampled_optimum(*frozen(system, target, {}, start))
     lanes, later = _line_extremals(truth)
     said = Law(claim, truth)(lanes.x, lanes.case)

@@ -52,7 +52,10 @@ UNBOUNDED = 20.0
     )
 )
 def pontryagin_function(claim, problem, costates, domain=None):
-    """Pontryagin's function H with lambda_0 = 1, in states, controls, costates and parameters."""
+    """Check the Pontryagin function H with lambda_0 = 1.
+
+    It is an expression in states, controls, costates and parameters.
+    """
     true = hamiltonian(problem, costates)
     for values in sample_points(problem, costates, domain):
         _equal(claim, true, values, "H")
@@ -71,8 +74,10 @@ def pontryagin_function(claim, problem, costates, domain=None):
     )
 )
 def adjoint_equations(claims, problem, costates, domain=None):
-    """The right-hand sides of the adjoint equations with lambda_0 = 1, in the order of the
-    states."""
+    """Check the right-hand sides of the adjoint equations with lambda_0 = 1.
+
+    They stand in the order of the states.
+    """
     H = hamiltonian(problem, costates)
     for psi, y, claim in zip(costates, problem.state, claims):
         for values in sample_points(problem, costates, domain):
@@ -91,7 +96,10 @@ def adjoint_equations(claims, problem, costates, domain=None):
     )
 )
 def switching_function(claim, problem, costates, control=None, domain=None):
-    """What decides by its sign on which bound a control lies: dH/du, up to a positive factor."""
+    """Check the switching function dH/du, up to a positive factor.
+
+    Its sign decides on which bound the control lies.
+    """
     control = control or problem.control[0]
     slope = sp.diff(hamiltonian(problem, costates), control)
     for values in sample_points(problem, costates, domain, known=True):
@@ -117,7 +125,7 @@ def switching_function(claim, problem, costates, control=None, domain=None):
     )
 )
 def switching_rate(claim, problem, costates, control=None, domain=None):
-    """The time derivative of dH/du along the trajectories and the adjoint equations."""
+    """Check the time derivative of dH/du along the trajectories and the adjoint equations."""
     first, *_ = singular_arcs(problem, control or problem.control[0], tuple(costates)).derivatives
     H = hamiltonian(problem, costates)
     flow = dict(problem.dynamics) | {psi: -sp.diff(H, y) for psi, y in zip(costates, problem.state)}
@@ -129,8 +137,10 @@ def switching_rate(claim, problem, costates, control=None, domain=None):
 
 @judged
 def maximising_control(answer, problem, costates, domain=None):
-    """The control that makes H greatest, in states, costates and parameters; of several controls a
-    list."""
+    """Check the control that maximises H, in states, costates and parameters.
+
+    Of several controls it is a list.
+    """
     symbols = [*problem.state, *costates, *problem.parameters]
     controls = list(problem.control)
     single = len(controls) == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase))
@@ -182,8 +192,10 @@ def maximising_control(answer, problem, costates, domain=None):
     )
 )
 def maximised_hamiltonian(claim, problem, costates, domain=None):
-    """The greatest value of H over the admissible controls with lambda_0 = 1, of controls that
-    enter it linearly."""
+    """Check the greatest value of H over the admissible controls with lambda_0 = 1.
+
+    The controls enter H linearly.
+    """
     H, controls = sp.expand(hamiltonian(problem, costates)), list(problem.control)
     if any(sp.diff(H, one, other) != 0 for one in controls for other in controls):
         raise ValueError("H is not linear in the controls")

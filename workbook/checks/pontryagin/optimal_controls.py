@@ -45,8 +45,10 @@ TIMED = 0.05
 
 @judged(Control("time", "parameters", time="time"))
 def optimal_control(claim, problem, time, parameters=None):
-    """The control of an optimal process: an expression in time and parameters, or a list of arcs
-    [value, until]."""
+    """Check the control of an optimal process.
+
+    It is an expression in time and parameters, or a list of arcs [value, until].
+    """
     read = Steering(claim, time, parameters)
     begun = ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""
     timed = TIMED if is_time_optimal(problem) and read.rounding == INTEGRATED else 1

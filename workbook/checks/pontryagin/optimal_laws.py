@@ -52,7 +52,9 @@ LOCATED = 3e-4
 
 @judged
 def optimal_law(answer, problem, parameters, time=None):
-    """A law in the states, parameters and time under which every start gives an optimal process.
+    """Check a law under which every initial state gives an optimal process.
+
+    The law depends on the states, parameters and time.
 
     It is an expression, or an equation with the control in it that has one solution between the
     bounds: with sp.Piecewise one for each region.
@@ -71,11 +73,12 @@ def optimal_law(answer, problem, parameters, time=None):
 
 @judged(Expression("domain", "parameters"))
 def arc_transition_curve(claim, problem, change, domain, parameters):
-    """The curve in the plane of the states on which the control of the best processes goes over
-    from one kind of arc to another.
+    """Check the curve on which optimal controls change from one kind of arc to another.
 
-    `change` is a pair of "bound" and "inside", before and after; `domain` gives the interval of one
-    state, in which the claim is the other one.
+    The curve lies in the plane of the states.
+
+    `change` is a pair of "bound" and "inside", before and after; `domain` gives the interval of
+    one state, in which the claim is the other one.
     """
     ((given, interval),) = domain.items()
     state = list(problem.dynamics)

@@ -32,8 +32,10 @@ PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
 
 @judged(Motion("time", "parameters", problem="problem", time="time"))
 def optimal_motion(claims, problem, time, parameters=None):
-    """An optimal motion: all states as functions of time and parameters, or the first one, if the
-    others are its derivatives."""
+    """Check an optimal motion, all states as functions of time and parameters.
+
+    The first state suffices if the others are its derivatives.
+    """
     motion, given = (
         InTime(claims, time, parameters),
         ~np.array(free_at_the_start(problem, parameters)),

@@ -43,10 +43,10 @@ FOLLOWED = 5e-4
 
 @judged(Expression("parameters"))
 def optimal_cost(claim, problem, parameters=None):
-    """The cost of the optimal process, as an expression in the parameters.
+    """Check the cost of the optimal process, as an expression in the parameters.
 
-    Where these are the start and the duration is free, what is left of a process is optimal too:
-    the cost is asked there as well.
+    Where these are the start and the duration is free, what is left of a process is optimal
+    too: the cost is asked there as well.
     """
     better = "greater" if problem.maximise else "less"
     starts = list(problem.initial.values())
@@ -158,7 +158,7 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
 
 @judged(Expression("parameters"))
 def optimal_duration(claim, problem, parameters=None):
-    """The duration of the optimal process, as an expression in the parameters."""
+    """Check the duration of the optimal process, as an expression in the parameters."""
     found = best_processes(problem, parameters, 2 * SAMPLES)
     for (values, best), said, open_ in _evaluated(claim, found, "the duration"):
         right = functools.partial(
@@ -178,8 +178,10 @@ def optimal_duration(claim, problem, parameters=None):
 
 @judged(Expression("parameters"))
 def initial_arc_duration(claim, problem, control, value, parameters):
-    """How long the best process keeps one of several controls at a value in the beginning; zero
-    where it begins with another."""
+    """Check how long the optimal process keeps a control at a value from the beginning.
+
+    The control is one of several; the duration is zero where it begins with another value.
+    """
     j = list(problem.controls).index(control)
     low, high = problem.controls[control]
     held, found = [], best_processes(problem, parameters)
@@ -248,9 +250,11 @@ def _begins_at_once(claim, held):
 
 @judged(Expression("parameters"))
 def optimal_range(claim, problem, quantity, parameters=None):
-    """How far a quantity ranges along the optimal process, from its least value to its greatest, as
-    an expression in the parameters; where several processes are optimal, it is the same for all of
-    them."""
+    """Check the range of a quantity along the optimal process.
+
+    The range goes from the least value of the quantity to its greatest, as an expression in the
+    parameters; where several processes are optimal, it is the same for all of them.
+    """
     from scipy.interpolate import CubicHermiteSpline
 
     symbols, named = list(problem.dynamics), list(parameters or {})

@@ -36,8 +36,10 @@ from workbook.checks.tools.wording import rounded_text
 
 @judged(Integer())
 def singular_order(claim, problem, costates, control=None):
-    """The order q of the singular arcs: the control appears first in the derivative of order 2q of
-    dH/du."""
+    """Check the order q of the singular arcs.
+
+    The control appears first in the derivative of order 2q of dH/du.
+    """
     arcs = _arcs(problem, costates, control)
     if claim != arcs.order:
         raise Wrong(
@@ -49,8 +51,10 @@ def singular_order(claim, problem, costates, control=None):
 
 @judged
 def singular_surface(answer, problem, costates, control=None, domain=None):
-    """Where singular arcs lie: an equation in states and parameters, or a list of equations that
-    hold together."""
+    """Check the surface of the singular arcs in states and parameters.
+
+    It is an equation, or a list of equations that hold together.
+    """
     arcs = _arcs(problem, costates, control)
     symbols = [*problem.state, *problem.parameters]
     claims = [
@@ -92,8 +96,10 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     )
 )
 def singular_control(claim, problem, costates, control=None, domain=None):
-    """The control on singular arcs, in states and parameters; what holds on the arcs may be
-    used."""
+    """Check the control on singular arcs, in states and parameters.
+
+    What holds on the arcs may be used.
+    """
     arcs = _arcs(problem, costates, control)
     rest, slope = arcs.highest.subs(arcs.control, 0), sp.diff(arcs.highest, arcs.control)
     _without_control(claim, arcs)
@@ -124,9 +130,11 @@ def singular_control(claim, problem, costates, control=None, domain=None):
     )
 )
 def singular_costates(claims, problem, costates, control=None, domain=None):
-    """What the costates are, with lambda_0 = 1, as long as one control is singular, in states,
-    parameters and the other controls, which lie on their bounds; the conditions at the end have no
-    part in it."""
+    """Check the costates with lambda_0 = 1 as long as one control is singular.
+
+    They are expressions in states, parameters and the other controls, which lie on their
+    bounds; the conditions at the end are not used.
+    """
     arcs = singular_arcs(problem, control or problem.control[0], tuple(costates))
     for values in _points(arcs, domain):
         for psi, claim in zip(costates, claims):
@@ -159,8 +167,10 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
     )
 )
 def kelley_expression(claim, problem, costates, control=None, domain=None):
-    """The left-hand side of Kelley's condition, (-1)^q d/du d^(2q)/dt^(2q) dH/du, on singular
-    arcs."""
+    """Check the left-hand side of the Kelley condition on singular arcs.
+
+    It is (-1)^q d/du d^(2q)/dt^(2q) dH/du.
+    """
     arcs = _arcs(problem, costates, control)
     true = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
     _without_control(claim, arcs)
@@ -176,7 +186,7 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
 
 @judged(YesNo())
 def kelley_holds(claim, problem, costates, control=None, domain=None):
-    """Whether Kelley's condition holds on the singular arcs."""
+    """Check whether the Kelley condition holds on the singular arcs."""
     arcs = _arcs(problem, costates, control)
     kelley = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
     signs = {bool(real_at(kelley, values) <= 0) for values in _points(arcs, domain)}

@@ -28,20 +28,22 @@ LOCATED = 1e-4
 
 @judged(Expression("domain", "parameters"))
 def switching_curve(claim, system, target, domain, parameters=None, start=None):
-    """A branch of the switching curve, one state variable as an expression in the other, over the
-    interval that `domain` gives."""
+    """Check a branch of the switching curve over the interval that `domain` gives.
+
+    One state variable is an expression in the other.
+    """
     return _crossed(claim, *domain.items(), frozen(system, target, parameters, start))
 
 
 @judged(Expression("domain", "parameters"))
 def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
-    """The curve from which two motions are equally fast, written as for `switching_curve`."""
+    """Check the curve from which two motions are equally fast, written as a `switching_curve`."""
     return _parting(claim, *domain.items(), frozen(system, target, parameters, start))
 
 
 @judged(Expression("domain", "parameters"))
 def barrier(claim, system, target, domain, parameters=None, start=None):
-    """The curve across which the fastest time jumps, written as for `switching_curve`."""
+    """Check the curve across which the fastest time jumps, written as a `switching_curve`."""
     return _jumping(claim, *domain.items(), frozen(system, target, parameters, start))
 
 

@@ -32,12 +32,14 @@ from workbook.checks.tools.searching import bisected
 
 @judged(Expression("system.state", "parameters", lambda data: (data["curve"] or ())[:1]))
 def time_optimal_law(claim, system, target, parameters=None, start=None, curve=None):
-    """A law u(state) that brings every start, from which the target can be reached, there in the
-    shortest time.
+    """Check a time-optimal law u(state).
 
-    `curve` = (symbol, abscissa, ends, variable, interval) lets the law use a switching curve that
-    has no elementary equation: the symbol is the second coordinate of this curve where its first
-    one is `abscissa`; the rest is as in `switching_points`.
+    It brings every initial state from which the target can be reached there in the shortest
+    time.
+
+    `curve` = (symbol, abscissa, ends, variable, interval) lets the law use a switching curve
+    that has no elementary equation: the symbol is the second coordinate of this curve where its
+    first one is `abscissa`; the rest is as in `switching_points`.
     """
     return _time_optimal(
         claim,
@@ -154,8 +156,10 @@ def _judge_change(law, truth, lanes, control):
 
 @judged(Expression("system.state", "parameters"))
 def minimal_time(claim, system, target, parameters=None, start=None):
-    """The shortest time to the target as an expression in the initial state, where the target can
-    be reached."""
+    """Check the shortest time to the target as an expression in the initial state.
+
+    It is asked where the target can be reached.
+    """
     truth = sampled_optimum(*frozen(system, target, parameters, start))
     lanes = truth.lanes(in_decimals(claim))
     said = Law(claim, truth)(lanes.x, lanes.case)
@@ -177,8 +181,10 @@ def minimal_time(claim, system, target, parameters=None, start=None):
 
 @judged(ConditionOn("system.state", "parameters"))
 def reachable_initial_states(claim, system, target, parameters=None, start=None):
-    """The condition on the initial state under which the target can be reached; the border of the
-    set counts either way."""
+    """Check the condition on the initial state under which the target can be reached.
+
+    The border of the set counts either way.
+    """
     truth = sampled_optimum(*frozen(system, target, parameters, start))
     lanes = truth.border(in_decimals(claim))
     said = truth.condition(claim)(lanes.x, lanes.case)

@@ -25,8 +25,9 @@ from workbook.checks.tools.values import real_function
 
 @judged
 def reached_target_points(answer, system, target, ends, variable, parameters=None, start=None):
-    """The points of the target at which optimal motions end: a condition on `variable`, which
-    numbers the points `ends`.
+    """Check the points of the target at which optimal motions end.
+
+    The answer is a condition on `variable`, which numbers the points `ends`.
 
     `parameters` gives the interval of `variable` too. The ends of an arc count either way.
     """
@@ -91,8 +92,11 @@ def _arrivals(family, beside=0.002):
 
 @judged(Expressions("variable", "parameters", length=2))
 def switching_points(claim, system, target, ends, variable, parameters=None, start=None):
-    """The switching curve [x1, x2]: the last switching of the optimal motion that ends at the point
-    `ends` of the target."""
+    """Check the switching curve [x1, x2] by the end points of the optimal motions.
+
+    The point is the last switching of the optimal motion that ends at the point `ends` of the
+    target.
+    """
     target = _family(system, target, ends, variable, parameters, start)
     said = real_function([variable, *target.parameters], claim)
     tolerance = relative_tolerance(*claim, computed=1e-6)
@@ -120,11 +124,12 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
 
 @judged(Expressions("variable", "parameters", length=2))
 def switching_curve_crossing(claim, system, target, ends, variable, parameters=None, start=None):
-    """[before, after]: the determinants of (dP/ds, velocity) on the switching curve P(s) with the
-    two controls.
+    """Check the determinants of (dP/ds, velocity) on the switching curve P(s), [before, after].
 
-    `variable` is the s that numbers the curve by the end points, as in `switching_points`. Equal
-    signs: motions cross the curve.
+    The velocities are those with the two controls.
+
+    `variable` is the s that numbers the curve by the end points, as in `switching_points`.
+    Equal signs: motions cross the curve.
     """
     target = _family(system, target, ends, variable, parameters, start)
     said = real_function([variable, *target.parameters], claim)
@@ -159,11 +164,12 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
 
 @judged
 def minimal_time_continuous(answer, system, target, ends, variable, parameters, start=None):
-    """The values of a parameter for which the fastest time is continuous where the target can be
-    reached; borders count either way.
+    """Check the values of a parameter for which the fastest time is continuous.
 
-    It jumps where a motion touches the target from the side of the starts while no control could
-    bring it closer: from beyond this motion the target is missed.
+    Continuous is meant where the target can be reached; borders count either way.
+
+    It jumps where a motion touches the target from the side of the starts while no control
+    could bring it closer: from beyond this motion the target is missed.
     """
     ((name, interval),) = ((p, i) for p, i in parameters.items() if p != variable)
     data, ends = frozen(system, target, parameters, start), tuple(map(sp.sympify, ends))

@@ -27,8 +27,10 @@ from workbook.checks.tools.wording import values_text
 
 @judged(Expression("count"))
 def meeting_time(claim, problem, count):
-    """The least, or greatest, time of the meeting number `count` with the target, a start on the
-    target being the meeting number 0."""
+    """Check the least, or greatest, time of the meeting number `count` with the target.
+
+    An initial state on the target is the meeting number 0.
+    """
     transfer = Transfer(problem)
     for number in (0, 1, 2, 3, 7):
         said = real_at(claim, {count: number})
@@ -46,8 +48,7 @@ def meeting_time(claim, problem, count):
 
 @judged(Expression("angle", lambda data: list(data["problem"].controls)))
 def polar_angle_rate(claim, problem, angle):
-    """The rate of the polar angle of the state of a planar system, as an expression in the angle
-    and the control."""
+    """Check the rate of the polar angle of a planar state, in the angle and the control."""
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
     random = np.random.default_rng(9)
     for _ in range(20):
@@ -71,8 +72,10 @@ def polar_angle_rate(claim, problem, angle):
 
 @judged(Expression(lambda data: list(data["problem"].dynamics)))
 def least_rate(claim, quantity, problem):
-    """The least rate of change of a quantity that an admissible control can give, as an expression
-    in the state."""
+    """Check the least rate of change of a quantity that an admissible control can give.
+
+    It is an expression in the state.
+    """
     state, ((control, bounds),) = list(problem.dynamics), problem.controls.items()
     slope = sum(sp.diff(quantity, x) * f for x, f in problem.dynamics.items())
     random = np.random.default_rng(3)
@@ -96,8 +99,10 @@ def least_rate(claim, quantity, problem):
 
 @judged
 def transferable_initial_states(answer, problem, parameters):
-    """The starts, or parameters, for which the target can be reached; a start on the target may be
-    counted either way."""
+    """Check the initial states, or parameters, for which the target can be reached.
+
+    An initial state on the target counts either way.
+    """
     transfer, truth = _reachable(problem, tuple(parameters))
     agreement = compare(answer, parameters, truth, contrary(transfer.told_solvable))
     return f"it agrees with what the controls can reach: {agreement}"
@@ -114,8 +119,10 @@ def _reachable(problem, parameters):
 
 @judged
 def reachable_in_time(answer, problem, duration, parameters):
-    """The condition, in the parameters and the symbol `duration`, for the target to be reached in a
-    time not longer than it."""
+    """Check the condition for the target to be reached in a time not longer than `duration`.
+
+    It is a condition on the parameters and the symbol `duration`.
+    """
     transfer = Transfer(problem, parameters)
     found = list(transfer.samples())
 
@@ -146,8 +153,9 @@ def reachable_in_time(answer, problem, duration, parameters):
 
 @judged
 def switching_count(answer, problem, parameters=()):
-    """How often the fastest control switches, as an expression in the parameters; not asked where
-    all of them are whole numbers.
+    """Check how often the fastest control switches, as an expression in the parameters.
+
+    It is not asked where all of the parameters are whole numbers.
 
     Without parameters: the greatest number of switchings that a fastest transfer needs, from
     whatever initial state.
@@ -189,7 +197,7 @@ def _judge_greatest_count(claim, problem):
 
 @judged(Number())
 def switching_interval(claim, problem, parameters):
-    """The time between two switchings of fastest controls, where it is the same for all."""
+    """Check the time between two switchings of fastest controls, where it is always the same."""
     intervals = [
         b - a
         for _, best in Transfer(problem, parameters).samples(4 * SAMPLES)
@@ -212,8 +220,10 @@ def switching_interval(claim, problem, parameters):
 
 @judged(Expression("count"))
 def isochrone_radius(claim, problem, duration, count):
-    """The radius of the circle of starts whose least time is `duration`, an expression in the whole
-    number `count`."""
+    """Check the radius of the circle of initial states whose least time is `duration`.
+
+    It is an expression in the whole number `count`.
+    """
     transfer = Transfer(problem, list(problem.dynamics))
     for number in range(1, 6):
         said = real_at(claim, {count: number})

@@ -21,9 +21,11 @@ from workbook.checks.tools.wording import rounded_text
 
 @judged
 def transversality(answer, problem, costates):
-    """What vanishes at the end of the process, with lambda_0 = 1: a list of expressions or
-    equations in costates, states and parameters, without the multipliers of the target. H = 0 does
-    not belong to them."""
+    """Check the transversality conditions at the end of the process, with lambda_0 = 1.
+
+    They are a list of expressions or equations in costates, states and parameters, without the
+    multipliers of the target. H = 0 does not belong to them.
+    """
     symbols = [*costates, *problem.state, *problem.parameters]
     claims = [
         as_difference(part, symbols)

@@ -16,9 +16,11 @@ SAMPLES, SEED = 8, 81
 
 @judged(Expression("nodes"))
 def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, places=None):
-    """A quantity of the polynomial that agrees with a motion at all nodes, as an expression in
-    their variables. In the quantity `level` stands for the polynomial and `slope` for its
-    derivative by the first variable."""
+    """Check a quantity of the polynomial that agrees with a motion at all nodes.
+
+    It is an expression in the variables of the nodes. In the quantity `level` stands for the
+    polynomial and `slope` for its derivative by the first variable.
+    """
     powers, places, names = (
         _powers(motion, nodes),
         places or {},

@@ -12,9 +12,12 @@ from workbook.checks.tools.wording import rounded_text
 
 @judged(Expressions("signal", "nuisance", length=lambda data: len(data["signal"][0])))
 def invariant_weights(claims, signal, nuisance, functional):
-    """The weights of least sum of squares with which the estimate of a number, linear in the
-    coefficients of the signal, is unbiased whatever the coefficients of signal and nuisance are.
-    `functional`: that number for each function of the signal."""
+    """Check the weights of least sum of squares that make an estimate unbiased.
+
+    The estimated number is linear in the coefficients of the signal, and the estimate is
+    unbiased whatever the coefficients of signal and nuisance are. `functional`: that number for
+    each function of the signal.
+    """
     claim, symbols = (
         sp.Matrix(list(claims)),
         sorted(sp.Matrix([*signal, *nuisance]).free_symbols, key=str),

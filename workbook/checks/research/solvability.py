@@ -29,8 +29,10 @@ ZERO = 1e-8
 
 @judged(Expression("system.A", "left_out"))
 def bias_of_estimate(claim, system, unknowns, wanted, left_out):
-    """The error of the estimate of `wanted` when the constant unknown `left_out` is taken for
-    zero."""
+    """Check the error of the estimate of `wanted` if the unknown `left_out` is taken for zero.
+
+    The unknown `left_out` is constant.
+    """
     j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
     kept = [i for i in range(system.A.rows) if i != k]
     for values in in_every_case(random_values([*_symbols(system.A), left_out], 73), claim):
@@ -49,8 +51,10 @@ def bias_of_estimate(claim, system, unknowns, wanted, left_out):
 
 @judged(Expression("system.A", "tau", "delta"))
 def worst_case_error(claim, system, unknowns, wanted, tau, delta):
-    """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to
-    delta."""
+    """Check the greatest error of `wanted` from three measurements with errors up to delta.
+
+    The measurements are taken at 0, tau, 2 tau.
+    """
     j = list(unknowns).index(wanted)
     for values in in_every_case(random_values([*_symbols(system.A), tau, delta], 74), claim):
         fastest = np.abs(np.linalg.eigvals(_array(system.A, values))).max()
@@ -74,7 +78,10 @@ def worst_case_error(claim, system, unknowns, wanted, tau, delta):
 
 @judged
 def unobservable_by_bearings(answer, relative, t):
-    """A change (dx0, dy0, dvx, dvy) of a uniform motion that changes no bearing to first order."""
+    """Check a change of a uniform motion that changes no bearing to first order.
+
+    The change is (dx0, dy0, dvx, dvy).
+    """
     claim = coercion.as_expressions(answer, _symbols(sp.Matrix(relative), t), 4)
     for values in random_values(_symbols(sp.Matrix(relative), t), 75):
         direction = _direction(claim, values)
@@ -100,8 +107,10 @@ def unobservable_by_bearings(answer, relative, t):
 
 @judged
 def range_observable(answer, relative, t, T, turn):
-    """Condition that one bearing at t > T, after the observer's velocity has changed by `turn`,
-    fixes the range."""
+    """Check the condition that one bearing after the observer's turn determines the range.
+
+    The bearing is taken at t > T, after the observer's velocity has changed by `turn`.
+    """
     symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn]
     after = [part - change * (t - T) for part, change in zip(relative, turn)]
     # the targets left over by the bearings before T are those whose relative motion is `relative`
@@ -130,8 +139,10 @@ def _without(expression, positive):
 
 @judged(Expression("relative", "t", "T", "turn", "delta"))
 def range_error(claim, relative, t, T, turn, delta):
-    """The size of the relative error of the range that an error delta of one bearing after the turn
-    causes, to first order."""
+    """Check the relative error of the range that a bearing error delta after the turn causes.
+
+    Its size to first order is meant.
+    """
     symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn, delta]
     random = np.random.default_rng(77)
     for values in in_every_case(random_values(symbols, 78), claim):
@@ -155,7 +166,7 @@ def range_error(claim, relative, t, T, turn, delta):
 
 @judged(Expressions("matrix", "sight", "initial", length=4))
 def range_modes(claims, matrix, sight, initial, rate, t):
-    """The four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
+    """Check the four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
     symbols = [*_symbols(matrix), *sight, *initial]
     for values in in_every_case(random_values(symbols, 79), claims):
         now = [value_at(claim, values, "a coefficient") for claim in claims]
@@ -176,8 +187,7 @@ def range_modes(claims, matrix, sight, initial, rate, t):
 
 @judged(Expressions(length=lambda data: len(data["sights"])))
 def observability_ranks(claims, matrix, sights):
-    """How many combinations of the unknowns are determined by ranges along each of the given
-    directions."""
+    """Check how many combinations of the unknowns ranges along each direction determine."""
     values = next(random_values(_symbols(matrix), 81))
     for number, (claim, sight) in enumerate(zip(claims, sights), 1):
         claim = coercion.as_integer(claim)
@@ -196,8 +206,11 @@ def observability_ranks(claims, matrix, sights):
 
 @judged
 def stations_insufficient(answer, matrix, first, second):
-    """Condition on two unit vectors, none of whose components vanish, under which ranges along both
-    leave something unseen."""
+    """Check the condition on two unit vectors for ranges along both to be insufficient.
+
+    Insufficient means that something is unobservable; none of the components of the vectors
+    vanish.
+    """
     symbols = [*first, *second]
     given = sp.And(
         *(sp.Eq(sum(n**2 for n in sight), 1) for sight in (first, second)),
@@ -287,8 +300,10 @@ def _pairs_of_directions(count=48):
 
 @judged(Expressions(length=lambda data: data["matrix"].rows))
 def bound_violating_error(claim, matrix, state, factor):
-    """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times,
-    with Z = H x + e."""
+    """Check a measurement error e that violates the bound mu |e| |x|/|Z| of |dx|.
+
+    With it |dx| exceeds the bound at least `factor` times; Z = H x + e.
+    """
     e = np.array([float(coercion.as_number(part)) for part in claim])
     H, x = np.array(matrix.tolist(), dtype=float), np.array([float(part) for part in state])
     if not np.abs(e).max() > 0:
@@ -308,8 +323,7 @@ def bound_violating_error(claim, matrix, state, factor):
 
 @judged(Integer())
 def greatest_row_count(n, m, mu, eps):
-    """The greatest number n of rows for which the condition number mu is below the threshold
-    mu*."""
+    """Check the greatest number n of rows with a condition number mu below the threshold mu*."""
     m, mu, eps = int(m), sp.Rational(mu), sp.Rational(eps)
     if n < m:
         raise Wrong(f"{n} rows are fewer than the {m} unknowns")
@@ -330,8 +344,10 @@ def greatest_row_count(n, m, mu, eps):
 
 @judged(Expression("delta"))
 def nearly_dependent_condition_number(claim, delta):
-    """The condition number of two columns of length 1 along h and h + delta g, for perpendicular
-    unit vectors h, g."""
+    """Check the condition number of two columns along h and h + delta g.
+
+    The columns have the length 1; h and g are perpendicular unit vectors.
+    """
     for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
         columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
         values = np.linalg.svd(columns, compute_uv=False)
@@ -341,8 +357,10 @@ def nearly_dependent_condition_number(claim, delta):
 
 @judged(Expression("M"))
 def dependence_hiding_error(claim, M):
-    """The error of a column that is a multiple of another from which on the condition number is
-    below M."""
+    """Check the error of a column from which on the condition number is below M.
+
+    The column is a multiple of another one.
+    """
     for limit in (1.5, 4.0, 30.0, 1e3, 1e5):
         size = value_at(claim, {M: limit}, "the error")
         if size <= 0:

@@ -27,8 +27,10 @@ from workbook.checks.tools.wording import point_text, values_text
 
 @judged(Expression("parameters"))
 def basin_level(claim, function, field, state, parameters=(), given=()):
-    """The largest level c for which V proves that the part of {V < c} around zero belongs to the
-    basin of attraction."""
+    """Check the largest level c that V proves for the basin of attraction.
+
+    The part of {V < c} around zero belongs to the basin, and V proves it of no larger level.
+    """
     directions = unit_directions(len(state))
     for values, level, others, rate, largest in _stable_systems(
         function, field, state, parameters, given
@@ -80,12 +82,12 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
 
 @judged(ConditionOn("state", "parameters"))
 def basin_estimate(condition, function, field, state, parameters=(), given=()):
-    """The largest set {V < c} around zero that V proves to belong to the basin of attraction.
+    """Check the largest set {V < c} that V proves to belong to the basin of attraction of zero.
 
     Judged for values of the parameters with an asymptotically stable first approximation: the
-    boundary is a level line of V, inside V' <= 0 and no other equilibrium, and a slightly higher
-    level breaks one of these. The set may contain the parameters; where V < c has parts away from
-    zero, it has to leave them out.
+    boundary is a level line of V, inside V' <= 0 and no other equilibrium, and a slightly
+    higher level breaks one of these. The set may contain the parameters; where V < c has parts
+    away from zero, it has to leave them out.
     """
     directions = unit_directions(len(state))
     for values, level, others, rate, largest in _stable_systems(

@@ -28,7 +28,7 @@ SPREAD = 2e-5
 
 @judged
 def eigenvalue_multiplicities(answer, field, state, parameters, program=None, part=None):
-    """All eigenvalues, each as [value, algebraic multiplicity, geometric multiplicity].
+    """Check all eigenvalues as [value, algebraic multiplicity, geometric multiplicity].
 
     The values are judged by the characteristic polynomial, the last number by the rank of A -
     lambda E.
@@ -79,8 +79,10 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
 
 @judged(Choice(words=STABILITY))
 def critical_stability(claim, field, state, parameters, program=None, part=None):
-    """Whether x = 0 of the linear system is asymptotically stable, stable (and no more) or
-    unstable."""
+    """Check whether x = 0 of a linear system is asymptotically stable, stable or unstable.
+
+    The word "stable" means stable and no more.
+    """
     verdicts = [
         (values, matrix, stability(matrix))
         for values, matrix in _matrices(field, state, parameters, program, part)
@@ -99,7 +101,10 @@ def critical_stability(claim, field, state, parameters, program=None, part=None)
 
 @judged
 def stable_parameters(answer, field, state, parameters, program=None, part=None):
-    """The parameters for which x = 0 of the linear system is stable, asymptotically or not."""
+    """Check the parameters for which x = 0 of a linear system is stable.
+
+    Stable is meant, asymptotically or not.
+    """
     at = _linear_part(field, state, parameters, program, part)
 
     def told(values):
@@ -117,7 +122,7 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
 
 @judged
 def unbounded_motion(answer, field, state, parameters, time, constants=(), program=None, part=None):
-    """A motion x(t) that satisfies x' = A x and grows without bound: the witness of instability."""
+    """Check a motion x(t) of x' = A x that grows without bound and so proves instability."""
     part = list(state if part is None else part)
     motion = coercion.as_expressions(answer, [time, *constants, *parameters], len(part))
     rates = [sp.diff(component, time) for component in motion]
@@ -165,8 +170,7 @@ def unbounded_motion(answer, field, state, parameters, time, constants=(), progr
 
 @judged
 def limit_state(answer, field, state, parameters, start, program=None, part=None):
-    """The state that x(t) tends to for t to infinity, as a linear function of the initial state
-    `start`."""
+    """Check the limit of x(t) for t to infinity, a linear function of the initial state `start`."""
     part = list(state if part is None else part)
     limit = coercion.as_expressions(answer, [*start, *parameters], len(part))
     for values, matrix in _matrices(field, state, parameters, program, part, limit):
@@ -193,8 +197,10 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
 
 @judged
 def conserved_quadratic_form(answer, field, state, parameters, program=None, part=None):
-    """A positive definite quadratic form that keeps its value along all motions of the linear
-    system."""
+    """Check a positive definite quadratic form that is constant along all motions.
+
+    The motions are those of the linear system.
+    """
     part = list(state if part is None else part)
     form = coercion.as_expression(answer, [*part, *parameters])
     for values, matrix in _matrices(field, state, parameters, program, part):

@@ -29,7 +29,7 @@ ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
 
 @judged(Expressions("polar", length=2))
 def polar_form(rates, field, state, polar):
-    """The pair (r', phi') of a planar system, in the polar coordinates `polar`."""
+    """Check the pair (r', phi') of a planar system, in the polar coordinates `polar`."""
     flow = known_field(tuple(field), tuple(state))
     random = np.random.default_rng(8)
     for _ in range(20):
@@ -48,11 +48,12 @@ def polar_form(rates, field, state, polar):
 
 @judged(Expression("time", "start"))
 def radial_motion(claim, field, state, time, start):
-    """The distance r(t) from zero of the motion with r(0) = r0, for t >= 0 as long as the motion
-    lasts.
+    """Check the distance r(t) from zero of the motion with r(0) = r0.
 
-    For fields whose r' does not depend on the angle. Judged by substitution: the initial value and
-    the rate of change.
+    It is asked for t >= 0, as long as the motion lasts.
+
+    For fields whose r' does not depend on the angle. Judged by substitution: the initial value
+    and the rate of change.
     """
     slope = sp.diff(claim, time)
     flow = known_field(tuple(field), tuple(state))
@@ -82,7 +83,7 @@ def radial_motion(claim, field, state, time, start):
 
 @judged
 def limit_cycles(answer, field, state):
-    """The radii of all limit cycles that are circles around zero."""
+    """Check the radii of all limit cycles that are circles around zero."""
     flow = known_field(tuple(field), tuple(state))
     entries = members(answer, "a list of radii", single=(*NUMBERS, Relational))
     if any(isinstance(entry, Relational) for entry in entries):
@@ -140,8 +141,9 @@ def _proved(radii, field, state):
 
 @judged
 def cycle_stability(answer, field, state, radius=None):
-    """Whether a limit cycle is stable, unstable or semistable: the only one, or that with the
-    `radius` given.
+    """Check whether a limit cycle is stable, unstable or semistable.
+
+    It is the only one, or that with the `radius` given.
 
     Judged by motions that start a little inside and a little outside of it.
     """
@@ -177,8 +179,10 @@ def cycle_stability(answer, field, state, radius=None):
 
 @judged(Expression("parameters"))
 def cycle_period(claim, radial, angular, radius, parameters):
-    """The period of the closed orbit of r' = R(r), phi' = W(r): at the rate W the angle gains 2 pi
-    in it."""
+    """Check the period of the closed orbit of r' = R(r), phi' = W(r).
+
+    At the rate W the angle gains 2 pi in it.
+    """
     family = rest_points([radial], [radius], parameters, _cycles(radius))
     turning = rest_points([angular], [radius], parameters, _cycles(radius))
     for values, numbers, rest in family.samples(claim):
@@ -203,11 +207,12 @@ def _cycles(radius):
 
 @judged(Number())
 def return_map_slope(claim, field, state, radius=None):
-    """The slope of the return map r -> P(r) at a limit cycle: by how much one turn multiplies a
-    small deviation.
+    """Check the slope of the return map r -> P(r) at a limit cycle.
 
-    Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over one
-    turn.
+    One turn multiplies a small deviation by this number.
+
+    Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over
+    one turn.
     """
     flow = known_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)

@@ -17,7 +17,7 @@ from workbook.checks.tools.wording import number_text, point_text
 
 @judged
 def equilibria(answer, field, state):
-    """All equilibria of x' = f(x): every point given is one, and a search finds no other."""
+    """Check all equilibria of x' = f(x): every point given is one, and a search finds no other."""
     flow, found = _searched(tuple(field), tuple(state))
     given = [_rest_point(flow, place) for place in _places(answer, state)]
     missed = [point for point in found if not _among(point, given)]
@@ -28,11 +28,12 @@ def equilibria(answer, field, state):
 
 @judged
 def spectra(answer, field, state):
-    """The eigenvalues of the first approximation at every equilibrium: rows of the coordinates,
-    then the eigenvalues.
+    """Check the eigenvalues of the linearisation at every equilibrium.
 
-    Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by their
-    sum, the trace of A.
+    The rows are the coordinates of an equilibrium, then the eigenvalues.
+
+    Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by
+    their sum, the trace of A.
     """
     flow, found = _searched(tuple(field), tuple(state))
     given = []
@@ -51,7 +52,7 @@ def spectra(answer, field, state):
 
 @judged
 def stable_equilibria(answer, field, state):
-    """The asymptotically stable equilibria among all, by the first approximation."""
+    """Check the asymptotically stable equilibria among all, by the first approximation."""
     flow, found = _searched(tuple(field), tuple(state))
     given = _places(answer, state)
     stable = []

@@ -21,7 +21,7 @@ from workbook.checks.tools.wording import roots_text, values_text
 
 @judged
 def equilibrium_angles_exist(answer, field, state, parameters):
-    """The parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
+    """Check the parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
     truth = Truth(
@@ -44,31 +44,38 @@ def equilibrium_angles_exist(answer, field, state, parameters):
 
 @judged
 def equilibrium_angles(answer, field, state, parameters, integer):
-    """All stationary angles, as expressions in the parameters and an integer; angles that differ by
-    2 pi are the same."""
+    """Check all stationary angles, as expressions in the parameters and an integer.
+
+    Angles that differ by 2 pi are the same.
+    """
     return _judge_angle_lists(answer, field, state, parameters, integer, "stationary")
 
 
 @judged
 def stable_equilibrium_angles(answer, field, state, parameters, integer):
-    """The stationary angles that Theorem 1.4 proves asymptotically stable, in the same form."""
+    """Check the stationary angles that Theorem 1.4 proves asymptotically stable.
+
+    The form is that of `equilibrium_angles`.
+    """
     return _judge_angle_lists(answer, field, state, parameters, integer, "asymptotically stable")
 
 
 @judged
 def unstable_equilibrium_angles(answer, field, state, parameters, integer):
-    """The stationary angles that Theorem 1.4 proves unstable, in the same form."""
+    """Check the stationary angles that Theorem 1.4 proves unstable.
+
+    The form is that of `equilibrium_angles`.
+    """
     return _judge_angle_lists(answer, field, state, parameters, integer, "unstable")
 
 
 @judged(Expression("deviations", "angle", "parameters"))
 def angle_linearisation(claim, field, state, parameters, angle, deviations):
-    """The first approximation psi'' = ... of the equation in deviations from a stationary angle,
-    linear in psi and psi'.
+    """Check the linearisation psi'' = ... at a stationary angle, linear in psi and psi'.
 
-    `angle` is the symbol of the stationary angle, `deviations` those of psi and psi'. It is judged
-    at angles that are stationary, so that a parameter may stand for what the equation of rest makes
-    of it.
+    `angle` is the symbol of the stationary angle, `deviations` those of psi and psi'. It is
+    judged at angles that are stationary, so that a parameter may stand for what the equation of
+    rest makes of it.
     """
     if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
         raise Invalid(
@@ -100,7 +107,7 @@ def angle_linearisation(claim, field, state, parameters, angle, deviations):
 
 @judged
 def stable_angle_condition(answer, field, state, parameters, angle):
-    """The condition on a stationary angle for it to be asymptotically stable."""
+    """Check the condition on a stationary angle for it to be asymptotically stable."""
     return _judge_angle_condition(
         answer,
         field,
@@ -114,7 +121,7 @@ def stable_angle_condition(answer, field, state, parameters, angle):
 
 @judged
 def saddle_angle_condition(answer, field, state, parameters, angle):
-    """The condition on a stationary angle for it to be a saddle."""
+    """Check the condition on a stationary angle for it to be a saddle."""
     return _judge_angle_condition(
         answer, field, state, parameters, angle, lambda sum_, product: product < 0, "a saddle"
     )

@@ -43,8 +43,9 @@ SORTED = {
 
 @judged
 def equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
-    """The values x* of all stationary solutions x(t) = x*, as expressions in the parameters and an
-    integer.
+    """Check the values x* of all stationary solutions x(t) = x*.
+
+    They are expressions in the parameters and an integer.
 
     Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0).
     """
@@ -56,7 +57,10 @@ def equilibrium_values(answer, field, state, parameters=(), given=(), integer=No
 
 @judged
 def stable_equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
-    """The values of the stationary solutions that Theorem 1.4 proves asymptotically stable."""
+    """Check the stationary values that Theorem 1.4 proves asymptotically stable.
+
+    The form is that of `equilibrium_values`.
+    """
     return (
         "there, and nowhere else, all roots of the characteristic equation have negative real parts"
         + _all_and_no_others(
@@ -67,7 +71,10 @@ def stable_equilibrium_values(answer, field, state, parameters=(), given=(), int
 
 @judged
 def unstable_equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
-    """The values of the stationary solutions that Theorem 1.4 proves unstable."""
+    """Check the stationary values that Theorem 1.4 proves unstable.
+
+    The form is that of `equilibrium_values`.
+    """
     return (
         "there, and nowhere else, a root of the characteristic equation has a positive real part"
         + _all_and_no_others("unstable", answer, field, state, parameters, given, integer)
@@ -93,8 +100,9 @@ def _all_and_no_others(word, answer, field, state, parameters, given, integer):
 
 @judged
 def linearisation_matrices(answer, field, state, parameters=(), given=(), integer=None, zeros=None):
-    """The matrices A of the equations in deviations y' = A y that occur at the stationary
-    solutions, in any order.
+    """Check the matrices A of y' = A y that occur at the stationary solutions.
+
+    The order of the matrices is free; y are the deviations.
 
     Where A may be singular, `zeros` are functions that have the same zeros as the field, all
     simple.
@@ -134,7 +142,10 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
 
 @judged(Expression("parameters"))
 def growth_rate(claim, field, state, parameters=(), given=()):
-    """The positive root of the characteristic equation at the unstable stationary solutions."""
+    """Check the positive eigenvalue at the unstable stationary solutions.
+
+    It is the positive root of the characteristic equation there.
+    """
     for values, flow, found in sampled_systems(field, state, parameters, given, claim):
         number = number_at(claim, values)
         for point in found:
@@ -157,8 +168,10 @@ def growth_rate(claim, field, state, parameters=(), given=()):
 
 @judged
 def unique_equilibrium(answer, field, state, parameters):
-    """The parameters for which x' = f(x) with polynomial f has one stationary solution only; real
-    roots are counted exactly."""
+    """Check the parameters for which x' = f(x) has one stationary solution only.
+
+    The right-hand side f is a polynomial; its real roots are counted exactly.
+    """
     *others, force = [sp.sympify(f).subs(dict.fromkeys(state[1:], 0)) for f in field]
     if any(other != 0 for other in others):
         raise RuntimeError("this is no equation of second order")

@@ -39,8 +39,10 @@ class Rates:
 
 @judged
 def linearisation_unstable(answer, system, parameters):
-    """The parameters for which some eigenvalue of the first approximation in `Deviations` has a
-    positive real part."""
+    """Check the parameters for which a linearisation has an eigenvalue with positive real part.
+
+    The linearisation is that of the equations in `Deviations`.
+    """
     return compare_region(
         answer,
         matrix_of(system, parameters),
@@ -52,10 +54,12 @@ def linearisation_unstable(answer, system, parameters):
 
 @judged(Choice(words=STABILITY))
 def zero_solution_stability(claim, field, state):
-    """Whether x = 0 is asymptotically stable, stable (and no more) or unstable.
+    """Check whether x = 0 is asymptotically stable, stable or unstable.
 
-    Decided by the spectrum of the first approximation; where that is silent, by motions that start
-    close to zero.
+    The word "stable" means stable and no more.
+
+    Decided by the spectrum of the first approximation; where that is silent, by motions that
+    start close to zero.
     """
     flow = known_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)

@@ -22,8 +22,7 @@ from workbook.checks.tools.values import number_at
 
 @judged(Expression("state", "parameters"))
 def lyapunov_derivative(claim, function, field, state, parameters=()):
-    """The derivative of V along the motions of x' = f(x) (Definition 1.4), as an expression in the
-    state."""
+    """Check the derivative of V along the motions of x' = f(x), in the state (Definition 1.4)."""
     random = np.random.default_rng(4)
     for values in in_every_case(sample_values(parameters), claim):
         flow, level = Field(field, state, values), Field([function], state, values)
@@ -53,8 +52,10 @@ def lyapunov_derivative(claim, function, field, state, parameters=()):
 
 @judged
 def vanishing_set(answer, function, field, state, parameters=()):
-    """The set of states where the derivative of V along the motions is zero, for parameters that
-    are not zero."""
+    """Check the set of states where the derivative of V along the motions is zero.
+
+    It is asked for parameters that are not zero.
+    """
     rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
     (sample,) = sample_values(parameters, count=1) if parameters else ({},)
     given = sp.And(*(sp.Ne(p, 0) for p in parameters))
@@ -81,8 +82,9 @@ def vanishing_set(answer, function, field, state, parameters=()):
 
 @judged
 def rate_on_vanishing_set(answer, function, field, state, parameters=()):
-    """The rate of the last state variable where V' vanishes: what takes a motion out of this set
-    (Theorem 1.5).
+    """Check the rate of the last state variable on the set where V' vanishes.
+
+    This rate takes a motion out of the set (Theorem 1.5).
 
     Judged at states of the set alone, so terms that vanish on it may stay or go.
     """
@@ -108,11 +110,11 @@ def rate_on_vanishing_set(answer, function, field, state, parameters=()):
 
 @judged
 def asymptotic_stability_by_lyapunov(answer, function, field, state, parameters):
-    """The parameters for which V proves asymptotic stability of zero by Theorem 1.5.
+    """Check the parameters for which V proves asymptotic stability of zero (Theorem 1.5).
 
-    That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays where
-    it vanishes is for the author of the problem to know). Values that the assumptions of a
-    parameter exclude are left alone.
+    That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays
+    where it vanishes is for the author of the problem to know). Values that the assumptions of
+    a parameter exclude are left alone.
     """
     circle = 0.1 * unit_directions(len(state))
     level, rate = numeric(function, state, parameters), rate_of(function, field, state, parameters)
@@ -137,11 +139,11 @@ def asymptotic_stability_by_lyapunov(answer, function, field, state, parameters)
 
 @judged
 def global_stability_by_lyapunov(answer, function, field, state, parameters, given=()):
-    """The values of `parameters` for which V proves asymptotic stability of zero in the large.
+    """Check the values of `parameters` for which V proves global asymptotic stability of zero.
 
     That is: V > 0 grows without bound in every direction, and V' <= 0 everywhere, but not
-    identically (that no motion stays where it vanishes is for the author of the problem to know).
-    Other symbols get values that satisfy `given`.
+    identically (that no motion stays where it vanishes is for the author of the problem to
+    know). Other symbols get values that satisfy `given`.
     """
     others = set().union(*(sp.sympify(f).free_symbols for f in [*field, function])) - {
         *state,

@@ -26,8 +26,9 @@ AS_IT_SAYS = (
 
 @judged
 def nominal_motion(answer, field, state, parameters, program, controls, time):
-    """The program motion and its controls as functions of time: a dict by names, or a list, the
-    controls last.
+    """Check a nominal motion and its controls as functions of time.
+
+    The answer is a dict by names, or a list with the controls last.
 
     Judged by the equations and by what the program prescribes, at random times and parameters.
     """
@@ -74,8 +75,10 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["state"]),) * 2))
 def linearisation(claim, field, state, at, parameters=()):
-    """The n x n matrix A of the equations in deviations x' = A x + B w from the motion `at`: a
-    stationary point, n expressions, or what a program prescribes."""
+    """Check the n x n matrix A of the deviation equations x' = A x + B w from the motion `at`.
+
+    The motion is a stationary point, n expressions, or what a program prescribes.
+    """
     motion = Motion(field, state, parameters, at if isinstance(at, dict) else dict(zip(state, at)))
     for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.matrix(values), state, values)
@@ -84,8 +87,10 @@ def linearisation(claim, field, state, at, parameters=()):
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["state"]), len(data["controls"]))))
 def input_matrix(claim, field, state, parameters, program, controls):
-    """The n x s matrix B of the equations in deviations x' = A x + B w from a program motion (s
-    symbols `controls`)."""
+    """Check the n x s matrix B of the deviation equations x' = A x + B w from a nominal motion.
+
+    The s controls are the symbols `controls`.
+    """
     motion = Motion(field, state, parameters, program)
     for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.input_matrix(values, controls), controls, values)

@@ -22,8 +22,10 @@ from workbook.checks.tools.wording import sample_text
 
 @judged
 def dulac_function(answer, field, state, parameters, domain=None):
-    """A pair (B, div(B f)) whose second member has one sign in the domain: no closed orbit lies
-    there (Dulac, Bendixson)."""
+    """Check a pair (B, div(B f)) whose second member has one sign in the domain.
+
+    Then no closed orbit lies in the domain (Dulac, Bendixson).
+    """
     symbols = [*state, *parameters]
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
     terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
@@ -68,7 +70,7 @@ def dulac_function(answer, field, state, parameters, domain=None):
 
 @judged
 def first_integral(answer, field, state, parameters, domain=None):
-    """A function of the state that keeps its value along the motions and is not constant."""
+    """Check a function of the state that is constant along the motions and not constant itself."""
     symbols = [*state, *parameters]
     claim = coercion.as_expression(answer, symbols)
     slopes = [sp.diff(claim, x) for x in state]
@@ -119,8 +121,9 @@ def _left_open(claim, found):
 
 @judged
 def phase_curve(answer, field, state, parameters, through, domain=None):
-    """The phase curve through given points of the border of the domain, as an expression for the
-    second state variable.
+    """Check the phase curve through given points of the border of the domain.
+
+    It is an expression for the second state variable.
 
     Judged by its slope, which is that of the field everywhere, and by its limits at the points
     `through`.

@@ -20,8 +20,10 @@ KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "sadd
 
 @judged
 def equilibrium_types(answer, field, state):
-    """The kind of every stationary point of a planar portrait, as a dict {x*: word}; the words are
-    `KINDS`."""
+    """Check the type of every stationary point of a planar portrait, a dict {x*: word}.
+
+    The words are `KINDS`.
+    """
     ((_, flow, found),) = sampled_systems(field, state, (), ())
     left = list(found)
     pairs = list(answer.items()) if isinstance(answer, dict) else answer
@@ -54,8 +56,9 @@ def equilibrium_types(answer, field, state):
 
 @judged
 def saddle_slopes(answer, field, state):
-    """The slopes of the motions through the saddles of an equation of second order: [of those that
-    leave, of those that come].
+    """Check the slopes of the motions through the saddles of a second-order equation.
+
+    The answer is a pair: the slope of the motions that leave, that of the motions that arrive.
 
     Judged by the direction of the field close to each saddle: along these lines it points to or
     away from it.

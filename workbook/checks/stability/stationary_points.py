@@ -37,12 +37,13 @@ TYPES += ("saddle", "centre")
 
 @judged
 def stationary_points(answer, field, state, parameters, domain=None, zeros=None):
-    """All stationary points in the domain, as expressions in the parameters: one point, or a list
-    of points.
+    """Check all stationary points in the domain, as expressions in the parameters.
+
+    The answer is one point, or a list of points.
 
     A point whose formula is not real, or leaves the domain, for some values of the parameters
-    stands for no point there. Where derivatives vanish at a point as well, `zeros` are functions
-    that have the same zeros, all simple.
+    stands for no point there. Where derivatives vanish at a point as well, `zeros` are
+    functions that have the same zeros, all simple.
     """
     searched = rest_points(field if zeros is None else zeros, state, parameters, domain)
     return _judge_points(
@@ -52,8 +53,10 @@ def stationary_points(answer, field, state, parameters, domain=None, zeros=None)
 
 @judged
 def nullcline(answer, rate, variable, parameters, domain=None):
-    """The curve on which `rate` vanishes, solved for `variable`; the other state variables count as
-    parameters."""
+    """Check the curve on which `rate` vanishes, solved for `variable`.
+
+    The other state variables count as parameters.
+    """
     return _judge_points(
         answer, rest_points([rate], [variable], parameters, domain), "point of the curve"
     )
@@ -61,7 +64,7 @@ def nullcline(answer, rate, variable, parameters, domain=None):
 
 @judged
 def stationary_exists(answer, field, state, parameters, domain=None):
-    """The parameters for which there is a stationary point in the domain."""
+    """Check the parameters for which there is a stationary point in the domain."""
     return _judge_existence(
         answer, rest_points(field, state, parameters, domain), "stationary point"
     )
@@ -69,8 +72,10 @@ def stationary_exists(answer, field, state, parameters, domain=None):
 
 @judged
 def stationary_linearisation(answer, field, state, parameters, domain=None):
-    """The matrix A of the linear equations in deviations from the stationary point; a number for
-    one equation."""
+    """Check the matrix A of the linearisation at the stationary point.
+
+    For one equation it is a number.
+    """
     n = len(state)
     if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
         answer = [[answer]]
@@ -90,7 +95,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
 
 @judged(Expression("parameters"))
 def stationary_value(claim, expression, field, state, parameters, domain=None):
-    """The value of an expression of the state at the stationary point."""
+    """Check the value of an expression of the state at the stationary point."""
     family = rest_points(field, state, parameters, domain)
     reading = rest_points([expression], state, parameters, domain)
     for values, numbers, rest in family.samples(claim):
@@ -107,8 +112,10 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
 
 @judged(Choice(words=STABILITY))
 def stationary_stability(claim, field, state, parameters, domain=None):
-    """Whether the stationary point is asymptotically stable, stable (and no more) or unstable, by
-    Theorem 1.4."""
+    """Check whether the stationary point is asymptotically stable, stable or unstable.
+
+    The word "stable" means stable and no more; Theorem 1.4 decides.
+    """
     family = rest_points(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
@@ -127,8 +134,10 @@ def stationary_stability(claim, field, state, parameters, domain=None):
 
 @judged
 def stationary_type(answer, field, state, parameters, domain=None):
-    """The type of the stationary point of a planar system, the same for all values of the
-    parameters."""
+    """Check the type of the stationary point of a planar system.
+
+    It is the same for all values of the parameters.
+    """
     spelled = (
         answer.lower().replace("center", "centre").replace("star node", "star")
         if isinstance(answer, str)
@@ -151,8 +160,9 @@ def stationary_type(answer, field, state, parameters, domain=None):
 
 @judged
 def focus_region(answer, field, state, parameters, domain=None):
-    """The parameters for which the stationary point is a focus; the border, where the roots are
-    equal, counts either way.
+    """Check the parameters for which the stationary point is a focus.
+
+    The border, where the roots are equal, counts either way.
 
     Without a domain, of an equation phi'' = f(phi, phi') that is periodic in phi: for which all
     stationary angles that are no saddles are foci.
@@ -162,8 +172,9 @@ def focus_region(answer, field, state, parameters, domain=None):
 
 @judged
 def node_region(answer, field, state, parameters, domain=None):
-    """The parameters for which the stationary point is a node; the border, where the roots are
-    equal, counts either way.
+    """Check the parameters for which the stationary point is a node.
+
+    The border, where the roots are equal, counts either way.
 
     Without a domain, of an equation phi'' = f(phi, phi') that is periodic in phi: for which all
     stationary angles that are no saddles are nodes.

@@ -67,9 +67,12 @@ OF_CHAIN = _Form(
 
 @judged(Matrix("parameters", shape="system.A"))
 def canonical_matrix(claim, system, parameters=()):
-    """The n x n matrix of the canonical form of a system, with an output by observation (2.5), its
-    first column, with a control by control (2.4), its last row: ones above the diagonal, and the
-    eigenvalues of A."""
+    """Check the n x n matrix of the canonical form of a system.
+
+    With an output the form is that by observation (2.5), determined by its first column; with a
+    control that by control (2.4), determined by its last row: ones above the diagonal, and the
+    eigenvalues of A.
+    """
     if by_control(system):
         return judge_form(claim.T[::-1, ::-1], reached(system, parameters), BY_CONTROL)
     return judge_form(claim, seen(system, parameters), BY_OBSERVATION)
@@ -77,7 +80,7 @@ def canonical_matrix(claim, system, parameters=()):
 
 @judged(Matrix("parameters", shape="system.A"))
 def canonical_change(claim, system, parameters=()):
-    """The change to the canonical form of a system with one output or one control.
+    """Check the change of coordinates to the canonical form, with one output or one control.
 
     By observation (2.5) it is T of xi = T x: z = xi1, xi1' = alpha_n xi1 + xi2, and so on; by
     control (2.4) it is P of x = P xi: its last column is b, and A P = P A0.
@@ -95,8 +98,9 @@ def canonical_change(claim, system, parameters=()):
 
 @judged(Matrix("parameters", shape="system.A"))
 def chain_basis_matrix(claim, system, parameters=()):
-    """The matrix of a controllable system with one control (A: n x n, B: n x 1) in the basis g^1 =
-    b, g^2 = A b, ..., g^n = A^(n-1) b.
+    """Check the matrix of a controllable system in the basis b, A b, ..., A^(n-1) b.
+
+    The system has one control (A: n x n, B: n x 1); g^1 = b, g^2 = A b, ..., g^n = A^(n-1) b.
 
     Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the
     eigenvalues of A demand.
@@ -109,8 +113,10 @@ def chain_basis_matrix(claim, system, parameters=()):
 
 @judged(Matrix("parameters"))
 def canonical_part_coordinates(claim, system, parameters=()):
-    """The matrix F (rank N x n) of coordinates xi = F x in which the observable part of the system
-    has the form (2.5) (A: n x n, H: 1 x n)."""
+    """Check the coordinates xi = F x of the observable part in the canonical form (2.5).
+
+    F has as many rows as N has rank (F: rank N x n, A: n x n, H: 1 x n).
+    """
     if claim.cols != system.A.rows:
         raise Invalid(
             f"expected a matrix with {system.A.rows} columns, one for each coordinate of x; the "

@@ -28,26 +28,30 @@ from workbook.checks.tools.values import matrix_at
 
 @judged(Matrix(shape="system.A"))
 def sequential_decomposition(claim, system):
-    """New coordinates in parts: part 1 is all that the first component sees or reaches, part 2 what
-    the second adds, and so on, the rest last.
+    """Check new coordinates in parts that the components determine one after the other.
 
-    Of a system with an output it is the matrix T of the coordinates T x: the derivatives of part i
-    contain the parts 1..i alone; z_i shows part i alone, unless it adds nothing to those before.
-    With a control it is P of x = P xi: the derivatives of part i contain the parts from i on; u_i
-    enters part i alone, unless it adds nothing.
+    Part 1 is all that the first component observes or reaches, part 2 what the second adds, and
+    so on, the rest last.
+
+    Of a system with an output it is the matrix T of the coordinates T x: the derivatives of
+    part i contain the parts 1..i alone; z_i shows part i alone, unless it adds nothing to those
+    before. With a control it is P of x = P xi: the derivatives of part i contain the parts from
+    i on; u_i enters part i alone, unless it adds nothing.
     """
     return _judge_components(claim, system, sequential=True)
 
 
 @judged(Matrix(shape="system.A"))
 def parallel_decomposition(claim, system):
-    """New coordinates in parts, one a component, the rest last: with an output the matrix T of T x,
-    z_i shows part i alone and makes it observable; with a control P of x = P xi, u_i enters part i
-    alone and makes it controllable.
+    """Check new coordinates in parts, one for each component, the rest last.
 
-    Part i is spanned by the rows of its chain that are taken when h1, h2, h1 A, h2 A, ... (columns
-    b1, b2, A b1, ...) are taken by turns while independent, each up to those with lower powers of
-    A.
+    With an output the answer is the matrix T of T x, z_i contains part i alone and makes it
+    observable; with a control it is P of x = P xi, u_i enters part i alone and makes it
+    controllable.
+
+    Part i is spanned by the rows of its chain that are taken when h1, h2, h1 A, h2 A, ...
+    (columns b1, b2, A b1, ...) are taken by turns while independent, each up to those with
+    lower powers of A.
     """
     return _judge_components(claim, system, sequential=False)
 

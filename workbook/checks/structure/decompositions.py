@@ -75,20 +75,22 @@ CONTROL = _Side(
 
 @judged(Matrix("parameters", shape="system.A"))
 def decomposition(claim, system, parameters=()):
-    """The change of variables of a decomposition into (xi; eta).
+    """Check the change of variables of a decomposition into (xi; eta).
 
-    Of a system with an output it is T of (xi; eta) = T x, which leads to the form (2.7): neither
-    xi' nor z contains eta, and xi has rank N coordinates. With a control it is P of x = P (xi;
-    eta), which leads to the form (2.6): eta' contains neither xi nor u, and xi has rank W
-    coordinates.
+    Of a system with an output it is T of (xi; eta) = T x, which leads to the form (2.7):
+    neither xi' nor z contains eta, and xi has rank N coordinates. With a control it is P of x =
+    P (xi; eta), which leads to the form (2.6): eta' contains neither xi nor u, and xi has rank
+    W coordinates.
     """
     return _judge_split(*by_observation(claim, system, parameters))
 
 
 @judged
 def decomposed_system(answer, system, parameters=()):
-    """The list [A', H'] or [A', B'] of the system in coordinates (xi; eta), as in (2.7) or (2.6):
-    any right ones, xi first, with as many coordinates as N or W has rank."""
+    """Check the system [A', H'] or [A', B'] in coordinates (xi; eta), as in (2.7) or (2.6).
+
+    Any right coordinates are accepted, xi first, with as many coordinates as N or W has rank.
+    """
     control = by_control(system)
     matrix, other = _as_system(
         answer,
@@ -103,8 +105,7 @@ def decomposed_system(answer, system, parameters=()):
 
 @judged
 def canonical_observable_part(answer, system, parameters=()):
-    """The list [A11, H1] of the observable subsystem in the canonical form by observation (2.5),
-    with H1 = (1 0 ... 0)."""
+    """Check the observable subsystem [A11, H1] in the canonical form (2.5), H1 = (1 0 ... 0)."""
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
     pair, tolerance = seen(system, parameters), relative_tolerance(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
@@ -120,8 +121,10 @@ def canonical_observable_part(answer, system, parameters=()):
 
 @judged(Matrix("parameters", shape="system.A"))
 def similarity_matrix(claim, system, other, parameters=()):
-    """A matrix S of y = S x that turns x' = A x into the equations y' = A' y of the `other` system,
-    which may be in `Deviations`: it is invertible and S A = A' S (all n x n)."""
+    """Check a matrix S of y = S x that turns x' = A x into the `other` system y' = A' y.
+
+    The other system may be in `Deviations`; S is invertible and S A = A' S (all n x n).
+    """
     A_from, A_to = system.A, matrix_of(other, parameters)
     tolerance = relative_tolerance(claim)
     given, wanted = (

@@ -10,9 +10,11 @@ from workbook.systems import Mechanical
 
 @judged(EIGENVALUES)
 def fixed_eigenvalues(claim, system, parameters=()):
-    """The different eigenvalues of A, for a `Mechanical` system the values of lambda, at which the
-    rank falls, of the matrix with the output or, if it has one, with the control; an empty list or
-    set if there are none.
+    """Check the different eigenvalues that are unobservable or, with a control, uncontrollable.
+
+    At these eigenvalues of A, for a `Mechanical` system at these values of lambda, the rank of
+    the matrix with the output or, if the system has one, with the control falls; an empty list
+    or set says that there are none.
 
     With parameters: for their values in general position, as the assumptions allow.
     """

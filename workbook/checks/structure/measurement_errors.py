@@ -23,8 +23,11 @@ from workbook.checks.tools.wording import number_text, where_text
 
 @judged
 def augmented_system(answer, system, parameters=(), own=False):
-    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any
-    scale and combination; or those of S and c themselves, where these are the error's `own`."""
+    """Check the system [A', H'] of x together with coordinates of the measurement error.
+
+    The error has as few coordinates as possible, in any scale and combination; or those of S
+    and c themselves, where these are the error's `own`.
+    """
     if not isinstance(answer, (list, tuple)) or len(answer) != 2:
         raise Invalid(
             "expected a list [A', H'] of the matrix of the augmented system and the row of its "
@@ -86,7 +89,10 @@ def augmented_system(answer, system, parameters=(), own=False):
 
 @judged(Expression("outputs", "time"))
 def amplitude_from_output(claim, system, outputs, time):
-    """C by z and its derivatives at one moment, the symbols `outputs`, and the time."""
+    """Check C as an expression in z, its derivatives at one instant and the time.
+
+    The symbols of z and of its derivatives are the `outputs`.
+    """
     from scipy.linalg import expm
 
     both = augmented(system)

@@ -57,8 +57,10 @@ ALONE = dataclasses.replace(
 
 @judged(EIGENVALUES)
 def mechanical_eigenvalues(claim, system, parameters=()):
-    """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M;
-    with parameters for their values in general position."""
+    """Check the different roots of det(M lambda^2 + D lambda + K), also complex ones.
+
+    M is invertible; with parameters the roots are asked for their values in general position.
+    """
     pair = seen(system, parameters)
     samples = pair.samples_for(claim)
     roots = [

@@ -31,8 +31,7 @@ def _like(name):
     )
 )
 def mechanical_equations(claim, system, parameters=()):
-    """The list [M, K, L] of equations M q'' + K q = L u with the accelerations of the `Mechanical`
-    system."""
+    """Check the matrices [M, K, L] of the equations M q'' + K q = L u of a `Mechanical` system."""
     for values in in_every_case(general_values(parameters), claim):
         mass, *said = (matrix_at(part, values) for part in claim)
         if not np.linalg.cond(mass) < 1e12:

@@ -16,9 +16,11 @@ from workbook.checks.references.records import matrix_of, row_of
 
 @judged(Choice(words="quantities"))
 def measured_quantity(claim, system, known, quantities):
-    """Which of the `quantities` {name: row} of the system `known` the measurement z = H x of x' = A
-    x is; of one in `Deviations` they are {name: expression in its state}, and their deviations are
-    meant."""
+    """Check which of the `quantities` {name: row} the measurement z = H x of x' = A x is.
+
+    The rows are those of the system `known`; of one in `Deviations` they are {name: expression
+    in its state}, and their deviations are meant.
+    """
     equations = {
         name: _equation(matrix_of(known), row_of(known, quantity))
         for name, quantity in quantities.items()

@@ -27,9 +27,11 @@ LARGEST_ORDER = 12
 
 @judged
 def scalar_equation(answer, system, motion, control, parameters=()):
-    """The equation of order n between the control and y, the output or else the first coordinate of
-    the canonical form by control (2.4); `motion` and `control` are functions of time such as y(t),
-    u(t)."""
+    """Check the equation of order n between the control and y.
+
+    Here y is the output or else the first coordinate of the canonical form by control (2.4);
+    `motion` and `control` are functions of time such as y(t), u(t).
+    """
     claim, canonical = _LinearEquation(answer, motion, control, parameters), not system.H
     for values in general_values(list(parameters)):
         there = system.subs(values)
@@ -46,8 +48,10 @@ def scalar_equation(answer, system, motion, control, parameters=()):
 
 @judged(Expressions("parameters", length="system.A"))
 def canonical_coordinate(claim, system, parameters=()):
-    """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by
-    control (2.4), with one control."""
+    """Check the row c for which y = c x is the first coordinate of the canonical form (2.4).
+
+    The row has n entries; the form is that by control, with one control.
+    """
     for values in in_every_case(general_values(list(parameters)), claim):
         there, b = system.A.subs(values), system.B.subs(values)
         row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, there.rows + 1)])

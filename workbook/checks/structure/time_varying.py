@@ -18,8 +18,11 @@ from workbook.checks.tools.wording import number_text, rounded_text
 
 @judged(Expression("time", "start", "parameters"))
 def measured_output(claim, system, start, time, parameters=()):
-    """The single output z(t) along the motion from the start, an expression in the symbols of the
-    start, the time and the parameters; its row may change with the time."""
+    """Check the output z(t) along the motion from an initial state.
+
+    The output is single, an expression in the symbols of the initial state, the time and the
+    parameters; its row may change with the time.
+    """
     from scipy.linalg import expm
 
     for values in in_every_case(signed_values([time, *start, *parameters], positive=[time]), claim):
@@ -32,8 +35,10 @@ def measured_output(claim, system, start, time, parameters=()):
 
 @judged(Matrix("system.time", "parameters", shape="system.A"))
 def observability_matrix(claim, system, parameters):
-    """The n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions
-    (H: 1 x n)."""
+    """Check the n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ...
+
+    The derivatives are those along all motions (H: 1 x n).
+    """
     n = system.A.rows
     slopes = [system.H.diff(system.time, k) if k else system.H for k in range(n)]
     for values in in_every_case(
@@ -71,8 +76,10 @@ def observability_matrix(claim, system, parameters):
 
 @judged(Matrix("parameters", shape="system.A"))
 def output_gramian(claim, system, duration, parameters):
-    """The n x n matrix G with x(0)^T G x(0) = the integral of z^2 over 0 <= t <= `duration` (A: n x
-    n, H: 1 x n), for parameters in general position."""
+    """Check the n x n matrix G with x(0)^T G x(0) = integral of z^2 over 0 <= t <= `duration`.
+
+    The shapes are A: n x n, H: 1 x n; parameters are in general position.
+    """
     from scipy.linalg import expm
 
     nodes, weights = np.polynomial.legendre.leggauss(160)
@@ -104,8 +111,10 @@ def output_gramian(claim, system, duration, parameters):
 
 @judged(Expression("system.time", "parameters"))
 def frozen_determinant(claim, system, parameters):
-    """The determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one moment, with H taken as it
-    is then."""
+    """Check the determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one instant.
+
+    The row H is taken as it is at this instant.
+    """
     for values in in_every_case(
         signed_values([system.time, *parameters], positive=[system.time]), claim
     ):
