@@ -14,11 +14,18 @@ from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     kernel,
     restricted,
-    unseen_subspace,
+    unobservable_subspace,
 )
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.references.spectra import Spectrum
-from workbook.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
+from workbook.checks.tools.conditions import (
+    Case,
+    Condition,
+    ReferenceCondition,
+    compare,
+    decision,
+    exactly,
+)
 from workbook.systems import Linear
 
 x, y = sp.symbols("x y", real=True)
@@ -141,13 +148,13 @@ def test_what_is_no_polynomial_is_tried():
 
 def test_a_truth_that_says_nothing_anywhere_makes_no_verdict():
     with pytest.raises(RuntimeError):
-        judged(x > 0, Truth(at=lambda values: None))
+        judged(x > 0, ReferenceCondition(at=lambda values: None))
 
 
 def test_what_holds_for_every_value_of_an_unknown():
     """y^2 + x y + 1 > 0 for all y exactly if |x| < 2."""
     above = y**2 + x * y + 1 > 0
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(above, (y,), every=True),),
         (Case(sp.Not(above), (y,)),),
         lambda values: bool(values[x] ** 2 < 4),
@@ -184,7 +191,7 @@ def test_what_a_system_hides_at_an_irrational_value():
 
 def test_the_largest_invariant_subspace():
     A = [[Fraction(a) for a in row] for row in ([0, 1, 0], [1, 1, 1], [1, 0, 1])]
-    (vector,) = unseen_subspace(A, [[Fraction(0), Fraction(1), Fraction(0)]])
+    (vector,) = unobservable_subspace(A, [[Fraction(0), Fraction(1), Fraction(0)]])
     assert vector[0] == -vector[2] and vector[1] == 0
     assert restricted(A, [vector]) == [[0]]
     assert characteristic_coefficients(A) == [1, -2, 0, 0]
@@ -215,7 +222,7 @@ COSINE = sp.And(0 <= angle, angle < 2 * sp.pi, sp.cos(angle) < positive)
     ],
 )
 def test_angles_are_compared_on_the_circle(claim):
-    truth = Truth(
+    truth = ReferenceCondition(
         *(
             (Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
             for part in (COSINE, sp.Not(COSINE))
@@ -236,7 +243,7 @@ def test_angles_are_compared_on_the_circle(claim):
     ],
 )
 def test_a_condition_on_angles_that_errs_is_refuted(claim):
-    truth = Truth(
+    truth = ReferenceCondition(
         *(
             (Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
             for part in (COSINE, sp.Not(COSINE))

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from workbook.checks.tools.kinks import next_to_bends
+from workbook.checks.tools.kinks import points_at_kinks
 
 x, y = sp.symbols("x y", real=True)
 PLACES = [{x: a, y: b} for a, b in ((-3.1, 0.2), (2.3, 1.4), (0.7, -2.2), (-1.9, 1.1))]
@@ -25,12 +25,12 @@ PLACES = [{x: a, y: b} for a, b in ((-3.1, 0.2), (2.3, 1.4), (0.7, -2.2), (-1.9,
     ],
 )
 def test_next_to_a_border_there_is_a_place(claim, on_border):
-    found = next_to_bends(claim, PLACES)
+    found = points_at_kinks(claim, PLACES)
     assert found and all(abs(float(on_border.subs(place))) < 1e-3 for place in found)
 
 
 def test_a_jump_has_two_sides():
-    found = next_to_bends(sp.Heaviside(x - y), PLACES[:2])
+    found = points_at_kinks(sp.Heaviside(x - y), PLACES[:2])
     assert sorted(np.sign(place[x] - place[y]) for place in found) == [-1, 1]
 
 
@@ -48,4 +48,4 @@ def test_a_jump_has_two_sides():
     ],
 )
 def test_what_is_smooth_has_no_bends(claim):
-    assert next_to_bends(claim, PLACES) == []
+    assert points_at_kinks(claim, PLACES) == []

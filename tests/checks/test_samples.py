@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from workbook.checks.tools.samples import found_once, in_every_case, sample_values
-from workbook.checks.tools.searching import bisected
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.samples import cached_points, in_every_case, sample_values
 
 x, y = sp.symbols("x y", real=True)
 
@@ -40,7 +40,7 @@ def test_every_case_of_an_answer_is_met(added):
 def test_places_are_looked_for_once():
     asked = []
 
-    @found_once
+    @cached_points
     def places(symbols, domain=None, far=False):
         asked.append((symbols, domain, far))
         yield dict.fromkeys(symbols, 2.0 if far else 1.0)
@@ -89,5 +89,5 @@ def test_halving_several_times_in_one_call_is_halving(rows, turns):
         middle = (low + high) / 2
         same = like_first(middle, np.arange(rows))
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    found = bisected(like_first, first, last, turns)
+    found = bisect(like_first, first, last, turns)
     assert (found[0] == low).all() and (found[1] == high).all()

@@ -14,7 +14,7 @@ from workbook.checks.contract.tolerance import (
     relative_tolerance,
     rounds_to,
 )
-from workbook.checks.tools.values import uncertain_at
+from workbook.checks.tools.values import uncertainty_at
 from workbook.systems import Linear
 
 k = sp.Symbol("k", positive=True)
@@ -80,13 +80,13 @@ def test_rounded_coefficients_of_an_expression_cost_their_share():
 def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
     claim = 1 + 0.331 * k
     assert not agree(
-        1 + 0.331 * 0.01, 1 + 0.01 / 3, claim, uncertain=uncertain_at(claim, {k: 0.01})
+        1 + 0.331 * 0.01, 1 + 0.01 / 3, claim, uncertain=uncertainty_at(claim, {k: 0.01})
     )
-    assert agree(0.667 - 0.66, 0.0067, 0.667 - k, uncertain=uncertain_at(0.667 - k, {k: 0.66}))
-    assert uncertain_at(x**0.5 + sp.Rational(1, 3) * x, {x: 4}) == 0  # nothing is rounded
-    assert np.isnan(uncertain_at(sp.Float(0.33), {}))  # a number has digits of its own
+    assert agree(0.667 - 0.66, 0.0067, 0.667 - k, uncertain=uncertainty_at(0.667 - k, {k: 0.66}))
+    assert uncertainty_at(x**0.5 + sp.Rational(1, 3) * x, {x: 4}) == 0  # nothing is rounded
+    assert np.isnan(uncertainty_at(sp.Float(0.33), {}))  # a number has digits of its own
     assert np.isnan(
-        uncertain_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1})
+        uncertainty_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1})
     )
 
 

@@ -12,15 +12,9 @@ from case import check_named
 
 from workbook import checks
 from workbook.checks.contract.verdict import Invalid, Wrong
-from workbook.checks.tools.values import (
-    matrix_at,
-    number_at,
-    numbers_at,
-    real_at,
-    real_function,
-    truth_at,
-    value_at,
-)
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import matrix_at, number_at, numbers_at, truth_at, value_at
 
 x, y, t = sp.symbols("x y t", real=True)
 UNDEFINED = sp.Add(sp.oo, -sp.oo, evaluate=False)

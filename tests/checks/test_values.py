@@ -6,7 +6,8 @@ import sympy as sp
 
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.tools import values
-from workbook.checks.tools.values import number_at, real_at
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import number_at
 
 x, y = sp.symbols("x y")
 ANGLE = sp.Symbol("psi", positive=True)

@@ -84,7 +84,7 @@ def _ends_undefined(part):
 
 
 def _applied(function, symbols):
-    """Return the value of a `Lambda` at the symbols of the same names, or else at the first ones."""
+    """Return the value of a `Lambda` at the symbols of its names, or else the first ones."""
     known = {symbol.name: symbol for symbol in symbols}
     variables = function.signature
     if not all(isinstance(variable, sp.Symbol) for variable in variables) or len(variables) > len(

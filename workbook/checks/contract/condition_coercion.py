@@ -172,7 +172,7 @@ def _written_out(condition, known):
 
 
 def _is_undefined(side):
-    """Return whether an expression has no value for any values of its symbols; oo counts as a value."""
+    """Return whether an expression has no value for any values of its symbols, not even oo."""
     return side.has(sp.nan, sp.zoo) or (
         side.is_number and side.has(sp.oo, -sp.oo, 0) and side.evalf(5) in (sp.nan, sp.zoo)
     )

@@ -58,7 +58,7 @@ def grows_too_fast(node, bits=SYMBOL_BITS):
 
 
 def _inner(node, known):
-    """Return the bits of an exponent, an angle or the argument of a factorial, relative to the limit."""
+    """Return the bits of an exponent, angle or argument of a factorial, relative to the limit."""
     if isinstance(node, sp.Pow) and node.base is not sp.E:
         return 0 if node.exp.is_Number else size(node.exp, known)[0] / math.log2(MAX_EXPONENT)
     if isinstance(node, _FACTORIAL):

@@ -76,7 +76,7 @@ def families(answer, integer, expected):
 
 
 def in_order(answer, names):
-    """Return the values of a dict in the order of the names of its keys; other answers unchanged."""
+    """Return the values of a dict in the order of the names; other answers unchanged."""
     if not isinstance(answer, dict):
         return answer
     by_name, names = {str(key): value for key, value in answer.items()}, list(map(str, names))

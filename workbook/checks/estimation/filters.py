@@ -3,7 +3,7 @@ settled.
 
 The truth is the conditional law of a Gaussian vector of all states and measurements together, or
 the stabilising solution of a Riccati equation at numbers, from an invariant subspace
-(`truths/processes.py`); no filter is run.
+(`references/processes.py`); no filter is run.
 
 What is `measured` are pairs (time, value or values); times, values and the time `at` which the
 state is asked for may hold the parameters, and for a time there may stand `sp.Range(1, n + 1)`: the
@@ -18,11 +18,17 @@ from workbook.checks.contract.claims import Matrix, MatrixOrVector, Values
 from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
-from workbook.checks.tools.comparisons import Entries, Members
-from workbook.checks.tools.conditions import compare, place_text
+from workbook.checks.tools.comparisons import SameEntries, SameMembers
+from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import numbers_at
-from workbook.checks.tools.wording import entry_text, number_text, part_text, where_text
+from workbook.checks.tools.wording import (
+    entry_text,
+    number_text,
+    part_text,
+    values_text,
+    where_text,
+)
 
 COUNT = 6
 BEFORE, AFTER = "before", "after"
@@ -35,8 +41,8 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
     Of a single coordinate it is an expression.
     """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true, _ = processes.given(one, known, time)
-        yield Entries(
+        true, _ = processes.conditional_moments(one, known, time)
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -56,8 +62,8 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     Of a single coordinate it is the variance.
     """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = processes.given(one, known, time)[1]
-        yield Entries(
+        true = processes.conditional_moments(one, known, time)[1]
+        yield SameEntries(
             claim,
             true,
             _other("the errors of the best estimate", values),
@@ -74,8 +80,8 @@ def estimate_standard_deviations(claim, process, measured, at, parameters=(), gi
     They are a column; of a single coordinate an expression.
     """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
-        yield Entries(
+        true = np.sqrt(np.diag(processes.conditional_moments(one, known, time)[1]))[:, None]
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -98,23 +104,25 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
     In discrete time it is that at the `moment` of a measurement, "before" or "after".
     """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.numbers(process, values, start=False)
-        true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
-        yield Entries(
+        one = processes.at_values(process, values, start=False)
+        true = processes.steady_covariances(one)[(BEFORE, AFTER).index(moment)]
+        yield SameEntries(
             claim, true, _other("the errors of the settled filter", values), values, abs(true).max()
         )
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
 
-@judged(MatrixOrVector("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
+@judged(
+    MatrixOrVector("parameters", shape=lambda data: processes.as_process(data["process"]).H.T.shape)
+)
 def steady_gain(claim, process, parameters=(), given=sp.true):
     """Check the gain K of the steady filter, a column for each measurement.
 
     The filter is y' = A y + K (z - H y), in discrete time y+ = y + K (z - H y).
     """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.numbers(process, values, start=False)
-        true = processes.gain_of(one, processes.steady(one)[0])
+        one = processes.at_values(process, values, start=False)
+        true = processes.filter_gain(one, processes.steady_covariances(one)[0])
 
         def told(said, i, j):
             loop = one.A - (one.A @ said if one.discrete else said) @ one.H
@@ -133,7 +141,7 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
                 f"{number_text(said[i, j])}"
             )
 
-        yield Entries(claim, true, told, values, abs(true).max())
+        yield SameEntries(claim, true, told, values, abs(true).max())
     return "no other gain makes the variances of the errors smaller"
 
 
@@ -146,7 +154,7 @@ def steady_filter_exists(answer, process, parameters):
 
     def told(values, holds):
         return (
-            f"your condition {'does not hold' if holds else 'holds'} for {place_text(values)}; "
+            f"your condition {'does not hold' if holds else 'holds'} for {values_text(values)}; "
             + (
                 "there a filter settles, and its errors decay"
                 if holds
@@ -173,13 +181,13 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, P = (
-            processes.numbers(process, values, start=False),
-            processes.array(covariance, values),
+            processes.at_values(process, values, start=False),
+            processes.to_array(covariance, values),
         )
-        y, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
-        gain = processes.gain_of(one, P)
+        y, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
+        gain = processes.filter_gain(one, P)
         terms = one.A @ y, gain @ z, -gain @ one.H @ y
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
             lambda said, i, j: (
@@ -204,20 +212,20 @@ def riccati_equation(claim, process, covariance, parameters=()):
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
         one, P = (
-            processes.numbers(process, values, start=False),
-            processes.array(covariance, values),
+            processes.at_values(process, values, start=False),
+            processes.to_array(covariance, values),
         )
         if one.discrete:
             terms = (
                 one.A @ P @ one.A.T,
-                -one.A @ processes.gain_of(one, P) @ one.H @ P @ one.A.T,
+                -one.A @ processes.filter_gain(one, P) @ one.H @ P @ one.A.T,
                 one.Q,
             )
             found, does = "your next entry ({}, {})", "give another number"
         else:
-            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
+            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.filter_gain(one, P).T
             found, does = "your rate of change of the entry ({}, {})", "change it at another rate"
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
             lambda said, i, j: (
@@ -237,8 +245,8 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     The matrix is A - K H, in discrete time A (I - K H).
     """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
-        one = processes.numbers(process, values, start=False)
-        gain = processes.gain_of(one, processes.steady(one)[0])
+        one = processes.at_values(process, values, start=False)
+        gain = processes.filter_gain(one, processes.steady_covariances(one)[0])
         loop = one.A - (one.A @ gain if one.discrete else gain) @ one.H
         size = np.linalg.norm(loop)
         said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
@@ -246,7 +254,7 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
         def fits(number, other):
             return agree(number[1], other, number[0], size, REPEATED)
 
-        yield Members(
+        yield SameMembers(
             list(zip(claims, said)),
             list(np.linalg.eigvals(loop)),
             fits,
@@ -285,7 +293,7 @@ def _measured(process, measured, at, claim, parameters, given):
             for moment, value in measured
             for time in _times(sp.sympify(moment).subs(values))
         ]
-        yield processes.numbers(process, values), values, known, sp.sympify(at).subs(values)
+        yield processes.at_values(process, values), values, known, sp.sympify(at).subs(values)
 
 
 def _times(moment):

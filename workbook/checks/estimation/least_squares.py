@@ -12,9 +12,9 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Expressions, Matrix
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Entries, Same
+from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.samples import general_values, in_every_case
-from workbook.checks.tools.values import numbers_at, uncertain_at
+from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -27,7 +27,7 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
             np.linalg.lstsq(rows, wanted, rcond=None)[0],
             numbers_at(claims, values, unknowns),
         )
-        uncertain = [uncertain_at(claim, values) for claim in claims]
+        uncertain = [uncertainty_at(claim, values) for claim in claims]
         if not agree(said, true, claims, abs(true).max(), uncertain=uncertain).all():
             residuals = wanted - rows @ said.real
             slopes = rows.T @ residuals
@@ -47,7 +47,7 @@ def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=
     for values in in_every_case(general_values(parameters), claim):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
-        yield Same(claim, residuals @ residuals, "the least sum", values, wanted @ wanted)
+        yield SameValue(claim, residuals @ residuals, "the least sum", values, wanted @ wanted)
     return "it is the sum at the estimate"
 
 
@@ -59,7 +59,7 @@ def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
         # Each estimate is a sum of measurements, whose weighted errors are independent with the
         # variance 1.
         shares = np.linalg.pinv(rows)
-        yield Entries(
+        yield SameEntries(
             claim,
             shares @ shares.T,
             lambda said, i, j: (

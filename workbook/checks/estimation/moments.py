@@ -14,7 +14,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Expressions, Matrix, Values
 from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import judged
-from workbook.checks.tools.comparisons import Members, Same
+from workbook.checks.tools.comparisons import SameMembers, SameValue
 from workbook.checks.tools.samples import general_values, in_every_case
 from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import number_text
@@ -26,7 +26,7 @@ def expectations(claims, quantities, vector, law, parameters=()):
     for values in in_every_case(general_values(parameters), claims):
         for claim, quantity in zip(claims, quantities):
             mean, size = _mean(quantity, vector, law, values)
-            yield Same(claim, mean, f"the mean of {quantity}", values, size)
+            yield SameValue(claim, mean, f"the mean of {quantity}", values, size)
     return "each is the sum over all values, each with its probability"
 
 
@@ -49,7 +49,7 @@ def covariance(claim, first, second, vector, law, parameters=()):
             for part in _covariances([*rows, *columns], vector, law, values)
         )
         for i, j in np.ndindex(claim.shape):
-            yield Same(
+            yield SameValue(
                 claim[i, j],
                 found[i, j],
                 f"the covariance of {rows[i]} and {columns[j]}",
@@ -64,7 +64,7 @@ def correlation(claim, first, second, vector, law, parameters=()):
     """Check the correlation coefficient of two quantities."""
     for values in in_every_case(general_values(parameters), claim):
         found, _ = _covariances([first, second], vector, law, values)
-        yield Same(
+        yield SameValue(
             claim,
             found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]),
             "the correlation coefficient",
@@ -92,7 +92,7 @@ def uncorrelated(claims, first, second, vector, law, angle):
             else f"{number_text(one[1])} does not lie between 0 and pi"
         )
 
-    yield Members(
+    yield SameMembers(
         said,
         true,
         lambda one, other: agree(one[1], other, one[0]),

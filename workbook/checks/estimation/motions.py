@@ -1,7 +1,7 @@
 """Moments of a linear process in the course of time: the mean, the covariance, and what they settle
 to.
 
-The truth comes at numbers from the exponential of a block matrix (`truths/processes.py`), for times
+The truth comes at numbers from the exponential of a block matrix (`references/processes.py`), for times
 and parameters of all sizes; where a covariance settles, and whether it rises, from the signs of
 determinants.
 """
@@ -16,9 +16,9 @@ from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
 from workbook.checks.references.spectra import decays
-from workbook.checks.tools.comparisons import Entries, Members, Same
-from workbook.checks.tools.conditions import compare, contrary, exactly
-from workbook.checks.tools.samples import allowed_values, in_every_case, joined
+from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
+from workbook.checks.tools.conditions import compare, contradiction_message, exactly
+from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
 from workbook.checks.tools.values import numbers_at
 from workbook.checks.tools.wording import entry_text, number_text, where_text
 
@@ -47,13 +47,13 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
         allowed_values([*parameters, *symbols], given, len(TIMES)), claim, given
     ):
         A, (true, *added) = (
-            processes.array(process.A, values),
-            [processes.array(c, values) for c in columns],
+            processes.to_array(process.A, values),
+            [processes.to_array(c, values) for c in columns],
         )
         size = abs(true)
         for noise in added:
             true, size = A @ true + noise, abs(A) @ size + abs(noise)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -76,8 +76,10 @@ def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None)
     `times` are those for which the answer is asked, if not for all.
     """
     for one, values in _in_time(process, time, claim, parameters, given, times):
-        F, _ = processes.moved(one, values[time])
-        yield Entries(claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean))
+        F, _ = processes.transition(one, values[time])
+        yield SameEntries(
+            claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean)
+        )
     return "it is the mean at all times and parameters tried"
 
 
@@ -90,13 +92,15 @@ def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times
     `times` are those for which the answer is asked, if not for all.
     """
     for one, values in _in_time(process, time, claim, parameters, given, times):
-        F, N = processes.moved(one, values[time])
+        F, N = processes.transition(one, values[time])
         # At the start too terms may cancel that are as large as the noise makes them soon.
         soon = (
-            N if values[time] else processes.moved(one, STEPS[1] if one.discrete else TIMES[1])[1]
+            N
+            if values[time]
+            else processes.transition(one, STEPS[1] if one.discrete else TIMES[1])[1]
         )
         size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
-        yield Entries(
+        yield SameEntries(
             claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max()
         )
     return "it is the covariance at all times and parameters tried"
@@ -108,14 +112,14 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
 
     `times` are those for which the answer is asked, if not for all after the start.
     """
-    rows = processes.array(of, {})
+    rows = processes.to_array(of, {})
     found = []
     for one, values in _in_time(process, time, claim, parameters, given, times or TIMES[1:]):
         covariance = rows @ processes.moments(one, values[time])[1] @ rows.T
         found.append((covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values))
     constant = np.ptp([true for true, _ in found]) < 1e-9
     for true, values in found:
-        yield Same(claim, true, "the correlation coefficient", values, constant=constant)
+        yield SameValue(claim, true, "the correlation coefficient", values, constant=constant)
     return "it is the covariance as a share of what it could be at most"
 
 
@@ -132,7 +136,7 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
             (-a, 2 * a * D, D),
             ("the coefficient", "the intensity", "the variance at the start"),
         ):
-            yield Same(
+            yield SameValue(
                 claim,
                 true,
                 f"{what} of the equation that keeps the given correlation",
@@ -148,12 +152,12 @@ def stationary_covariance(claim, process, parameters=(), given=sp.true):
 
     It is asked for those parameters with which the process converges.
     """
-    process = processes.plain(process)
-    settling = sp.And(joined(given), decays(process.A, process.discrete))
+    process = processes.as_process(process)
+    settling = sp.And(conjunction(given), decays(process.A, process.discrete))
     for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
-        one = processes.numbers(process, values, start=False)
-        true = processes.settled(one)
-        yield Entries(
+        one = processes.at_values(process, values, start=False)
+        true = processes.stationary_covariance(one)
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -173,9 +177,9 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
     The process has any initial covariance; what the noise contributes in the limit is not
     counted.
     """
-    process = processes.plain(process)
+    process = processes.as_process(process)
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
-        modes = np.linalg.eigvals(processes.array(process.A, values))
+        modes = np.linalg.eigvals(processes.to_array(process.A, values))
         pairs = itertools.combinations_with_replacement(modes, 2)
         true = [first * second if process.discrete else first + second for first, second in pairs]
         size = max(map(abs, true))
@@ -184,7 +188,7 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
         def fits(number, other):
             return agree(number[1], other, number[0], size, REPEATED)
 
-        yield Members(
+        yield SameMembers(
             list(zip(claims, said)),
             true,
             fits,
@@ -202,17 +206,23 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
 
 @judged
 def stationary_covariance_exists(answer, process, parameters, given=sp.true):
-    """Check the parameters for which the covariance converges whatever it is initially."""
-    process = processes.plain(process)
+    """Check the parameters for which the covariance converges whatever it is initially.
+
+    It converges to one and the same matrix.
+    """
+    process = processes.as_process(process)
 
     def told(values):
-        modes = np.linalg.eigvals(processes.array(process.A, values))
+        modes = np.linalg.eigvals(processes.to_array(process.A, values))
         if process.discrete:
             return f"the largest modulus of an eigenvalue is {abs(modes).max():.4g} there"
         return f"the largest real part of an eigenvalue is {modes.real.max():.4g} there"
 
     agreement = compare(
-        answer, parameters, exactly(decays(process.A, process.discrete), given), contrary(told)
+        answer,
+        parameters,
+        exactly(decays(process.A, process.discrete), given),
+        contradiction_message(told),
     )
     return f"there and nowhere else what is known of the start is forgotten: {agreement}"
 
@@ -225,7 +235,7 @@ def covariance_increases(answer, process, parameters, given=sp.true):
 
     The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
     """
-    process = processes.plain(process)
+    process = processes.as_process(process)
     A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)
     rate = A * P * A.T + process.Q - P if process.discrete else A * P + P * A.T + process.Q
     minors = [sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1)]
@@ -241,7 +251,9 @@ def covariance_increases(answer, process, parameters, given=sp.true):
             )
         return f"there the variances change at the rates {', '.join(map(str, at.diagonal()))} at the start"
 
-    agreement = compare(answer, parameters, exactly(rises, joined(given)), contrary(told))
+    agreement = compare(
+        answer, parameters, exactly(rises, conjunction(given)), contradiction_message(told)
+    )
     return f"it rises there and nowhere else: {agreement}"
 
 
@@ -251,7 +263,7 @@ def _in_time(process, time, claim, parameters, given, times):
         if times
         else sp.And(time >= 0, time <= LATEST)
     )
-    times = times or (STEPS if processes.plain(process).discrete else TIMES)
+    times = times or (STEPS if processes.as_process(process).discrete else TIMES)
     samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
     # However few the times are, the parameters get as many values as elsewhere.
     count = max(len(times), len(samples))
@@ -259,8 +271,8 @@ def _in_time(process, time, claim, parameters, given, times):
         values | {time: sp.sympify(moment)}
         for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count))
     ]
-    for values in in_every_case(samples, claim, sp.And(joined(given), asked)):
-        yield processes.numbers(process, values), values
+    for values in in_every_case(samples, claim, sp.And(conjunction(given), asked)):
+        yield processes.at_values(process, values), values
 
 
 def _told(what, values):

@@ -17,8 +17,8 @@ from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import Requirement
 from workbook.checks.references.fixed_modes import common_margin
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.tools.comparisons import Follows
-from workbook.checks.tools.values import matrix_at, moved, uncertain_entries
+from workbook.checks.tools.comparisons import SameSides
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturbed_arrays
 from workbook.checks.tools.wording import number_text
 
 
@@ -117,13 +117,15 @@ def _comparisons(form, equation):
     here = sides(A, B, C, H)
     others = [
         sides(*other)
-        for other in moved((A, B, C, H), [uncertain_entries(part, {}) for part in form])
+        for other in perturbed_arrays(
+            (A, B, C, H), [entry_uncertainties(part, {}) for part in form]
+        )
     ]
     allowed = [
         EXACT * (max(size) + extra) + sum(abs(other[k] - here[k]) for other in others)
         for k, (size, extra) in enumerate(zip(sizes, (0, max(abs(right)), 0)))
     ]
-    yield Follows(
+    yield SameSides(
         found[0],
         0,
         allowed[0],
@@ -134,7 +136,7 @@ def _comparisons(form, equation):
         ),
         1,
     )
-    yield Follows(
+    yield SameSides(
         found[1],
         right[:-1],
         allowed[1],
@@ -145,13 +147,13 @@ def _comparisons(form, equation):
         ),
         1,
     )
-    if pair_of(form[0], form[2]).unseen[0]:
+    if pair_of(form[0], form[2]).unobservable[0]:
         raise Wrong(
             "your form satisfies the equation, but does not have all its motions: x = Cy stays "
             "zero from some states other than zero, so that fewer initial values of x, x', ... "
             "can be chosen than the equation allows"
         )
-    yield Follows(
+    yield SameSides(
         H[0],
         found[2],
         allowed[2],

@@ -13,11 +13,11 @@ import sympy as sp
 from workbook.checks.contract.claims import Claim, Expressions
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import Gain
-from workbook.checks.references.fields import Field, known_field
+from workbook.checks.references.fields import Field, cached_field
 from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
-from workbook.checks.references.near_equilibrium import by_motions
+from workbook.checks.references.near_equilibrium import stability_from_motions
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.references.stationary_points import rest_points
+from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.values import matrix_at, numbers_at
 from workbook.checks.tools.wording import point_text, roots_text
 
@@ -53,9 +53,9 @@ def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
     Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros
     as the right-hand sides without a control, all simple.
     """
-    flow = known_field(tuple(field), (*state, *controls))
+    flow = cached_field(tuple(field), (*state, *controls))
     at_rest = [sp.sympify(f).subs(dict.fromkeys(controls, 0)) for f in field]
-    family = rest_points(at_rest if zeros is None else zeros, state, [], domain)
+    family = stationary_points_of(at_rest if zeros is None else zeros, state, [], domain)
     (rests,) = family.rests(np.zeros((0, 1)))
     missed = list(rests)
     for written, gain in claim:
@@ -159,4 +159,6 @@ def _by_motions(flow, state, rest, gain):
     deviations = sp.Matrix(state)
     values = dict(zip(flow.state[len(state) :], sp.Matrix(gain) * deviations))
     values |= {x: x + place for x, place in zip(state, rest)}
-    return by_motions(Field([f.subs(values, simultaneous=True) for f in flow.expressions], state))
+    return stability_from_motions(
+        Field([f.subs(values, simultaneous=True) for f in flow.expressions], state)
+    )

@@ -17,11 +17,11 @@ from workbook.checks.contract.tolerance import EXACT, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.fixed_modes import fixed_eigenvalues, slower_than
-from workbook.checks.references.records import augmented, reached, seen
+from workbook.checks.references.records import augmented, controlled_pair, observed_pair
 from workbook.checks.references.spectra import Spectrum
-from workbook.checks.tools.conditions import Case, Truth, compare, exactly
-from workbook.checks.tools.samples import general_values, in_every_case, joined
-from workbook.checks.tools.values import matrix_at, uncertain_entries
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
+from workbook.checks.tools.samples import conjunction, general_values, in_every_case
+from workbook.checks.tools.values import entry_uncertainties, matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 from workbook.systems import Linear, Scalar
 
@@ -81,7 +81,7 @@ class Requirement:
     def hold(self, loop, gain, what, by="your gain"):
         """Raise `Wrong` unless the matrix `loop(gain)`, called `what` in a message, meets it; `by`
         is what the student calls the answer."""
-        for values in in_every_case(self.samples(), gain, joined(self.given)):
+        for values in in_every_case(self.samples(), gain, conjunction(self.given)):
             if abs(matrix_at(gain, values).imag).max(initial=0) > 0:
                 raise Wrong(f"with {by} {what} is not real{where_text(values)}")
             if self.polynomial is not None:
@@ -91,7 +91,7 @@ class Requirement:
         return self._hold_margin(loop, gain, what, by)
 
     def _asked(self, values):
-        return joined(self.given).subs(values) is sp.true
+        return conjunction(self.given).subs(values) is sp.true
 
     def samples(self):
         return [values for values in general_values(self.parameters) if self._asked(values)]
@@ -117,7 +117,7 @@ class Requirement:
         allowed = EXACT * np.maximum(abs(true), size ** np.arange(len(true)))
         if in_decimals(gain):
             # Every coefficient is linear in each entry: what its last digit may change.
-            left_open = uncertain_entries(gain, values)
+            left_open = entry_uncertainties(gain, values)
             for k in np.ndindex(there.shape):
                 moved = there.copy()
                 moved[k] += left_open[k]
@@ -150,12 +150,12 @@ class Requirement:
             poles = sp.Or(
                 *(sp.Eq(sp.fraction(sp.together(entry))[1], 0) for entry in in_fractions(gain))
             )
-            compare(sp.true, self.parameters, exactly(sp.Not(poles), joined(self.given)), told)
+            compare(sp.true, self.parameters, exactly(sp.Not(poles), conjunction(self.given)), told)
             inside, outside = (
-                Case(sp.And(joined(self.given), case.condition), case.unknowns, case.every)
+                Case(sp.And(conjunction(self.given), case.condition), case.unknowns, case.every)
                 for case, _ in spectrum.stability.cases
             )
-            truth = Truth(
+            truth = ReferenceCondition(
                 (inside,),
                 (outside,),
                 lambda values: (
@@ -215,11 +215,11 @@ def _judge(gain, loop, what, requirement, pair):
     # That no gain would do is the answer, and so it is not told.
     told = requirement.hold(loop, gain, what)
     if requirement.polynomial is not None:
-        in_general = sp.true if pair is None or not pair.parameters else pair.in_general
+        in_general = sp.true if pair is None or not pair.parameters else pair.generic_condition
         judge_everywhere(
             gain,
             requirement.parameters,
-            lambda: sp.And(joined(requirement.given), in_general),
+            lambda: sp.And(conjunction(requirement.given), in_general),
             "an entry of your gain has no value",
         )
     if pair is not None and requirement.impossible(pair):
@@ -332,14 +332,18 @@ def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=
 def _driven(system, parameters, requirement):
     """What `_judge` needs of the loop by the whole state."""
     system = Linear(system.A, system.B)
-    return *loop_of(system), requirement, reached(system, _of(parameters, system.A, system.B))
+    return (
+        *loop_of(system),
+        requirement,
+        controlled_pair(system, _of(parameters, system.A, system.B)),
+    )
 
 
 def _watched(system, parameters, requirement):
     """What it needs of the errors of an observer."""
     both = augmented(system)
     system = Linear(both.A, H=both.H)
-    return *loop_of(system), requirement, seen(system, _of(parameters, system.A, system.H))
+    return *loop_of(system), requirement, observed_pair(system, _of(parameters, system.A, system.H))
 
 
 def _of(parameters, *matrices):

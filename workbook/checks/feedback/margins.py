@@ -18,12 +18,17 @@ from workbook.checks.references.fixed_modes import (
     margins_with_parameters,
     slower_than,
 )
-from workbook.checks.references.records import augmented, by_control, reached, seen
+from workbook.checks.references.records import (
+    augmented,
+    controlled_pair,
+    has_control,
+    observed_pair,
+)
 from workbook.checks.references.spectra import compare_region
-from workbook.checks.tools.conditions import compare, exactly, place_text
+from workbook.checks.tools.conditions import compare, exactly
 from workbook.checks.tools.samples import in_every_case
-from workbook.checks.tools.values import matrix_at, number_at, uncertain_entries
-from workbook.checks.tools.wording import number_text, where_text
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, number_at
+from workbook.checks.tools.wording import number_text, values_text, where_text
 from workbook.systems import Scalar
 
 
@@ -57,18 +62,18 @@ def possible_margins(answer, system, mu, parameters=()):
         what, truth = "feedback by an estimate", up_to(mu, common_margin(system))
     elif not parameters:
         what = "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
-        pairs = ([reached(system)] if system.B else []) + (
-            [seen(augmented(system))] if system.H else []
+        pairs = ([controlled_pair(system)] if system.B else []) + (
+            [observed_pair(augmented(system))] if system.H else []
         )
         truth = up_to(mu, *map(greatest_margin, pairs))
     else:
-        what, one = ("feedback", system.dual) if by_control(system) else ("observer", system)
+        what, one = ("feedback", system.dual) if has_control(system) else ("observer", system)
         truth = margins_with_parameters(one.A, one.H, mu, parameters)
     return compare_margins(answer, [*parameters, mu], truth, what)
 
 
 def up_to(mu, *greatest):
-    """The `Truth` that mu is at most the least of the margins; those that are None set no bound."""
+    """The `ReferenceCondition` that mu is at most the least of the margins; those that are None set no bound."""
     bounds = [margin for margin in greatest if margin is not None]
     return exactly(mu <= min(bounds, key=float) if bounds else sp.true)
 
@@ -76,8 +81,8 @@ def up_to(mu, *greatest):
 def compare_margins(answer, symbols, truth, what):
     def told(values, holds):
         if holds:
-            return f"your condition does not hold for {place_text(values)}, yet some {what} has this margin"
-        return f"your condition holds for {place_text(values)}, yet no {what} has this margin"
+            return f"your condition does not hold for {values_text(values)}, yet some {what} has this margin"
+        return f"your condition holds for {values_text(values)}, yet no {what} has this margin"
 
     return f"these are the margins that some {what} has: {compare(answer, symbols, truth, told)}"
 
@@ -94,7 +99,7 @@ def undetectable_mode(answer, system, parameters=()):
         raise Invalid(
             "expected a dictionary {lambda: v}, an empty one if nothing stands in the way"
         )
-    A, H, pair = system.A, system.H, seen(system, parameters)
+    A, H, pair = system.A, system.H, observed_pair(system, parameters)
     claims = {
         coercion.as_expression(value, parameters): sp.Matrix(
             coercion.as_expressions(vector, parameters, A.rows)
@@ -132,8 +137,8 @@ def _hold_mode(value, vector, A, H, values, where):
     if not abs(column).max() > 0:
         raise Wrong(f"your vector v is zero{where}")
     open_, (open_root,) = (
-        uncertain_entries(vector, values),
-        *uncertain_entries(sp.Matrix([value]), values),
+        entry_uncertainties(vector, values),
+        *entry_uncertainties(sp.Matrix([value]), values),
     )
     image = matrix @ column
     size = (abs(matrix) @ abs(column)).max() + abs(root) * abs(column).max()

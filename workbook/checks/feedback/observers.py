@@ -14,14 +14,14 @@ from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.tolerance import EXACT
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import Requirement, in_fractions
-from workbook.checks.tools.comparisons import Same
+from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.samples import (
     general_values,
     in_every_case,
     sample_values,
     signed_values,
 )
-from workbook.checks.tools.values import matrix_at, number_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, number_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -59,7 +59,7 @@ def observer_equations(
         for part in (estimates, outputs, controls)
     )
     for values in in_every_case(general_values(parameters), claims):
-        open_F, open_G, open_J = (uncertain_entries(part, values) for part in (F, G, J))
+        open_F, open_G, open_J = (entry_uncertainties(part, values) for part in (F, G, J))
         _hold_same(
             J,
             B,
@@ -122,7 +122,7 @@ def closed_loop_equations(claims, field, state, controls, desired, H, K, L, esti
     for values in in_every_case(sample_values(symbols), claims):
         for symbol, claim, right in zip((*state, *estimates), claims, true):
             terms = [abs(complex(term.subs(values))) for term in sp.Add.make_args(sp.expand(right))]
-            yield Same(
+            yield SameValue(
                 claim, complex(right.subs(values)).real, f"the rate of {symbol}", values, sum(terms)
             )
     return "the plant, its control and the observer agree with the signs and the process that were asked"

@@ -4,7 +4,7 @@ noise.
 A gain is judged by its own cost, which is linear algebra: every state decays, and no other gain is
 better at a first moment if what comes later costs what it costs under the gain itself. A gain of
 which this is true is the best one. Where the end is given, or states need not decay, the least cost
-is found from the data (`truths/regulators.py`).
+is found from the data (`references/regulators.py`).
 """
 
 import numpy as np
@@ -16,7 +16,7 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import Gain
 from workbook.checks.references import processes, regulators
 from workbook.checks.references.fixed_modes import ON_BORDER
-from workbook.checks.tools.comparisons import Entries, Members, Same
+from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import matrix_at, numbers_at
 from workbook.checks.tools.wording import number_text, point_text, where_text
@@ -56,7 +56,7 @@ def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
             true, told = one.gain_for(one.least(moment)), _other_control
         else:
             true, told = _improved(claim, one, values)
-        yield Entries(claim, true, told(values), values, abs(true).max())
+        yield SameEntries(claim, true, told(values), values, abs(true).max())
     return "every state is led at the least cost"
 
 
@@ -107,7 +107,7 @@ def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
     """
     for values, one, moment in _moments(problem, time, claim, parameters, given):
         true = one.least(moment)
-        yield Entries(claim, true, _other_cost(one, values), values, abs(true).max())
+        yield SameEntries(claim, true, _other_cost(one, values), values, abs(true).max())
     return "it solves the Riccati equation, and the law that belongs to it leads each state at this cost"
 
 
@@ -151,7 +151,7 @@ def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
     ):
         one, x = regulators.Regulator(problem, values), np.array([float(values[s]) for s in start])
         least = one.least()
-        yield Same(
+        yield SameValue(
             claim,
             one.factor * x @ least @ x,
             "the least cost",
@@ -172,7 +172,7 @@ def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
         def fits(number, other, size=np.linalg.norm(loop)):
             return agree(number[1], other, number[0], size, REPEATED)
 
-        yield Members(
+        yield SameMembers(
             list(zip(claims, said)),
             list(np.linalg.eigvals(loop)),
             fits,
@@ -203,7 +203,7 @@ def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
         rest, kept = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))
         begin = np.array([[float(values[s])] for s in start])
         true = rest @ np.linalg.solve(kept.T @ rest, kept.T @ begin)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (
@@ -224,9 +224,9 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
     """
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
-        one, S = regulators.Regulator(problem, values), processes.array(cost, values)
+        one, S = regulators.Regulator(problem, values), processes.to_array(cost, values)
         terms = one.rates(S)
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
             lambda said, i, j: (
@@ -252,7 +252,9 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
         loop, noise, weight = regulators.steady_loop(problem, process, values)
         covariance = solve_continuous_lyapunov(loop, -noise)
         factor = float(sp.sympify(problem.factor).subs(values))
-        yield Same(claim, factor * np.trace(weight @ covariance), "the least mean cost", values)
+        yield SameValue(
+            claim, factor * np.trace(weight @ covariance), "the least mean cost", values
+        )
     return "the covariance of the whole loop with the best gains has this cost"
 
 
@@ -272,12 +274,12 @@ def controller_equations(claim, problem, process, estimates, outputs, parameters
     ):
         one, noise = (
             regulators.Regulator(problem, values),
-            processes.numbers(process, values, start=False),
+            processes.at_values(process, values, start=False),
         )
-        e, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
-        L = processes.gain_of(noise, processes.steady(noise)[0])
+        e, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
+        L = processes.filter_gain(noise, processes.steady_covariances(noise)[0])
         terms = one.A @ e, one.B @ one.gain_for(one.least()) @ e, L @ z, -L @ noise.H @ e
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
             lambda said, i, j: (

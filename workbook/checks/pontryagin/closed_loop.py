@@ -4,8 +4,8 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
 
 #: A law may be slower than the optimum by this share: its switching curve may be written in
 #: decimals.
@@ -82,7 +82,7 @@ def follow(law, truth, lanes):
         for k in slow[~truth.beside_barrier(few.take(slow))] if len(slow) else ():
             passed = few.time[k] * (1 + SLOWER) + 1e-3 - left[k]
             raise Wrong(
-                f"{truth.told(few, k)} the target can be reached in a time of {few.time[k]:.4g}; "
+                f"{truth.start_text(few, k)} the target can be reached in a time of {few.time[k]:.4g}; "
                 f"your law has brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after "
                 f"{passed:.4g}, and from there it cannot be reached in the time left"
             )
@@ -170,7 +170,7 @@ def _closed_loop(law, plant, lanes, steps, moments):
                     lanes = there[rows]
                     return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
 
-                last[there] = bisected(goes_on, first[there], last[there], 40)[1]
+                last[there] = bisect(goes_on, first[there], last[there], 40)[1]
             x[here], t[here], waits[here] = (
                 plant.move(x[here], u[here], last[here]),
                 t[here] + last[here],

@@ -16,8 +16,9 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
-from workbook.checks.tools.samples import draw
-from workbook.checks.tools.values import real_function, value_at
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import rounded_text
 
 #: At so many places of states, control and parameters an equation is compared, of so many that are
@@ -98,7 +99,7 @@ class _Rate:
         if low.is_number and high.is_number and low.is_finite and high.is_finite:
             domain = {self._problem.control[0]: sp.Interval(low, high)} | (domain or {})
         for _ in range(TRIED):
-            values = {s: draw(random, s, domain) for s in self._symbols}
+            values = {s: random_value(random, s, domain) for s in self._symbols}
             rate = self._at(values, random)
             if rate is not None:
                 yield values, *rate

@@ -9,7 +9,7 @@ from workbook.checks.pontryagin.followed import point_text
 from workbook.checks.pontryagin.in_time import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.references.optima.transfer_optima import Transfer
-from workbook.checks.tools.wording import told_for
+from workbook.checks.tools.wording import prefix_text
 
 #: To which share a control between its bounds is known.
 KNOWN = 2e-3
@@ -24,7 +24,7 @@ def optimal_costate(claims, problem, time, parameters=None):
     costate, sign = InTime(claims, time, parameters), -1 if problem.maximise else 1
     free = np.array(free_at_the_start(problem, parameters))
     for values, best in best_processes(problem, parameters):
-        where = told_for(values)
+        where = prefix_text(values)
         largest = np.abs(np.nan_to_num(costate.values(best.times, values))).max()
         for k, t in enumerate(best.times):
             psi, slope = (part(t * (1 - 1e-7), values) for part in (costate.values, costate.rates))

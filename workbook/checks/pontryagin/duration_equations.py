@@ -7,7 +7,7 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.optima.best_processes import best_processes
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.wording import rounded_text
 
 #: At so many shorter durations an equation for the shortest one is tried, up to this part of it,

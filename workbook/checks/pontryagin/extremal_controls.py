@@ -7,12 +7,10 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.followed import reach
 from workbook.checks.pontryagin.in_time import Control, Steering
 from workbook.checks.pontryagin.sample_points import RIVALS, control_bounds
-from workbook.checks.references.optima.transfer_optima import rk4
+from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.singular_arcs import hamiltonian
-from workbook.checks.tools.samples import sample_cases
-from workbook.checks.tools.values import (
-    real_function,
-)
+from workbook.checks.tools.domains import sample_cases
+from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.wording import rounded_text
 
 

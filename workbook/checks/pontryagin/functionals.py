@@ -22,9 +22,9 @@ from workbook.checks.contract.tolerance import (
 )
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.optima.functional_optimum import FunctionalOptimum
-from workbook.checks.tools.comparisons import Same, Word
+from workbook.checks.tools.comparisons import SameValue, SameWord
+from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import sample_values
-from workbook.checks.tools.values import real_function
 from workbook.checks.tools.wording import values_text
 
 #: Sets of parameters that an answer is tried for.
@@ -80,7 +80,7 @@ def extremum_value(claim, functional, parameters=()):
     """Check the least, or greatest, value of a functional, as an expression in the parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         if values:
-            yield Same(
+            yield SameValue(
                 claim, best.value, f"the {_word(functional)} value", values, computed=COMPUTED
             )
             continue
@@ -130,7 +130,7 @@ def extremum_exists(claim, functional, duration=None):
             f"{DURATIONS[-1]:.3g} "
             f"{'have a best one among them' if exists else 'only get better towards one side'}"
         )
-    yield Word(claim, exists, reason, "look at how the functional behaves: ")
+    yield SameWord(claim, exists, reason, "look at how the functional behaves: ")
     return reason
 
 

@@ -15,9 +15,10 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.samples import sample_cases
-from workbook.checks.tools.values import real_function, value_at
-from workbook.checks.tools.wording import rounded_text, told_for
+from workbook.checks.tools.domains import sample_cases
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import value_at
+from workbook.checks.tools.wording import prefix_text, rounded_text
 
 #: In so many steps a motion is followed, and how well its states are known then.
 STEPS, FOLLOWED = 240, 1e-7
@@ -79,7 +80,7 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
         if not agree(said, true, claim, size=size, computed=10 * FOLLOWED):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
-                f"{told_for(values)}your {quantity} is {said:.4g}; if the constants of the law are "
+                f"{prefix_text(values)}your {quantity} is {said:.4g}; if the constants of the law are "
                 "chosen so that the conditions at the end hold, it is "
                 f"{f'{true:.4g}' if values else 'another number'}"
             )

@@ -17,7 +17,7 @@ from workbook.checks.contract.tolerance import (
     relative_tolerance,
 )
 from workbook.checks.contract.verdict import Invalid, Wrong
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.numeric_functions import real_function
 
 #: What an answer without decimals may be off by: the precision of integrating it.
 INTEGRATED = 1e-5

@@ -11,12 +11,13 @@ from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import Law
 from workbook.checks.references.optima import reach
-from workbook.checks.references.optima.fastest_times import Lanes
 from workbook.checks.references.optima.sampled_optimum import (
-    frozen,
     sampled_optimum,
+    synthesis_data,
 )
-from workbook.checks.tools.conditions import Case, Truth, compare, place_text
+from workbook.checks.references.optima.state_batch import StateBatch
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
+from workbook.checks.tools.wording import values_text
 
 
 @judged
@@ -31,7 +32,7 @@ def other_extremal_exists(answer, system, target, start=None):
         system.state,
         truth,
         lambda place, holds: (
-            f"from {place_text(place)} there is {'another' if holds else 'no other'} extremal "
+            f"from {values_text(place)} there is {'another' if holds else 'no other'} extremal "
             "besides the fastest one"
         ),
     )
@@ -58,9 +59,9 @@ def _second_extremal(system, target, start):
         else None
     )
     if beyond is None:
-        lanes, later = _line_extremals(sampled_optimum(*frozen(system, target, {}, start)))
+        lanes, later = _line_extremals(sampled_optimum(*synthesis_data(system, target, {}, start)))
         found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(lanes.x, later)}
-        return Truth(
+        return ReferenceCondition(
             at=lambda place: found[tuple(place.values())],
             points=lambda: (dict(zip(state, x)) for x in found),
         )
@@ -88,7 +89,7 @@ def _second_extremal(system, target, start):
         )
         return crossed if crossed == met else None
 
-    return Truth(
+    return ReferenceCondition(
         (Case(sp.And(off, two(sp.Gt)), (first, second)),),
         (Case(sp.And(off, sp.Not(two(sp.Ge))), (first, second), every=True),),
         at,
@@ -98,7 +99,7 @@ def _second_extremal(system, target, start):
 @judged(Expression("system.state"))
 def other_extremal_time(claim, system, target, start=None):
     """Check the time that the extremal of `other_extremal_exists` takes, where there is one."""
-    truth = sampled_optimum(*frozen(system, target, {}, start))
+    truth = sampled_optimum(*synthesis_data(system, target, {}, start))
     lanes, later = _line_extremals(truth)
     said = Law(claim, truth)(lanes.x, lanes.case)
     tolerance = relative_tolerance(claim, computed=1e-6)
@@ -163,7 +164,7 @@ def _line_extremals(truth):
     ends[ends <= first[:, None] * (1 + 1e-6) + 1e-6] = np.inf
     keep = ~doubtful & np.isfinite(first) & (first > 0.02)
     truth.kept["extremals"] = (
-        Lanes(x=points, case=case, time=first).take(keep),
+        StateBatch(x=points, case=case, time=first).take(keep),
         ends.min(axis=1)[keep],
     )
     return truth.kept["extremals"]

@@ -28,14 +28,10 @@ from workbook.checks.pontryagin.sample_points import (
     sample_points,
 )
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates, singular_arcs
-from workbook.checks.tools.conditions import decide, exactly, place_text
-from workbook.checks.tools.values import (
-    number_at,
-    real_function,
-    uncertain_entries,
-    value_at,
-)
-from workbook.checks.tools.wording import rounded_text
+from workbook.checks.tools.conditions import decide, exactly
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import entry_uncertainties, number_at, value_at
+from workbook.checks.tools.wording import rounded_text, values_text
 
 #: Between what a control without a bound is compared.
 UNBOUNDED = 20.0
@@ -163,7 +159,7 @@ def maximising_control(answer, problem, costates, domain=None):
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
         # What decimals leave open is a control, of which H near its maximum says little.
-        open_ = uncertain_entries(sp.Matrix(claims), values).ravel()
+        open_ = entry_uncertainties(sp.Matrix(claims), values).ravel()
         near, rivals = (
             np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
             for parts in (
@@ -249,7 +245,7 @@ def _has_the_sign(claim, slope, control, known, domain):
         if place:
             values, holds = place
             raise Wrong(
-                f"for {place_text(values)}, H {does if holds else not_} with {control}, and your "
+                f"for {values_text(values)}, H {does if holds else not_} with {control}, and your "
                 "function has another sign"
             )
 

@@ -25,8 +25,8 @@ from workbook.checks.references.optima.best_processes import (
     best_processes,
     free_at_the_start,
 )
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.wording import told_for
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.wording import prefix_text
 
 #: To what share of its range a control on an arc of the best process is known, and of the duration
 #: an arc; a shorter one may be missed.
@@ -53,7 +53,7 @@ def optimal_control(claim, problem, time, parameters=None):
     begun = ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""
     timed = TIMED if is_time_optimal(problem) and read.rounding == INTEGRATED else 1
     for values, best in best_processes(problem, parameters):
-        where = told_for(values)
+        where = prefix_text(values)
         whose = "your control" + begun
         _ends_with_the_best(read, values, best, problem, where, whose)
         sections = read.sections(values, best.duration)
@@ -167,7 +167,7 @@ def _slowly(sections, first, before, last, after, slack, duration):
             and abs(u(np.array([last]))[0] - after) <= slack
         ):
             continue
-        place = bisected(
+        place = bisect(
             lambda t, _, u=u: abs(u(t) - before) <= slack, np.array([first]), np.array([last]), 50
         )[1]
         if not abs(u(place + np.sign(last - first) * SUDDEN * duration)[0] - after) <= slack:
@@ -222,7 +222,7 @@ def _leap(sections, first, last, same):
     """By how much a control jumps where it leaves the value that it has at the first of two
     instants."""
     held = _values(sections, [first])[0]
-    place = bisected(
+    place = bisect(
         lambda t, _: abs(_values(sections, t) - held) <= same,
         np.array([first]),
         np.array([last]),

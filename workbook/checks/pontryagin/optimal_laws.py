@@ -20,10 +20,10 @@ from workbook.checks.contract.tolerance import agree, in_decimals, perturbed, re
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.followed import does_as_well, point_text
 from workbook.checks.references.optima.direct_optimum import optima
-from workbook.checks.references.optima.transfer_optima import rk4
-from workbook.checks.references.scales import TIME, differing, same_at_every_scale, scales
-from workbook.checks.tools.values import real_function, wide_function
-from workbook.checks.tools.wording import told_for
+from workbook.checks.references.optima.runge_kutta import rk4
+from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales
+from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
+from workbook.checks.tools.wording import prefix_text
 
 #: A law is followed in so many steps. Where it switches it lags by a step, which costs it this
 #: share at most.
@@ -67,7 +67,7 @@ def optimal_law(answer, problem, parameters, time=None):
         for values, best in found:
             _same_at_a_scale(law, values, best, factors)
     for (values, best), times, states in zip(found, *_followed(law, found)):
-        does_as_well(times, states, best, problem, law.rounding, told_for(values), "your law")
+        does_as_well(times, states, best, problem, law.rounding, prefix_text(values), "your law")
     return "from all starts tried it does what the best process found does, keeps to the ends, and costs no more"
 
 
@@ -97,11 +97,11 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
             if not agree(said, true, claim, true, LOCATED):
                 raise Wrong(
                     f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {said:.4g}; the "
-                    f"control of the best process {told_for(values)}does not change there"
+                    f"control of the best process {prefix_text(values)}does not change there"
                 )
     if not places:
         raise RuntimeError("on no process that was found the control changes so")
-    same_at_every_scale(claim, problem, parameters, places, state[1 - k], str(state[1 - k]))
+    judge_at_every_scale(claim, problem, parameters, places, state[1 - k], str(state[1 - k]))
     return f"the control of the best processes changes there, at {len(places)} places"
 
 
@@ -159,7 +159,7 @@ class _Law:
     def wide(self):
         """The same law in numbers of any size."""
         other = copy.copy(self)
-        other._function = wide_function(*self._written)
+        other._function = multiprecision_function(*self._written)
         return other
 
     def __call__(self, states, times, values, bounds):
@@ -254,7 +254,7 @@ def _says_what_is_best(law, values, best):
         here = law(states[:, [k]], times[[k]], values, best.bounds)[0]
         gives = f"{here:.4g}" if np.isfinite(here) else law.none
         raise Wrong(
-            f"{told_for(values)}the best process found comes to {point_text(states[:, k])} at t = "
+            f"{prefix_text(values)}the best process found comes to {point_text(states[:, k])} at t = "
             f"{times[k]:.4g}; there your law gives {gives}, and the best control is another one"
         )
     _jumps_where_it_should(law, values, best)
@@ -272,13 +272,13 @@ def _same_at_a_scale(law, values, best, factors):
         law(there, times * time, own, bounds),
         scale * law(states, times, values, best.bounds),
     )
-    for k in differing(
+    for k in first_difference(
         said, wanted, KNOWN, lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0]
     ):
         raise Wrong(
-            f"{told_for(values)}at {point_text(states[:, k])} your law gives "
+            f"{prefix_text(values)}at {point_text(states[:, k])} your law gives "
             f"{wanted[k] / scale:.4g}. In other units the problem is the same, so that "
-            f"{told_for(own)}at {point_text(there[:, k])} it has to give {wanted[k]:.4g}; it gives "
+            f"{prefix_text(own)}at {point_text(there[:, k])} it has to give {wanted[k]:.4g}; it gives "
             f"{said[k]:.4g}"
         )
 
@@ -369,7 +369,7 @@ def _jumps_where_it_should(law, values, best):
             first, last = (middle, last) if abs(at(middle) - before) <= slack else (first, middle)
         if not abs(at(min(last + ACROSS, 1.0)) - after) <= slack:
             raise Wrong(
-                f"{told_for(values)}at {point_text(best.states[:, j])} the best control jumps; "
+                f"{prefix_text(values)}at {point_text(best.states[:, j])} the best control jumps; "
                 "your law gives values between"
             )
 
@@ -391,7 +391,7 @@ def _followed(law, found):
                 f"{u[k]:.4g}, outside the bounds of the control" if np.isfinite(u[k]) else law.none
             )
             raise Wrong(
-                f"{told_for(found[k][0])}at t = {t[k]:.4g} the motion under your law is at "
+                f"{prefix_text(found[k][0])}at t = {t[k]:.4g} the motion under your law is at "
                 f"{point_text(y[k, :-1])}, and the law gives {said}"
             )
         y = np.array(

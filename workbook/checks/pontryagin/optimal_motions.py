@@ -22,7 +22,7 @@ from workbook.checks.references.optima.best_processes import (
     best_processes,
     free_at_the_start,
 )
-from workbook.checks.tools.wording import told_for
+from workbook.checks.tools.wording import prefix_text
 
 #: Where rates are no linear functions of the control, it is tried at so many places between its
 #: bounds, then closer to the best of them, so often; and so far to both sides where it has no
@@ -43,7 +43,7 @@ def optimal_motion(claims, problem, time, parameters=None):
     # A motion that arrives at the least time is optimal, whatever it does before.
     only_time = is_time_optimal(problem)
     for values, best in best_processes(problem, parameters):
-        where, slack = told_for(values), motion.rounding * best.size()
+        where, slack = prefix_text(values), motion.rounding * best.size()
         start = motion.values(0.0, values)
         if not np.all(
             (np.abs(start - best.start[:-1]) <= slack + motion.uncertain(0.0, values)[0])[given]

@@ -25,11 +25,12 @@ from workbook.checks.references.optima.best_processes import (
     best_processes_at,
 )
 from workbook.checks.references.optima.transfer_optima import SAMPLES
-from workbook.checks.references.scales import COST, TIME, same_at_every_scale
-from workbook.checks.tools.kinks import next_to_bends
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function, uncertain_at_all, value_at, values_at_all
-from workbook.checks.tools.wording import told_for
+from workbook.checks.references.scales import COST, TIME, judge_at_every_scale
+from workbook.checks.tools.kinks import points_at_kinks
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import uncertainties_at, value_at, values_at
+from workbook.checks.tools.wording import prefix_text
 
 #: A smaller part of a time than this is none; after so small parts of a way its growth is looked
 #: at.
@@ -63,7 +64,7 @@ def optimal_cost(claim, problem, parameters=None):
     )
     found = best_processes(problem, parameters, 2 * SAMPLES)
     for (values, best), said, open_ in _evaluated(claim, found, "the cost"):
-        where = told_for(values)
+        where = prefix_text(values)
         right = functools.partial(
             agree,
             true=best.cost,
@@ -85,7 +86,7 @@ def optimal_cost(claim, problem, parameters=None):
         if anywhere:
             _left_over(claim, cost_of, values, best, starts, parameters)
     _right_next_to_bends(claim, problem, parameters, found, "cost")
-    same_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
     return "it is the cost of the best process found"
 
 
@@ -93,7 +94,7 @@ def _evaluated(claim, found, what):
     """The pairs found, each with what a claim is there, in the digits of floats, and what its
     decimals leave open."""
     places = [values for values, _ in found]
-    return zip(found, values_at_all(claim, places, what), uncertain_at_all(claim, places))
+    return zip(found, values_at(claim, places, what), uncertainties_at(claim, places))
 
 
 def _right_next_to_bends(claim, problem, parameters, found, what):
@@ -109,14 +110,14 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
         return
     size = max(abs(getattr(best, what)) for _, best in found)
     near = best_processes_at(
-        problem, parameters, next_to_bends(claim, [values for values, _ in found])
+        problem, parameters, points_at_kinks(claim, [values for values, _ in found])
     )
     seen = []
     for (values, best), said, open_ in _evaluated(claim, near, f"the {what}") if near else ():
         true = getattr(best, what)
         if not agree(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
             raise Wrong(
-                f"{told_for(values)}your expression goes over from one form to another, and gives "
+                f"{prefix_text(values)}your expression goes over from one form to another, and gives "
                 f"{said:.4g} next to that; the {what} of the best process found is "
                 f"{'less' if said > true else 'greater'}"
             )
@@ -127,7 +128,7 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
         )
         if beside and abs(other - one) > LEAPS * max(abs(greatest - least), COSTS * abs(one)):
             raise Wrong(
-                f"{told_for(values)}your expression jumps, from one form to another; next to that "
+                f"{prefix_text(values)}your expression jumps, from one form to another; next to that "
                 f"the {what} of the best process found hardly changes"
             )
 
@@ -166,11 +167,11 @@ def optimal_duration(claim, problem, parameters=None):
         )
         if not (right(said) or right(said := value_at(claim, values, "the duration"))):
             raise Wrong(
-                f"{told_for(values)}your duration is {said:.4g}; {best.told_duration(said)}"
+                f"{prefix_text(values)}your duration is {said:.4g}; {best.duration_message(said)}"
             )
     if is_time_optimal(problem):
         _right_next_to_bends(claim, problem, parameters, found, "duration")
-    same_at_every_scale(
+    judge_at_every_scale(
         claim, problem, parameters, [values for values, _ in found], TIME, "duration"
     )
     return "it is the duration of the best process found"
@@ -186,7 +187,7 @@ def initial_arc_duration(claim, problem, control, value, parameters):
     low, high = problem.controls[control]
     held, found = [], best_processes(problem, parameters)
     for (values, best), said in zip(
-        found, values_at_all(claim, [values for values, _ in found], "the time")
+        found, values_at(claim, [values for values, _ in found], "the time")
     ):
         given = float(sp.sympify(value).subs(values))
         near = CERTAIN * float((high - low).subs(values))
@@ -195,7 +196,7 @@ def initial_arc_duration(claim, problem, control, value, parameters):
         held.append((values, true))
         if not agree(said, true, claim, best.duration, ARC if true else MISSED):
             raise Wrong(
-                f"{told_for(values)}you keep {control} = {value} for {said:.4g} at first; the best "
+                f"{prefix_text(values)}you keep {control} = {value} for {said:.4g} at first; the best "
                 "process found does so "
                 + (
                     "longer"
@@ -206,7 +207,7 @@ def initial_arc_duration(claim, problem, control, value, parameters):
                 )
             )
     _begins_at_once(claim, held)
-    same_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
     return "the best processes found keep it so long"
 
 
@@ -230,7 +231,7 @@ def _begins_at_once(claim, held):
 
     rows = np.arange(count)
     whole = said(np.ones(count), rows)
-    begun = bisected(
+    begun = bisect(
         lambda parts, rows: abs(said(parts, rows)) <= ABSENT * whole[rows],
         np.zeros(count),
         np.ones(count),
@@ -243,7 +244,7 @@ def _begins_at_once(claim, held):
     )[:1]:
         at = dict(zip(symbols, none[k] + begun[k] * (some[k] - none[k])))
         raise Wrong(
-            f"{told_for(at)}your time leaves zero by and by; that of the best process does so at "
+            f"{prefix_text(at)}your time leaves zero by and by; that of the best process does so at "
             "once"
         )
 
@@ -274,7 +275,7 @@ def optimal_range(claim, problem, quantity, parameters=None):
         said = value_at(claim, values, "the extent")
         if not agree(said, true, claim, computed=FOLLOWED):
             raise Wrong(
-                f"{told_for(values)}your expression gives {said:.4g}; along the best process found "
+                f"{prefix_text(values)}your expression gives {said:.4g}; along the best process found "
                 f"{quantity} ranges over {'less' if said > true else 'more'}"
             )
     return "so far it ranges along the best process found"

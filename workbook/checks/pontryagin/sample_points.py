@@ -12,11 +12,10 @@ from workbook.checks.contract.tolerance import (
     perturbed,
 )
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
-from workbook.checks.tools.samples import draw, ends, found_once
-from workbook.checks.tools.values import (
-    at_once,
-    real_function,
-)
+from workbook.checks.tools.domains import endpoints, random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.samples import cached_points
+from workbook.checks.tools.substitution import substituted
 
 #: At so many places an identity is tried, and with so many other controls a greatest value is
 #: compared.
@@ -93,7 +92,7 @@ class ZeroSet:
         return None
 
 
-@found_once
+@cached_points
 def sample_points(problem, costates, domain, controls=True, known=False):
     """Random values of all symbols, the controls on their bounds first; costates that are `known`
     may have their values."""
@@ -109,7 +108,7 @@ def sample_points(problem, costates, domain, controls=True, known=False):
         s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES for s in symbols
     }
     for k in range(PLACES):
-        place = {s: draw(random, s, domain, shares[s][k]) for s in symbols}
+        place = {s: random_value(random, s, domain, shares[s][k]) for s in symbols}
         if controls and k < 2:
             place |= {
                 u: pair[k]
@@ -119,7 +118,7 @@ def sample_points(problem, costates, domain, controls=True, known=False):
         yield place | {psi: float(value.subs(place)) for psi, value in values.items()}
 
 
-@found_once
+@cached_points
 def points_near_switching(problem, costates, domain):
     """Places next to those where a control does not enter H: a smooth imitation of a jump is seen
     there."""
@@ -136,7 +135,7 @@ def points_near_switching(problem, costates, domain):
 
 def is_in_domain(values, domain):
     """Whether values lie where those of their symbols may."""
-    return all(low < values[s] < high for s in values for low, high in [ends(s, domain)])
+    return all(low < values[s] < high for s in values for low, high in [endpoints(s, domain)])
 
 
 def as_difference(part, symbols):
@@ -148,7 +147,7 @@ def as_difference(part, symbols):
 def control_bounds(problem, values):
     return [
         tuple(
-            float(at_once(b, values)) if b.is_finite is not False else np.inf * (1 if k else -1)
+            float(substituted(b, values)) if b.is_finite is not False else np.inf * (1 if k else -1)
             for k, b in enumerate(pair)
         )
         for pair in problem.controls.values()

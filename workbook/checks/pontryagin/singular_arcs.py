@@ -23,12 +23,10 @@ from workbook.checks.pontryagin.sample_points import (
     is_in_domain,
 )
 from workbook.checks.references.singular_arcs import singular_arcs
-from workbook.checks.tools.comparisons import Word
-from workbook.checks.tools.samples import draw
-from workbook.checks.tools.values import (
-    real_at,
-    value_at,
-)
+from workbook.checks.tools.comparisons import SameWord
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import rounded_text
 
 # Singular arcs.
@@ -70,7 +68,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     seen = 0
     random = np.random.default_rng(23)
     for _ in range(6 * PLACES):
-        values = {s: draw(random, s, domain) for s in symbols}
+        values = {s: random_value(random, s, domain) for s in symbols}
         place = surface.near(values)
         if place is None or not is_in_domain(place, domain):
             continue
@@ -192,7 +190,7 @@ def kelley_holds(claim, problem, costates, control=None, domain=None):
     signs = {bool(real_at(kelley, values) <= 0) for values in _points(arcs, domain)}
     if len(signs) > 1:
         raise RuntimeError("Kelley's condition holds on a part of the singular arcs")
-    yield Word(
+    yield SameWord(
         claim,
         signs.pop(),
         "look at the sign of (-1)^q d/du d^(2q)/dt^(2q) dH/du on the arc, with lambda_0 = 1",

@@ -15,12 +15,12 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.optima.sampled_optimum import (
     BESIDE,
     BESIDE_DECIMALS,
-    frozen,
     sampled_optimum,
+    synthesis_data,
 )
-from workbook.checks.tools.samples import spread_over
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.domains import values_inside
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
 
 #: To what share of its coordinates a switching curve is found.
 LOCATED = 1e-4
@@ -32,19 +32,19 @@ def switching_curve(claim, system, target, domain, parameters=None, start=None):
 
     One state variable is an expression in the other.
     """
-    return _crossed(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _crossed(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @judged(Expression("domain", "parameters"))
 def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
     """Check the curve from which two motions are equally fast, written as a `switching_curve`."""
-    return _parting(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _parting(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @judged(Expression("domain", "parameters"))
 def barrier(claim, system, target, domain, parameters=None, start=None):
     """Check the curve across which the fastest time jumps, written as a `switching_curve`."""
-    return _jumping(claim, *domain.items(), frozen(system, target, parameters, start))
+    return _jumping(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @functools.lru_cache(maxsize=64)
@@ -114,7 +114,7 @@ def _change_on(places, claim, domain, data):
         np.array([getattr(one, name) for _, (one,), *_ in places]) for name in ("control", "case")
     )
     on, across = (first + last) / 2, (first - last) / np.linalg.norm(first - last, axis=1)[:, None]
-    first, last = bisected(
+    first, last = bisect(
         lambda x, rows: truth.solve(x, case[rows]).control == control[rows], first, last, 24
     )
     off = (((first + last) / 2 - on) * across).sum(axis=1) / across[:, given]
@@ -163,7 +163,7 @@ def _sides_of(claim, domain, data, shares):
             float(sp.sympify(end).subs(dict(zip(parameters, values))))
             for end in (interval.inf, interval.sup)
         ]
-        places = spread_over(*ends, count=9 if len(truth.cases) == 1 else 5)
+        places = values_inside(*ends, count=9 if len(truth.cases) == 1 else 5)
         step = 1e-6 * (1 + abs(places))
         (other,), (ahead,) = (function(at, *values) for at in (places, places + step))
         told = "".join(f"for {p} = {v:.4g}, " for p, v in zip(parameters, values))

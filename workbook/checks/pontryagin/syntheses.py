@@ -23,11 +23,11 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import SAME, Law, follow
 from workbook.checks.pontryagin.target_points import family_of
 from workbook.checks.references.optima.sampled_optimum import (
-    frozen,
     sampled_optimum,
+    synthesis_data,
 )
 from workbook.checks.tools.conditions import readings
-from workbook.checks.tools.searching import bisected
+from workbook.checks.tools.line_search import bisect
 
 
 @judged(Expression("system.state", "parameters", lambda data: (data["curve"] or ())[:1]))
@@ -43,7 +43,7 @@ def time_optimal_law(claim, system, target, parameters=None, start=None, curve=N
     """
     return _time_optimal(
         claim,
-        frozen(system, target, parameters, start),
+        synthesis_data(system, target, parameters, start),
         curve and (*curve[:2], tuple(map(sp.sympify, curve[2])), *curve[3:]),
     )
 
@@ -58,14 +58,14 @@ def _time_optimal(claim, data, curve):
         curve = curve[0], sp.lambdify([*data.state, *parameters], curve[1], "numpy"), ends
     law, *others = [Law(reading, truth, curve) for reading in (claim, *readings(claim))]
     decimals = in_decimals(claim)
-    lanes = truth.lanes(decimals)
+    lanes = truth.batch(decimals)
     values = law(lanes.x, lanes.case)
     low, high = truth.plant.bounds
     for k in np.flatnonzero(~np.isfinite(values)):
-        raise Wrong(f"{truth.told(lanes, k)} your law gives no real number")
+        raise Wrong(f"{truth.start_text(lanes, k)} your law gives no real number")
     for k in np.flatnonzero((values < low - SAME) | (values > high + SAME)):
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
+            f"{truth.start_text(lanes, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
         )
     _judge_on_extremals(others, truth, control)
     other = np.flatnonzero(abs(values - lanes.control) > SAME)
@@ -80,7 +80,7 @@ def _time_optimal(claim, data, curve):
         if truth.beside_barrier(few.take(slice(0, 1)))[0]:
             continue
         raise Wrong(
-            f"{truth.told(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and "
+            f"{truth.start_text(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and "
             "the fastest motion from there begins with another value"
         )
     _judge_next_to_curves(others, truth, control)
@@ -105,7 +105,7 @@ def _judge_next_to_curves(laws, truth, control):
         differ = differ[~truth.beside_barrier(lanes.take(differ), far=True)]
     for k in differ[:1]:
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest "
+            f"{truth.start_text(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest "
             "motion from there begins with another value"
         )
 
@@ -122,7 +122,7 @@ def _judge_on_extremals(laws, truth, control):
     for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(lanes.x[k]))))[:1]:
         gives = f"{control} = {said[0][k]:.4g}" if np.isfinite(said[0][k]) else "no real number"
         raise Wrong(
-            f"{truth.told(lanes, k)} your law gives {gives}, and the fastest motion from there "
+            f"{truth.start_text(lanes, k)} your law gives {gives}, and the fastest motion from there "
             "begins with another value"
         )
 
@@ -141,7 +141,7 @@ def _judge_change(law, truth, lanes, control):
     if not len(pairs):
         return
     case = lanes.case[pairs[:, 0]]
-    ends = bisected(
+    ends = bisect(
         lambda x, rows: law(x, case[rows]) < low + (high - low) / 4, *lanes.x[pairs.T], 45
     )
     between = [(low + SAME < law(x, case)) & (law(x, case) < high - SAME) for x in ends]
@@ -149,7 +149,7 @@ def _judge_change(law, truth, lanes, control):
     found = truth.solve(ends[1][stepped], case[stepped])
     for k in np.flatnonzero(np.isfinite(found.time)):
         raise Wrong(
-            f"{truth.told(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
+            f"{truth.start_text(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
             "and the fastest motion from there begins with another value"
         )
 
@@ -160,8 +160,8 @@ def minimal_time(claim, system, target, parameters=None, start=None):
 
     It is asked where the target can be reached.
     """
-    truth = sampled_optimum(*frozen(system, target, parameters, start))
-    lanes = truth.lanes(in_decimals(claim))
+    truth = sampled_optimum(*synthesis_data(system, target, parameters, start))
+    lanes = truth.batch(in_decimals(claim))
     said = Law(claim, truth)(lanes.x, lanes.case)
     tolerance = relative_tolerance(claim, computed=1e-4)
     good = np.isfinite(said) & (abs(said - lanes.time) <= tolerance * lanes.time + 1e-6)
@@ -173,7 +173,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
             else ", but a motion can be faster"
         )
         raise Wrong(
-            f"{truth.told(lanes, k)} your expression gives {told}"
+            f"{truth.start_text(lanes, k)} your expression gives {told}"
             + (how if np.isfinite(said[k]) else "")
         )
     return f"it is the shortest time from {len(lanes.x)} starts"
@@ -185,14 +185,14 @@ def reachable_initial_states(claim, system, target, parameters=None, start=None)
 
     The border of the set counts either way.
     """
-    truth = sampled_optimum(*frozen(system, target, parameters, start))
+    truth = sampled_optimum(*synthesis_data(system, target, parameters, start))
     lanes = truth.border(in_decimals(claim))
     said = truth.condition(claim)(lanes.x, lanes.case)
     reached = np.isfinite(lanes.time)
     differs = np.flatnonzero(said != reached)[:12]
     for k in differs[~truth.on_border(lanes.take(differs))] if len(differs) else ():
         raise Wrong(
-            f"{truth.told(lanes, k)} the target "
+            f"{truth.start_text(lanes, k)} the target "
             + (
                 "can be reached in a time of " + f"{lanes.time[k]:.4g}"
                 if reached[k]

@@ -14,13 +14,14 @@ from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.sampled_optimum import (
-    frozen,
     sampled_optimum,
+    synthesis_data,
 )
 from workbook.checks.references.optima.target_families import TargetFamily
-from workbook.checks.tools.conditions import Case, Truth, compare, place_text
-from workbook.checks.tools.samples import spread_over
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
+from workbook.checks.tools.domains import values_inside
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.wording import values_text
 
 
 @judged
@@ -33,7 +34,9 @@ def reached_target_points(answer, system, target, ends, variable, parameters=Non
     """
     family = _family(system, target, ends, variable, parameters, start)
     arrive, avoid = (Case(part, angles=family.angles) for part in family.reached())
-    truth = Truth((arrive,), (avoid,), family.arrives, functools.partial(_arrivals, family))
+    truth = ReferenceCondition(
+        (arrive,), (avoid,), family.arrives, functools.partial(_arrivals, family)
+    )
 
     def told(place, holds):
         how = (
@@ -42,7 +45,7 @@ def reached_target_points(answer, system, target, ends, variable, parameters=Non
             else "no admissible motion arrives from the side of the starts"
         )
         return (
-            f"for {place_text(place)}, at the point {family.point_text(place)} of the target, "
+            f"for {values_text(place)}, at the point {family.point_text(place)} of the target, "
             f"{how}; your condition says otherwise"
         )
 
@@ -51,7 +54,9 @@ def reached_target_points(answer, system, target, ends, variable, parameters=Non
 
 
 def _family(system, target, ends, variable, domain, start):
-    return family_of(frozen(system, target, domain, start), tuple(map(sp.sympify, ends)), variable)
+    return family_of(
+        synthesis_data(system, target, domain, start), tuple(map(sp.sympify, ends)), variable
+    )
 
 
 @functools.lru_cache(maxsize=32)
@@ -108,12 +113,12 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
         for k in np.flatnonzero(np.isfinite(times)):
             met += 1
             if not np.all(np.isfinite(given[k])):
-                raise Wrong(f"{target.told(values, places[k])} your point is not real")
+                raise Wrong(f"{target.values_text(values, places[k])} your point is not real")
             if not np.linalg.norm(given[k] - points[k]) <= tolerance * (
                 1 + np.linalg.norm(points[k])
             ):
                 raise Wrong(
-                    f"{target.told(values, places[k])} the optimal motion switches {times[k]:.4g} "
+                    f"{target.values_text(values, places[k])} the optimal motion switches {times[k]:.4g} "
                     f"before its end, at a distance {np.linalg.norm(given[k] - points[k]):.4g} "
                     f"from your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
                 )
@@ -155,7 +160,7 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
                 np.isfinite(times) & ~(abs(numbers - true) <= tolerance * size)
             ):
                 raise Wrong(
-                    f"{target.told(values, places[k])} the determinant of the tangent of the curve "
+                    f"{target.values_text(values, places[k])} the determinant of the tangent of the curve "
                     f"and the velocity {name} the switching is not {numbers[k]:.4g}: look at the "
                     "sign and the size of both"
                 )
@@ -172,12 +177,12 @@ def minimal_time_continuous(answer, system, target, ends, variable, parameters, 
     could bring it closer: from beyond this motion the target is missed.
     """
     ((name, interval),) = ((p, i) for p, i in parameters.items() if p != variable)
-    data, ends = frozen(system, target, parameters, start), tuple(map(sp.sympify, ends))
+    data, ends = synthesis_data(system, target, parameters, start), tuple(map(sp.sympify, ends))
     jump = functools.partial(_jump, data=data, ends=ends, variable=variable, name=name)
     touched, almost = reach.touching(
         *data[:4], family_of(data, ends, variable).side * data.target[0]
     )
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(sp.And(interval.as_relational(name), sp.Not(almost)), data.state, every=True),),
         (Case(sp.And(interval.as_relational(name), touched), data.state),),
         lambda place: jump(float(place[name])) == 0,
@@ -188,7 +193,7 @@ def minimal_time_continuous(answer, system, target, ends, variable, parameters, 
         [name],
         truth,
         lambda place, holds: (
-            f"for {place_text(place)} the fastest time "
+            f"for {values_text(place)} the fastest time "
             + (
                 "jumps nowhere: it is the same on both sides of all motions that touch the target"
                 if holds
@@ -204,7 +209,7 @@ def _beside_changes(jump, name, interval, beside=0.03):
     """Values of a parameter, some of them on both sides of where the fastest time begins to
     jump."""
     values = [
-        float(value) for value in sorted(spread_over(float(interval.inf), float(interval.sup), 8))
+        float(value) for value in sorted(values_inside(float(interval.inf), float(interval.sup), 8))
     ]
     for low, high in itertools.pairwise(values):
         yield {name: sp.Rational(low)}

@@ -19,9 +19,9 @@ from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.in_time import INTEGRATED
 from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Transfer
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.conditions import compare, contrary, exactly, place_text
-from workbook.checks.tools.values import real_at
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.conditions import compare, contradiction_message, exactly
+from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.wording import values_text
 
 
@@ -41,7 +41,9 @@ def meeting_time(claim, problem, count):
                     f"the start lies on the target already; for {count} = 0 your expression gives "
                     "another time than that of the start"
                 )
-            told = "no real number" if said is None else f"{said:.4g}; {best.told_duration(said)}"
+            told = (
+                "no real number" if said is None else f"{said:.4g}; {best.duration_message(said)}"
+            )
             raise Wrong(f"for {count} = {number} your time is {told}")
     return "it is the time of this meeting, for several numbers"
 
@@ -60,7 +62,7 @@ def polar_angle_rate(claim, problem, angle):
         place = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
         rates = [float(f.subs(place)) for f in problem.dynamics.values()]
         terms = np.array([place[x] * rates[1], -place[y] * rates[0]]) / r**2
-        yield Same(
+        yield SameValue(
             claim,
             terms.sum(),
             "the rate at which the direction of the state turns",
@@ -87,7 +89,7 @@ def least_rate(claim, quantity, problem):
         if k >= 16:
             place = {x: value * CLOSE for x, value in place.items()}
         rates = [float(slope.subs(place).subs(control, u)) for u in bounds]
-        yield Same(
+        yield SameValue(
             claim,
             min(rates),
             "the least of the rates that the admissible controls give",
@@ -104,7 +106,7 @@ def transferable_initial_states(answer, problem, parameters):
     An initial state on the target counts either way.
     """
     transfer, truth = _reachable(problem, tuple(parameters))
-    agreement = compare(answer, parameters, truth, contrary(transfer.told_solvable))
+    agreement = compare(answer, parameters, truth, contradiction_message(transfer.solvable_message))
     return f"it agrees with what the controls can reach: {agreement}"
 
 
@@ -144,7 +146,7 @@ def reachable_in_time(answer, problem, duration, parameters):
         [duration, *parameters],
         truth,
         lambda values, holds: (
-            f"for {place_text(values)} the target {'can' if holds else 'cannot'} be reached in "
+            f"for {values_text(values)} the target {'can' if holds else 'cannot'} be reached in "
             f"time; your condition {'does not hold' if holds else 'holds'}"
         ),
     )

@@ -11,11 +11,10 @@ import sympy as sp
 from workbook.checks.contract.members import members
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.sample_points import PLACES, ZeroSet, as_difference
-from workbook.checks.tools.samples import draw, found_once
-from workbook.checks.tools.values import (
-    number_at,
-    real_function,
-)
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.samples import cached_points
+from workbook.checks.tools.values import number_at
 from workbook.checks.tools.wording import rounded_text
 
 
@@ -58,7 +57,7 @@ def transversality(answer, problem, costates):
     return "they say what the condition of transversality says"
 
 
-@found_once
+@cached_points
 def _on_target(problem):
     """States at the end, and parameters, as dicts."""
     zeros = (
@@ -73,7 +72,7 @@ def _on_target(problem):
                 s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES
                 for s in symbols
             }
-        values = {s: draw(random, s, None, shares[s][k % PLACES]) for s in symbols}
+        values = {s: random_value(random, s, None, shares[s][k % PLACES]) for s in symbols}
         place = zeros.near(values) if zeros else values
         if place is not None and len(found) < PLACES:
             found.append(place)

@@ -9,7 +9,8 @@ import mpmath
 import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.conditions import compare, decide, exactly, place_text
+from workbook.checks.tools.conditions import compare, decide, exactly
+from workbook.checks.tools.wording import values_text
 
 #: Answers longer than this are tried at values in general position alone.
 MOST_OPERATIONS = 600
@@ -51,7 +52,7 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
             for values in _sign_changes(function, used):
                 if given().subs(values) == sp.true:
                     raise Wrong(
-                        f"{failure} for a value near {place_text(values)}, where the answer is to "
+                        f"{failure} for a value near {values_text(values)}, where the answer is to "
                         "serve too"
                     )
     for failure, condition in conditions.items():
@@ -61,7 +62,7 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
                 parameters,
                 exactly(sp.true, given()),
                 lambda values, holds: (
-                    f"{failure} for {place_text(values)}, where the answer is to serve too"
+                    f"{failure} for {values_text(values)}, where the answer is to serve too"
                 ),
             )
 
@@ -81,7 +82,7 @@ def judge_factors(expressions, variables, domain, failure):
             _, place = decide(sp.Ne(factor, 0), symbols, exactly(sp.true, given))
             if place:
                 raise Wrong(
-                    f"{failure} for {place_text(place[0])}, where the answer is to serve too"
+                    f"{failure} for {values_text(place[0])}, where the answer is to serve too"
                 )
 
 

@@ -15,7 +15,7 @@ STEP = 1e-30
 
 
 @functools.lru_cache(maxsize=16)
-def known_field(field, state):
+def cached_field(field, state):
     """The `Field` of the data, given as tuples: the same for the same data, so that what is found
     of it can be kept."""
     return Field(field, state)
@@ -120,7 +120,7 @@ class Field:
             move[:, long] /= 2
         return move
 
-    def rest_points(self, starts=240, seed=3, reach=None):
+    def equilibria(self, starts=240, seed=3, reach=None):
         """The rest points that a search finds, sorted: from many starts at several scales, or
         evenly within `reach`."""
         random, n = np.random.default_rng(seed), len(self.state)

@@ -15,7 +15,7 @@ from workbook.checks.references.invariant_subspaces import (
     restricted,
 )
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.tools.conditions import Case, Truth
+from workbook.checks.tools.conditions import Case, ReferenceCondition
 
 #: Real parts computed in floating point; below this the eigenvalue lies on the border.
 ON_BORDER = 1e-9
@@ -28,7 +28,7 @@ def fixed_eigenvalues(pair):
         different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen)))
         if unseen
         else np.array([])
-        for (_, place), unseen in zip(pair.samples, pair.unseen)
+        for (_, place), unseen in zip(pair.samples, pair.unobservable)
     ]
 
 
@@ -42,7 +42,7 @@ def slower_than(margin, pair):
 def greatest_margin(pair):
     """The greatest margin that a gain gives, exact, or None if there is no greatest one; without
     parameters."""
-    (unseen,) = pair.unseen
+    (unseen,) = pair.unobservable
     if not unseen:
         return None
     ((_, place),) = pair.samples
@@ -66,7 +66,7 @@ def common_margin(equation):
 
 
 def margins_with_parameters(A, H, mu, parameters):
-    """The `Truth` that a gain for x' = Ax, z = Hx gives the margin mu, in mu and the parameters: no
+    """The `ReferenceCondition` that a gain for x' = Ax, z = Hx gives the margin mu, in mu and the parameters: no
     eigenvalue u + i w > -mu at which the columns of u + i w - A above H are dependent (the test of
     Popov)."""
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
@@ -85,7 +85,7 @@ def margins_with_parameters(A, H, mu, parameters):
         best = greatest_margin(pair_of(A.subs(values), H.subs(values)))
         return best is None or bool(values[mu] <= best)
 
-    return Truth(
+    return ReferenceCondition(
         (Case(sp.Or(u <= -mu, sp.Not(dependent)), (u, w), every=True),),
         (Case(sp.And(u > -mu, dependent), (u, w)),),
         at,

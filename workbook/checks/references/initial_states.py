@@ -25,32 +25,32 @@ from workbook.checks.tools.conditions import Case
 MOST_FUNCTIONS = 16
 
 
-def starts_of(A, H, L, parameters=(), of=None):
-    """The `Starts` of matrices as the data give them; `of` are the positions of the u that is asked
+def initial_states_of(A, H, L, parameters=(), of=None):
+    """The `InitialStates` of matrices as the data give them; `of` are the positions of the u that is asked
     for, if not all of it."""
     return _known_starts(
         sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), sp.ImmutableMatrix(L), tuple(parameters), of
     )
 
 
-def starts_of_varying(A, H, time, parameters=()):
+def initial_states_of_varying(A, H, time, parameters=()):
     """The products of the functions in H(t) with the coordinates of x as one constant system, from
     its starts for every x(0)."""
     functions, rates, rows = _functions(H, time)
     n, E = A.rows, sp.eye(len(functions))
     matrix = sp.kronecker_product(rates, sp.eye(n)) + sp.kronecker_product(E, A)
     begin = sp.Matrix([f.subs(time, 0) for f in functions])
-    return starts_of(
+    return initial_states_of(
         matrix, sp.Matrix.hstack(*rows), sp.kronecker_product(begin, sp.eye(n)), parameters
     )
 
 
 @functools.lru_cache(maxsize=64)
 def _known_starts(A, H, L, parameters, of):
-    return Starts(A, H, L, parameters, of)
+    return InitialStates(A, H, L, parameters, of)
 
 
-class Starts(Pair):
+class InitialStates(Pair):
     """A pair (A, H) of rational functions of the parameters with the matrix L of numbers: `unseen`
     are now vectors u."""
 
@@ -61,10 +61,10 @@ class Starts(Pair):
         self.unknowns, self._of = L.cols, of
         self.starts = [[_fraction(entry) for entry in L.row(i)] for i in range(L.rows)]
 
-    def unseen_at(self, place):
+    def unobservable_at(self, place):
         """A basis of the u (or of what is asked of them) from which the output stays zero; None
         where an entry is not defined."""
-        hidden = super().unseen_at(place)
+        hidden = super().unobservable_at(place)
         if hidden is None:
             return None
         # Combinations L u = (hidden) d; the columns of `hidden` are independent, so every one has

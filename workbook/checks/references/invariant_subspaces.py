@@ -14,7 +14,7 @@ import sympy as sp
 ZERO, ONE = Fraction(0), Fraction(1)
 
 
-def unseen_subspace(A, H):
+def unobservable_subspace(A, H):
     """A basis, a list of vectors, of the states from which H x stays zero; A and H are lists of
     rows."""
     basis = kernel(H, len(A))

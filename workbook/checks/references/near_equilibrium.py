@@ -7,7 +7,7 @@ import numpy as np
 
 
 @functools.lru_cache(maxsize=16)
-def by_motions(flow, radius=0.05, duration=200.0):
+def stability_from_motions(flow, radius=0.05, duration=200.0):
     """Stability of zero from motions that start on a small sphere, for fields whose first
     approximation is critical.
 

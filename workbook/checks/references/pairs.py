@@ -13,13 +13,13 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from workbook.checks.references.invariant_subspaces import to_floats, unseen_subspace
-from workbook.checks.tools.conditions import Case, Truth, allowed
+from workbook.checks.references.invariant_subspaces import to_floats, unobservable_subspace
+from workbook.checks.tools.conditions import Case, ReferenceCondition, allowed
 from workbook.checks.tools.samples import cases, general_values, in_every_case
 
 
 @functools.lru_cache(maxsize=64)
-def known_pair(A, H, parameters):
+def cached_pair(A, H, parameters):
     """The `Pair` of the data, given as immutable matrices and a tuple: what has been found of it is
     kept."""
     return Pair(A, H, parameters)
@@ -27,7 +27,7 @@ def known_pair(A, H, parameters):
 
 def pair_of(A, H, parameters=()):
     """The `Pair` of matrices as a data cell gives them."""
-    return known_pair(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), tuple(parameters))
+    return cached_pair(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), tuple(parameters))
 
 
 class Pair:
@@ -62,11 +62,11 @@ class Pair:
             found.append([numbers[k : k + n] for k in range(0, len(numbers), n)])
         return found
 
-    def unseen_at(self, place):
+    def unobservable_at(self, place):
         """A basis of the states from which the output stays zero, or None where an entry is not
         defined."""
         rows = self.at(place)
-        return None if rows is None else unseen_subspace(*rows)
+        return None if rows is None else unobservable_subspace(*rows)
 
     def state_of(self, vector):
         """The initial state that a vector of the unknowns stands for."""
@@ -76,38 +76,39 @@ class Pair:
     def samples(self):
         """Pairs (values, place) for the parameters in general position, as their assumptions allow;
         one empty pair without parameters."""
-        found = [(values, place_of(values)) for values in general_values(self.parameters)]
+        found = [(values, point_of(values)) for values in general_values(self.parameters)]
         return [(values, place) for values, place in found if self.at(place) is not None]
 
     def samples_for(self, claim):
         """Triples (values, place, unseen): the samples, and more in general position where an
         answer distinguishes cases that these do not meet."""
         found = [
-            (values, place, unseen) for (values, place), unseen in zip(self.samples, self.unseen)
+            (values, place, unseen)
+            for (values, place), unseen in zip(self.samples, self.unobservable)
         ]
         if not cases(claim):
             return found
         known = [values for values, _ in self.samples]
         more = [
-            (values, place_of(values))
-            for values in in_every_case(known, claim, self.in_general)[len(known) :]
+            (values, point_of(values))
+            for values in in_every_case(known, claim, self.generic_condition)[len(known) :]
         ]
         return found + [
-            (values, place, self.unseen_at(place))
+            (values, place, self.unobservable_at(place))
             for values, place in more
             if self.at(place) is not None
         ]
 
     @functools.cached_property
-    def unseen(self):
+    def unobservable(self):
         """The basis of the unseen states at every sample."""
-        return [self.unseen_at(place) for _, place in self.samples]
+        return [self.unobservable_at(place) for _, place in self.samples]
 
     @functools.cached_property
-    def in_general(self):
+    def generic_condition(self):
         """The condition on the parameters under which the matrices are defined and as much is
         unseen as in general."""
-        dimensions = set(map(len, self.unseen))
+        dimensions = set(map(len, self.unobservable))
         rank = self.unknowns - min(dimensions)
         told = self._derivative_rows()
         # This coefficient is the sum of the squares of all minors of that size.
@@ -152,8 +153,8 @@ class Pair:
         square = told if told.shape[0] == told.shape[1] else told.transpose() * told
         return sp.Poly(square.domain.to_sympy(square.charpoly()[-1]), *self.parameters, domain="QQ")
 
-    def truth(self, holds):
-        """The `Truth` of a condition on the parameters under which all unknowns are seen, or with
+    def reference(self, holds):
+        """The `ReferenceCondition` of a condition on the parameters under which all unknowns are seen, or with
         `holds` False are not."""
         all_seen, something_unseen = self._seen
         inside, outside = (all_seen, something_unseen) if holds else (something_unseen, all_seen)
@@ -165,7 +166,7 @@ class Pair:
                 else (self.dimension_at(values) == 0) == holds
             )
 
-        return Truth((inside,), (outside,), at)
+        return ReferenceCondition((inside,), (outside,), at)
 
     @functools.cached_property
     def _given(self):
@@ -181,7 +182,7 @@ class Pair:
     def dimension_at(self, values):
         """The number of independent unseen states at exact values of the parameters."""
         if all(value.is_Rational for value in values.values()):
-            return len(self.unseen_at(place_of(values)))
+            return len(self.unobservable_at(point_of(values)))
         return self.unknowns - int(np.linalg.matrix_rank(self._rows_at(values), tol=1e-9))
 
     def _rows_at(self, values):
@@ -210,7 +211,7 @@ class Pair:
         return DomainMatrix(rows, (len(rows), self.order), ring)
 
 
-def place_of(values):
+def point_of(values):
     """Rational values of the parameters as a place: fractions in a row."""
     return tuple(Fraction(int(x.p), int(x.q)) for x in values.values())
 

@@ -16,12 +16,12 @@ import sympy as sp
 
 from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.tools.conditions import Case, Truth
+from workbook.checks.tools.conditions import Case, ReferenceCondition
 from workbook.systems import Coloured, FilterErrors, Process
 
 
 @dataclass(frozen=True)
-class Numbers:
+class NumericProcess:
     """A `Process` at values of its symbols: arrays of floats."""
 
     A: np.ndarray
@@ -33,12 +33,12 @@ class Numbers:
     discrete: bool
 
 
-def numbers(process, values, start=True):
+def at_values(process, values, start=True):
     """The process at values of its symbols, as arrays; without its `start` with zeros as its first
     moments."""
-    process = plain(process)
+    process = as_process(process)
     arrays = _arrays(process, tuple(values.items()), start)
-    return Numbers(*(part.copy() for part in arrays), process.discrete)
+    return NumericProcess(*(part.copy() for part in arrays), process.discrete)
 
 
 @functools.lru_cache(maxsize=256)
@@ -49,12 +49,12 @@ def _arrays(process, values, start):
         (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
     )
     return [
-        array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)
+        to_array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)
     ]
 
 
 @functools.lru_cache(maxsize=32)
-def plain(process):
+def as_process(process):
     """The `Process` of x and, below it, the noise w of a `Coloured` one, or that of `FilterErrors`,
     which at the start are those of the mean; any other as it is.
 
@@ -62,7 +62,7 @@ def plain(process):
     the variance D on.
     """
     if isinstance(process, FilterErrors):
-        one, gain = plain(process.process), process.gain
+        one, gain = as_process(process.process), process.gain
         return Process(
             one.A - gain * one.H,
             one.Q + gain * one.R * gain.T,
@@ -81,7 +81,7 @@ def plain(process):
 
 def shape_of(name):
     """The shape of a claim that is like this matrix of the process among the data."""
-    return lambda data: getattr(plain(data["process"]), name).shape
+    return lambda data: getattr(as_process(data["process"]), name).shape
 
 
 def variance_and_rate(process):
@@ -93,13 +93,13 @@ def variance_and_rate(process):
     return D, a
 
 
-def array(matrix, values):
+def to_array(matrix, values):
     return np.array(sp.Matrix(matrix).subs(values).evalf(30).tolist(), dtype=float).reshape(
         matrix.shape
     )
 
 
-def moved(one, duration):
+def transition(one, duration):
     """(F, N) with x(t + duration) = F x(t) + a vector of the covariance N that is independent of
     x(t)."""
     n = len(one.A)
@@ -130,29 +130,29 @@ def _moved(A, Q, n, duration):
 
 def moments(one, time):
     """Mean (n x 1) and covariance of x at a time."""
-    F, N = moved(one, time)
+    F, N = transition(one, time)
     return F @ one.mean, F @ one.covariance @ F.T + N
 
 
-def jointly(one, times):
+def joint_moments(one, times):
     """Mean and covariance of the states at several times under each other."""
     n, found = len(one.A), [moments(one, time) for time in times]
     covariance = np.zeros((n * len(times), n * len(times)))
     for i, early in enumerate(times):
         for k, late in enumerate(times):
             if early <= late:
-                block = moved(one, late - early)[0] @ found[i][1]
+                block = transition(one, late - early)[0] @ found[i][1]
                 covariance[k * n : (k + 1) * n, i * n : (i + 1) * n] = block
                 covariance[i * n : (i + 1) * n, k * n : (k + 1) * n] = block.T
     return np.vstack([mean for mean, _ in found]), covariance
 
 
-def given(one, measured, at):
+def conditional_moments(one, measured, at):
     """Mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
     n, m = len(one.A), len(one.H)
     if not measured:
         return moments(one, at)
-    mean, covariance = jointly(one, [*(time for time, _ in measured), at])
+    mean, covariance = joint_moments(one, [*(time for time, _ in measured), at])
     rows = np.kron(np.eye(len(measured)), one.H)
     rows = np.hstack([rows, np.zeros((m * len(measured), n))])
     noise = np.kron(np.eye(len(measured)), one.R)
@@ -162,7 +162,7 @@ def given(one, measured, at):
     return mean[-n:] + weights @ innovation, covariance[-n:, -n:] - weights @ crossed.T
 
 
-def settled(one):
+def stationary_covariance(one):
     """The covariance that x tends to, whatever it is at the start."""
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
@@ -173,7 +173,7 @@ def settled(one):
     )
 
 
-def steady(one):
+def steady_covariances(one):
     """The covariance of the errors of the steady filter, in discrete time before a measurement and
     after it.
 
@@ -184,19 +184,21 @@ def steady(one):
     solve = solve_discrete_are if one.discrete else solve_continuous_are
     found = solve(one.A.T, one.H.T, one.Q, one.R)
     for _ in range(2):  # Kleinman's iteration takes off the rounding of a pencil
-        gain = gain_of(one, found)
-        found = erring(one, (one.A @ gain if one.discrete else gain))
-    return (found, found - gain_of(one, found) @ one.H @ found) if one.discrete else (found, found)
+        gain = filter_gain(one, found)
+        found = error_covariance(one, (one.A @ gain if one.discrete else gain))
+    return (
+        (found, found - filter_gain(one, found) @ one.H @ found) if one.discrete else (found, found)
+    )
 
 
-def gain_of(one, covariance):
+def filter_gain(one, covariance):
     """The gain K of the best correction K (z - Hx) at this covariance of the errors, before a
     measurement."""
     spread = one.H @ covariance @ one.H.T + one.R if one.discrete else one.R
     return np.linalg.solve(spread.T, one.H @ covariance.T).T
 
 
-def erring(one, gain):
+def error_covariance(one, gain):
     """The covariance that the errors x - y of y' = A y + L (z - H y) settle to, in discrete time
     those of predictions.
     """
@@ -204,17 +206,17 @@ def erring(one, gain):
     largest = np.linalg.eigvals(loop)
     if (abs(largest).max() if one.discrete else 1 + largest.real.max()) >= 1 - 1e-12:
         raise np.linalg.LinAlgError("the errors do not decay")
-    return settled(replace(one, A=loop, Q=one.Q + gain @ one.R @ gain.T))
+    return stationary_covariance(replace(one, A=loop, Q=one.Q + gain @ one.R @ gain.T))
 
 
 def steady_exists(process):
-    """The `Truth`, in the symbols of the process, that there is a steady filter whose errors decay.
+    """The `ReferenceCondition`, in the symbols of the process, that there is a steady filter whose errors decay.
 
     By the test of Popov, for every number s = u + i w: the columns of s - A above H are independent
     unless s is that of a mode that decays, and those of s - A^T above Q unless it decays or grows.
     """
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
-    process = plain(process)
+    process = as_process(process)
     size = u**2 + w**2 - 1 if process.discrete else u
     hidden, quiet = (
         _dependent(u + sp.I * w, matrix, below)
@@ -233,7 +235,9 @@ def steady_exists(process):
         rates = [abs(found) - 1 if process.discrete else found.real for found in (hidden, quiet)]
         return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
 
-    return Truth((Case(sp.Not(spoiled), (u, w), every=True),), (Case(spoiled, (u, w)),), at)
+    return ReferenceCondition(
+        (Case(sp.Not(spoiled), (u, w), every=True),), (Case(spoiled, (u, w)),), at
+    )
 
 
 def _dependent(s, A, below):

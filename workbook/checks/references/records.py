@@ -6,7 +6,7 @@ import functools
 import sympy as sp
 
 from workbook.checks.references.constant_unknowns import constants_of
-from workbook.checks.references.initial_states import starts_of, starts_of_varying
+from workbook.checks.references.initial_states import initial_states_of, initial_states_of_varying
 from workbook.checks.references.pairs import pair_of
 from workbook.systems import (
     Deviations,
@@ -20,46 +20,48 @@ from workbook.systems import (
 
 
 @functools.singledispatch
-def seen(system, parameters=()):
+def observed_pair(system, parameters=()):
     """The `Pair` of what an output shows; its unknowns are the numbers that a start consists of."""
     raise TypeError(
         f"system: expected a record of a system with an output, got {type(system).__name__}"
     )
 
 
-@seen.register(Linear)
-@seen.register(Process)
+@observed_pair.register(Linear)
+@observed_pair.register(Process)
 def _(system, parameters=()):
     return pair_of(system.A, system.H, parameters)
 
 
-@seen.register
+@observed_pair.register
 def _(system: Mechanical, parameters=()):
-    return seen(_in_states(system), parameters)
+    return observed_pair(_in_states(system), parameters)
 
 
-@seen.register
+@observed_pair.register
 def _(system: WithError, parameters=(), of=None):
     """`of` are the positions of those unknowns that are asked for, if not all of them."""
     both = augmented(system)
     if not system.start:
-        return seen(both, parameters)
-    return starts_of(both.A, both.H, sp.diag(sp.eye(system.A.rows), system.start), parameters, of)
+        return observed_pair(both, parameters)
+    return initial_states_of(
+        both.A, both.H, sp.diag(sp.eye(system.A.rows), system.start), parameters, of
+    )
 
 
-@seen.register
+@observed_pair.register
 def _(system: Varying, parameters=()):
-    return starts_of_varying(system.A, system.H, system.time, parameters)
+    return initial_states_of_varying(system.A, system.H, system.time, parameters)
 
 
-@seen.register
+@observed_pair.register
 def _(system: Measurements, parameters=()):
     return constants_of(system.jacobian, tuple(parameters))
 
 
-def reached(system, parameters=()):
+def controlled_pair(system, parameters=()):
     """The `Pair` of what the control reaches: that of the transposed matrices."""
-    return seen(_in_states(system).dual, parameters)
+    return observed_pair(_in_states(system).dual, parameters)
 
 
 def augmented(system):
@@ -97,7 +99,7 @@ def row_of(system, *quantities, parameters=()):
     return found
 
 
-def by_control(system):
+def has_control(system):
     """Whether a system, which has a control or an output, has a control."""
     if isinstance(system, Mechanical):
         control, output = any(system.L), any(system.H1) or any(system.H2)

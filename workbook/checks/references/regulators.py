@@ -1,7 +1,7 @@
 """Linear regulators with a quadratic cost at numbers, given as a `Quadratic`: what a law costs, and
 what costs least.
 
-A regulator is a steady filter of the dual process (`truths/processes.py`), whose errors have the
+A regulator is a steady filter of the dual process (`references/processes.py`), whose errors have the
 transposed matrix of its loop; so what a gain costs comes from a linear equation, of Lyapunov, and
 the least cost from an invariant subspace. With a given end it comes from the exponential of the
 Hamiltonian matrix, with what the cost does not see left out it is that of the rest. No Riccati
@@ -21,21 +21,21 @@ class Regulator:
 
     def __init__(self, problem, values):
         for name in "ABGNF":
-            setattr(self, name, processes.array(getattr(problem, name), values))
+            setattr(self, name, processes.to_array(getattr(problem, name), values))
         self.duration = float(sp.sympify(problem.duration).subs(values))
         self.factor = float(sp.sympify(problem.factor).subs(values))
         self.anywhere, self._values = problem.anywhere, values
-        self._dual = processes.numbers(dual(problem), values, start=False)
+        self._dual = processes.at_values(dual(problem), values, start=False)
 
     def cost_of(self, gain):
         """The matrix X of what u = gain x costs from x, factor x^T X x; raises LinAlgError if a
         state does not decay.
         """
-        return processes.erring(self._dual, -gain.T)
+        return processes.error_covariance(self._dual, -gain.T)
 
     def gain_for(self, cost):
         """The gain that costs least now, if what comes later costs x^T `cost` x."""
-        return -processes.gain_of(self._dual, cost).T
+        return -processes.filter_gain(self._dual, cost).T
 
     def rates(self, cost):
         """The terms of the rate at which the matrix of the cost changes by the Riccati equation."""
@@ -46,7 +46,11 @@ class Regulator:
         """The matrix S of the least cost from a state at a time."""
         if np.isfinite(self.duration):
             return self._with_an_end(self.duration - time)
-        return self._of_what_is_seen() if self.anywhere else processes.steady(self._dual)[0]
+        return (
+            self._of_what_is_seen()
+            if self.anywhere
+            else processes.steady_covariances(self._dual)[0]
+        )
 
     def _with_an_end(self, left):
         from scipy.linalg import expm
@@ -64,7 +68,7 @@ class Regulator:
             sp.Matrix(matrix).applyfunc(lambda x: sp.nsimplify(x, rational=True))
             for matrix in (self.A, self.G)
         ]
-        unseen = np.array(pair_of(*exact).unseen[0], dtype=float).reshape(-1, len(self.A))
+        unseen = np.array(pair_of(*exact).unobservable[0], dtype=float).reshape(-1, len(self.A))
         seen = np.linalg.svd(unseen)[2][len(unseen) :] if len(unseen) else np.eye(len(self.A))
         if not len(seen):
             return 0 * self.A
@@ -91,11 +95,11 @@ def exists(problem):
 def steady_loop(problem, process, values):
     """The matrix and the noise of (x, e) for the best feedback by the measurements of a process,
     and the weight of (x, e) in its cost; without measurements those of x, the state being known."""
-    one, noise = Regulator(problem, values), processes.numbers(process, values, start=False)
+    one, noise = Regulator(problem, values), processes.at_values(process, values, start=False)
     K = one.gain_for(one.least())
     if not len(noise.H):
         return one.A + one.B @ K, noise.Q, one.G + K.T @ one.N @ K
-    L = processes.gain_of(noise, processes.steady(noise)[0])
+    L = processes.filter_gain(noise, processes.steady_covariances(noise)[0])
     n = len(K.T)
     loop = np.block([[one.A, one.B @ K], [L @ noise.H, one.A + one.B @ K - L @ noise.H]])
     zero = np.zeros((n, n))

@@ -14,8 +14,8 @@ import sympy as sp
 
 from workbook.checks.contract.tolerance import DECIMALS, EXACT
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.values import real_function, wide_function
-from workbook.checks.tools.wording import told_for
+from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
+from workbook.checks.tools.wording import prefix_text
 
 #: The numbers of which powers are taken: close to the corner, closer, and far out. Most roots of
 #: them are rational.
@@ -70,7 +70,7 @@ def _scales(stated, parameters):
     ]
 
 
-def same_at_every_scale(claim, problem, parameters, places, weight, what):
+def judge_at_every_scale(claim, problem, parameters, places, weight, what):
     """Raise `Wrong` for an expression that is not the same in other units: its values have to
     change by the factor of the symbol `weight`; `places` are dicts from the symbols in it to
     numbers."""
@@ -82,30 +82,30 @@ def same_at_every_scale(claim, problem, parameters, places, weight, what):
         power.exp.is_Float and not float(4 * power.exp).is_integer()
         for power in claim.atoms(sp.Pow)
     )
-    function, wide = (kind(symbols, [claim]) for kind in (real_function, wide_function))
+    function, wide = (kind(symbols, [claim]) for kind in (real_function, multiprecision_function))
     at = np.array([[float(place[s]) for s in symbols] for place in places])
     said = function(*at.T)[0]
     # An exponent in decimals has three digits: over many powers of ten they tell nothing.
     for factors in found[:: len(SCALES) if roughly else 1]:
         other = at * [float(factors[s]) for s in symbols]
         there, wanted = function(*other.T)[0], said * float(factors[weight])
-        for k in differing(
+        for k in first_difference(
             there, wanted, DECIMALS if roughly else EXACT, lambda k, other=other: wide(*other[k])[0]
         ):
             gives = f"it is {there[k]:.6g}" if np.isfinite(there[k]) else "it is no real number"
             raise Wrong(
-                f"{told_for(dict(zip(symbols, at[k])))}your {what} is {said[k]:.6g}. In other "
+                f"{prefix_text(dict(zip(symbols, at[k])))}your {what} is {said[k]:.6g}. In other "
                 "units the problem is the same, so that "
-                f"{told_for(dict(zip(symbols, other[k])))}it has to be {wanted[k]:.6g}; {gives}"
+                f"{prefix_text(dict(zip(symbols, other[k])))}it has to be {wanted[k]:.6g}; {gives}"
             )
 
 
-def differing(said, wanted, share, wide):
+def first_difference(said, wanted, share, wide):
     """The index of the first of the numbers `said` that is not the one wanted, up to a share of it
     and to what is mere rounding beside the rest; an empty list if there is none.
 
     What was computed in other units may have been too much for floats: `wide(k)` says it anew, as
-    in `wide_function`.
+    in `multiprecision_function`.
     """
     size = np.abs(wanted)
     slack = share * np.maximum(size, ROUNDING * np.nanmax(size, initial=0))

@@ -14,8 +14,9 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.tools.samples import draw, found_once
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.samples import cached_points
 
 #: From so many places the search for points begins, and so many points are enough.
 STARTS, ENOUGH = 160, 8
@@ -105,14 +106,14 @@ class SingularArcs:
         )
         self._last = real_function([*self._unknown, *given], last)
 
-    @found_once
+    @cached_points
     def points(self, domain=None):
         """Values {symbol: number} of states, costates, parameters and other controls at points of
         singular arcs, at most `ENOUGH`; the symbols range over the intervals of `domain`, or what
         their assumptions allow."""
         random, found = np.random.default_rng(17), []
         for k in range(STARTS):
-            values = {p: draw(random, p, domain) for p in self.parameters}
+            values = {p: random_value(random, p, domain) for p in self.parameters}
             ends = [
                 tuple(
                     None if b.is_finite is False else float(b.subs(values))
@@ -120,7 +121,7 @@ class SingularArcs:
                 )
                 for u in self.others
             ]
-            start = [draw(random, s, domain) for s in self._unknown]
+            start = [random_value(random, s, domain) for s in self._unknown]
             # Neither bound of the other controls always comes first.
             for others in list(itertools.product(*ends))[:: (-1) ** k]:
                 point = (

@@ -13,7 +13,8 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 from sympy.polys.polyerrors import BasePolynomialError
 
-from workbook.checks.tools.conditions import Case, Truth, compare, place_text
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
+from workbook.checks.tools.wording import values_text
 
 #: For how many places it is kept whether they are stable.
 PLACES = 8192
@@ -37,7 +38,7 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
             if holds
             else f"inside your region, yet it is not {what}"
         )
-        return f"the point {place_text(values)} lies {says}: {spectrum.describe(values)}"
+        return f"the point {values_text(values)} lies {says}: {spectrum.describe(values)}"
 
     return f"agrees with the roots: {compare(answer, parameters, truth, told)}"
 
@@ -102,17 +103,17 @@ class Spectrum:
 
     @functools.cached_property
     def stability(self):
-        """The `Truth` that all roots have real parts below -margin."""
+        """The `ReferenceCondition` that all roots have real parts below -margin."""
         stable = sp.And(*self.order_kept, self.hurwitz)
         unstable = Case(sp.And(*self.order_kept, sp.Not(self.hurwitz)))
-        return Truth(
+        return ReferenceCondition(
             (Case(stable),), (self.some_root_right if self.margin else unstable,), self.is_stable
         )
 
     @functools.cached_property
     def instability(self):
-        """The `Truth` that some root has a real part above -margin."""
-        return Truth((self.some_root_right,), (self.no_root_right,), self.is_unstable)
+        """The `ReferenceCondition` that some root has a real part above -margin."""
+        return ReferenceCondition((self.some_root_right,), (self.no_root_right,), self.is_unstable)
 
     @property
     def order_kept(self):

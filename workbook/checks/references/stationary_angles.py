@@ -22,12 +22,12 @@ MOST_KEPT = 5000
 
 @functools.lru_cache(maxsize=16)
 def stationary_angles(field, state, parameters):
-    """The `RestAngles` of the data, the same for the same data: what it has found serves the next
+    """The `StationaryAngles` of the data, the same for the same data: what it has found serves the next
     verdict too."""
-    return RestAngles(field, state, parameters)
+    return StationaryAngles(field, state, parameters)
 
 
-class RestAngles:
+class StationaryAngles:
     """Stationary solutions of phi'' = f(phi, phi'), f of period 2 pi in phi."""
 
     GRID = np.linspace(0.0123, 0.0123 + 2 * np.pi, 361)

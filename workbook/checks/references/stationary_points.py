@@ -12,15 +12,14 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.tolerance import agree
-from workbook.checks.tools.samples import (
-    cases,
-    draw,
-    ends,
-    in_every_case,
+from workbook.checks.tools.domains import (
+    endpoints,
     interval_of,
     lies_inside,
+    random_value,
     simple_rational,
 )
+from workbook.checks.tools.samples import cases, in_every_case
 from workbook.checks.tools.wording import sample_text
 
 #: How many starts Newton's method gets.
@@ -32,8 +31,8 @@ MOST_KEPT = 200
 END = 1e-7
 
 
-def rest_points(field, state, parameters, domain):
-    """The `RestPoints` of the data, the same for the same data: what it has found serves the next
+def stationary_points_of(field, state, parameters, domain):
+    """The `StationaryPoints` of the data, the same for the same data: what it has found serves the next
     verdict too."""
     return _known(
         tuple(map(sp.sympify, field)),
@@ -45,10 +44,10 @@ def rest_points(field, state, parameters, domain):
 
 @functools.lru_cache(maxsize=16)
 def _known(field, state, parameters, domain):
-    return RestPoints(field, state, parameters, dict(domain))
+    return StationaryPoints(field, state, parameters, dict(domain))
 
 
-class RestPoints:
+class StationaryPoints:
     """A field with parameters: its values, first approximation and stationary points for arrays of
     parameter values."""
 
@@ -69,10 +68,10 @@ class RestPoints:
         self._angles = [
             x in self.domain and self.domain[x].measure == 2 * sp.pi for x in self.state
         ]
-        self._intervals = [ends(x, self.domain) for x in self.state]
+        self._intervals = [endpoints(x, self.domain) for x in self.state]
         random = np.random.default_rng(14)
         self._starts = np.array(
-            [[draw(random, x, self.domain) for x in self.state] for _ in range(STARTS)]
+            [[random_value(random, x, self.domain) for x in self.state] for _ in range(STARTS)]
         ).T
         self._settled = {}
 
@@ -235,7 +234,7 @@ class RestPoints:
         )
         tries = [
             [
-                simple_rational(draw(None, p, self.domain, share), p, self.domain)
+                simple_rational(random_value(None, p, self.domain, share), p, self.domain)
                 for p, share in zip(self.parameters, row)
             ]
             for row in shares

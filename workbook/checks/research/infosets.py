@@ -13,9 +13,10 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.conditions import compare, exactly, place_text
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.conditions import compare, exactly
 from workbook.checks.tools.samples import in_every_case, random_values
+from workbook.checks.tools.wording import values_text
 
 #: By how much of its size a side may seem violated at a corner that lies on it.
 ROUNDING = 1e-9
@@ -33,7 +34,7 @@ def support_values(claims, sides, bounds, directions):
         reach = np.array(directions.tolist(), dtype=float) @ corners.T
         for k, claim in enumerate(claims):
             row = ", ".join(f"{float(part):.3g}" for part in directions.row(k))
-            yield Same(
+            yield SameValue(
                 claim,
                 reach[k].max(),
                 f"how far the polygon reaches in the direction ({row})",
@@ -53,7 +54,7 @@ def common_point_exists(answer, sides, bounds):
     here = sp.And(*(symbol > 0 for symbol in symbols))
 
     def reason(values, holds):
-        return f"for {place_text(values)} " + (
+        return f"for {values_text(values)} " + (
             "some point keeps all bounds, yet your condition fails"
             if holds
             else "no point keeps all bounds, yet your condition holds"

@@ -8,7 +8,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import judged
-from workbook.checks.tools.comparisons import Same
+from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.samples import in_every_case
 
 SAMPLES, SEED = 8, 81
@@ -33,7 +33,7 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
         values = values | places
         found = dict(zip(names, (_polynomial(powers, nodes, values, order) for order in (0, 1))))
         true = complex(sp.sympify(quantity).subs(found | values).evalf())
-        yield Same(
+        yield SameValue(
             claim,
             true.real if abs(true.imag) < 1e-12 else math.nan,
             "the quantity that was asked for",

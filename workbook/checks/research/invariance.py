@@ -5,7 +5,7 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.verdict import judged
-from workbook.checks.tools.comparisons import Entries
+from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.samples import in_every_case, random_values
 from workbook.checks.tools.wording import rounded_text
 
@@ -52,7 +52,7 @@ def invariant_weights(claims, signal, nuisance, functional):
                 f"squares {weights @ weights:.4g} is not the least"
             )
 
-        yield Entries(
+        yield SameEntries(
             claim, true[:, None], told, values, np.full((true.size, 1), np.abs(true).max())
         )
     return "unbiased, blind to the nuisance and of least variance, for random values of the symbols"

@@ -15,9 +15,9 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Expressions, Number
 from workbook.checks.contract.tolerance import agree, half_unit, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.samples import in_every_case, random_values, spread
-from workbook.checks.tools.values import uncertain_entries, value_at
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.samples import in_every_case, log_spread, random_values
+from workbook.checks.tools.values import entry_uncertainties, value_at
 from workbook.checks.tools.wording import number_text, rounded_text
 
 RECORDS = 6
@@ -47,13 +47,13 @@ def transition_polynomial(claim, transition, lam, kappa):
         if lam == symbol
         else (f"det(lambda E - A)/lambda^{n // 2}", n // 2)
     )
-    for stiffness in spread(random, 0.1, 9, RECORDS):
+    for stiffness in log_spread(random, 0.1, 9, RECORDS):
         at = random.uniform(-3, 3)
         point = complex(lam.subs(symbol, at))
         true = (
             np.linalg.det(point * np.eye(n) - _matrix(transition, kappa, stiffness)) / point**power
         )
-        yield Same(
+        yield SameValue(
             claim,
             true.real,
             what if power == 0 else f"{what} at lambda = {number_text(point)}",
@@ -104,7 +104,7 @@ def spline_acceleration(claim, times, samples, rho=None, M=None):
     """
     for values, t, h in _drawn(times, samples, *filter(None, (rho, M))):
         states = _least_cost(t, h, values.get(rho), values.get(M))
-        yield Same(
+        yield SameValue(
             claim,
             _middle(t, *states),
             "the acceleration at the middle sample",
@@ -121,7 +121,7 @@ def spline_positions(claims, times, samples, rho, M):
     for values, t, h in _drawn(times, samples, rho, M):
         x, _ = _least_cost(t, h, values[rho], values[M])
         for k, claim in enumerate(claims):
-            yield Same(claim, x[k], f"x{k}", values, np.abs(h).max())
+            yield SameValue(claim, x[k], f"x{k}", values, np.abs(h).max())
     return "they are those of the motion with the least cost, for random samples and weights"
 
 
@@ -132,7 +132,7 @@ def weight_for_bound(claim, times, samples, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
-        ((open_,),) = uncertain_entries(sp.Matrix([[claim]]), values)
+        ((open_,),) = entry_uncertainties(sp.Matrix([[claim]]), values)
         greatest, *others = (
             abs(_middle(t, *_least_cost(t, h, values[rho], max(one, weight / 2))))
             for one in (weight, weight - open_, weight + open_)
@@ -159,7 +159,7 @@ def spline_misfit(claim, times, samples, rho, D):
             middle = (low + high) / 2
             states = _least_cost(t, h, values[rho], math.exp(middle))
             low, high = (middle, high) if abs(_middle(t, *states)) > values[D] else (low, middle)
-        yield Same(
+        yield SameValue(
             claim,
             values[rho] * np.sum((states[0] - h) ** 2),
             "the misfit",
@@ -190,7 +190,7 @@ def bounded_misfit(claim, times, samples, rho, D):
         free = np.array([np.inf, np.inf])
         limits = np.append(free, np.full(step.size, values[D]))
         found = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
-        yield Same(
+        yield SameValue(
             claim,
             2 * values[rho] * found.cost,
             "the least misfit",
@@ -226,7 +226,7 @@ def boundary_decay(claim, rho, M):
     """
     for values in in_every_case(random_values([rho, M], SEED), claim):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])
-        yield Same(
+        yield SameValue(
             claim, -max(root.real for root in roots if root.real < 0), "the rate of decay", values
         )
     return "the solutions exp(s t) that decay have -Re s equal to it, for random weights"

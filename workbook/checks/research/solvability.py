@@ -16,11 +16,11 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Integer
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.conditions import compare, exactly, place_text
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.conditions import compare, exactly
 from workbook.checks.tools.samples import in_every_case, random_values
 from workbook.checks.tools.values import value_at
-from workbook.checks.tools.wording import rounded_text
+from workbook.checks.tools.wording import rounded_text, values_text
 
 MOMENTS = 12
 #: What counts as nothing beside numbers of size one.
@@ -38,7 +38,7 @@ def bias_of_estimate(claim, system, unknowns, wanted, left_out):
     for values in in_every_case(random_values([*_symbols(system.A), left_out], 73), claim):
         rows = _rows(system.A, system.H, values, np.linspace(0, 4, 3 * MOMENTS))
         found = np.linalg.lstsq(rows[:, kept], rows[:, k] * values[left_out], rcond=None)[0]
-        yield Same(
+        yield SameValue(
             claim,
             found[kept.index(j)],
             f"the error of the estimate of {wanted}",
@@ -65,7 +65,7 @@ def worst_case_error(claim, system, unknowns, wanted, tau, delta):
             np.linalg.solve(rows, np.array(signs) * values[delta])[j]
             for signs in itertools.product((-1, 1), repeat=3)
         )
-        yield Same(
+        yield SameValue(
             claim,
             max(abs(error) for error in corners),
             f"the greatest error of {wanted}",
@@ -119,7 +119,7 @@ def range_observable(answer, relative, t, T, turn):
     here = sp.And(t > T, sp.Or(*(sp.Ne(part, 0) for part in after)))
 
     def reason(values, holds):
-        return f"for {place_text(values)} a small change of the range " + (
+        return f"for {values_text(values)} a small change of the range " + (
             "turns the bearing, yet your condition fails"
             if holds
             else "does not change the bearing, yet your condition holds"
@@ -158,7 +158,9 @@ def range_error(claim, relative, t, T, turn, delta):
             raise Wrong(
                 f"for {rounded_text(values)} your expression is negative; its size was asked for"
             )
-        yield Same(claim, values[delta] / abs(slope), "the relative error of the range", values)
+        yield SameValue(
+            claim, values[delta] / abs(slope), "the relative error of the range", values
+        )
     return (
         "it is delta over the sensitivity of the bearing to the range, for random motions and turns"
     )
@@ -221,7 +223,7 @@ def stations_insufficient(answer, matrix, first, second):
     )
 
     def told(values, holds):
-        return f"for {place_text(values)} the ranges determine " + (
+        return f"for {values_text(values)} the ranges determine " + (
             "not everything, yet your condition fails"
             if holds
             else "everything, yet your condition holds"
@@ -351,7 +353,7 @@ def nearly_dependent_condition_number(claim, delta):
     for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
         columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
         values = np.linalg.svd(columns, compute_uv=False)
-        yield Same(claim, values[0] / values[-1], "the condition number", {delta: size})
+        yield SameValue(claim, values[0] / values[-1], "the condition number", {delta: size})
     return "it is the ratio of the singular values, for small and large errors"
 
 

@@ -14,14 +14,13 @@ from workbook.checks.references.fields import Field
 from workbook.checks.stability.lyapunov import numeric, rate_of, unit_directions
 from workbook.checks.tools.conditions import (
     Case,
-    Truth,
+    ReferenceCondition,
     compare,
     decide,
-    place_text,
     readings,
 )
-from workbook.checks.tools.samples import allowed_values, joined
-from workbook.checks.tools.values import number_at, uncertain_at
+from workbook.checks.tools.samples import allowed_values, conjunction
+from workbook.checks.tools.values import number_at, uncertainty_at
 from workbook.checks.tools.wording import point_text, values_text
 
 
@@ -64,7 +63,7 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
             )
         true = largest(number.real, directions * low[:, None])
         if true is not None and not agree(
-            number, float(true), claim, uncertain=uncertain_at(claim, values)
+            number, float(true), claim, uncertain=uncertainty_at(claim, values)
         ):
             raise Wrong(
                 f"{told}: "
@@ -118,10 +117,10 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
                 state,
                 _part_around_zero(sp.sympify(function).subs(values), true, state, others, border),
                 lambda place, holds, where=where: (
-                    f"your set leaves out the state {place_text(place)}, which V proves to be "
+                    f"your set leaves out the state {values_text(place)}, which V proves to be "
                     f"attracted{where}"
                     if holds
-                    else f"your set holds the state {place_text(place)}; V does not prove that it is "
+                    else f"your set holds the state {values_text(place)}; V does not prove that it is "
                     f"attracted{where}"
                 ),
             )
@@ -155,7 +154,7 @@ def _largest_level(height, change, motion, state, others, near, border):
         return decide(
             sp.true,
             state,
-            Truth((Case(sp.false),), (Case(sp.And(box, height < level, change > 0)),)),
+            ReferenceCondition((Case(sp.false),), (Case(sp.And(box, height < level, change > 0)),)),
         )
 
     simple = {sp.Rational(float(near)).limit_denominator(q) for q in (1, 2, 4, 8, 12, 60, 1000)}
@@ -187,14 +186,16 @@ def _part_around_zero(height, level, state, others, border):
     ]
     inside = sp.And(*(sp.Abs(x) < end for x, end in zip(state, ends)))
     beyond = sp.Or(*(sp.Abs(x) > end for x, end in zip(state, ends)))
-    return Truth((Case(sp.And(height < level, inside)),), (Case(sp.Or(height > level, beyond)),))
+    return ReferenceCondition(
+        (Case(sp.And(height < level, inside)),), (Case(sp.Or(height > level, beyond)),)
+    )
 
 
 def _stable_systems(function, field, state, parameters, given):
     """(values, V, other equilibria, V', the exact level near one) for sampled parameters at which
     the first approximation is stable."""
     return _sampled(
-        sp.sympify(function), tuple(field), tuple(state), tuple(parameters), joined(given)
+        sp.sympify(function), tuple(field), tuple(state), tuple(parameters), conjunction(given)
     )
 
 
@@ -212,7 +213,7 @@ def _sampled(function, field, state, parameters, given):
             continue
         height, motion = function.subs(values), [sp.sympify(f).subs(values) for f in field]
         change = sum(sp.diff(height, x) * f for x, f in zip(state, motion))
-        others = [point for point in flow.rest_points(60) if np.linalg.norm(point) > 1e-6]
+        others = [point for point in flow.equilibria(60) if np.linalg.norm(point) > 1e-6]
         systems.append(
             (
                 values,
@@ -269,17 +270,17 @@ def _has_no_holes(claim, state, height, level, border, where):
         height > grown, *(sp.Abs(x) > sp.Rational(51, 50) * end for x, end in zip(state, size))
     )
     said, never = readings(claim)[0], (Case(sp.false),)
-    _, place = decide(said, state, Truth(never, (Case(outside),)))
+    _, place = decide(said, state, ReferenceCondition(never, (Case(outside),)))
     if place:
-        raise Wrong(_away(place_text(place[0]), where))
-    _, place = decide(said, state, Truth((Case(inside),), never))
+        raise Wrong(_away(values_text(place[0]), where))
+    _, place = decide(said, state, ReferenceCondition((Case(inside),), never))
     if place:
         point = np.array([float(x) for x in place[0].values()])
         # Some other part of {V < c} may lie in the box.
         away = np.linalg.norm(border - point, axis=1)
         if np.linalg.norm(point) <= 1.01 * np.linalg.norm(border[np.argmin(away)]):
             raise Wrong(
-                f"your set leaves out the state {place_text(place[0])}, where V is smaller than on "
+                f"your set leaves out the state {values_text(place[0])}, where V is smaller than on "
                 f"its boundary{where}"
             )
 

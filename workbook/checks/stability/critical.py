@@ -15,11 +15,23 @@ from workbook.checks.contract.claims import Choice
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.stability.linearisation import STABILITY
 from workbook.checks.stability.nominal_motions import Motion
-from workbook.checks.tools.comparisons import Word
-from workbook.checks.tools.conditions import Truth, compare, contrary, decide, exactly, place_text
+from workbook.checks.tools.comparisons import SameWord
+from workbook.checks.tools.conditions import (
+    ReferenceCondition,
+    compare,
+    contradiction_message,
+    decide,
+    exactly,
+)
 from workbook.checks.tools.samples import in_every_case, sample_values
 from workbook.checks.tools.values import matrix_at, number_at, numbers_at
-from workbook.checks.tools.wording import number_text, point_text, rounded_text, where_text
+from workbook.checks.tools.wording import (
+    number_text,
+    point_text,
+    rounded_text,
+    values_text,
+    where_text,
+)
 
 #: Eigenvalues closer together than this, relative to the size of the matrix, are one eigenvalue: a
 #: Jordan block of order m spreads its eigenvalue by the m-th root of the rounding error.
@@ -96,7 +108,7 @@ def critical_stability(claim, field, state, parameters, program=None, part=None)
         f"{_distance(matrix, duration)} after {duration:.3g} units of time and up to "
         f"{_distance(matrix, 100 * duration)} after {100 * duration:.3g}{where_text(values)}"
     )
-    return (yield Word(claim, truth, told, "this does not agree with the motions: "))
+    return (yield SameWord(claim, truth, told, "this does not agree with the motions: "))
 
 
 @judged
@@ -115,8 +127,8 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
             f"{_distance(matrix, duration)} after {duration:.3g} units of time"
         )
 
-    truth = Truth(at=lambda values: stability(at(values)) != "unstable")
-    agreement = compare(answer, parameters, truth, contrary(told))
+    truth = ReferenceCondition(at=lambda values: stability(at(values)) != "unstable")
+    agreement = compare(answer, parameters, truth, contradiction_message(told))
     return f"for these parameters, and for no others, all motions stay bounded: {agreement}"
 
 
@@ -244,7 +256,7 @@ def conserved_quadratic_form(answer, field, state, parameters, program=None, par
     ]
     _, place = decide(sp.And(*(minor > 0 for minor in minors)), parameters, exactly(sp.true))
     if place:
-        raise Wrong(f"it is conserved, but for {place_text(place[0])} it is not positive definite")
+        raise Wrong(f"it is conserved, but for {values_text(place[0])} it is not positive definite")
     return (
         "it is positive away from zero, and its derivative along the motions vanishes identically"
     )

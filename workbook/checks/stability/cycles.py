@@ -17,10 +17,13 @@ from workbook.checks.contract.claims import Expression, Expressions, Number
 from workbook.checks.contract.members import NUMBERS, members
 from workbook.checks.contract.tolerance import REPEATED, agree, in_decimals, rounds_to
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.references.fields import known_field
-from workbook.checks.references.stationary_points import rest_points
-from workbook.checks.tools.values import number_at, real_at, value_at
-from workbook.checks.tools.wording import sample_text
+from workbook.checks.references.fields import cached_field
+from workbook.checks.references.stationary_points import stationary_points_of
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import number_at, value_at
+from workbook.checks.tools.wording import (
+    sample_text,
+)
 
 CYCLES = ("stable", "unstable", "semistable")
 #: Angles at which a circle is tried; not multiples of pi/2, where single terms of a field vanish.
@@ -30,7 +33,7 @@ ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
 @judged(Expressions("polar", length=2))
 def polar_form(rates, field, state, polar):
     """Check the pair (r', phi') of a planar system, in the polar coordinates `polar`."""
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     random = np.random.default_rng(8)
     for _ in range(20):
         r, phi = random.uniform(0.2, 2.5), random.uniform(0, 2 * math.pi)
@@ -56,7 +59,7 @@ def radial_motion(claim, field, state, time, start):
     and the rate of change.
     """
     slope = sp.diff(claim, time)
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     for r0 in (0.3, 0.85, 1.0, 1.4, 2.3):
         life = _life(flow, r0)
         for t in (0.0, 0.1 * life, 0.35 * life, 0.8 * life):
@@ -84,7 +87,7 @@ def radial_motion(claim, field, state, time, start):
 @judged
 def limit_cycles(answer, field, state):
     """Check the radii of all limit cycles that are circles around zero."""
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     entries = members(answer, "a list of radii", single=(*NUMBERS, Relational))
     if any(isinstance(entry, Relational) for entry in entries):
         raise Invalid("expected the radii themselves, without equations")
@@ -150,7 +153,7 @@ def cycle_stability(answer, field, state, radius=None):
     # semi-stable
     joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer
     claim = coercion.as_choice(joined, CYCLES)
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     inside, outside = (_tendency(flow, radius, side) for side in (-1, 1))
     truth = {("to", "to"): "stable", ("from", "from"): "unstable"}.get(
@@ -183,8 +186,8 @@ def cycle_period(claim, radial, angular, radius, parameters):
 
     At the rate W the angle gains 2 pi in it.
     """
-    family = rest_points([radial], [radius], parameters, _cycles(radius))
-    turning = rest_points([angular], [radius], parameters, _cycles(radius))
+    family = stationary_points_of([radial], [radius], parameters, _cycles(radius))
+    turning = stationary_points_of([angular], [radius], parameters, _cycles(radius))
     for values, numbers, rest in family.samples(claim):
         period = real_at(claim, values)
         if period is None:
@@ -214,7 +217,7 @@ def return_map_slope(claim, field, state, radius=None):
     Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over
     one turn.
     """
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     exponent = 0.0
     # the trapezoidal rule is exact here for trigonometric polynomials below degree 24

@@ -86,7 +86,7 @@ def _searched(field, state):
     """The field and its rest points. Several answers of a problem ask about the same system: one
     search serves them all."""
     flow = Field(field, state)
-    return flow, flow.rest_points()
+    return flow, flow.equilibria()
 
 
 def _places(answer, state):

@@ -14,7 +14,13 @@ from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.stationary_angles import stationary_angles
 from workbook.checks.stability.equilibrium_sets import WANTED, agreement
-from workbook.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text
+from workbook.checks.tools.conditions import (
+    Case,
+    ReferenceCondition,
+    compare,
+    contradiction_message,
+    exactly,
+)
 from workbook.checks.tools.values import number_at
 from workbook.checks.tools.wording import roots_text, values_text
 
@@ -24,7 +30,7 @@ def equilibrium_angles_exist(answer, field, state, parameters):
     """Check the parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(at_rest, (state[0],)),),
         (Case(sp.Not(at_rest), (state[0],), every=True),),
         angles.exist,
@@ -33,7 +39,7 @@ def equilibrium_angles_exist(answer, field, state, parameters):
         answer,
         parameters,
         truth,
-        contrary(
+        contradiction_message(
             lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(
                 *angles.extremes(values)
             )
@@ -199,7 +205,7 @@ def _judge_angle_condition(answer, field, state, parameters, angle, kind, word):
     def told(values, holds):
         return (
             f"the stationary angle {float(values[angle]):.4g} for "
-            f"{place_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, "
+            f"{values_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, "
             f"and your condition {'does not hold' if holds else 'holds'} there: "
             f"{_roots_told(*angles.derivatives(values, float(values[angle])))}"
         )
@@ -244,7 +250,7 @@ def judge_angle_roots(answer, field, state, parameters, sign):
         return _roots_told(slope, friction)
 
     exact = exactly(sign * border > 0, given, (phi,), truth)
-    agreement = compare(answer, parameters, exact, contrary(told))
+    agreement = compare(answer, parameters, exact, contradiction_message(told))
     return (
         "for these parameters, and for no others, the stationary angles that are no saddles are "
         f"of the kind {word}: {agreement}"

@@ -19,9 +19,14 @@ from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
 from workbook.checks.stability.equilibrium_sets import agreement
-from workbook.checks.tools.conditions import Case, Truth, compare, contrary
-from workbook.checks.tools.samples import allowed_values, in_every_case, joined
-from workbook.checks.tools.values import matrix_at, number_at, uncertain_at
+from workbook.checks.tools.conditions import (
+    Case,
+    ReferenceCondition,
+    compare,
+    contradiction_message,
+)
+from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
+from workbook.checks.tools.values import matrix_at, number_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, point_text, where_text
 
 #: Stationary values are compared between -REACH and REACH; families are followed as far as that and
@@ -95,7 +100,7 @@ def _all_and_no_others(word, answer, field, state, parameters, given, integer):
             integer,
             noun,
         )
-    return agreement(claims, integer, field, state, parameters, joined(given), word)
+    return agreement(claims, integer, field, state, parameters, conjunction(given), word)
 
 
 @judged
@@ -151,7 +156,9 @@ def growth_rate(claim, field, state, parameters=(), given=()):
         for point in found:
             matrix = flow.jacobian(point)
             rate = max(np.linalg.eigvals(matrix).real)
-            if rate <= 1e-9 or agree(number, rate, claim, 0, REPEATED, uncertain_at(claim, values)):
+            if rate <= 1e-9 or agree(
+                number, rate, claim, 0, REPEATED, uncertainty_at(claim, values)
+            ):
                 continue
             residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
             # Which solution it is the student is asked for in another item.
@@ -192,8 +199,8 @@ def unique_equilibrium(answer, field, state, parameters):
         )
         return f"there the right-hand sides vanish at {places} of {x}"
 
-    truth = Truth((inside,), outside, lambda values: count(values) == 1)
-    agreement = compare(answer, parameters, truth, contrary(told))
+    truth = ReferenceCondition((inside,), outside, lambda values: count(values) == 1)
+    agreement = compare(answer, parameters, truth, contradiction_message(told))
     return f"the number of real roots of the equation of rest is one there and nowhere else: {agreement}"
 
 
@@ -216,7 +223,7 @@ def sampled_systems(field, state, parameters, given, claim=(), zeros=None):
 @functools.lru_cache(maxsize=64)
 def _searched(field, state, zeros, values):
     # Several answers of a problem ask about the same equation: one search serves them all.
-    found = Field(zeros, state, dict(values)).rest_points(160, reach=1.2 * REACH)
+    found = Field(zeros, state, dict(values)).equilibria(160, reach=1.2 * REACH)
     return Field(field, state, dict(values)), [point for point in found if abs(point[0]) < REACH]
 
 
@@ -340,7 +347,7 @@ def _same(matrix, other, floor):
 def is_value(number, value, claim, values):
     """Whether a number, that an expression became at values of its symbols, is one that was
     searched for."""
-    return agree(number, value, claim, 1, REPEATED, uncertain_at(claim, values))
+    return agree(number, value, claim, 1, REPEATED, uncertainty_at(claim, values))
 
 
 def _matrix_text(matrix):

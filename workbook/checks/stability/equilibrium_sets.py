@@ -16,7 +16,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from workbook.checks.contract.tolerance import in_decimals
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.conditions import Case, Truth, decide
+from workbook.checks.tools.conditions import Case, ReferenceCondition, decide
 
 #: What the first approximation y'' = s y + r y' has to satisfy, by its coefficients s and r.
 WANTED = {
@@ -33,7 +33,7 @@ def agreement(claims, integer, field, state, parameters, given, word):
         membership = _membership(tuple(claims), integer, sp.sympify(field[1]), tuple(state), word)
         if membership:
             number, member, elsewhere, right, wrong = membership
-            truth = Truth(
+            truth = ReferenceCondition(
                 (Case(sp.And(given, right)),),
                 (Case(sp.And(given, elsewhere)), Case(sp.And(given, wrong))),
             )

@@ -7,13 +7,13 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Choice
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.references.fields import known_field
-from workbook.checks.references.near_equilibrium import by_motions
+from workbook.checks.references.fields import cached_field
+from workbook.checks.references.near_equilibrium import stability_from_motions
 from workbook.checks.references.records import matrix_of
 from workbook.checks.references.spectra import compare_region
-from workbook.checks.tools.comparisons import Word
+from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.values import matrix_at
-from workbook.checks.tools.wording import other_rate, where_text
+from workbook.checks.tools.wording import deviation_rate_text, where_text
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 #: Below this a derivative is zero: what complex steps leave of terms of higher order.
@@ -34,7 +34,7 @@ class Rates:
         said, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
         for symbol, own, column in zip(self.symbols, said.T, self.true.T):
             if not np.linalg.norm(own - column) <= 1e-9 * size:
-                raise Wrong(f"{other_rate(symbol, own, column)}{where_text(self.values)}")
+                raise Wrong(f"{deviation_rate_text(symbol, own, column)}{where_text(self.values)}")
 
 
 @judged
@@ -61,7 +61,7 @@ def zero_solution_stability(claim, field, state):
     Decided by the spectrum of the first approximation; where that is silent, by motions that
     start close to zero.
     """
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)
     if abs(real_part) > 1e-9:
         truth = "unstable" if real_part > 0 else "asymptotically stable"
@@ -71,5 +71,7 @@ def zero_solution_stability(claim, field, state):
             else f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
         )
     else:
-        truth, reason = by_motions(flow)
-    return (yield Word(claim, truth, reason, "this does not agree with the motions near zero: "))
+        truth, reason = stability_from_motions(flow)
+    return (
+        yield SameWord(claim, truth, reason, "this does not agree with the motions near zero: ")
+    )

@@ -10,14 +10,14 @@ from workbook.checks.references.fields import Field
 from workbook.checks.tools.conditions import (
     Case,
     Condition,
-    Truth,
+    ReferenceCondition,
     compare,
     exactly,
     on_borders,
-    place_text,
 )
 from workbook.checks.tools.samples import allowed_values, in_every_case, sample_values
 from workbook.checks.tools.values import number_at
+from workbook.checks.tools.wording import values_text
 
 
 @judged(Expression("state", "parameters"))
@@ -72,7 +72,7 @@ def vanishing_set(answer, function, field, state, parameters=()):
 
     def told(values, holds):
         return (
-            f"at {place_text(values)} the derivative is {'zero' if holds else 'not zero'}, and "
+            f"at {values_text(values)} the derivative is {'zero' if holds else 'not zero'}, and "
             f"your set {'does not hold' if holds else 'holds'} this state"
         )
 
@@ -99,11 +99,13 @@ def rate_on_vanishing_set(answer, function, field, state, parameters=()):
     def told(values, holds):
         said = number_at(claim, values)
         return (
-            f"at {place_text(values)} the derivative of V is zero, and {state[-1]} changes there "
+            f"at {values_text(values)} the derivative of V is zero, and {state[-1]} changes there "
             f"at the rate {float(true.subs(values)):.4g}; your expression gives {said.real:.4g}"
         )
 
-    same = Truth((Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols))
+    same = ReferenceCondition(
+        (Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols)
+    )
     agreement = compare(sp.Eq(claim, true), symbols, same, told)
     return f"it is this rate at the states where the derivative vanishes: {agreement}"
 
@@ -126,13 +128,13 @@ def asymptotic_stability_by_lyapunov(answer, function, field, state, parameters)
     def told(values, holds):
         rates = rate(circle, values.values())
         return (
-            f"for {place_text(values)} the derivative of V on the circle of radius 0.1 lies "
+            f"for {values_text(values)} the derivative of V on the circle of radius 0.1 lies "
             f"between {min(rates):.3g} and {max(rates):.3g}, which "
             f"{'proves' if holds else 'does not prove'} asymptotic stability"
         )
 
     near = sum(x**2 for x in state) <= sp.Rational(1, 100)
-    truth = Truth(*_proved(function, field, state, near), at)
+    truth = ReferenceCondition(*_proved(function, field, state, near), at)
     agreement = compare(answer, parameters, truth, told)
     return f"there the derivative is nowhere positive near zero and not identically zero, and only there: {agreement}"
 
@@ -181,7 +183,7 @@ def global_stability_by_lyapunov(answer, function, field, state, parameters, giv
             if holds
             else reason(values) or "V does not grow, or its derivative is positive, far from zero"
         )
-        return f"for {place_text(values)} " + (
+        return f"for {values_text(values)} " + (
             f"{why}, which proves nothing in the large"
             if why
             else (
@@ -191,7 +193,7 @@ def global_stability_by_lyapunov(answer, function, field, state, parameters, giv
         )
 
     grows = sum(x * sp.diff(function, x) for x in state) > 0
-    truth = Truth(*_proved(function, field, state, sp.true, grows), at)
+    truth = ReferenceCondition(*_proved(function, field, state, sp.true, grows), at)
     agreement = compare(answer, parameters, truth, told)
     return f"there V grows in every direction and its derivative is nowhere positive, and only there: {agreement}"
 

@@ -14,10 +14,13 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.tolerance import agree, in_decimals, perturbed
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_factors
-from workbook.checks.references.stationary_points import rest_points
-from workbook.checks.tools.samples import draw, drawn, ends
-from workbook.checks.tools.values import real_at
-from workbook.checks.tools.wording import sample_text
+from workbook.checks.references.stationary_points import stationary_points_of
+from workbook.checks.tools.domains import endpoints, random_value
+from workbook.checks.tools.samples import random_columns
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.wording import (
+    sample_text,
+)
 
 
 @judged
@@ -30,7 +33,7 @@ def dulac_function(answer, field, state, parameters, domain=None):
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
     terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
     random = np.random.default_rng(9)
-    places = drawn(random, symbols, domain, 300, [multiplier, divergence])
+    places = random_columns(random, symbols, domain, 300, [multiplier, divergence])
     with np.errstate(all="ignore"):
         parts, places = _within_reach(
             [_values(e, symbols, places) for e in (*terms, divergence, multiplier)], places
@@ -75,7 +78,7 @@ def first_integral(answer, field, state, parameters, domain=None):
     claim = coercion.as_expression(answer, symbols)
     slopes = [sp.diff(claim, x) for x in state]
     random = np.random.default_rng(10)
-    places = drawn(random, symbols, domain, 60, claim)
+    places = random_columns(random, symbols, domain, 60, claim)
     with np.errstate(all="ignore"):
         (levels, *gradient), places = _within_reach(
             [_values(part, symbols, places) for part in (claim, *slopes)], places
@@ -131,12 +134,12 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     first, second = state
     claim = coercion.as_expression(answer, [first, *parameters])
     slope = sp.diff(claim, first)
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     random = np.random.default_rng(12)
     for values, numbers, _ in family.samples(claim, need_rest=False, count=5):
         scale = 0.0
         for _ in range(6):
-            x = sp.Rational(round(10**4 * draw(random, first, domain)), 10**4)
+            x = sp.Rational(round(10**4 * random_value(random, first, domain)), 10**4)
             y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
             where = f"for {sample_text(values)} at {first} = {float(x):.3g}"
             if y is None or dy is None or not family.inside(np.array([float(x), y])):
@@ -172,7 +175,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
                     )
                 )
         for end_x, end_y in through:
-            middle = sum(ends(first, domain)) / 2
+            middle = sum(endpoints(first, domain)) / 2
             close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
             y = real_at(claim, values | {first: close})
             if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:

@@ -19,12 +19,19 @@ from workbook.checks.contract.claims import Choice, Expression
 from workbook.checks.contract.members import VECTORS, in_order
 from workbook.checks.contract.tolerance import agree, half_unit, in_decimals
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.references.stationary_points import rest_points
+from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.stability.equilibrium_angles import is_angle_equation, judge_angle_roots
-from workbook.checks.tools.conditions import Case, Truth, compare, exactly, place_text
-from workbook.checks.tools.samples import ends
-from workbook.checks.tools.values import real_at, uncertain_at
-from workbook.checks.tools.wording import other_rate, point_text, roots_text, sample_text
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
+from workbook.checks.tools.domains import endpoints
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import uncertainty_at
+from workbook.checks.tools.wording import (
+    deviation_rate_text,
+    point_text,
+    roots_text,
+    sample_text,
+    values_text,
+)
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 TYPES = tuple(
@@ -45,9 +52,9 @@ def stationary_points(answer, field, state, parameters, domain=None, zeros=None)
     stands for no point there. Where derivatives vanish at a point as well, `zeros` are
     functions that have the same zeros, all simple.
     """
-    searched = rest_points(field if zeros is None else zeros, state, parameters, domain)
+    searched = stationary_points_of(field if zeros is None else zeros, state, parameters, domain)
     return _judge_points(
-        answer, rest_points(field, state, parameters, domain), "stationary point", searched
+        answer, stationary_points_of(field, state, parameters, domain), "stationary point", searched
     )
 
 
@@ -58,7 +65,7 @@ def nullcline(answer, rate, variable, parameters, domain=None):
     The other state variables count as parameters.
     """
     return _judge_points(
-        answer, rest_points([rate], [variable], parameters, domain), "point of the curve"
+        answer, stationary_points_of([rate], [variable], parameters, domain), "point of the curve"
     )
 
 
@@ -66,7 +73,7 @@ def nullcline(answer, rate, variable, parameters, domain=None):
 def stationary_exists(answer, field, state, parameters, domain=None):
     """Check the parameters for which there is a stationary point in the domain."""
     return _judge_existence(
-        answer, rest_points(field, state, parameters, domain), "stationary point"
+        answer, stationary_points_of(field, state, parameters, domain), "stationary point"
     )
 
 
@@ -80,7 +87,7 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
     if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
         answer = [[answer]]
     matrix = coercion.as_matrix(answer, parameters, (n, n))
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples(matrix):
         true = family.jacobian(rest, numbers)
         size = np.linalg.norm(true)
@@ -89,15 +96,17 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
             if any(value is None for value in said):
                 raise Wrong(f"for {sample_text(values)} your matrix is not real")
             if not agree(said, true[:, k], list(matrix[:, k]), size).all():
-                raise Wrong(f"for {sample_text(values)} {other_rate(state[k], said, true[:, k])}")
+                raise Wrong(
+                    f"for {sample_text(values)} {deviation_rate_text(state[k], said, true[:, k])}"
+                )
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
 
 @judged(Expression("parameters"))
 def stationary_value(claim, expression, field, state, parameters, domain=None):
     """Check the value of an expression of the state at the stationary point."""
-    family = rest_points(field, state, parameters, domain)
-    reading = rest_points([expression], state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
+    reading = stationary_points_of([expression], state, parameters, domain)
     for values, numbers, rest in family.samples(claim):
         true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
         if said is None or not agree(said, true, claim, _scale(expression, values, state, rest)):
@@ -116,7 +125,7 @@ def stationary_stability(claim, field, state, parameters, domain=None):
 
     The word "stable" means stable and no more; Theorem 1.4 decides.
     """
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
         largest = max(eigenvalues.real)
@@ -144,7 +153,7 @@ def stationary_type(answer, field, state, parameters, domain=None):
         else answer
     )
     claim = coercion.as_choice(spelled, TYPES)
-    family = rest_points(field, state, parameters, domain)
+    family = stationary_points_of(field, state, parameters, domain)
     for values, numbers, rest in family.samples():
         matrix = family.jacobian(rest, numbers)
         kind = _kind(matrix)
@@ -202,7 +211,7 @@ def _judge_points(answer, family, noun, searched=None):
                 outside = f"; {_place_told(family.state, place)}, which your answer gives, lies outside the domain"
                 continue
             met[k] = True
-            open_ = [uncertain_at(coordinate, values) for coordinate in point]
+            open_ = [uncertainty_at(coordinate, values) for coordinate in point]
             here = [j for j, rest in enumerate(missed) if family.same(place, rest, point, open_)]
             if not here:
                 if any(family.same(place, rest, point, open_) for rest in rests):
@@ -239,7 +248,7 @@ def _rounded_inside(place, written, family):
     """A place whose decimals were rounded to the other side of the border of the domain, on the
     border."""
     for k, (symbol, coordinate) in enumerate(zip(family.state, written)):
-        low, high = ends(symbol, family.domain)
+        low, high = endpoints(symbol, family.domain)
         for end in (low, high) if in_decimals(coordinate) and not low <= place[k] <= high else ():
             if math.isfinite(end) and abs(place[k] - end) <= half_unit(end):
                 place[k] = end
@@ -255,12 +264,12 @@ def _judge_existence(answer, family, noun):
 
     def told(values, holds):
         return (
-            f"for {place_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
+            f"for {values_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
             f"condition {'does not hold' if holds else 'holds'}"
         )
 
     given, rest = family.given, family.at_rest
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(sp.And(given, rest), tuple(family.state)),),
         (Case(sp.And(given, sp.Not(rest)), tuple(family.state), every=True),),
         at,
@@ -275,7 +284,7 @@ def _judge_roots(answer, field, state, parameters, domain, sign):
         return judge_angle_roots(answer, field, state, parameters, sign)
     return _judge_point_roots(
         answer,
-        rest_points(field, state, parameters, domain),
+        stationary_points_of(field, state, parameters, domain),
         sign,
         "a node" if sign > 0 else "a focus",
     )
@@ -304,7 +313,7 @@ def _judge_point_roots(answer, family, sign, noun):
 
     def told(values, holds):
         return (
-            f"for {place_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
+            f"for {values_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
             f"yet your condition {'does not hold' if holds else 'holds'}"
         )
 

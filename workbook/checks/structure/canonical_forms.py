@@ -21,8 +21,8 @@ from workbook.checks.contract.tolerance import agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
-from workbook.checks.references.records import by_control, reached, seen
-from workbook.checks.tools.comparisons import Entries
+from workbook.checks.references.records import controlled_pair, has_control, observed_pair
+from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 
@@ -73,9 +73,9 @@ def canonical_matrix(claim, system, parameters=()):
     control that by control (2.4), determined by its last row: ones above the diagonal, and the
     eigenvalues of A.
     """
-    if by_control(system):
-        return judge_form(claim.T[::-1, ::-1], reached(system, parameters), BY_CONTROL)
-    return judge_form(claim, seen(system, parameters), BY_OBSERVATION)
+    if has_control(system):
+        return judge_form(claim.T[::-1, ::-1], controlled_pair(system, parameters), BY_CONTROL)
+    return judge_form(claim, observed_pair(system, parameters), BY_OBSERVATION)
 
 
 @judged(Matrix("parameters", shape="system.A"))
@@ -86,14 +86,16 @@ def canonical_change(claim, system, parameters=()):
     control (2.4) it is P of x = P xi: its last column is b, and A P = P A0.
     """
     orders = range(1, system.A.rows + 1)
-    if by_control(system):
+    if has_control(system):
         return _judge_change(
             claim.T[::-1, :],
-            reached(system, parameters),
+            controlled_pair(system, parameters),
             [f"column {k}" for k in orders[::-1]],
             by_rows=False,
         )
-    return _judge_change(claim, seen(system, parameters), [f"xi{k}" for k in orders], by_rows=True)
+    return _judge_change(
+        claim, observed_pair(system, parameters), [f"xi{k}" for k in orders], by_rows=True
+    )
 
 
 @judged(Matrix("parameters", shape="system.A"))
@@ -105,8 +107,8 @@ def chain_basis_matrix(claim, system, parameters=()):
     Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the
     eigenvalues of A demand.
     """
-    pair = reached(system, parameters)
-    if pair.outputs != 1 or any(pair.unseen):
+    pair = controlled_pair(system, parameters)
+    if pair.outputs != 1 or any(pair.unobservable):
         raise ValueError("b, A b, A^2 b, ... are no basis")
     return judge_form(claim[::-1, ::-1], pair, OF_CHAIN)
 
@@ -122,7 +124,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
             f"expected a matrix with {system.A.rows} columns, one for each coordinate of x; the "
             f"shape of yours is {claim.shape}"
         )
-    pair = seen(system, parameters)
+    pair = observed_pair(system, parameters)
     if pair.outputs != 1:
         raise ValueError("the canonical form belongs to one output")
     for values, A_there, (h,), unseen in pair.systems_for(claim):
@@ -138,7 +140,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
                 f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are "
                 "too few for them"
             )
-        yield Entries(
+        yield SameEntries(
             claim[0, :],
             h[None, :],
             lambda said, _, j: (
@@ -160,7 +162,9 @@ def canonical_part_coordinates(claim, system, parameters=()):
                     f"{what} has to be a multiple of z{where}; by your rows it differs from the "
                     f"nearest multiple by terms such as {number_text(rest[j])} x{j + 1}"
                 )
-    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
+    judge_everywhere(
+        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
+    )
     return "z = xi1, and the derivatives are as the form (2.5) says"
 
 
@@ -184,7 +188,9 @@ def judge_form(claim, pair, form):
                 f"of A is {number_text(np.polyval(true, at))}, that of your matrix "
                 f"{number_text(np.polyval(own, at))}"
             )
-    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
+    judge_everywhere(
+        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
+    )
     return f"it has {form.shape} and the characteristic polynomial of A"
 
 
@@ -214,7 +220,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
     """The rows r of a change of variables: r1 = h, and r_k A = alpha r1 + r_(k+1) with the
     coefficients of A's polynomial."""
     n = pair.order
-    if any(pair.unseen):
+    if any(pair.unobservable):
         raise ValueError("there is no canonical form: the system loses an eigenvalue")
     for (values, A, (h,), _), (_, place, _) in zip(
         pair.systems_for(claim), pair.samples_for(claim)
@@ -253,8 +259,10 @@ def _judge_change(claim, pair, said_rows, by_rows):
                 f"{j + 1} of your {own} does not fit"
             )
 
-        yield Entries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
-    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
+        yield SameEntries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
+    judge_everywhere(
+        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
+    )
     return (
         "z = xi1 and each derivative is as the form says"
         if by_rows

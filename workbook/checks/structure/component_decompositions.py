@@ -21,7 +21,7 @@ import numpy as np
 from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.references.invariant_subspaces import echelon, product, unseen_subspace
+from workbook.checks.references.invariant_subspaces import echelon, product, unobservable_subspace
 from workbook.checks.structure.decompositions import by_observation, require_invertible
 from workbook.checks.tools.values import matrix_at
 
@@ -160,7 +160,7 @@ def _orthonormal(rows):
 
 def _sizes_in_turn(A, H):
     """How many coordinates each output adds to what those before see."""
-    seen = [len(A) - len(unseen_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
+    seen = [len(A) - len(unobservable_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
     return [after - before for before, after in zip([0, *seen], seen)]
 
 

@@ -3,7 +3,7 @@ of observability in `observability.py`, of the dual system."""
 
 from workbook.checks.contract.claims import Matrix, Vectors, YesNo
 from workbook.checks.contract.verdict import judged
-from workbook.checks.references.records import reached
+from workbook.checks.references.records import controlled_pair
 from workbook.checks.structure.dual_questions import (
     CONTROL,
     judge_kalman,
@@ -27,7 +27,7 @@ def controllable(claim, system, parameters=()):
     """
     if isinstance(system, Mechanical) and not parameters:
         return judge_rank(claim, system.dual, DRIVEN)
-    return judge_yes_no(claim, reached(system, parameters), CONTROL)
+    return judge_yes_no(claim, controlled_pair(system, parameters), CONTROL)
 
 
 @judged
@@ -39,7 +39,7 @@ def controllable_parameters(answer, system, parameters):
     Where the M of a `Mechanical` system is singular its order drops; what is said of these
     values does not count.
     """
-    return judge_region(answer, reached(system, parameters), CONTROL)
+    return judge_region(answer, controlled_pair(system, parameters), CONTROL)
 
 
 @judged(
@@ -53,7 +53,7 @@ def controllability_matrix(claim, system, parameters=()):
 
     Its shape is n x n s: the columns of B, then those of A B, and so on.
     """
-    return judge_kalman(claim.T, reached(system, parameters), CONTROL)
+    return judge_kalman(claim.T, controlled_pair(system, parameters), CONTROL)
 
 
 @judged(Vectors("parameters", size="system.unknowns"))
@@ -65,7 +65,7 @@ def uncontrollable_combinations(claim, system, parameters=()):
     With parameters: for their values in general position, as the assumptions allow; with one,
     also where the answer might fail.
     """
-    return judge_basis(claim, reached(system, parameters), CONTROL)
+    return judge_basis(claim, controlled_pair(system, parameters), CONTROL)
 
 
 @judged(bases_by_value(CONTROL))
@@ -78,7 +78,7 @@ def uncontrollable_combinations_at(claim, system, parameter):
     """
     return judge_where_lost(
         claim,
-        reached(system, (parameter,)),
+        controlled_pair(system, (parameter,)),
         CONTROL,
-        lambda value: reached(system.subs(parameter, value)),
+        lambda value: controlled_pair(system.subs(parameter, value)),
     )

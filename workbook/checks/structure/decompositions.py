@@ -32,10 +32,15 @@ from workbook.checks.contract.tolerance import EXACT, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.references.records import by_control, matrix_of, reached, seen
+from workbook.checks.references.records import (
+    controlled_pair,
+    has_control,
+    matrix_of,
+    observed_pair,
+)
 from workbook.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
 from workbook.checks.structure.similar_systems import are_similar, difference_text
-from workbook.checks.tools.values import matrix_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -91,7 +96,7 @@ def decomposed_system(answer, system, parameters=()):
 
     Any right coordinates are accepted, xi first, with as many coordinates as N or W has rank.
     """
-    control = by_control(system)
+    control = has_control(system)
     matrix, other = _as_system(
         answer,
         parameters,
@@ -107,7 +112,7 @@ def decomposed_system(answer, system, parameters=()):
 def canonical_observable_part(answer, system, parameters=()):
     """Check the observable subsystem [A11, H1] in the canonical form (2.5), H1 = (1 0 ... 0)."""
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
-    pair, tolerance = seen(system, parameters), relative_tolerance(matrix, output)
+    pair, tolerance = observed_pair(system, parameters), relative_tolerance(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
         said = matrix_at(output, values)
         if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
@@ -163,9 +168,9 @@ def similarity_matrix(claim, system, other, parameters=()):
 
 def by_observation(claim, system, parameters=()):
     """A matrix, the pair and the words of a question, transposed if it is one of control."""
-    if by_control(system):
-        return claim.T, reached(system, parameters), CONTROL
-    return claim, seen(system, parameters), OUTPUT
+    if has_control(system):
+        return claim.T, controlled_pair(system, parameters), CONTROL
+    return claim, observed_pair(system, parameters), OUTPUT
 
 
 def _judge_split(claim, pair, side):
@@ -178,7 +183,7 @@ def _judge_split(claim, pair, side):
         if (
             abs(said[:size] @ space)
             <= EXACT * np.linalg.norm(said[:size], axis=1)[:, None]
-            + uncertain_entries(claim, values)[:size] @ abs(space)
+            + entry_uncertainties(claim, values)[:size] @ abs(space)
         ).all():
             continue
         if _vanishes(np.linalg.inv(said)[:size], space, tolerance):
@@ -201,7 +206,7 @@ def _judge_split(claim, pair, side):
     judge_everywhere(
         claim,
         pair.parameters,
-        lambda: pair.in_general,
+        lambda: pair.generic_condition,
         "your matrix is undefined",
         "your matrix has no inverse",
     )
@@ -227,7 +232,7 @@ def _judge_system(matrix, output, pair, side):
                 f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi "
                 f"has as many coordinates as {side.size} says"
             )
-        open_ = uncertain_entries(matrix, values)
+        open_ = entry_uncertainties(matrix, values)
         if not are_similar(A, H, new_A, new_H, tolerance, A, open_):
             part = new_A[:size, :size], new_H[:, :size]
             if (
@@ -256,7 +261,13 @@ def _judge_part(matrix, output, pair):
             )
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
         if not are_similar(
-            A, H, new_A, new_H, tolerance, _seen_part(A, unseen), uncertain_entries(matrix, values)
+            A,
+            H,
+            new_A,
+            new_H,
+            tolerance,
+            _seen_part(A, unseen),
+            entry_uncertainties(matrix, values),
         ):
             raise Wrong(difference_text(None, new_A, new_A, new_H, values, OUTPUT))
     _serves_everywhere(matrix, output, pair, OUTPUT)
@@ -269,12 +280,14 @@ def _serves_everywhere(matrix, output, pair, side):
     rows = [output]
     while len(rows) < matrix.rows and pair.parameters:
         rows.append(rows[-1] * matrix)
-    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unseen[0])]
-    judge_everywhere(matrix, pair.parameters, lambda: pair.in_general, "your system is undefined")
+    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unobservable[0])]
+    judge_everywhere(
+        matrix, pair.parameters, lambda: pair.generic_condition, "your system is undefined"
+    )
     judge_everywhere(
         seen,
         pair.parameters,
-        lambda: pair.in_general,
+        lambda: pair.generic_condition,
         "your system is undefined",
         f"less of your system than of the given one is {side.part}",
     )

@@ -21,10 +21,10 @@ from workbook.checks.references.invariant_subspaces import (
     different_roots,
     restricted,
 )
-from workbook.checks.tools.comparisons import Entries, Members, Word
-from workbook.checks.tools.conditions import compare, place_text
+from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameWord
+from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.values import numbers_at
-from workbook.checks.tools.wording import number_text, where_text
+from workbook.checks.tools.wording import number_text, values_text, where_text
 
 
 def _output_shows(k, order, number, value):
@@ -102,25 +102,25 @@ EIGENVALUES = Values(
 def judge_yes_no(claim, pair, side):
     """Whether the property holds, for all values of the parameters that their assumptions allow."""
     if not pair.parameters:
-        (unseen,) = pair.unseen
-        return (yield Word(claim, not unseen, left_over(len(unseen), side)))
+        (unseen,) = pair.unobservable
+        return (yield SameWord(claim, not unseen, left_over(len(unseen), side)))
     holds, reason = True, f"{side.none_free}, for any values of the parameters"
     try:
         compare(
             sp.true,
             pair.parameters,
-            pair.truth(True),
+            pair.reference(True),
             lambda values, _: (
                 f"for some values of the parameters {left_over(pair.dimension_at(values), side)}"
             ),
         )
     except Wrong as found:
-        always = min(map(len, pair.unseen))
+        always = min(map(len, pair.unobservable))
         holds, reason = (
             False,
             f"{left_over(always, side)}, whatever the parameters" if always else str(found),
         )
-    return (yield Word(claim, holds, reason))
+    return (yield SameWord(claim, holds, reason))
 
 
 def judge_region(answer, pair, side, holds=True):
@@ -130,7 +130,7 @@ def judge_region(answer, pair, side, holds=True):
         dimension, says = pair.dimension_at(values), "does not hold" if truth else "holds"
         found = f"the system is {side.fails if dimension else side.holds}"
         if truth == holds or not dimension:
-            return f"at {place_text(values)} your condition {says}, yet {found} there: {left_over(dimension, side)}"
+            return f"at {values_text(values)} your condition {says}, yet {found} there: {left_over(dimension, side)}"
         # An exceptional value itself would be the answer: one parameter of those it depends on
         # stays unsaid.
         asked = set().union(*(poly.free_symbols for poly in pair.boundaries))
@@ -142,7 +142,7 @@ def judge_region(answer, pair, side, holds=True):
         )
 
     try:
-        agreement = compare(answer, pair.parameters, pair.truth(holds), told)
+        agreement = compare(answer, pair.parameters, pair.reference(holds), told)
     except Wrong as reason:
         if (
             not holds
@@ -180,7 +180,7 @@ def judge_kalman(claim, pair, side):
                 f"{number_text(said[k, j])} in {side.across} {j + 1}, does not fit"
             )
 
-        yield Entries(claim, true, told, values, sizes)
+        yield SameEntries(claim, true, told, values, sizes)
     return f"the {block}s are those of the definition, each block A times the one before"
 
 
@@ -225,7 +225,7 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
             )
 
         numbers = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
-        yield Members(
+        yield SameMembers(
             list(zip(claims, numbers)),
             list(lost),
             fits,

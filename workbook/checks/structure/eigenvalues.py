@@ -2,7 +2,7 @@
 Theorem 2.3, with a control by Theorem 2.4, and by Theorems 2.5 and 2.6 of a mechanical one."""
 
 from workbook.checks.contract.verdict import judged
-from workbook.checks.references.records import by_control, reached, seen
+from workbook.checks.references.records import controlled_pair, has_control, observed_pair
 from workbook.checks.structure.dual_questions import CONTROL, EIGENVALUES, OUTPUT, judge_eigenvalues
 from workbook.checks.structure.mechanical import DRIVEN, SEEN, judge_roots
 from workbook.systems import Mechanical
@@ -18,11 +18,13 @@ def fixed_eigenvalues(claim, system, parameters=()):
 
     With parameters: for their values in general position, as the assumptions allow.
     """
-    control = by_control(system)
+    control = has_control(system)
     if isinstance(system, Mechanical):
         return judge_roots(
             claim, system.dual if control else system, parameters, DRIVEN if control else SEEN
         )
     return judge_eigenvalues(
-        claim, (reached if control else seen)(system, parameters), CONTROL if control else OUTPUT
+        claim,
+        (controlled_pair if control else observed_pair)(system, parameters),
+        CONTROL if control else OUTPUT,
     )

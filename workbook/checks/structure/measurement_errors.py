@@ -14,10 +14,10 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.invariant_subspaces import echelon, product, to_floats
-from workbook.checks.references.records import augmented, seen
-from workbook.checks.tools.comparisons import Same
+from workbook.checks.references.records import augmented, observed_pair
+from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.samples import in_every_case
-from workbook.checks.tools.values import matrix_at, moved, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturbed_arrays
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -33,7 +33,7 @@ def augmented_system(answer, system, parameters=(), own=False):
             "expected a list [A', H'] of the matrix of the augmented system and the row of its "
             "output"
         )
-    n, outputs, pair = system.A.rows, system.H.rows, seen(system, parameters)
+    n, outputs, pair = system.A.rows, system.H.rows, observed_pair(system, parameters)
     matrix = coercion.as_matrix(answer[0], parameters)
     if matrix.rows != matrix.cols or matrix.rows <= n:
         raise Invalid(
@@ -73,7 +73,7 @@ def augmented_system(answer, system, parameters=(), own=False):
                 "the last coordinate is the error itself",
                 where,
             )
-        open_ = uncertain_entries(matrix, values)[w, w], uncertain_entries(row, values)[:, w]
+        open_ = entry_uncertainties(matrix, values)[w, w], entry_uncertainties(row, values)[:, w]
         _compare_errors(
             said_A[w, w],
             said_H[:, w],
@@ -109,7 +109,9 @@ def amplitude_from_output(claim, system, outputs, time):
         for symbol in outputs:
             values[symbol] = float(row @ state)
             state = matrix @ state
-        yield Same(claim, amplitude, "C", values, 1e-2 * sum(abs(v) for v in values.values()), 1e-8)
+        yield SameValue(
+            claim, amplitude, "C", values, 1e-2 * sum(abs(v) for v in values.values()), 1e-8
+        )
     return "it gives C at every moment of motions with all kinds of starts and errors"
 
 
@@ -159,7 +161,9 @@ def _compare_errors(S, c, left_open, derivatives, where):
         return told @ start - wanted
 
     here = rest(S, c)
-    allowed = sum(np.linalg.norm(rest(*other) - here) for other in moved((S, c), left_open))
+    allowed = sum(
+        np.linalg.norm(rest(*other) - here) for other in perturbed_arrays((S, c), left_open)
+    )
     if not np.linalg.norm(here) <= 10 * EXACT * np.linalg.norm(wanted) + allowed:
         raise Wrong(
             "from no start do your coordinates of the error give the error of the "

@@ -19,7 +19,7 @@ from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
 )
-from workbook.checks.references.records import seen
+from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import (
     CONTROL,
     EIGENVALUES,
@@ -27,7 +27,7 @@ from workbook.checks.structure.dual_questions import (
     compare_eigenvalues,
     known_roots,
 )
-from workbook.checks.tools.comparisons import Word
+from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.samples import general_values, in_every_case
 
 LAMBDA = sp.Symbol("lambda")
@@ -61,7 +61,7 @@ def mechanical_eigenvalues(claim, system, parameters=()):
 
     M is invertible; with parameters the roots are asked for their values in general position.
     """
-    pair = seen(system, parameters)
+    pair = observed_pair(system, parameters)
     samples = pair.samples_for(claim)
     roots = [
         different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place, _ in samples
@@ -77,7 +77,7 @@ def judge_rank(claim, system, side):
     singular."""
     ((_, lost, _),) = _spectra(system, ())
     falls = "falls at some lambda" if len(lost) else f"is full at every {side.spectrum}"
-    return (yield Word(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
+    return (yield SameWord(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
 
 
 def judge_roots(claim, system, parameters, side):

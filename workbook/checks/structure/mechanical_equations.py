@@ -12,7 +12,7 @@ from workbook.checks.contract.claims import Matrix, Parts
 from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.tools.comparisons import Follows
+from workbook.checks.tools.comparisons import SameSides
 from workbook.checks.tools.samples import general_values, in_every_case
 from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import number_text, where_text
@@ -44,7 +44,7 @@ def mechanical_equations(claim, system, parameters=()):
         )
         for own, wanted, name, sign in zip(said, true, "qu", (-1, 1)):
             own, wanted = np.linalg.solve(mass, own), np.linalg.solve(true_mass, wanted)
-            yield Follows(
+            yield SameSides(
                 own,
                 wanted,
                 max(abs(wanted).max(), 1e-300),

@@ -4,7 +4,7 @@ constants as `Measurements`, locally. For the `parameters` (a list of symbols) i
 
 from workbook.checks.contract.claims import Vectors, YesNo
 from workbook.checks.contract.verdict import judged
-from workbook.checks.references.records import seen
+from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import OUTPUT, judge_region, judge_yes_no
 from workbook.checks.structure.mechanical import SEEN, judge_rank
 from workbook.checks.structure.phrases import PARTS, words
@@ -25,7 +25,7 @@ def observable(claim, system, parameters=()):
     """
     if isinstance(system, Mechanical) and not parameters:
         return judge_rank(claim, system, SEEN)
-    return judge_yes_no(claim, seen(system, parameters), words(system))
+    return judge_yes_no(claim, observed_pair(system, parameters), words(system))
 
 
 @judged
@@ -40,7 +40,9 @@ def observable_parameters(answer, system, parameters, part=None):
     Jacobian has full rank.
     """
     pair = (
-        seen(system, parameters) if part is None else seen(system, parameters, PARTS[part](system))
+        observed_pair(system, parameters)
+        if part is None
+        else observed_pair(system, parameters, PARTS[part](system))
     )
     return judge_region(answer, pair, words(system, part))
 
@@ -51,7 +53,7 @@ def unobservable_parameters(answer, system, parameters):
 
     A set or a list of values of the only parameter is accepted as well.
     """
-    return judge_region(answer, seen(system, parameters), words(system), holds=False)
+    return judge_region(answer, observed_pair(system, parameters), words(system), holds=False)
 
 
 @judged(Vectors("parameters", size="system.unknowns", names="start"))
@@ -65,7 +67,7 @@ def unobservable_states(claim, system, parameters=(), start=()):
     With parameters: for their values in general position, as the assumptions allow, and
     wherever as much is unseen. By the symbols of the `start` a vector may be given as a dict.
     """
-    return judge_basis(claim, seen(system, parameters), words(system))
+    return judge_basis(claim, observed_pair(system, parameters), words(system))
 
 
 @judged(bases_by_value(OUTPUT))
@@ -79,7 +81,7 @@ def unobservable_states_at(claim, system, parameter):
     """
     return judge_where_lost(
         claim,
-        seen(system, (parameter,)),
+        observed_pair(system, (parameter,)),
         words(system),
-        lambda value: seen(system.subs(parameter, value)),
+        lambda value: observed_pair(system.subs(parameter, value)),
     )

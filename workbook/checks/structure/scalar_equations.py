@@ -17,9 +17,9 @@ from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.tolerance import EXACT, agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.references.records import reached, seen
+from workbook.checks.references.records import controlled_pair, observed_pair
 from workbook.checks.tools.samples import general_values, in_every_case
-from workbook.checks.tools.values import number_at, numbers_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, number_at, numbers_at
 from workbook.checks.tools.wording import number_text, where_text
 
 LARGEST_ORDER = 12
@@ -37,8 +37,8 @@ def scalar_equation(answer, system, motion, control, parameters=()):
         there = system.subs(values)
         row = _first_coordinate(there.A, there.B) if canonical else there.H
         claim.judge(there.A, there.B, row, values, canonical=canonical)
-    pair = reached(system, parameters) if canonical else seen(system, parameters)
-    claim.judge_everywhere(system.A.rows, parameters, lambda: pair.in_general)
+    pair = controlled_pair(system, parameters) if canonical else observed_pair(system, parameters)
+    claim.judge_everywhere(system.A.rows, parameters, lambda: pair.generic_condition)
     return "it is linear, of the order of the system, and " + (
         "the first canonical coordinate satisfies it at random states and controls"
         if canonical
@@ -134,7 +134,7 @@ class _LinearEquation:
             for row in self.coefficients
         ]
         self.uncertain = [
-            uncertain_entries(sp.Matrix([row]), values)[0] for row in self.coefficients
+            entry_uncertainties(sp.Matrix([row]), values)[0] for row in self.coefficients
         ]
         size = max(abs(a) for row in numbers for a in row)
         present = [[k for k, a in enumerate(row) if abs(a) > 1e-9 * size] for row in numbers]

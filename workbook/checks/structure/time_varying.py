@@ -10,7 +10,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression, Matrix
 from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Entries, Same
+from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.samples import in_every_case, signed_values
 from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import number_text, rounded_text
@@ -29,7 +29,9 @@ def measured_output(claim, system, start, time, parameters=()):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(system.A, values), _at(system.H, values)
         z = float((row @ expm(values[time] * matrix) @ x)[0])
-        yield Same(claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x))
+        yield SameValue(
+            claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x)
+        )
     return "it is what is measured for all starts, moments and parameters tried"
 
 
@@ -70,7 +72,7 @@ def observability_matrix(claim, system, parameters):
             )
 
         sizes = np.array([sum(map(np.linalg.norm, row)) for row in terms])
-        yield Entries(claim, list(map(sum, terms)), told, values, sizes[:, None])
+        yield SameEntries(claim, list(map(sum, terms)), told, values, sizes[:, None])
     return "the rows times x are z and its derivatives, at all moments and parameters tried"
 
 
@@ -91,7 +93,7 @@ def output_gramian(claim, system, duration, parameters):
         measured = np.array([np.broadcast_to(entry, moments.shape) for entry in row(moments)]).T
         rows = np.einsum("ti,tij->tj", measured, expm(moments[:, None, None] * matrix))
         true = rows.T @ (weights[:, None] * rows)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
             lambda said, i, j: (

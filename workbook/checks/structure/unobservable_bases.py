@@ -15,11 +15,11 @@ from workbook.checks.contract.tolerance import EXACT, in_decimals, relative_tole
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import to_floats
-from workbook.checks.references.pairs import place_of, special_values
+from workbook.checks.references.pairs import point_of, special_values
 from workbook.checks.structure.dual_questions import left_over
-from workbook.checks.tools.comparisons import Members
+from workbook.checks.tools.comparisons import SameMembers
 from workbook.checks.tools.conditions import allowed
-from workbook.checks.tools.values import number_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, number_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -38,7 +38,7 @@ def judge_basis(vectors, pair, side, at=None):
             ]
         ).reshape(len(vectors), n)
         space, _ = np.linalg.qr(to_floats(unseen, n).T)
-        left_open = uncertain_entries(
+        left_open = entry_uncertainties(
             sp.Matrix(len(vectors), n, [entry for one in vectors for entry in one]), values
         )
         across = abs(np.eye(n) - space @ space.T)
@@ -67,7 +67,7 @@ def judge_basis(vectors, pair, side, at=None):
         judge_everywhere(
             sp.Matrix(vectors).T,
             pair.parameters,
-            lambda: pair.in_general,
+            lambda: pair.generic_condition,
             "one of your vectors is undefined",
             "your vectors are linearly dependent" if len(vectors) > 1 else "your vector is zero",
         )
@@ -114,7 +114,7 @@ def judge_where_lost(claim, pair, side, at_value):
     """
     (parameter,) = pair.parameters
     lost = _values_where_lost(pair, parameter)
-    named = yield Members(
+    named = yield SameMembers(
         [value for value, _ in claim],
         lost,
         _same,
@@ -134,7 +134,7 @@ def judge_where_lost(claim, pair, side, at_value):
 
 def _values_where_lost(pair, parameter):
     """The exceptional values, SymPy rationals."""
-    if all(pair.unseen):
+    if all(pair.unobservable):
         raise ValueError("something is unseen for all values in general position")
     values = special_values(pair.boundaries, parameter)
     real = {
@@ -149,7 +149,7 @@ def _values_where_lost(pair, parameter):
         if allowed(parameter, 1 if root > 0 else -1)
     ):
         raise ValueError("something is unseen at an irrational value")
-    return [value for value in values if pair.unseen_at(place_of({parameter: value}))]
+    return [value for value in values if pair.unobservable_at(point_of({parameter: value}))]
 
 
 def _same(value, other):

@@ -147,3 +147,10 @@ def _extremes(rate, control, bounds):
     """The greatest and the least value of what is linear in the control."""
     values = [rate.subs(control, u) for u in bounds]
     return sp.Max(*values), sp.Min(*values)
+
+
+def linear_parts(dynamics, control):
+    state = list(dynamics)
+    field = sp.Matrix(list(dynamics.values()))
+    zero = dict.fromkeys([*state, control], 0)
+    return field.jacobian(state), field.jacobian([control]), list(field.subs(zero))

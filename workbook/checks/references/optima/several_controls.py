@@ -16,7 +16,7 @@ import casadi as ca
 import numpy as np
 import sympy as sp
 
-from workbook.checks.references.optima.transfer_optima import rk4
+from workbook.checks.references.optima.runge_kutta import rk4
 
 #: Arcs at first and at most, and steps of each: where processes are only compared, and where they
 #: are improved.
@@ -75,7 +75,7 @@ class Optimum:
         self.duration = self.cost = float(sum(lengths))
         self.arcs = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * self.duration]
 
-    def told_duration(self, said):
+    def duration_message(self, said):
         return "the best process found ends " + ("earlier" if said > self.duration else "later")
 
     def cost_size(self):

@@ -5,7 +5,7 @@ import sympy as sp
 
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_plant import Plant
-from workbook.checks.tools.samples import sample_cases
+from workbook.checks.tools.domains import sample_cases
 
 #: Switchings earlier than this before the end are not asked for.
 LONGEST = 12.0
@@ -152,7 +152,7 @@ class TargetFamily:
         points = points[np.isfinite(times)]
         return tuple(points[np.argsort(points[:, 0])].T)
 
-    def told(self, values, place):
+    def values_text(self, values, place):
         named = [f"{p} = {v:.4g}" for p, v in zip(self.parameters, values)] + [
             f"{self.variable} = {place:.4g}"
         ]

@@ -18,7 +18,7 @@ import functools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.tools.samples import sample_cases
+from workbook.checks.tools.domains import sample_cases
 
 #: At so many instants a process is told, and how well the equations of its ends are solved.
 INSTANTS, SOLVED = 40, 1e-11
@@ -248,7 +248,7 @@ class ThrustOptimum:
         rates[0, 2] = rates[1, 3] = 1
         return rates, np.zeros((1, 4)), np.eye(4)[: 4 if self.held else 2]
 
-    def told_duration(self, said):
+    def duration_message(self, said):
         return (
             "the point can come there earlier"
             if said > self.duration

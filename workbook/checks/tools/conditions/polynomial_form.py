@@ -16,24 +16,29 @@ MOST_COMPARED = 5
 
 
 class Undecidable(Exception):
-    """Something that is no polynomial condition, or one too large."""
+    """Raised for what is no polynomial condition, or one too large."""
 
 
-class Plain:
-    """Conditions as polynomial ones in more symbols: a root, an absolute value, a point of the
-    circle for an angle, a number such as pi each become a symbol; `sides` say what they are. The
-    order of `angles`, which run from 0 to 2 pi, is that of points on the circle."""
+class PolynomialForm:
+    """Rewrites conditions as polynomial ones in more symbols.
+
+    A root, an absolute value, a point of the circle for an angle, a number such as pi each become a
+    symbol; `sides` are the conditions that define them. The order of `angles`, which run from 0 to
+    2 pi, is that of points on the circle.
+    """
 
     def __init__(self, angles=()):
         self.sides, self.circles, self._known, self._bare, self._angles = [], {}, {}, set(), angles
 
     def copy(self):
-        other = Plain(self._angles)
+        """Return a copy that can be extended without changing this one."""
+        other = PolynomialForm(self._angles)
         other.sides, other.circles = list(self.sides), dict(self.circles)
         other._known, other._bare = dict(self._known), set(self._bare)
         return other
 
     def condition(self, node):
+        """Return a condition in polynomial form."""
         if node in (sp.true, sp.false):
             return node
         if isinstance(node, Relational):
@@ -63,8 +68,10 @@ class Plain:
         return node.func(*map(self.condition, node.args))
 
     def _not_equal(self, terms, defined):
-        """That a difference with a root is not zero: where the root is not real, it is not, if
-        nothing else is added to or multiplied with it that is not."""
+        """Return that a difference with a root is not zero, which is so where the root is not real.
+
+        That is known only if nothing else that is not real is added to or multiplied with the root.
+        """
         under = [part for part in defined if isinstance(part, sp.Ge)]
         others = [part for part in defined if part not in under]
         w = next(
@@ -145,8 +152,7 @@ class Plain:
         raise Undecidable
 
     def _ordered(self, angle, how, other, defined):
-        """The relation of an angle from 0 to 2 pi to another one, in the coordinates of their
-        points on the circle."""
+        """Return the relation of an angle in [0, 2 pi) to another, by points on the circle."""
         low, high = _range(other)
         if other.is_number and not 0 <= low < 2 * math.pi:
             return sp.sympify(HOW[how](0, low))
@@ -179,8 +185,10 @@ class Plain:
         }[how]
 
     def _symbol(self, key, base, where):
-        """The symbol for something of `base`, `where(w)` where that is not negative and where it
-        is."""
+        """Return the symbol of a function of `base`.
+
+        `where(w)` is the pair of conditions that define it: where base is not negative, and where it is.
+        """
         if key not in self._known:
             w = self._known[key] = sp.Dummy("w", real=True)
             positive, negative = where(w)
@@ -209,8 +217,10 @@ class Plain:
 
 
 def _squares(expression):
-    """The bases of a sum of even powers with positive factors, which vanishes where all of them do;
-    otherwise None."""
+    """Return the bases of a sum of even powers with positive factors, or None if it is none.
+
+    Such a sum vanishes where all bases do.
+    """
     parts = [part.as_coeff_Mul() for part in sp.Add.make_args(expression)]
     even = all(
         factor > 0
@@ -224,8 +234,7 @@ def _squares(expression):
 
 
 def _range(angle):
-    """The least and the greatest value of a number, or of a number and one inverse function:
-    floats."""
+    """Return the least and the greatest value of a number plus at most one inverse function."""
     inverse = angle.atoms(sp.acos, sp.asin, sp.atan)
     for function in inverse:
         sign, number = angle.coeff(function), angle - angle.coeff(function) * function
@@ -238,12 +247,13 @@ def _range(angle):
 
 
 def is_finite(relation):
+    """Return whether a relation does not contain infinity."""
     return not relation.has(sp.oo, -sp.oo)
 
 
 def _beyond_all(relation):
-    """A comparison with infinity, which every number is below."""
-    found = relation.subs(dict.fromkeys(relation.free_symbols, 0))
-    if found not in (sp.true, sp.false):
+    """Return the truth of a comparison with infinity, which every number is below."""
+    value = relation.subs(dict.fromkeys(relation.free_symbols, 0))
+    if value not in (sp.true, sp.false):
         raise Undecidable
-    return found
+    return value
