@@ -95,7 +95,7 @@ def test_a_condition_with_an_undefined_term_does_not_hold():
 
 LAW = cases("pontryagin/syntheses")
 MOVE, SEEN, SOLVED = map(
-    cases, ("pontryagin/transfers", "structure/observability", "research/solvability")
+    cases, ("pontryagin/transfers", "structure/observability", "research/conditioning")
 )
 SPLINE, PLANE = cases("research/reconstruction"), cases("stability/phase_plane")
 LINES, FLAT = cases("stability/critical"), cases("stability/linearisation")

@@ -8,6 +8,12 @@ from trajlib._lazy import lazy_names
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
     {
+        "conditioning": [
+            "bound_violating_error",
+            "dependence_hiding_error",
+            "greatest_row_count",
+            "nearly_dependent_condition_number",
+        ],
         "infosets": ["common_point_exists", "support_values"],
         "interpolation": ["interpolant_quantity"],
         "invariance": ["invariant_weights"],
@@ -26,10 +32,6 @@ __getattr__, __dir__, __all__ = lazy_names(
         ],
         "solvability": [
             "bias_of_estimate",
-            "bound_violating_error",
-            "dependence_hiding_error",
-            "greatest_row_count",
-            "nearly_dependent_condition_number",
             "observability_ranks",
             "range_error",
             "range_modes",
