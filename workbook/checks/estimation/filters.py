@@ -45,8 +45,8 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
         yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
-                f"{part_text('estimate', said, i)}{where_text(values)}; this is not the mean of "
+            lambda claimed, i, j: (
+                f"{part_text('estimate', claimed, i)}{where_text(values)}; this is not the mean of "
                 "the state under the condition of what was measured"
             ),
             values,
@@ -84,11 +84,11 @@ def estimate_standard_deviations(claim, process, measured, at, parameters=(), gi
         yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
-                f"{part_text('answer', said, i)}{where_text(values)}; "
+            lambda claimed, i, j: (
+                f"{part_text('answer', claimed, i)}{where_text(values)}; "
                 + (
                     "a standard deviation is not negative"
-                    if said[i, j].real < 0
+                    if claimed[i, j].real < 0
                     else "its square is not the variance of the error of the best estimate"
                 )
             ),
@@ -124,8 +124,8 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
         one = processes.at_values(process, values, start=False)
         true = processes.filter_gain(one, processes.steady_covariances(one)[0])
 
-        def told(said, i, j):
-            loop = one.A - (one.A @ said if one.discrete else said) @ one.H
+        def message(claimed, i, j):
+            loop = one.A - (one.A @ claimed if one.discrete else claimed) @ one.H
             growing = (
                 np.log(abs(np.linalg.eigvals(loop)))
                 if one.discrete
@@ -138,10 +138,10 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
             )
             return (
                 f"with your gain {does}{where_text(values)}: look at row {i + 1}, where it is "
-                f"{number_text(said[i, j])}"
+                f"{number_text(claimed[i, j])}"
             )
 
-        yield SameEntries(claim, true, told, values, abs(true).max())
+        yield SameEntries(claim, true, message, values, abs(true).max())
     return "no other gain makes the variances of the errors smaller"
 
 
@@ -152,7 +152,7 @@ def steady_filter_exists(answer, process, parameters):
     It is a condition on the parameters.
     """
 
-    def told(values, holds):
+    def message(values, holds):
         return (
             f"your condition {'does not hold' if holds else 'holds'} for {values_text(values)}; "
             + (
@@ -163,7 +163,7 @@ def steady_filter_exists(answer, process, parameters):
             )
         )
 
-    known = compare(answer, parameters, processes.steady_exists(process), told)
+    known = compare(answer, parameters, processes.steady_exists(process), message)
     return f"a filter settles, and its errors decay, for these values alone: {known}"
 
 
@@ -190,9 +190,9 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
         yield SameEntries(
             claim,
             sum(terms),
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"your rate of change of {estimates[i]} is "
-                f"{number_text(said[i, 0])}{where_text(values)}; the motion and "
+                f"{number_text(claimed[i, 0])}{where_text(values)}; the motion and "
                 "the best use of the innovation together change it at another rate"
             ),
             values,
@@ -228,8 +228,8 @@ def riccati_equation(claim, process, covariance, parameters=()):
         yield SameEntries(
             claim,
             sum(terms),
-            lambda said, i, j: (
-                f"{found.format(i + 1, j + 1)} is {number_text(said[i, j])}{where_text(values)}; "
+            lambda claimed, i, j: (
+                f"{found.format(i + 1, j + 1)} is {number_text(claimed[i, j])}{where_text(values)}; "
                 f"the motion, the noise and the measurement together {does}"
             ),
             values,
@@ -249,13 +249,13 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
         gain = processes.filter_gain(one, processes.steady_covariances(one)[0])
         loop = one.A - (one.A @ gain if one.discrete else gain) @ one.H
         size = np.linalg.norm(loop)
-        said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
+        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
             return agree(number[1], other, number[0], size, REPEATED)
 
         yield SameMembers(
-            list(zip(claims, said)),
+            list(zip(claims, claimed)),
             list(np.linalg.eigvals(loop)),
             fits,
             lambda number: (
@@ -305,6 +305,6 @@ def _size(known):
 
 
 def _other(whose, values):
-    return lambda said, i, j: (
-        f"the covariance of {whose} is another one{where_text(values)}: {entry_text(said, i, j)}"
+    return lambda claimed, i, j: (
+        f"the covariance of {whose} is another one{where_text(values)}: {entry_text(claimed, i, j)}"
     )

@@ -23,13 +23,13 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
     """Check the estimate of the unknowns, in their order."""
     for values in in_every_case(general_values(parameters), claims):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
-        true, said = (
+        true, claimed = (
             np.linalg.lstsq(rows, wanted, rcond=None)[0],
             numbers_at(claims, values, unknowns),
         )
         uncertain = [uncertainty_at(claim, values) for claim in claims]
-        if not agree(said, true, claims, abs(true).max(), uncertain=uncertain).all():
-            residuals = wanted - rows @ said.real
+        if not agree(claimed, true, claims, abs(true).max(), uncertain=uncertain).all():
+            residuals = wanted - rows @ claimed.real
             slopes = rows.T @ residuals
             k = int(np.argmax(abs(slopes)))
             raise Wrong(
@@ -62,9 +62,9 @@ def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
         yield SameEntries(
             claim,
             shares @ shares.T,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(said[i, j])}{where_text(values)}; the errors "
+                f"{number_text(claimed[i, j])}{where_text(values)}; the errors "
                 "of the measurements, taken through the estimate, give another one"
             ),
             values,

@@ -81,7 +81,7 @@ def uncorrelated(claims, first, second, vector, law, angle):
     """
     rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
     crossed = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
-    said = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
+    claimed = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
     true = list(_zeros(crossed, angle))
 
     def stranger(one):
@@ -93,7 +93,7 @@ def uncorrelated(claims, first, second, vector, law, angle):
         )
 
     yield SameMembers(
-        said,
+        claimed,
         true,
         lambda one, other: agree(one[1], other, one[0]),
         stranger,

@@ -56,10 +56,10 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
         yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"with the start and the noises{where_text(values)} the steps, one after the "
                 "other, lead to another state: "
-                f"look at component {i + 1}, where yours is {number_text(said[i, 0])}"
+                f"look at component {i + 1}, where yours is {number_text(claimed[i, 0])}"
             ),
             values,
             size,
@@ -78,7 +78,7 @@ def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None)
     for one, values in _in_time(process, time, claim, parameters, given, times):
         F, _ = processes.transition(one, values[time])
         yield SameEntries(
-            claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean)
+            claim, F @ one.mean, _text("mean", values), values, abs(F) @ abs(one.mean)
         )
     return "it is the mean at all times and parameters tried"
 
@@ -101,7 +101,7 @@ def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times
         )
         size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
         yield SameEntries(
-            claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max()
+            claim, F @ one.covariance @ F.T + N, _text("covariance", values), values, size.max()
         )
     return "it is the covariance at all times and parameters tried"
 
@@ -160,9 +160,9 @@ def stationary_covariance(claim, process, parameters=(), given=sp.true):
         yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"a process that had your covariance would not keep it{where_text(values)}: by the "
-                f"dispersion equation it changes; {entry_text(said, i, j)}"
+                f"dispersion equation it changes; {entry_text(claimed, i, j)}"
             ),
             values,
             abs(true).max(),
@@ -183,13 +183,13 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
         pairs = itertools.combinations_with_replacement(modes, 2)
         true = [first * second if process.discrete else first + second for first, second in pairs]
         size = max(map(abs, true))
-        said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
+        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
             return agree(number[1], other, number[0], size, REPEATED)
 
         yield SameMembers(
-            list(zip(claims, said)),
+            list(zip(claims, claimed)),
             true,
             fits,
             lambda number: (
@@ -212,7 +212,7 @@ def stationary_covariance_exists(answer, process, parameters, given=sp.true):
     """
     process = processes.as_process(process)
 
-    def told(values):
+    def message(values):
         modes = np.linalg.eigvals(processes.to_array(process.A, values))
         if process.discrete:
             return f"the largest modulus of an eigenvalue is {abs(modes).max():.4g} there"
@@ -222,7 +222,7 @@ def stationary_covariance_exists(answer, process, parameters, given=sp.true):
         answer,
         parameters,
         exactly(decays(process.A, process.discrete), given),
-        contradiction_message(told),
+        contradiction_message(message),
     )
     return f"there and nowhere else what is known of the start is forgotten: {agreement}"
 
@@ -243,7 +243,7 @@ def covariance_increases(answer, process, parameters, given=sp.true):
         *(minor > 0 for minor in minors), sp.Ne(A.det(), 0) if process.discrete else sp.true
     )
 
-    def told(values):
+    def message(values):
         at = sp.Matrix(rate.subs(values))
         if at.rows == 1:
             return (
@@ -252,7 +252,7 @@ def covariance_increases(answer, process, parameters, given=sp.true):
         return f"there the variances change at the rates {', '.join(map(str, at.diagonal()))} at the start"
 
     agreement = compare(
-        answer, parameters, exactly(rises, conjunction(given)), contradiction_message(told)
+        answer, parameters, exactly(rises, conjunction(given)), contradiction_message(message)
     )
     return f"it rises there and nowhere else: {agreement}"
 
@@ -275,12 +275,10 @@ def _in_time(process, time, claim, parameters, given, times):
         yield processes.at_values(process, values), values
 
 
-def _told(what, values):
-    def told(said, i, j):
+def _text(what, values):
+    def message(claimed, i, j):
         if list(values.values())[-1] == 0:
-            return (
-                f"at the start the {what} is given, and it is another one: {entry_text(said, i, j)}"
-            )
-        return f"the {what}{where_text(values)} is another one: {entry_text(said, i, j)}"
+            return f"at the start the {what} is given, and it is another one: {entry_text(claimed, i, j)}"
+        return f"the {what}{where_text(values)} is another one: {entry_text(claimed, i, j)}"
 
-    return told
+    return message

@@ -72,8 +72,8 @@ def equation_gains(claim, equation):
         raise ValueError("no feedback stabilises this equation")
     requirement = Requirement(margin=greatest or 0)
     requirement.hold(lambda gain: A + B * gain, K, "the matrix A + BK of the loop")
-    told = requirement.hold(lambda gain: A - gain * H, L, "the matrix A - LH of the errors")
-    return f"{told}, and so do those of A + BK"
+    message = requirement.hold(lambda gain: A - gain * H, L, "the matrix A - LH of the errors")
+    return f"{message}, and so do those of A + BK"
 
 
 def _comparisons(form, equation):
@@ -129,10 +129,10 @@ def _comparisons(form, equation):
         found[0],
         0,
         allowed[0],
-        lambda place: (
-            f"the motion of your form without control from y{place[0] + 1} = 1, the others zero, "
+        lambda point: (
+            f"the motion of your form without control from y{point[0] + 1} = 1, the others zero, "
             "does not satisfy the "
-            f"equation: its left-hand side begins with {number_text(found[0][place])}"
+            f"equation: its left-hand side begins with {number_text(found[0][point])}"
         ),
         1,
     )
@@ -140,10 +140,10 @@ def _comparisons(form, equation):
         found[1],
         right[:-1],
         allowed[1],
-        lambda place: (
-            f"from rest your form does not satisfy the equation: u{_primes(place[0])} enters its "
-            f"left-hand side with the coefficient {number_text(found[1][place])}, its right-hand "
-            f"side with {number_text(right[place])}"
+        lambda point: (
+            f"from rest your form does not satisfy the equation: u{_primes(point[0])} enters its "
+            f"left-hand side with the coefficient {number_text(found[1][point])}, its right-hand "
+            f"side with {number_text(right[point])}"
         ),
         1,
     )
@@ -157,9 +157,9 @@ def _comparisons(form, equation):
         H[0],
         found[2],
         allowed[2],
-        lambda place: (
-            f"z is not what is measured: at y{place[0] + 1} = 1, the others zero, your row H gives "
-            f"{number_text(H[0][place])}, and x and its derivatives {number_text(found[2][place])}"
+        lambda point: (
+            f"z is not what is measured: at y{point[0] + 1} = 1, the others zero, your row H gives "
+            f"{number_text(H[0][point])}, and x and its derivatives {number_text(found[2][point])}"
         ),
         1,
     )

@@ -59,14 +59,14 @@ def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
     (rests,) = family.rests(np.zeros((0, 1)))
     missed = list(rests)
     for written, gain in claim:
-        place = family.reduced(numbers_at(written, {}, [f"coordinate {x}" for x in state]).real)
-        here = [k for k, rest in enumerate(missed) if family.same(place.copy(), rest, written)]
+        position = family.reduced(numbers_at(written, {}, [f"coordinate {x}" for x in state]).real)
+        here = [k for k, rest in enumerate(missed) if family.same(position.copy(), rest, written)]
         if not here:
-            if any(family.same(place.copy(), rest, written) for rest in rests):
-                raise Wrong(f"the point {point_text(place)} stands twice in your list")
-            rates = flow([*place, *[0.0] * len(controls)])
+            if any(family.same(position.copy(), rest, written) for rest in rests):
+                raise Wrong(f"the point {point_text(position)} stands twice in your list")
+            rates = flow([*position, *[0.0] * len(controls)])
             raise Wrong(
-                f"your point {point_text(place)} is no equilibrium: without a control the "
+                f"your point {point_text(position)} is no equilibrium: without a control the "
                 f"right-hand sides are {point_text(np.where(abs(rates) > 1e-12, rates, 0))} there"
             )
         rest = missed.pop(here[0])
@@ -158,7 +158,7 @@ def _by_motions(flow, state, rest, gain):
     """The verdict of motions on the deviations from an equilibrium, and what they show."""
     deviations = sp.Matrix(state)
     values = dict(zip(flow.state[len(state) :], sp.Matrix(gain) * deviations))
-    values |= {x: x + place for x, place in zip(state, rest)}
+    values |= {x: x + position for x, position in zip(state, rest)}
     return stability_from_motions(
         Field([f.subs(values, simultaneous=True) for f in flow.expressions], state)
     )

@@ -108,8 +108,8 @@ class Requirement:
             return np.poly(np.array(closed.subs(values).evalf(30).tolist(), dtype=complex))
 
         there = matrix_at(gain, values)
-        said, true = found(there), self._coefficients(values)
-        if len(said) != len(true):
+        claimed, true = found(there), self._coefficients(values)
+        if len(claimed) != len(true):
             raise RuntimeError("the required polynomial has not the order of the loop")
         size = (
             np.linalg.norm(np.array(loop(gain).subs(values).evalf(30).tolist(), dtype=complex)) + 1
@@ -121,14 +121,14 @@ class Requirement:
             for k in np.ndindex(there.shape):
                 moved = there.copy()
                 moved[k] += left_open[k]
-                allowed = allowed + abs(found(moved) - said)
-        wrong = ~(abs(said - true) <= allowed)
+                allowed = allowed + abs(found(moved) - claimed)
+        wrong = ~(abs(claimed - true) <= allowed)
         if wrong.any():
             k = int(np.argmax(wrong))
             raise Wrong(
                 f"with {by} the characteristic polynomial of {what} is not the one required"
-                f"{where_text(values)}: the coefficient of {self.symbol}^{len(said) - 1 - k} is "
-                f"{number_text(said[k] if abs(said[k]) > EXACT * size**k else 0)}"
+                f"{where_text(values)}: the coefficient of {self.symbol}^{len(claimed) - 1 - k} is "
+                f"{number_text(claimed[k] if abs(claimed[k]) > EXACT * size**k else 0)}"
             )
 
     def _hold_margin(self, loop, gain, what, by):
@@ -140,7 +140,7 @@ class Requirement:
         def undefined(values):
             return any(entry.subs(values).has(sp.zoo, sp.nan, sp.oo) for entry in gain)
 
-        def told(values, holds):
+        def message(values, holds):
             if undefined(values):
                 return f"an entry of {by} has no value{where_text(values)}"
             return f"with {by} {what} is not as required{where_text(values)}: {spectrum.describe(values)}"
@@ -150,12 +150,14 @@ class Requirement:
             poles = sp.Or(
                 *(sp.Eq(sp.fraction(sp.together(entry))[1], 0) for entry in in_fractions(gain))
             )
-            compare(sp.true, self.parameters, exactly(sp.Not(poles), conjunction(self.given)), told)
+            compare(
+                sp.true, self.parameters, exactly(sp.Not(poles), conjunction(self.given)), message
+            )
             inside, outside = (
                 Case(sp.And(conjunction(self.given), case.condition), case.unknowns, case.every)
                 for case, _ in spectrum.stability.cases
             )
-            truth = ReferenceCondition(
+            reference = ReferenceCondition(
                 (inside,),
                 (outside,),
                 lambda values: (
@@ -166,12 +168,12 @@ class Requirement:
             )
             return (
                 f"all eigenvalues of {what} lie where they have to: "
-                f"{compare(sp.true, self.parameters, truth, told)}"
+                f"{compare(sp.true, self.parameters, reference, message)}"
             )
         if not _largest_real_part(matrix) <= (
             slack - self.margin + EXACT if self.margin else -EXACT
         ):
-            raise Wrong(told({}, False))
+            raise Wrong(message({}, False))
         return f"all eigenvalues of {what} lie where they have to"
 
     def _slack(self, loop, gain):
@@ -213,7 +215,7 @@ def _judge(gain, loop, what, requirement, pair):
             )
         return "there is no such gain: a mode that no gain changes forbids it"
     # That no gain would do is the answer, and so it is not told.
-    told = requirement.hold(loop, gain, what)
+    message = requirement.hold(loop, gain, what)
     if requirement.polynomial is not None:
         in_general = sp.true if pair is None or not pair.parameters else pair.generic_condition
         judge_everywhere(
@@ -224,7 +226,7 @@ def _judge(gain, loop, what, requirement, pair):
         )
     if pair is not None and requirement.impossible(pair):
         raise Wrong(f"with your gain the spectrum of {what} is not as required")
-    return told
+    return message
 
 
 def _column(data):
@@ -325,8 +327,8 @@ def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=
         if not any(requirement.impossible(pair) for *_, pair in parts):
             raise Wrong("there are such gains: no mode that stays the same forbids it")
         return "there are no such gains: a mode that no gain changes forbids it"
-    _, told = [_judge(gain, *part) for gain, part in zip(gains, parts)]
-    return f"{told}, and so do those of A + BK"
+    _, message = [_judge(gain, *part) for gain, part in zip(gains, parts)]
+    return f"{message}, and so do those of A + BK"
 
 
 def _driven(system, parameters, requirement):

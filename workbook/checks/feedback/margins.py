@@ -59,17 +59,17 @@ def possible_margins(answer, system, mu, parameters=()):
     no margin.
     """
     if isinstance(system, Scalar):
-        what, truth = "feedback by an estimate", up_to(mu, common_margin(system))
+        what, reference = "feedback by an estimate", up_to(mu, common_margin(system))
     elif not parameters:
         what = "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
         pairs = ([controlled_pair(system)] if system.B else []) + (
             [observed_pair(augmented(system))] if system.H else []
         )
-        truth = up_to(mu, *map(greatest_margin, pairs))
+        reference = up_to(mu, *map(greatest_margin, pairs))
     else:
         what, one = ("feedback", system.dual) if has_control(system) else ("observer", system)
-        truth = margins_with_parameters(one.A, one.H, mu, parameters)
-    return compare_margins(answer, [*parameters, mu], truth, what)
+        reference = margins_with_parameters(one.A, one.H, mu, parameters)
+    return compare_margins(answer, [*parameters, mu], reference, what)
 
 
 def up_to(mu, *greatest):
@@ -78,13 +78,13 @@ def up_to(mu, *greatest):
     return exactly(mu <= min(bounds, key=float) if bounds else sp.true)
 
 
-def compare_margins(answer, symbols, truth, what):
-    def told(values, holds):
+def compare_margins(answer, symbols, reference, what):
+    def message(values, holds):
         if holds:
             return f"your condition does not hold for {values_text(values)}, yet some {what} has this margin"
         return f"your condition holds for {values_text(values)}, yet no {what} has this margin"
 
-    return f"these are the margins that some {what} has: {compare(answer, symbols, truth, told)}"
+    return f"these are the margins that some {what} has: {compare(answer, symbols, reference, message)}"
 
 
 @judged
@@ -110,16 +110,16 @@ def undetectable_mode(answer, system, parameters=()):
         if slower_than(0, pair):
             raise Wrong("there is a mode that does not decay and that no gain changes")
         return "every mode that no gain changes decays"
-    places = [values for values, _ in pair.samples]
+    points = [values for values, _ in pair.samples]
     zero = {p: sp.Integer(0) for p in parameters}
     if (
         parameters
         and not any(p.is_nonzero for p in parameters)
         and not sp.Matrix.vstack(A, H).subs(zero).has(sp.zoo)
     ):
-        places.append(zero)
+        points.append(zero)
     for value, vector in claims.items():
-        for values in in_every_case(places, [value, vector]):
+        for values in in_every_case(points, [value, vector]):
             _hold_mode(value, vector, A, H, values, where_text(values))
         judge_everywhere(
             vector,

@@ -136,22 +136,22 @@ def _hold_linear(claims, symbols, parameters, estimates):
         itertools.cycle(general_values(parameters)), in_every_case(signed_values(symbols), claims)
     ):
         for symbol, claim, parts in zip(estimates, claims, coefficients):
-            said = number_at(claim, values | others, f"the right-hand side for {symbol}")
+            claimed = number_at(claim, values | others, f"the right-hand side for {symbol}")
             terms = [
                 number_at(part, values, "a coefficient") * others[s]
                 for part, s in zip(parts, symbols)
             ]
-            if not abs(said - sum(terms)) <= 1e-9 * (abs(said) + sum(map(abs, terms))):
+            if not abs(claimed - sum(terms)) <= 1e-9 * (abs(claimed) + sum(map(abs, terms))):
                 raise Wrong(
                     f"the right-hand side for {symbol} is not linear in "
                     f"{', '.join(map(str, symbols))}"
                 )
 
 
-def _hold_same(said, true, values, left_open, what, names):
+def _hold_same(claimed, true, values, left_open, what, names):
     found, wanted = (
         np.array(m.subs(values).evalf(30).tolist(), dtype=complex).reshape(m.shape)
-        for m in (said, true)
+        for m in (claimed, true)
     )
     wrong = ~(
         abs(found - wanted)

@@ -81,11 +81,14 @@ def optimal_switching(claim, problem, time):
     found = best.switching_function()
     size = max(abs(value) for _, value in found)
     for t, true in found:
-        said = function.values(t, {})[0]
-        if not abs(said - true) <= 4 * function.rounding * size + function.uncertain(t, {})[0][0]:
+        claimed = function.values(t, {})[0]
+        if (
+            not abs(claimed - true)
+            <= 4 * function.rounding * size + function.uncertain(t, {})[0][0]
+        ):
             raise Wrong(
-                f"at t = {t:.4g} your function is {said:.4g}; dH/du has another "
-                f"{'sign' if said * true < 0 else 'value'} there, if the costate that "
+                f"at t = {t:.4g} your function is {claimed:.4g}; dH/du has another "
+                f"{'sign' if claimed * true < 0 else 'value'} there, if the costate that "
                 "transversality and H = 0 "
                 f"determine at the end is followed back along the best process"
             )

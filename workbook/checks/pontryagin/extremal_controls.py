@@ -89,8 +89,8 @@ def _steps(sections, count=120):
     """A control in small steps: (time, length, values at the beginning, middle and end)."""
     found = []
     for begin, end, u in sections:
-        said, h = u(np.linspace(begin, end, 2 * count + 1)), (end - begin) / count
-        found += [(begin + k * h, h, said[2 * k : 2 * k + 3]) for k in range(count)]
+        claimed, h = u(np.linspace(begin, end, 2 * count + 1)), (end - begin) / count
+        found += [(begin + k * h, h, claimed[2 * k : 2 * k + 3]) for k in range(count)]
     return found
 
 

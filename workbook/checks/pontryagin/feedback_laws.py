@@ -95,8 +95,8 @@ class FeedbackLaw:
         low, high = bounds
         allowed, every = max(1e-9, self.rounding / 10), np.arange(low.size)
         for turn in range(ROUNDS):
-            places = low + (high - low) * np.arange(PARTS + 1)[:, None] / PARTS
-            left = self._function(places, *(np.broadcast_to(v, places.shape) for v in known))[0]
+            points = low + (high - low) * np.arange(PARTS + 1)[:, None] / PARTS
+            left = self._function(points, *(np.broadcast_to(v, points.shape) for v in known))[0]
             with np.errstate(invalid="ignore"):
                 changed = (left[:-1] * left[1:] <= 0) & (left[:-1] != 0)
             changed[0] |= left[0] == 0
@@ -116,7 +116,7 @@ class FeedbackLaw:
                 bound = np.where(ends[0] <= ends[1], *bounds)
                 none = ~changed.any(axis=0) & ~meant
             first = changed.argmax(axis=0)
-            low, high = places[first, every], places[first + 1, every]
+            low, high = points[first, every], points[first + 1, every]
             at_low, at_high = left[first, every], left[first + 1, every]
         with np.errstate(all="ignore"):
             chord = np.where(

@@ -50,10 +50,10 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
         for k in range(0, STEPS + 1, APART):
             at = values | {variable: sp.Float((times if by is None else controls)[k, 0], 17)}
             for name, claim, true, scale in zip(problem.state, claims, states[k, :, 0], size[:, 0]):
-                said = value_at(claim, at, str(name))
-                if not agree(said, true, claim, size=scale, computed=FOLLOWED):
+                claimed = value_at(claim, at, str(name))
+                if not agree(claimed, true, claim, size=scale, computed=FOLLOWED):
                     raise Wrong(
-                        f"for {rounded_text(at)} your {name} is {said:.4g}; under the law given "
+                        f"for {rounded_text(at)} your {name} is {claimed:.4g}; under the law given "
                         "the motion that starts as it should "
                         + (f"has {true:.4g} there" if k else "begins otherwise")
                     )
@@ -76,11 +76,11 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
         problem, law, time, tuple(unknown.items()), tuple(parameters.items())
     ):
         values = dict(zip(parameters, case))
-        true, said = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
-        if not agree(said, true, claim, size=size, computed=10 * FOLLOWED):
+        true, claimed = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
+        if not agree(claimed, true, claim, size=size, computed=10 * FOLLOWED):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
-                f"{prefix_text(values)}your {quantity} is {said:.4g}; if the constants of the law are "
+                f"{prefix_text(values)}your {quantity} is {claimed:.4g}; if the constants of the law are "
                 "chosen so that the conditions at the end hold, it is "
                 f"{f'{true:.4g}' if values else 'another number'}"
             )

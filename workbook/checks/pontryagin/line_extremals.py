@@ -26,13 +26,13 @@ def other_extremal_exists(answer, system, target, start=None):
 
     The extremal leads to the line, which it may cross before.
     """
-    truth = _second_extremal(system, target, start)
+    reference = _second_extremal(system, target, start)
     agreement = compare(
         answer,
         system.state,
-        truth,
-        lambda place, holds: (
-            f"from {values_text(place)} there is {'another' if holds else 'no other'} extremal "
+        reference,
+        lambda point, holds: (
+            f"from {values_text(point)} there is {'another' if holds else 'no other'} extremal "
             "besides the fastest one"
         ),
     )
@@ -59,10 +59,10 @@ def _second_extremal(system, target, start):
         else None
     )
     if beyond is None:
-        lanes, later = _line_extremals(sampled_optimum(*synthesis_data(system, target, {}, start)))
-        found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(lanes.x, later)}
+        batch, later = _line_extremals(sampled_optimum(*synthesis_data(system, target, {}, start)))
+        found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(batch.x, later)}
         return ReferenceCondition(
-            at=lambda place: found[tuple(place.values())],
+            at=lambda point: found[tuple(point.values())],
             points=lambda: (dict(zip(state, x)) for x in found),
         )
 
@@ -81,10 +81,10 @@ def _second_extremal(system, target, start):
 
     off = sp.And(sp.Ne(line, 0), sp.true if start is None else start)
 
-    def at(place):
-        times = {T for F in beyond for T in sp.Poly(F.subs(place), first).real_roots() if T > 0}
+    def at(point):
+        times = {T for F in beyond for T in sp.Poly(F.subs(point), first).real_roots() if T > 0}
         crossed, met = (
-            sum(bool(ends(T, steepness).subs(place)) for T in times) >= 2
+            sum(bool(ends(T, steepness).subs(point)) for T in times) >= 2
             for steepness in (sp.Gt, sp.Ge)
         )
         return crossed if crossed == met else None
@@ -99,21 +99,21 @@ def _second_extremal(system, target, start):
 @judged(Expression("system.state"))
 def other_extremal_time(claim, system, target, start=None):
     """Check the time that the extremal of `other_extremal_exists` takes, where there is one."""
-    truth = sampled_optimum(*synthesis_data(system, target, {}, start))
-    lanes, later = _line_extremals(truth)
-    said = Law(claim, truth)(lanes.x, lanes.case)
+    reference = sampled_optimum(*synthesis_data(system, target, {}, start))
+    batch, later = _line_extremals(reference)
+    claimed = Law(claim, reference)(batch.x, batch.case)
     tolerance = relative_tolerance(claim, computed=1e-6)
-    for k in np.flatnonzero(np.isfinite(later) & ~(abs(said - later) <= tolerance * later)):
-        place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, lanes.x[k]))
-        told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
+    for k in np.flatnonzero(np.isfinite(later) & ~(abs(claimed - later) <= tolerance * later)):
+        point = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, batch.x[k]))
+        message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         raise Wrong(
-            f"from {place} your expression gives {told}, which is not the time of an extremal "
+            f"from {point} your expression gives {message}, which is not the time of an extremal "
             "slower than the fastest one"
         )
     return "it is the time of the slower extremal, from all sample starts that have one"
 
 
-def _line_extremals(truth):
+def _line_extremals(reference):
     """Starts, and the time of the extremal to a line that is next to the fastest one (inf where
     there is none).
 
@@ -122,10 +122,10 @@ def _line_extremals(truth):
     Hamiltonian; the first of all is the fastest one. Starts next to a border of their set are left
     out.
     """
-    if "extremals" in truth.kept:
-        return truth.kept["extremals"]
-    plant, (points, case) = truth.plant, truth._points(1000, seed=7)
-    c, d = truth.convex._c[0], truth.convex._d[0]
+    if "extremals" in reference.kept:
+        return reference.kept["extremals"]
+    plant, (points, case) = reference.plant, reference._points(1000, seed=7)
+    c, d = reference.convex._c[0], reference.convex._d[0]
     times = 60 * (np.arange(0, 1501) / 1500) ** 1.5
     whole = plant.exponential(times)
     owner, found, doubtful = [], [], np.zeros(len(points), dtype=bool)
@@ -163,8 +163,8 @@ def _line_extremals(truth):
     first = ends[:, 0].copy()
     ends[ends <= first[:, None] * (1 + 1e-6) + 1e-6] = np.inf
     keep = ~doubtful & np.isfinite(first) & (first > 0.02)
-    truth.kept["extremals"] = (
+    reference.kept["extremals"] = (
         StateBatch(x=points, case=case, time=first).take(keep),
         ends.min(axis=1)[keep],
     )
-    return truth.kept["extremals"]
+    return reference.kept["extremals"]

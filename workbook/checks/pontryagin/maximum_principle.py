@@ -99,11 +99,11 @@ def switching_function(claim, problem, costates, control=None, domain=None):
     control = control or problem.control[0]
     slope = sp.diff(hamiltonian(problem, costates), control)
     for values in sample_points(problem, costates, domain, known=True):
-        said, true = (value_at(e, values, "the switching function") for e in (claim, slope))
-        if np.sign(said) != np.sign(true):
+        claimed, true = (value_at(e, values, "the switching function") for e in (claim, slope))
+        if np.sign(claimed) != np.sign(true):
             raise Wrong(
                 f"for {rounded_text(values)}, H {'grows' if true > 0 else 'falls'} with {control}, "
-                f"and your function is {said:.4g}"
+                f"and your function is {claimed:.4g}"
             )
     _has_the_sign(claim, slope, control, known_costates(problem, costates), domain)
     # Of one sign at random places is less than vanishing together: there each has to.
@@ -151,8 +151,8 @@ def maximising_control(answer, problem, costates, domain=None):
         *points_near_switching(problem, costates, domain),
     ):
         numbers, bounds = [float(values[s]) for s in symbols], control_bounds(problem, values)
-        said = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
-        for u, value, (low, high) in zip(controls, said, bounds):
+        claimed = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
+        for u, value, (low, high) in zip(controls, claimed, bounds):
             slack = relative_tolerance(*claims) * (1 + abs(value))
             if not low - slack <= value <= high + slack:
                 raise Wrong(
@@ -165,18 +165,18 @@ def maximising_control(answer, problem, costates, domain=None):
             for parts in (
                 [
                     np.clip(value + one * np.linspace(-1, 1, 21), *pair)
-                    for value, one, pair in zip(said, open_, bounds)
+                    for value, one, pair in zip(claimed, open_, bounds)
                 ],
-                [_rivals(value, *pair) for value, pair in zip(said, bounds)],
+                [_rivals(value, *pair) for value, pair in zip(claimed, bounds)],
             )
         )
         found, others = (
-            H(*numbers, *near)[0] if open_.any() else H(*numbers, *said)[:1],
+            H(*numbers, *near)[0] if open_.any() else H(*numbers, *claimed)[:1],
             H(*numbers, *rivals)[0],
         )
         if not found.max() >= np.nanmax(others) - 1e-9 * np.ptp(others) - 0.01 * np.ptp(found):
             raise Wrong(
-                f"for {rounded_text(values)} your control gives H = {H(*numbers, *said)[0]:.4g}, "
+                f"for {rounded_text(values)} your control gives H = {H(*numbers, *claimed)[0]:.4g}, "
                 f"another admissible one {np.nanmax(others):.4g}"
             )
     return f"no admissible control gives a greater H, tried at {PLACES} places"
@@ -206,13 +206,16 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
             for slope, (low, high) in zip(numbers, control_bounds(problem, values))
         ]
         parts = [float(part.subs(values)) for part in sp.Add.make_args(rest)]
-        said, wanted = value_at(claim, values, "the greatest value of H"), sum(parts) + sum(terms)
-        if not agree(said, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
+        claimed, wanted = (
+            value_at(claim, values, "the greatest value of H"),
+            sum(parts) + sum(terms),
+        )
+        if not agree(claimed, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
             raise Wrong(
-                f"for {rounded_text(values)} your expression gives {said:.4g}; "
+                f"for {rounded_text(values)} your expression gives {claimed:.4g}; "
                 + (
                     "no admissible control gives H so great a value"
-                    if said > wanted
+                    if claimed > wanted
                     else "there are admissible controls that give H a greater value"
                 )
             )
@@ -222,12 +225,12 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
 def _equal(claim, true, values, what):
     true = sp.expand(true)
     parts = [abs(number_at(part, values)) for part in sp.Add.make_args(true)]
-    said, wanted = value_at(claim, values, what), number_at(true, values).real
-    if not agree(said, wanted, claim, size=max(parts), computed=EXACT):
+    claimed, wanted = value_at(claim, values, what), number_at(true, values).real
+    if not agree(claimed, wanted, claim, size=max(parts), computed=EXACT):
         if true.is_number:  # the true number would be the answer itself
-            raise Wrong(f"{what} is not {said:.4g}, which your expression gives")
+            raise Wrong(f"{what} is not {claimed:.4g}, which your expression gives")
         raise Wrong(
-            f"for {rounded_text(values)}, {what} is {wanted:.4g}; your expression gives {said:.4g}"
+            f"for {rounded_text(values)}, {what} is {wanted:.4g}; your expression gives {claimed:.4g}"
         )
 
 
@@ -241,9 +244,9 @@ def _has_the_sign(claim, slope, control, known, domain):
     symbols = sorted({*claim.free_symbols, *slope.free_symbols}, key=str)
     given = sp.And(*(domain[s].as_relational(s) for s in symbols if s in (domain or {})))
     for sign, does, not_ in ((sp.Gt, "grows", "does not grow"), (sp.Lt, "falls", "does not fall")):
-        _, place = decide(sign(claim, 0), symbols, exactly(sign(slope, 0), given))
-        if place:
-            values, holds = place
+        _, point = decide(sign(claim, 0), symbols, exactly(sign(slope, 0), given))
+        if point:
+            values, holds = point
             raise Wrong(
                 f"for {values_text(values)}, H {does if holds else not_} with {control}, and your "
                 "function has another sign"
@@ -259,14 +262,14 @@ def _vanish_together(claim, slope, problem, costates, domain):
     )
     for values in sample_points(problem, costates, domain, known=True):
         for zeros, rival in ((own, other), (other, own)):
-            place = zeros.near({s: v for s, v in values.items() if s not in known})
+            point = zeros.near({s: v for s, v in values.items() if s not in known})
             if (
-                place is not None
-                and is_in_domain(place, domain)
-                and not rival.distance(place) <= own.left_open(place)
+                point is not None
+                and is_in_domain(point, domain)
+                and not rival.distance(point) <= own.left_open(point)
             ):
                 raise Wrong(
-                    f"for {rounded_text(place)} your function "
+                    f"for {rounded_text(point)} your function "
                     + (
                         "vanishes, and dH/du does not"
                         if zeros is own

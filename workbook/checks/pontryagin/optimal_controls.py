@@ -137,20 +137,20 @@ def _jumps_where_it_should(sections, best, rounding, where):
         before, after = controls[k], controls[k + 1]
         slack = max(rounding, SAME) * abs(after - before)
         if max(abs(controls[k - 1] - before), abs(controls[k + 2] - after)) < slack and (
-            place := _slowly(
+            point := _slowly(
                 sections, times[k - 1], before, times[k + 2], after, slack, best.duration
             )
         ):
             raise Wrong(
-                f"{where}at t = {place:.4g} the best control jumps; yours takes values between"
+                f"{where}at t = {point:.4g} the best control jumps; yours takes values between"
             )
     for inner, k, end in ((1, 0, SUDDEN * best.duration), (-2, -1, (1 - SUDDEN) * best.duration)):
         held, slack = controls[k], max(rounding, SAME) * max(abs(controls[k]), SAME)
         if abs(controls[inner] - held) < slack and (
-            place := _slowly(sections, times[inner], held, end, None, slack, best.duration)
+            point := _slowly(sections, times[inner], held, end, None, slack, best.duration)
         ):
             raise Wrong(
-                f"{where}next to t = {place:.4g} the best control keeps one value; yours takes "
+                f"{where}next to t = {point:.4g} the best control keeps one value; yours takes "
                 "others"
             )
 
@@ -167,11 +167,11 @@ def _slowly(sections, first, before, last, after, slack, duration):
             and abs(u(np.array([last]))[0] - after) <= slack
         ):
             continue
-        place = bisect(
+        point = bisect(
             lambda t, _, u=u: abs(u(t) - before) <= slack, np.array([first]), np.array([last]), 50
         )[1]
-        if not abs(u(place + np.sign(last - first) * SUDDEN * duration)[0] - after) <= slack:
-            return float(place[0])
+        if not abs(u(point + np.sign(last - first) * SUDDEN * duration)[0] - after) <= slack:
+            return float(point[0])
     return None
 
 
@@ -202,7 +202,7 @@ def _bends_where_it_should(sections, changed, best, values, where):
         ):
             continue  # to a singular arc the best one jumps too
         bound, inner = best.times[j] + (near if before is None else -near) * np.array([1.0, -1.0])
-        said, *others = (
+        claimed, *others = (
             _leap(one, bound, inner, SAME * (high - low))
             for one in (
                 sections,
@@ -210,11 +210,12 @@ def _bends_where_it_should(sections, changed, best, values, where):
             )
         )
         left_open = sum(
-            max(abs(one - said), abs(other - said)) for one, other in zip(others[::2], others[1::2])
+            max(abs(one - claimed), abs(other - claimed))
+            for one, other in zip(others[::2], others[1::2])
         )
-        if not abs(said) <= allowed / 10 + left_open:
+        if not abs(claimed) <= allowed / 10 + left_open:
             raise Wrong(
-                f"{where}your control jumps by {said:.2g} where the best one changes without a jump"
+                f"{where}your control jumps by {claimed:.2g} where the best one changes without a jump"
             )
 
 
@@ -222,13 +223,13 @@ def _leap(sections, first, last, same):
     """By how much a control jumps where it leaves the value that it has at the first of two
     instants."""
     held = _values(sections, [first])[0]
-    place = bisect(
+    point = bisect(
         lambda t, _: abs(_values(sections, t) - held) <= same,
         np.array([first]),
         np.array([last]),
         48,
     )[1]
-    return _values(sections, place)[0] - held
+    return _values(sections, point)[0] - held
 
 
 def is_time_optimal(problem):

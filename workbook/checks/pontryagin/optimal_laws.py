@@ -76,25 +76,25 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
     state = list(problem.dynamics)
     k, low, high = state.index(given), float(interval.inf), float(interval.sup)
     others = [p for p in parameters if p not in state]
-    curve, places = real_function([given, *others], [claim]), []
+    curve, points = real_function([given, *others], [claim]), []
     for values, best in optima(problem, parameters):
         for j, *kinds in best.changes():
             y = best.states[:, j]
             if [_kind(best, u) for u in kinds] != list(change) or not low <= y[k] <= high:
                 continue
-            said, true = float(curve(y[k], *(float(values[p]) for p in others))[0]), y[1 - k]
-            places.append({given: y[k], **{p: values[p] for p in others}})
-            if not np.isfinite(said):
+            claimed, true = float(curve(y[k], *(float(values[p]) for p in others))[0]), y[1 - k]
+            points.append({given: y[k], **{p: values[p] for p in others}})
+            if not np.isfinite(claimed):
                 raise Wrong(f"for {given} = {y[k]:.4g} your curve gives no real number")
-            if not agree(said, true, claim, true, LOCATED):
+            if not agree(claimed, true, claim, true, LOCATED):
                 raise Wrong(
-                    f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {said:.4g}; the "
+                    f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {claimed:.4g}; the "
                     f"control of the best process {prefix_text(values)}does not change there"
                 )
-    if not places:
+    if not points:
         raise RuntimeError("on no process that was found the control changes so")
-    judge_at_every_scale(claim, problem, parameters, places, state[1 - k], str(state[1 - k]))
-    return f"the control of the best processes changes there, at {len(places)} places"
+    judge_at_every_scale(claim, problem, parameters, points, state[1 - k], str(state[1 - k]))
+    return f"the control of the best processes changes there, at {len(points)} places"
 
 
 def _kind(best, value):
@@ -116,10 +116,10 @@ def _says_what_is_best(law, values, best):
         [s for s in itertools.product((-1, 0, 1), repeat=n) if n < 3 or np.count_nonzero(s) < 2]
     )
     around = states + shifts[:, :, None] * steps
-    said = law(
+    claimed = law(
         np.concatenate(list(around), axis=1), np.tile(times, len(shifts)), values, best.bounds
     )
-    said = said.reshape(len(shifts), -1)
+    claimed = claimed.reshape(len(shifts), -1)
     bends = [best.times[j] for j, *kinds in best.changes() if None in kinds]
     known = np.where(
         [
@@ -133,8 +133,8 @@ def _says_what_is_best(law, values, best):
     for pair in law.changed:
         here, *sides = (one(states, times, values, best.bounds) for one in (law, *pair))
         slack = slack + np.nan_to_num(np.fmax(*(abs(side - here) for side in sides)))
-    inside = (np.nanmin(said, axis=0, initial=np.inf) - slack <= controls) & (
-        controls <= np.nanmax(said, axis=0, initial=-np.inf) + slack
+    inside = (np.nanmin(claimed, axis=0, initial=np.inf) - slack <= controls) & (
+        controls <= np.nanmax(claimed, axis=0, initial=-np.inf) + slack
     )
     for k in np.flatnonzero(~inside)[:1]:
         here = law(states[:, [k]], times[[k]], values, best.bounds)[0]
@@ -154,18 +154,21 @@ def _same_at_a_scale(law, values, best, factors):
     there, own = np.array(weights)[:, None] * states, {p: v * factors[p] for p, v in values.items()}
     scale, time = float(factors[law.control]), float(factors[TIME])
     bounds = [scale * bound for bound in best.bounds]
-    said, wanted = (
+    claimed, wanted = (
         law(there, times * time, own, bounds),
         scale * law(states, times, values, best.bounds),
     )
     for k in first_difference(
-        said, wanted, KNOWN, lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0]
+        claimed,
+        wanted,
+        KNOWN,
+        lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0],
     ):
         raise Wrong(
             f"{prefix_text(values)}at {point_text(states[:, k])} your law gives "
             f"{wanted[k] / scale:.4g}. In other units the problem is the same, so that "
             f"{prefix_text(own)}at {point_text(there[:, k])} it has to give {wanted[k]:.4g}; it gives "
-            f"{said[k]:.4g}"
+            f"{claimed[k]:.4g}"
         )
 
 
@@ -244,8 +247,8 @@ def _jumps_where_it_should(law, values, best):
         )
         slack = law.rounding * abs(after - before)
 
-        def at(place, one=one, other=other, t=t):
-            return law(one + place * (other - one), t, values, best.bounds)[0]
+        def at(point, one=one, other=other, t=t):
+            return law(one + point * (other - one), t, values, best.bounds)[0]
 
         if not (abs(at(0.0) - before) <= slack and abs(at(1.0) - after) <= slack):
             continue
@@ -273,12 +276,12 @@ def _followed(law, found):
     for _ in range(STEPS):
         u = law(y[:, :-1].T, t, values, bounds)
         for k in np.flatnonzero(~((low - slack <= u) & (u <= high + slack))):
-            said = (
+            claimed = (
                 f"{u[k]:.4g}, outside the bounds of the control" if np.isfinite(u[k]) else law.none
             )
             raise Wrong(
                 f"{prefix_text(found[k][0])}at t = {t[k]:.4g} the motion under your law is at "
-                f"{point_text(y[k, :-1])}, and the law gives {said}"
+                f"{point_text(y[k, :-1])}, and the law gives {claimed}"
             )
         y = np.array(
             [

@@ -133,8 +133,8 @@ def _nearest_rates(best, y, rate):
         (-np.pi, np.pi) if turns and high - low >= 2 * np.pi else (-UNBOUNDED, UNBOUNDED), low, high
     )
     for _ in range(ROUNDS):
-        places = np.linspace(begin, end, PARTS + 1)
-        found = rates(places)
+        points = np.linspace(begin, end, PARTS + 1)
+        found = rates(points)
         k = int(np.argmin(np.linalg.norm(found - rate[:, None], axis=0)))
-        begin, end = places[max(k - 1, 0)], places[min(k + 1, PARTS)]
+        begin, end = points[max(k - 1, 0)], points[min(k + 1, PARTS)]
     return found[:, k]

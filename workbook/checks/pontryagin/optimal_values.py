@@ -63,7 +63,7 @@ def optimal_cost(claim, problem, parameters=None):
         else None
     )
     found = best_processes(problem, parameters, 2 * SAMPLES)
-    for (values, best), said, open_ in _evaluated(claim, found, "the cost"):
+    for (values, best), claimed, open_ in _evaluated(claim, found, "the cost"):
         where = prefix_text(values)
         right = functools.partial(
             agree,
@@ -73,10 +73,10 @@ def optimal_cost(claim, problem, parameters=None):
             computed=COSTS,
             uncertain=open_,
         )
-        if not (right(said) or right(said := value_at(claim, values, "the cost"))):
-            beyond = (said < best.cost) != problem.maximise
+        if not (right(claimed) or right(claimed := value_at(claim, values, "the cost"))):
+            beyond = (claimed < best.cost) != problem.maximise
             raise Wrong(
-                f"{where}your cost is {said:.4g}; "
+                f"{where}your cost is {claimed:.4g}; "
                 + (
                     "no admissible process that keeps to the ends was found that does so well"
                     if beyond
@@ -93,8 +93,8 @@ def optimal_cost(claim, problem, parameters=None):
 def _evaluated(claim, found, what):
     """The pairs found, each with what a claim is there, in the digits of floats, and what its
     decimals leave open."""
-    places = [values for values, _ in found]
-    return zip(found, values_at(claim, places, what), uncertainties_at(claim, places))
+    points = [values for values, _ in found]
+    return zip(found, values_at(claim, points, what), uncertainties_at(claim, points))
 
 
 def _right_next_to_bends(claim, problem, parameters, found, what):
@@ -113,15 +113,15 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
         problem, parameters, points_at_kinks(claim, [values for values, _ in found])
     )
     seen = []
-    for (values, best), said, open_ in _evaluated(claim, near, f"the {what}") if near else ():
+    for (values, best), claimed, open_ in _evaluated(claim, near, f"the {what}") if near else ():
         true = getattr(best, what)
-        if not agree(said, true, claim, size, max(INTEGRATED, best.MISSED), open_):
+        if not agree(claimed, true, claim, size, max(INTEGRATED, best.MISSED), open_):
             raise Wrong(
                 f"{prefix_text(values)}your expression goes over from one form to another, and gives "
-                f"{said:.4g} next to that; the {what} of the best process found is "
-                f"{'less' if said > true else 'greater'}"
+                f"{claimed:.4g} next to that; the {what} of the best process found is "
+                f"{'less' if claimed > true else 'greater'}"
             )
-        seen.append((values, said, true))
+        seen.append((values, claimed, true))
     for (values, one, least), (others, other, greatest) in itertools.pairwise(seen):
         beside = all(
             np.isclose(float(values[s]), float(others[s]), rtol=BESIDE, atol=BESIDE) for s in values
@@ -144,16 +144,22 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
         axis=0,
     )
     states, true = states[:, inside], true[inside]
-    said = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
+    claimed = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
     off = ~np.atleast_1d(
-        agree(np.nan_to_num(said, nan=np.inf), true, claim, best.cost_size(), COSTS)
+        agree(np.nan_to_num(claimed, nan=np.inf), true, claim, best.cost_size(), COSTS)
     )
     for k in np.flatnonzero(off)[:1]:
-        gives = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
+        gives = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         raise Wrong(
             f"from the start {point_text(states[:, k])} your cost is {gives}; the best process "
             "found costs "
-            + ("more" if true[k] > said[k] else "less" if np.isfinite(said[k]) else "a real number")
+            + (
+                "more"
+                if true[k] > claimed[k]
+                else "less"
+                if np.isfinite(claimed[k])
+                else "a real number"
+            )
         )
 
 
@@ -161,13 +167,13 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
 def optimal_duration(claim, problem, parameters=None):
     """Check the duration of the optimal process, as an expression in the parameters."""
     found = best_processes(problem, parameters, 2 * SAMPLES)
-    for (values, best), said, open_ in _evaluated(claim, found, "the duration"):
+    for (values, best), claimed, open_ in _evaluated(claim, found, "the duration"):
         right = functools.partial(
             agree, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_
         )
-        if not (right(said) or right(said := value_at(claim, values, "the duration"))):
+        if not (right(claimed) or right(claimed := value_at(claim, values, "the duration"))):
             raise Wrong(
-                f"{prefix_text(values)}your duration is {said:.4g}; {best.duration_message(said)}"
+                f"{prefix_text(values)}your duration is {claimed:.4g}; {best.duration_message(claimed)}"
             )
     if is_time_optimal(problem):
         _right_next_to_bends(claim, problem, parameters, found, "duration")
@@ -186,7 +192,7 @@ def initial_arc_duration(claim, problem, control, value, parameters):
     j = list(problem.controls).index(control)
     low, high = problem.controls[control]
     held, found = [], best_processes(problem, parameters)
-    for (values, best), said in zip(
+    for (values, best), claimed in zip(
         found, values_at(claim, [values for values, _ in found], "the time")
     ):
         given = float(sp.sympify(value).subs(values))
@@ -194,13 +200,13 @@ def initial_arc_duration(claim, problem, control, value, parameters):
         first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
         true = float(sum(length for length, _ in first))
         held.append((values, true))
-        if not agree(said, true, claim, best.duration, ARC if true else MISSED):
+        if not agree(claimed, true, claim, best.duration, ARC if true else MISSED):
             raise Wrong(
-                f"{prefix_text(values)}you keep {control} = {value} for {said:.4g} at first; the best "
+                f"{prefix_text(values)}you keep {control} = {value} for {claimed:.4g} at first; the best "
                 "process found does so "
                 + (
                     "longer"
-                    if true > said
+                    if true > claimed
                     else "for a shorter time"
                     if true
                     else "at no time in the beginning"
@@ -226,21 +232,21 @@ def _begins_at_once(claim, held):
     if not count:
         return
 
-    def said(parts, rows):
+    def claimed(parts, rows):
         return function(*(none[rows] + parts[:, None] * (some[rows] - none[rows])).T)[0]
 
     rows = np.arange(count)
-    whole = said(np.ones(count), rows)
+    whole = claimed(np.ones(count), rows)
     begun = bisect(
-        lambda parts, rows: abs(said(parts, rows)) <= ABSENT * whole[rows],
+        lambda parts, rows: abs(claimed(parts, rows)) <= ABSENT * whole[rows],
         np.zeros(count),
         np.ones(count),
         50,
     )[1]
-    here, *grown = (said(np.minimum(begun + step, 1), rows) for step in (0, *GROWN))
+    here, *grown = (claimed(np.minimum(begun + step, 1), rows) for step in (0, *GROWN))
     far, near = ((one - here) / step for one, step in zip(grown, GROWN))
     for k in np.flatnonzero(
-        ~((near > far / 2) & (abs(said(np.zeros(count), rows)) <= ABSENT * whole))
+        ~((near > far / 2) & (abs(claimed(np.zeros(count), rows)) <= ABSENT * whole))
     )[:1]:
         at = dict(zip(symbols, none[k] + begun[k] * (some[k] - none[k])))
         raise Wrong(
@@ -272,10 +278,10 @@ def optimal_range(claim, problem, quantity, parameters=None):
             [slopes(*y, *given) @ rate for y, rate in zip(along.T, rates)],
         )
         true = float(np.ptp(path(np.linspace(0, best.duration, 4001))))
-        said = value_at(claim, values, "the extent")
-        if not agree(said, true, claim, computed=FOLLOWED):
+        claimed = value_at(claim, values, "the extent")
+        if not agree(claimed, true, claim, computed=FOLLOWED):
             raise Wrong(
-                f"{prefix_text(values)}your expression gives {said:.4g}; along the best process found "
-                f"{quantity} ranges over {'less' if said > true else 'more'}"
+                f"{prefix_text(values)}your expression gives {claimed:.4g}; along the best process found "
+                f"{quantity} ranges over {'less' if claimed > true else 'more'}"
             )
     return "so far it ranges along the best process found"

@@ -108,14 +108,14 @@ def sample_points(problem, costates, domain, controls=True, known=False):
         s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES for s in symbols
     }
     for k in range(PLACES):
-        place = {s: random_value(random, s, domain, shares[s][k]) for s in symbols}
+        position = {s: random_value(random, s, domain, shares[s][k]) for s in symbols}
         if controls and k < 2:
-            place |= {
+            position |= {
                 u: pair[k]
-                for u, pair in zip(problem.control, control_bounds(problem, place))
+                for u, pair in zip(problem.control, control_bounds(problem, position))
                 if np.isfinite(pair[k])
             }
-        yield place | {psi: float(value.subs(place)) for psi, value in values.items()}
+        yield position | {psi: float(value.subs(position)) for psi, value in values.items()}
 
 
 @cached_points
@@ -128,9 +128,9 @@ def points_near_switching(problem, costates, domain):
             continue
         zeros = ZeroSet([slope], symbols, list(problem.parameters))
         for values in itertools.islice(sample_points(problem, costates, domain, controls=False), 2):
-            place = zeros.near(values)
-            if place is not None and is_in_domain(place, domain):
-                yield {s: v + NEXT_TO * (values[s] - v) for s, v in place.items()}
+            position = zeros.near(values)
+            if position is not None and is_in_domain(position, domain):
+                yield {s: v + NEXT_TO * (values[s] - v) for s, v in position.items()}
 
 
 def is_in_domain(values, domain):

@@ -69,13 +69,13 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     random = np.random.default_rng(23)
     for _ in range(6 * PLACES):
         values = {s: random_value(random, s, domain) for s in symbols}
-        place = surface.near(values)
-        if place is None or not is_in_domain(place, domain):
+        point = surface.near(values)
+        if point is None or not is_in_domain(point, domain):
             continue
         seen += 1
-        if not arcs.multipliers_exist(place, 20 * surface.left_open(place)):
+        if not arcs.multipliers_exist(point, 20 * surface.left_open(point)):
             raise Wrong(
-                f"at {rounded_text(place)} your equation holds, and with no costates this is a "
+                f"at {rounded_text(point)} your equation holds, and with no costates this is a "
                 "point of a singular arc"
             )
         if seen == PLACES:
@@ -105,13 +105,13 @@ def singular_control(claim, problem, costates, control=None, domain=None):
         a, b = (real_at(e, values) for e in (rest, slope))
         if b is None or abs(b) < POINTS * (1 + abs(a)):
             continue
-        said = value_at(claim, values, f"the singular {arcs.control}")
+        claimed = value_at(claim, values, f"the singular {arcs.control}")
         low, high = control_bounds(problem, values)[list(problem.control).index(arcs.control)]
         # of a control that is zero
-        rounded = np.isfinite(high - low) and abs(said + a / b) <= POINTS * (high - low)
-        if not rounded and not agree(said, -a / b, claim, size=abs(a / b), computed=POINTS):
+        rounded = np.isfinite(high - low) and abs(claimed + a / b) <= POINTS * (high - low)
+        if not rounded and not agree(claimed, -a / b, claim, size=abs(a / b), computed=POINTS):
             raise Wrong(
-                f"at a point of a singular arc your control gives {said:.4g}, under which "
+                f"at a point of a singular arc your control gives {claimed:.4g}, under which "
                 f"dH/d{arcs.control} does not stay zero"
             )
     return "it keeps dH/du at zero on singular arcs"
@@ -141,14 +141,14 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
                     f"your {psi} depends on {arcs.control}, which can have any value there for a "
                     "moment"
                 )
-            said, size = (
+            claimed, size = (
                 value_at(claim, values, str(psi)),
                 max(abs(values[one]) for one in costates),
             )
-            if not agree(said, values[psi], claim, size=size, computed=POINTS):
+            if not agree(claimed, values[psi], claim, size=size, computed=POINTS):
                 raise Wrong(
                     f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your "
-                    f"{psi} is {said:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
+                    f"{psi} is {claimed:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
                     "or H does not"
                 )
     return "with them dH/du stays zero, and H is what it has to be"
@@ -173,10 +173,10 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     true = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
     _without_control(claim, arcs)
     for values in _points(arcs, domain):
-        said = value_at(claim, values, "Kelley's expression")
-        if not agree(said, real_at(true, values), claim, computed=POINTS):
+        claimed = value_at(claim, values, "Kelley's expression")
+        if not agree(claimed, real_at(true, values), claim, computed=POINTS):
             raise Wrong(
-                f"at a point of a singular arc your expression gives {said:.4g}, which is not the "
+                f"at a point of a singular arc your expression gives {claimed:.4g}, which is not the "
                 "left-hand side of Kelley's condition there"
             )
     return "it is Kelley's expression on singular arcs"

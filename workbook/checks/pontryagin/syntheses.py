@@ -51,105 +51,107 @@ def time_optimal_law(claim, system, target, parameters=None, start=None, curve=N
 @functools.lru_cache(maxsize=64)
 def _time_optimal(claim, data, curve):
     """The sentence on a law that is optimal: a law is often judged again beside another answer."""
-    truth, control = sampled_optimum(*data), data.control
+    reference, control = sampled_optimum(*data), data.control
     if curve:
         parameters = dict(data.parameters)
         ends = family_of(data._replace(parameters=(*data.parameters, curve[3:])), *curve[2:4])
         curve = curve[0], sp.lambdify([*data.state, *parameters], curve[1], "numpy"), ends
-    law, *others = [Law(reading, truth, curve) for reading in (claim, *readings(claim))]
+    law, *others = [Law(reading, reference, curve) for reading in (claim, *readings(claim))]
     decimals = in_decimals(claim)
-    lanes = truth.batch(decimals)
-    values = law(lanes.x, lanes.case)
-    low, high = truth.plant.bounds
+    batch = reference.batch(decimals)
+    values = law(batch.x, batch.case)
+    low, high = reference.plant.bounds
     for k in np.flatnonzero(~np.isfinite(values)):
-        raise Wrong(f"{truth.start_text(lanes, k)} your law gives no real number")
+        raise Wrong(f"{reference.start_text(batch, k)} your law gives no real number")
     for k in np.flatnonzero((values < low - SAME) | (values > high + SAME)):
         raise Wrong(
-            f"{truth.start_text(lanes, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
+            f"{reference.start_text(batch, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
         )
-    _judge_on_extremals(others, truth, control)
-    other = np.flatnonzero(abs(values - lanes.control) > SAME)
+    _judge_on_extremals(others, reference, control)
+    other = np.flatnonzero(abs(values - batch.control) > SAME)
     # The starts far from the switching curve first: there a law loses most.
-    other = other[np.argsort(-abs(lanes.switching[other]))]
+    other = other[np.argsort(-abs(batch.switching[other]))]
     while len(other):
-        few, other = other[:3], other[3:]
-        few = lanes.take(few[truth.robust(lanes.take(few), decimals)])
-        if not len(few.x):
+        subset, other = other[:3], other[3:]
+        subset = batch.take(subset[reference.robust(batch.take(subset), decimals)])
+        if not len(subset.x):
             continue
-        follow(law, truth, few)
-        if truth.beside_barrier(few.take(slice(0, 1)))[0]:
+        follow(law, reference, subset)
+        if reference.beside_barrier(subset.take(slice(0, 1)))[0]:
             continue
         raise Wrong(
-            f"{truth.start_text(few, 0)} your law gives {control} = {law(few.x, few.case)[0]:.4g}, and "
+            f"{reference.start_text(subset, 0)} your law gives {control} = {law(subset.x, subset.case)[0]:.4g}, and "
             "the fastest motion from there begins with another value"
         )
-    _judge_next_to_curves(others, truth, control)
-    _judge_change(law, truth, lanes, control)
-    followed = truth.kept.setdefault("followed", set())
+    _judge_next_to_curves(others, reference, control)
+    _judge_change(law, reference, batch, control)
+    followed = reference.kept.setdefault("followed", set())
     if (claim, str(curve)) not in followed:
-        follow(law, truth, lanes)
+        follow(law, reference, batch)
         followed.add((claim, str(curve)))
-    return f"from {len(lanes.x)} starts, some of them next to the switching curve, it needs the shortest time there is"
+    return f"from {len(batch.x)} starts, some of them next to the switching curve, it needs the shortest time there is"
 
 
-def _judge_next_to_curves(laws, truth, control):
+def _judge_next_to_curves(laws, reference, control):
     """Raise `Wrong` where all readings of a law differ from the optimum next to a switching curve:
     there it may lose hardly any time."""
-    lanes = truth.next_to_curves()
-    if lanes is None:
+    batch = reference.next_to_curves()
+    if batch is None:
         return
-    said = np.array([law(lanes.x, lanes.case) for law in laws])
-    differ = np.flatnonzero((abs(said - lanes.control) > SAME).all(axis=0))
+    claimed = np.array([law(batch.x, batch.case) for law in laws])
+    differ = np.flatnonzero((abs(claimed - batch.control) > SAME).all(axis=0))
     # Next to a barrier a thin target may have been missed by the optimum too.
-    if len(differ) and truth.convex.kind == "hull":
-        differ = differ[~truth.beside_barrier(lanes.take(differ), far=True)]
+    if len(differ) and reference.convex.kind == "hull":
+        differ = differ[~reference.beside_barrier(batch.take(differ), far=True)]
     for k in differ[:1]:
         raise Wrong(
-            f"{truth.start_text(lanes, k)} your law gives {control} = {said[0][k]:.4g}, and the fastest "
+            f"{reference.start_text(batch, k)} your law gives {control} = {claimed[0][k]:.4g}, and the fastest "
             "motion from there begins with another value"
         )
 
 
-def _judge_on_extremals(laws, truth, control):
+def _judge_on_extremals(laws, reference, control):
     """Raise `Wrong` where all readings of a law differ from the control of an extremal, next to the
     target or far out."""
-    lanes, _ = truth.extremals() or (None, None)
-    if lanes is None:
+    batch, _ = reference.extremals() or (None, None)
+    if batch is None:
         return
-    said = np.array([law(lanes.x, lanes.case) for law in laws])
-    differ = np.flatnonzero(~(abs(said - lanes.control) <= SAME).any(axis=0))
+    claimed = np.array([law(batch.x, batch.case) for law in laws])
+    differ = np.flatnonzero(~(abs(claimed - batch.control) <= SAME).any(axis=0))
     # Of states that are neither small nor large a student knows best what happens there.
-    for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(lanes.x[k]))))[:1]:
-        gives = f"{control} = {said[0][k]:.4g}" if np.isfinite(said[0][k]) else "no real number"
+    for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(batch.x[k]))))[:1]:
+        gives = (
+            f"{control} = {claimed[0][k]:.4g}" if np.isfinite(claimed[0][k]) else "no real number"
+        )
         raise Wrong(
-            f"{truth.start_text(lanes, k)} your law gives {gives}, and the fastest motion from there "
+            f"{reference.start_text(batch, k)} your law gives {gives}, and the fastest motion from there "
             "begins with another value"
         )
 
 
-def _judge_change(law, truth, lanes, control):
+def _judge_change(law, reference, batch, control):
     """Raise `Wrong` for a law that goes over from one bound to the other by steps."""
-    said, (low, high) = law(lanes.x, lanes.case), truth.plant.bounds
-    ends = (np.flatnonzero(abs(said - bound) < SAME)[:40] for bound in (low, high))
+    claimed, (low, high) = law(batch.x, batch.case), reference.plant.bounds
+    ends = (np.flatnonzero(abs(claimed - bound) < SAME)[:40] for bound in (low, high))
     pairs = np.array(
         [
             (a, b)
             for a, b in itertools.product(*ends)
-            if lanes.case[a] == lanes.case[b] and lanes.inside[a] == lanes.inside[b]
+            if batch.case[a] == batch.case[b] and batch.inside[a] == batch.inside[b]
         ][::7]
     )
     if not len(pairs):
         return
-    case = lanes.case[pairs[:, 0]]
+    case = batch.case[pairs[:, 0]]
     ends = bisect(
-        lambda x, rows: law(x, case[rows]) < low + (high - low) / 4, *lanes.x[pairs.T], 45
+        lambda x, rows: law(x, case[rows]) < low + (high - low) / 4, *batch.x[pairs.T], 45
     )
     between = [(low + SAME < law(x, case)) & (law(x, case) < high - SAME) for x in ends]
-    stepped = between[0] & between[1] & truth.allowed(ends[1], case)
-    found = truth.solve(ends[1][stepped], case[stepped])
+    stepped = between[0] & between[1] & reference.allowed(ends[1], case)
+    found = reference.solve(ends[1][stepped], case[stepped])
     for k in np.flatnonzero(np.isfinite(found.time)):
         raise Wrong(
-            f"{truth.start_text(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
+            f"{reference.start_text(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
             "and the fastest motion from there begins with another value"
         )
 
@@ -160,23 +162,23 @@ def minimal_time(claim, system, target, parameters=None, start=None):
 
     It is asked where the target can be reached.
     """
-    truth = sampled_optimum(*synthesis_data(system, target, parameters, start))
-    lanes = truth.batch(in_decimals(claim))
-    said = Law(claim, truth)(lanes.x, lanes.case)
+    reference = sampled_optimum(*synthesis_data(system, target, parameters, start))
+    batch = reference.batch(in_decimals(claim))
+    claimed = Law(claim, reference)(batch.x, batch.case)
     tolerance = relative_tolerance(claim, computed=1e-4)
-    good = np.isfinite(said) & (abs(said - lanes.time) <= tolerance * lanes.time + 1e-6)
+    good = np.isfinite(claimed) & (abs(claimed - batch.time) <= tolerance * batch.time + 1e-6)
     for k in np.flatnonzero(~good):
-        told = f"{said[k]:.4g}" if np.isfinite(said[k]) else "no real number"
+        message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         how = (
             ", which no motion can do"
-            if said[k] < lanes.time[k]
+            if claimed[k] < batch.time[k]
             else ", but a motion can be faster"
         )
         raise Wrong(
-            f"{truth.start_text(lanes, k)} your expression gives {told}"
-            + (how if np.isfinite(said[k]) else "")
+            f"{reference.start_text(batch, k)} your expression gives {message}"
+            + (how if np.isfinite(claimed[k]) else "")
         )
-    return f"it is the shortest time from {len(lanes.x)} starts"
+    return f"it is the shortest time from {len(batch.x)} starts"
 
 
 @judged(ConditionOn("system.state", "parameters"))
@@ -185,21 +187,19 @@ def reachable_initial_states(claim, system, target, parameters=None, start=None)
 
     The border of the set counts either way.
     """
-    truth = sampled_optimum(*synthesis_data(system, target, parameters, start))
-    lanes = truth.border(in_decimals(claim))
-    said = truth.condition(claim)(lanes.x, lanes.case)
-    reached = np.isfinite(lanes.time)
-    differs = np.flatnonzero(said != reached)[:12]
-    for k in differs[~truth.on_border(lanes.take(differs))] if len(differs) else ():
+    reference = sampled_optimum(*synthesis_data(system, target, parameters, start))
+    batch = reference.border(in_decimals(claim))
+    claimed = reference.condition(claim)(batch.x, batch.case)
+    reached = np.isfinite(batch.time)
+    differs = np.flatnonzero(claimed != reached)[:12]
+    for k in differs[~reference.on_border(batch.take(differs))] if len(differs) else ():
         raise Wrong(
-            f"{truth.start_text(lanes, k)} the target "
+            f"{reference.start_text(batch, k)} the target "
             + (
-                "can be reached in a time of " + f"{lanes.time[k]:.4g}"
+                "can be reached in a time of " + f"{batch.time[k]:.4g}"
                 if reached[k]
                 else "cannot be reached: a line separates it from all states that can be reached, at every time"
             )
             + "; your condition says otherwise"
         )
-    return (
-        f"it agrees with the reachable sets of {len(said)} starts, many of them close to the border"
-    )
+    return f"it agrees with the reachable sets of {len(claimed)} starts, many of them close to the border"

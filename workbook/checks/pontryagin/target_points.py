@@ -34,22 +34,22 @@ def reached_target_points(answer, system, target, ends, variable, parameters=Non
     """
     family = _family(system, target, ends, variable, parameters, start)
     arrive, avoid = (Case(part, angles=family.angles) for part in family.reached())
-    truth = ReferenceCondition(
+    reference = ReferenceCondition(
         (arrive,), (avoid,), family.arrives, functools.partial(_arrivals, family)
     )
 
-    def told(place, holds):
+    def message(point, holds):
         how = (
             "optimal motions end"
             if holds
             else "no admissible motion arrives from the side of the starts"
         )
         return (
-            f"for {values_text(place)}, at the point {family.point_text(place)} of the target, "
+            f"for {values_text(point)}, at the point {family.point_text(point)} of the target, "
             f"{how}; your condition says otherwise"
         )
 
-    agreement = compare(answer, [variable, *family.parameters], truth, told)
+    agreement = compare(answer, [variable, *family.parameters], reference, message)
     return f"optimal motions end there, and no motion can arrive at the rest of the target: {agreement}"
 
 
@@ -70,27 +70,27 @@ def _arrivals(family, beside=0.002):
     answer changes them."""
     found = []
     for values in family.samples():
-        places = family.places(values)
-        rates = family.rates(places, values)
+        positions = family.places(values)
+        rates = family.rates(positions, values)
         changes = [
             family.change(a, b, values)
-            for a, b in itertools.pairwise(places)
+            for a, b in itertools.pairwise(positions)
             if np.sign(family.rates(np.array([a, b]), values)).prod() < 0
         ]
         # Samples at which the rate hardly differs from zero stay undecided; the borders are tried
         # on both sides instead.
         tried = np.concatenate(
             [
-                places[abs(rates) > 1e-3 * abs(rates).max()],
+                positions[abs(rates) > 1e-3 * abs(rates).max()],
                 *[[c - beside, c + beside] for c in changes],
             ]
         )
         low, high = family.interval
         symbols = family.variable, *family.parameters
         found += [
-            dict(zip(symbols, map(sp.Rational, (place, *values))))
-            for place in tried
-            if low < place < high and all(abs(place - c) > beside / 2 for c in changes)
+            dict(zip(symbols, map(sp.Rational, (point, *values))))
+            for point in tried
+            if low < point < high and all(abs(point - c) > beside / 2 for c in changes)
         ]
     return found
 
@@ -103,22 +103,22 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
     target.
     """
     target = _family(system, target, ends, variable, parameters, start)
-    said = real_function([variable, *target.parameters], claim)
+    claimed = real_function([variable, *target.parameters], claim)
     tolerance = relative_tolerance(*claim, computed=1e-6)
     met = 0
     for values in target.samples():
-        places = target.places(values, count=24)
-        points, times, _ = target.switchings(places, values)
-        given = said(places, *values).T
+        positions = target.places(values, count=24)
+        points, times, _ = target.switchings(positions, values)
+        given = claimed(positions, *values).T
         for k in np.flatnonzero(np.isfinite(times)):
             met += 1
             if not np.all(np.isfinite(given[k])):
-                raise Wrong(f"{target.values_text(values, places[k])} your point is not real")
+                raise Wrong(f"{target.values_text(values, positions[k])} your point is not real")
             if not np.linalg.norm(given[k] - points[k]) <= tolerance * (
                 1 + np.linalg.norm(points[k])
             ):
                 raise Wrong(
-                    f"{target.values_text(values, places[k])} the optimal motion switches {times[k]:.4g} "
+                    f"{target.values_text(values, positions[k])} the optimal motion switches {times[k]:.4g} "
                     f"before its end, at a distance {np.linalg.norm(given[k] - points[k]):.4g} "
                     f"from your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
                 )
@@ -137,18 +137,18 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
     Equal signs: motions cross the curve.
     """
     target = _family(system, target, ends, variable, parameters, start)
-    said = real_function([variable, *target.parameters], claim)
+    claimed = real_function([variable, *target.parameters], claim)
     tolerance = relative_tolerance(*claim, computed=1e-5)
     for values in target.samples():
-        places = target.places(values, count=12)
-        points, times, after = target.switchings(places, values)
+        positions = target.places(values, count=12)
+        points, times, after = target.switchings(positions, values)
         step = 1e-5
         tangent = (
-            target.switchings(places + step, values)[0]
-            - target.switchings(places - step, values)[0]
+            target.switchings(positions + step, values)[0]
+            - target.switchings(positions - step, values)[0]
         ) / (2 * step)
         low, high = target.plant.bounds
-        given = said(places, *values)
+        given = claimed(positions, *values)
         for name, u, numbers in (
             ("before", low + high - after, given[0]),
             ("after", after, given[1]),
@@ -160,7 +160,7 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
                 np.isfinite(times) & ~(abs(numbers - true) <= tolerance * size)
             ):
                 raise Wrong(
-                    f"{target.values_text(values, places[k])} the determinant of the tangent of the curve "
+                    f"{target.values_text(values, positions[k])} the determinant of the tangent of the curve "
                     f"and the velocity {name} the switching is not {numbers[k]:.4g}: look at the "
                     "sign and the size of both"
                 )
@@ -182,18 +182,18 @@ def minimal_time_continuous(answer, system, target, ends, variable, parameters, 
     touched, almost = reach.touching(
         *data[:4], family_of(data, ends, variable).side * data.target[0]
     )
-    truth = ReferenceCondition(
+    reference = ReferenceCondition(
         (Case(sp.And(interval.as_relational(name), sp.Not(almost)), data.state, every=True),),
         (Case(sp.And(interval.as_relational(name), touched), data.state),),
-        lambda place: jump(float(place[name])) == 0,
+        lambda point: jump(float(point[name])) == 0,
         lambda: _beside_changes(jump, name, interval),
     )
     agreement = compare(
         answer,
         [name],
-        truth,
-        lambda place, holds: (
-            f"for {values_text(place)} the fastest time "
+        reference,
+        lambda point, holds: (
+            f"for {values_text(point)} the fastest time "
             + (
                 "jumps nowhere: it is the same on both sides of all motions that touch the target"
                 if holds
@@ -232,19 +232,20 @@ def _jump(value, data, ends, variable, name):
         target=tuple(part.subs(fixed) for part in data.target),
         start=None if data.start is None else data.start.subs(fixed),
     )
-    truth = sampled_optimum(*data._replace(parameters=()))
+    reference = sampled_optimum(*data._replace(parameters=()))
     data = data._replace(parameters=tuple(pair for pair in data.parameters if pair[0] == variable))
     family = family_of(data, tuple(end.subs(fixed) for end in ends), variable)
-    places = family.places((), count=361)
-    rates, jump = family.rates(places, ()), 0.0
+    positions = family.places((), count=361)
+    rates, jump = family.rates(positions, ()), 0.0
     for a, b in zip(
-        places[np.append(rates[:-1] * rates[1:] < 0, False)], places[1:][rates[:-1] * rates[1:] < 0]
+        positions[np.append(rates[:-1] * rates[1:] < 0, False)],
+        positions[1:][rates[:-1] * rates[1:] < 0],
     ):
-        place = np.array([family.change(a, b, ())])
-        x, u = family.before(place, (), 0.2)
-        speed = truth.plant.A @ x[0] + truth.plant.b * u[0]
+        point = np.array([family.change(a, b, ())])
+        x, u = family.before(point, (), 0.2)
+        speed = reference.plant.A @ x[0] + reference.plant.b * u[0]
         normal = np.array([-speed[1], speed[0]]) / np.linalg.norm(speed)
-        sides = truth.solve(x + np.outer((2e-4, -2e-4), normal), np.zeros(2, dtype=int)).time
+        sides = reference.solve(x + np.outer((2e-4, -2e-4), normal), np.zeros(2, dtype=int)).time
         if np.isfinite(sides).all():
             jump = max(jump, abs(sides[0] - sides[1]))
     return jump if jump > 0.05 else 0.0

@@ -33,18 +33,22 @@ def meeting_time(claim, problem, count):
     """
     transfer = Transfer(problem)
     for number in (0, 1, 2, 3, 7):
-        said = real_at(claim, {count: number})
+        claimed = real_at(claim, {count: number})
         best = transfer.at({}, meetings=number)
-        if said is None or not (_close(said, best.duration, claim) if number else abs(said) < 1e-9):
+        if claimed is None or not (
+            _close(claimed, best.duration, claim) if number else abs(claimed) < 1e-9
+        ):
             if number == 0:
                 raise Wrong(
                     f"the start lies on the target already; for {count} = 0 your expression gives "
                     "another time than that of the start"
                 )
-            told = (
-                "no real number" if said is None else f"{said:.4g}; {best.duration_message(said)}"
+            message = (
+                "no real number"
+                if claimed is None
+                else f"{claimed:.4g}; {best.duration_message(claimed)}"
             )
-            raise Wrong(f"for {count} = {number} your time is {told}")
+            raise Wrong(f"for {count} = {number} your time is {message}")
     return "it is the time of this meeting, for several numbers"
 
 
@@ -59,9 +63,9 @@ def polar_angle_rate(claim, problem, angle):
             random.uniform(*map(float, bounds)),
             random.uniform(0.3, 3),
         )
-        place = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
-        rates = [float(f.subs(place)) for f in problem.dynamics.values()]
-        terms = np.array([place[x] * rates[1], -place[y] * rates[0]]) / r**2
+        point = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
+        rates = [float(f.subs(point)) for f in problem.dynamics.values()]
+        terms = np.array([point[x] * rates[1], -point[y] * rates[0]]) / r**2
         yield SameValue(
             claim,
             terms.sum(),
@@ -82,18 +86,18 @@ def least_rate(claim, quantity, problem):
     slope = sum(sp.diff(quantity, x) * f for x, f in problem.dynamics.items())
     random = np.random.default_rng(3)
     for k in range(20):
-        place = {
+        point = {
             x: sp.Rational(int(random.integers(2, 60)), 13) * int(random.choice((-1, 1)))
             for x in state
         }
         if k >= 16:
-            place = {x: value * CLOSE for x, value in place.items()}
-        rates = [float(slope.subs(place).subs(control, u)) for u in bounds]
+            point = {x: value * CLOSE for x, value in point.items()}
+        rates = [float(slope.subs(point).subs(control, u)) for u in bounds]
         yield SameValue(
             claim,
             min(rates),
             "the least of the rates that the admissible controls give",
-            place,
+            point,
             max(map(abs, rates)),
         )
     return "it is the least of the rates that the admissible controls give, at random states of both signs"
@@ -105,8 +109,10 @@ def transferable_initial_states(answer, problem, parameters):
 
     An initial state on the target counts either way.
     """
-    transfer, truth = _reachable(problem, tuple(parameters))
-    agreement = compare(answer, parameters, truth, contradiction_message(transfer.solvable_message))
+    transfer, reference = _reachable(problem, tuple(parameters))
+    agreement = compare(
+        answer, parameters, reference, contradiction_message(transfer.solvable_message)
+    )
     return f"it agrees with what the controls can reach: {agreement}"
 
 
@@ -136,15 +142,15 @@ def reachable_in_time(answer, problem, duration, parameters):
                     **values,
                 }
 
-    def in_time(place):
-        values = {p: place[p] for p in parameters}
-        return next(best for known, best in found if known == values).duration <= place[duration]
+    def in_time(point):
+        values = {p: point[p] for p in parameters}
+        return next(best for known, best in found if known == values).duration <= point[duration]
 
-    truth = exactly(transfer.in_time_condition(duration), at=in_time, points=points)
+    reference = exactly(transfer.in_time_condition(duration), at=in_time, points=points)
     agreement = compare(
         answer,
         [duration, *parameters],
-        truth,
+        reference,
         lambda values, holds: (
             f"for {values_text(values)} the target {'can' if holds else 'cannot'} be reached in "
             f"time; your condition {'does not hold' if holds else 'holds'}"
@@ -170,13 +176,13 @@ def switching_count(answer, problem, parameters=()):
         if all(value.is_integer for value in values.values()):
             # the number may be another one at exceptional starts: those on a switching curve
             continue
-        said = real_at(claim, values)
+        claimed = real_at(claim, values)
         count = best.switchings()
-        if said is None or not abs(said - count) <= 1e-9:
-            told = "no real number" if said is None else f"{said:.4g}"
+        if claimed is None or not abs(claimed - count) <= 1e-9:
+            message = "no real number" if claimed is None else f"{claimed:.4g}"
             raise Wrong(
                 f"for {values_text(values)} the fastest control switches {_times(count)}; your "
-                f"expression gives {told}"
+                f"expression gives {message}"
             )
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 
@@ -228,16 +234,16 @@ def isochrone_radius(claim, problem, duration, count):
     """
     transfer = Transfer(problem, list(problem.dynamics))
     for number in range(1, 6):
-        said = real_at(claim, {count: number})
+        claimed = real_at(claim, {count: number})
         radii = transfer.reach(float(sp.sympify(duration).subs(count, number)))
         if max(radii) - min(radii) > 1e-3 * max(radii):
             raise RuntimeError("this isochrone is no circle")
-        if said is None or not _close(said, float(np.mean(radii)), claim):
-            told = "is no real number" if said is None else f"is {said:.4g}"
+        if claimed is None or not _close(claimed, float(np.mean(radii)), claim):
+            message = "is no real number" if claimed is None else f"is {claimed:.4g}"
             raise Wrong(
-                f"for {count} = {number} your radius {told}; the farthest starts from which the "
+                f"for {count} = {number} your radius {message}; the farthest starts from which the "
                 "origin can be reached in that time lie "
-                + ("farther out" if said is not None and said < min(radii) else "closer")
+                + ("farther out" if claimed is not None and claimed < min(radii) else "closer")
             )
     return "all around the origin the starts that need this time lie at that distance"
 
@@ -245,9 +251,9 @@ def isochrone_radius(claim, problem, duration, count):
 # Small things.
 
 
-def _close(said, true, claim, size=0.0):
+def _close(claimed, true, claim, size=0.0):
     """Equality to the precision of the optimum; three digits where the claim holds decimals."""
-    return agree(said, true, claim, size, computed=2 * INTEGRATED)
+    return agree(claimed, true, claim, size, computed=2 * INTEGRATED)
 
 
 def _times(count):

@@ -42,8 +42,11 @@ def transversality(answer, problem, costates):
         tangents = _kernel(normals.reshape(-1, len(problem.state)))
         gradient = np.array([float(sp.diff(problem.final, y).subs(values)) for y in problem.state])
         true = np.column_stack([tangents, sign * tangents @ gradient])
-        said = _affine_rows(claims, costates, values)
-        more, less = _rank(said) - _rank(true), _rank(np.vstack([said, true])) - _rank(said)
+        claimed = _affine_rows(claims, costates, values)
+        more, less = (
+            _rank(claimed) - _rank(true),
+            _rank(np.vstack([claimed, true])) - _rank(claimed),
+        )
         if (less and more >= 0) or more > 0:
             raise Wrong(
                 f"at the end {rounded_text(values)} your conditions demand what need not hold: "
@@ -73,9 +76,9 @@ def _on_target(problem):
                 for s in symbols
             }
         values = {s: random_value(random, s, None, shares[s][k % PLACES]) for s in symbols}
-        place = zeros.near(values) if zeros else values
-        if place is not None and len(found) < PLACES:
-            found.append(place)
+        point = zeros.near(values) if zeros else values
+        if point is not None and len(found) < PLACES:
+            found.append(point)
     if not found:
         raise RuntimeError("no point of the target was found")
     return found

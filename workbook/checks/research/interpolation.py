@@ -64,8 +64,8 @@ def _powers(motion, nodes):
 def _exactly(nodes, row):
     """The nodes that a row of decimals stands for."""
     return [
-        min(axis, key=lambda node: abs(float(node) - place))
-        for axis, place in zip(nodes.values(), row)
+        min(axis, key=lambda node: abs(float(node) - point))
+        for axis, point in zip(nodes.values(), row)
     ]
 
 

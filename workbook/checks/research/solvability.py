@@ -115,7 +115,7 @@ def range_observable(answer, relative, t, T, turn):
     after = [part - change * (t - T) for part, change in zip(relative, turn)]
     # the targets left over by the bearings before T are those whose relative motion is `relative`
     # times a factor
-    told = _without(after[0] * relative[1] - after[1] * relative[0], t - T)
+    message = _without(after[0] * relative[1] - after[1] * relative[0], t - T)
     here = sp.And(t > T, sp.Or(*(sp.Ne(part, 0) for part in after)))
 
     def reason(values, holds):
@@ -125,7 +125,7 @@ def range_observable(answer, relative, t, T, turn):
             else "does not change the bearing, yet your condition holds"
         )
 
-    agreement = compare(answer, symbols, exactly(sp.Ne(told, 0), here), reason)
+    agreement = compare(answer, symbols, exactly(sp.Ne(message, 0), here), reason)
     return f"it agrees with the change of the bearing: {agreement}"
 
 
@@ -153,8 +153,8 @@ def range_error(claim, relative, t, T, turn, delta):
         before = np.array([float(part.subs(values)) for part in relative])
         after = before - np.array([values[s] for s in turn]) * (values[t] - values[T])
         slope = (after[0] * before[1] - after[1] * before[0]) / (after @ after)
-        said = value_at(claim, values, "the error")
-        if said < 0:
+        claimed = value_at(claim, values, "the error")
+        if claimed < 0:
             raise Wrong(
                 f"for {rounded_text(values)} your expression is negative; its size was asked for"
             )
@@ -176,13 +176,13 @@ def range_modes(claims, matrix, sight, initial, rate, t):
         times, towards = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
         for time, move in zip(times, _moves(matrix, values, times)):
             true = towards @ (move @ start)[: len(sight)]
-            said = (
+            claimed = (
                 now[0] + now[1] * time + now[2] * math.cos(w * time) + now[3] * math.sin(w * time)
             )
-            if not abs(said - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
+            if not abs(claimed - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
                 raise Wrong(
                     f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by "
-                    f"{true:.5g}; your four terms sum up to {said:.5g}"
+                    f"{true:.5g}; your four terms sum up to {claimed:.5g}"
                 )
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 
@@ -222,17 +222,17 @@ def stations_insufficient(answer, matrix, first, second):
         matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)}), first, second
     )
 
-    def told(values, holds):
+    def message(values, holds):
         return f"for {values_text(values)} the ranges determine " + (
             "not everything, yet your condition fails"
             if holds
             else "everything, yet your condition holds"
         )
 
-    truth = exactly(
+    reference = exactly(
         unseen, given, points=lambda: (dict(zip(symbols, pair)) for pair in _pairs_of_directions())
     )
-    agreement = compare(answer, symbols, truth, told)
+    agreement = compare(answer, symbols, reference, message)
     return f"it agrees with the rank, for directions in general position and in special ones: {agreement}"
 
 

@@ -36,12 +36,12 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
     ):
         number = number_at(claim, values, "your level")
         real = abs(number.imag) <= 1e-9 * abs(number)
-        told = (
+        message = (
             f"for {values_text(values)} " if values else ""
         ) + f"your level is {f'{number.real:.4g}' if real else 'not real'}"
         if not real or number.real <= 0:
             raise Wrong(
-                f"{told}; V is positive near zero, so the level has to be a positive number"
+                f"{message}; V is positive near zero, so the level has to be a positive number"
             )
         low, high = (
             _border(lambda points, c=c: level(points) < c, directions)
@@ -49,24 +49,24 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
         )
         if not np.all(np.isfinite(low)):
             raise Wrong(
-                f"{told}: the set V < c around zero is unbounded in the direction "
+                f"{message}: the set V < c around zero is unbounded in the direction "
                 f"{point_text(directions[np.argmax(~np.isfinite(low))])}"
             )
         broken = _breaks(rate, directions * low[:, None], others, level, 0.994 * number.real)
         if broken:
-            raise Wrong(f"{told}: V does not prove attraction for all of this set: {broken}")
+            raise Wrong(f"{message}: V does not prove attraction for all of this set: {broken}")
         if np.all(np.isfinite(high)) and not _breaks(
             rate, directions * high[:, None], others, level, 1.008 * number.real
         ):
             raise Wrong(
-                f"{told}: V proves attraction up to this level, but also up to a higher one"
+                f"{message}: V proves attraction up to this level, but also up to a higher one"
             )
         true = largest(number.real, directions * low[:, None])
         if true is not None and not agree(
             number, float(true), claim, uncertain=uncertainty_at(claim, values)
         ):
             raise Wrong(
-                f"{told}: "
+                f"{message}: "
                 + (
                     "V does not prove attraction quite up to it"
                     if number.real > true
@@ -116,11 +116,11 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
                 claim,
                 state,
                 _part_around_zero(sp.sympify(function).subs(values), true, state, others, border),
-                lambda place, holds, where=where: (
-                    f"your set leaves out the state {values_text(place)}, which V proves to be "
+                lambda position, holds, where=where: (
+                    f"your set leaves out the state {values_text(position)}, which V proves to be "
                     f"attracted{where}"
                     if holds
-                    else f"your set holds the state {values_text(place)}; V does not prove that it is "
+                    else f"your set holds the state {values_text(position)}; V does not prove that it is "
                     f"attracted{where}"
                 ),
             )
@@ -246,14 +246,14 @@ def _reach(claim, state, directions, where):
         beyond = fraction * reach[:, None] * directions
         again = inside(beyond)
         if np.any(again):
-            place = beyond[np.argmax(again)]
-            raise Wrong(_away(point_text(place), where))
+            position = beyond[np.argmax(again)]
+            raise Wrong(_away(point_text(position), where))
     return reach
 
 
-def _away(place, where):
+def _away(position, where):
     return (
-        f"the set has a part away from zero, at {place} for instance, and motions from there need "
+        f"the set has a part away from zero, at {position} for instance, and motions from there need "
         f"not come to zero{where}"
     )
 
@@ -269,18 +269,18 @@ def _has_no_holes(claim, state, height, level, border, where):
     outside = sp.Or(
         height > grown, *(sp.Abs(x) > sp.Rational(51, 50) * end for x, end in zip(state, size))
     )
-    said, never = readings(claim)[0], (Case(sp.false),)
-    _, place = decide(said, state, ReferenceCondition(never, (Case(outside),)))
-    if place:
-        raise Wrong(_away(values_text(place[0]), where))
-    _, place = decide(said, state, ReferenceCondition((Case(inside),), never))
-    if place:
-        point = np.array([float(x) for x in place[0].values()])
+    claimed, never = readings(claim)[0], (Case(sp.false),)
+    _, position = decide(claimed, state, ReferenceCondition(never, (Case(outside),)))
+    if position:
+        raise Wrong(_away(values_text(position[0]), where))
+    _, position = decide(claimed, state, ReferenceCondition((Case(inside),), never))
+    if position:
+        point = np.array([float(x) for x in position[0].values()])
         # Some other part of {V < c} may lie in the box.
         away = np.linalg.norm(border - point, axis=1)
         if np.linalg.norm(point) <= 1.01 * np.linalg.norm(border[np.argmin(away)]):
             raise Wrong(
-                f"your set leaves out the state {values_text(place[0])}, where V is smaller than on "
+                f"your set leaves out the state {values_text(position[0])}, where V is smaller than on "
                 f"its boundary{where}"
             )
 

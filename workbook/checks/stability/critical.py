@@ -101,14 +101,14 @@ def critical_stability(claim, field, state, parameters, program=None, part=None)
     ]
     if len({verdict for _, _, verdict in verdicts}) > 1:
         raise RuntimeError("the verdict depends on the parameters")
-    values, matrix, truth = verdicts[0]
+    values, matrix, reference = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
-    told = (
+    message = (
         "motions that start at distance 1 from zero are at distances of up to "
         f"{_distance(matrix, duration)} after {duration:.3g} units of time and up to "
         f"{_distance(matrix, 100 * duration)} after {100 * duration:.3g}{where_text(values)}"
     )
-    return (yield SameWord(claim, truth, told, "this does not agree with the motions: "))
+    return (yield SameWord(claim, reference, message, "this does not agree with the motions: "))
 
 
 @judged
@@ -119,7 +119,7 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
     """
     at = _linear_part(field, state, parameters, program, part)
 
-    def told(values):
+    def message(values):
         matrix = at(values)
         duration = 2000 / np.linalg.norm(matrix)
         return (
@@ -127,8 +127,8 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
             f"{_distance(matrix, duration)} after {duration:.3g} units of time"
         )
 
-    truth = ReferenceCondition(at=lambda values: stability(at(values)) != "unstable")
-    agreement = compare(answer, parameters, truth, contradiction_message(told))
+    reference = ReferenceCondition(at=lambda values: stability(at(values)) != "unstable")
+    agreement = compare(answer, parameters, reference, contradiction_message(message))
     return f"for these parameters, and for no others, all motions stay bounded: {agreement}"
 
 
@@ -197,12 +197,12 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
         ]
         for at in in_every_case(starts, limit):
             begin = np.array([float(at[s]) for s in start])
-            said = numbers_at(limit, at, [f"limit of {s}" for s in part])
+            claimed = numbers_at(limit, at, [f"limit of {s}" for s in part])
             true = late @ begin
-            if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
+            if not np.linalg.norm(claimed - true) <= 1e-7 * np.linalg.norm(begin):
                 raise Wrong(
                     f"the motion from {point_text(begin)} has come to {point_text(true + 0.0)} "
-                    f"after a long time{where_text(values)}; your limit is {point_text(said.real)}"
+                    f"after a long time{where_text(values)}; your limit is {point_text(claimed.real)}"
                 )
     return "motions from several starts come to these states"
 
@@ -240,7 +240,7 @@ def conserved_quadratic_form(answer, field, state, parameters, program=None, par
         if not lowest[0] > 1e-9 * lowest[-1]:
             direction = np.linalg.eigh(weights)[1][:, 0]
             direction = np.where(abs(direction) < 1e-9, 0, direction)
-            told = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
+            message = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
             value = (
                 "zero"
                 if lowest[0] >= -1e-9 * lowest[-1]
@@ -248,15 +248,15 @@ def conserved_quadratic_form(answer, field, state, parameters, program=None, par
             )
             raise Wrong(
                 f"it is conserved but not positive definite: it is {value} at "
-                f"{told}{where_text(values)}"
+                f"{message}{where_text(values)}"
             )
     minors = [
         sp.hessian(sp.expand(form), part)[:k, :k].det(method="berkowitz")
         for k in range(1, len(part) + 1)
     ]
-    _, place = decide(sp.And(*(minor > 0 for minor in minors)), parameters, exactly(sp.true))
-    if place:
-        raise Wrong(f"it is conserved, but for {values_text(place[0])} it is not positive definite")
+    _, point = decide(sp.And(*(minor > 0 for minor in minors)), parameters, exactly(sp.true))
+    if point:
+        raise Wrong(f"it is conserved, but for {values_text(point[0])} it is not positive definite")
     return (
         "it is positive away from zero, and its derivative along the motions vanishes identically"
     )

@@ -40,11 +40,11 @@ def polar_form(rates, field, state, polar):
         true = _polar_velocity(flow, r, phi)
         size = abs(true[0]) / r + abs(true[1]) + np.linalg.norm(flow(_place(r, phi))) * (1 + 1 / r)
         for name, rate, value in zip(("r'", "phi'"), rates, true):
-            said = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
-            if not abs(said - value) <= 1e-9 * size:
+            stated = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
+            if not abs(stated - value) <= 1e-9 * size:
                 raise Wrong(
                     f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your "
-                    f"expression gives {said.real:.4g}"
+                    f"expression gives {stated.real:.4g}"
                 )
     return "both rates agree with the velocity of the motion at random points"
 
@@ -72,14 +72,14 @@ def radial_motion(claim, field, state, time, start):
                     f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from "
                     "zero stays positive here"
                 )
-            true, said = (
+            true, stated = (
                 _polar_velocity(flow, r, ANGLES[0])[0],
                 value_at(slope, values, "r, differentiated,"),
             )
-            if not abs(said - true) <= 1e-9 * (abs(true) + r) < math.inf:
+            if not abs(stated - true) <= 1e-9 * (abs(true) + r) < math.inf:
                 raise Wrong(
                     f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes "
-                    f"at the rate {said:.4g} there; the system demands r' = {true:.4g} at this r"
+                    f"at the rate {stated:.4g} there; the system demands r' = {true:.4g} at this r"
                 )
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 
@@ -156,10 +156,10 @@ def cycle_stability(answer, field, state, radius=None):
     flow = cached_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     inside, outside = (_tendency(flow, radius, side) for side in (-1, 1))
-    truth = {("to", "to"): "stable", ("from", "from"): "unstable"}.get(
+    reference = {("to", "to"): "stable", ("from", "from"): "unstable"}.get(
         (inside, outside), "semistable"
     )
-    if claim != truth:
+    if claim != reference:
         claimed = {"stable": ("to", "to"), "unstable": ("from", "from")}.get(claim)
         if claimed is None:
             raise Wrong(

@@ -19,7 +19,7 @@ from workbook.checks.tools.wording import number_text, point_text
 def equilibria(answer, field, state):
     """Check all equilibria of x' = f(x): every point given is one, and a search finds no other."""
     flow, found = _searched(tuple(field), tuple(state))
-    given = [_rest_point(flow, place) for place in _places(answer, state)]
+    given = [_rest_point(flow, position) for position in _places(answer, state)]
     missed = [point for point in found if not _among(point, given)]
     if missed:
         raise Wrong("your list does not hold all of them: a search finds another")
@@ -37,8 +37,8 @@ def spectra(answer, field, state):
     """
     flow, found = _searched(tuple(field), tuple(state))
     given = []
-    for place, numbers in _spectra_by_place(answer, state):
-        point = _rest_point(flow, place)
+    for position, numbers in _spectra_by_place(answer, state):
+        point = _rest_point(flow, position)
         given.append(point)
         _judge_spectrum(numbers, flow.jacobian(point), point)
     missed = [point for point in found if not _among(point, given)]
@@ -62,17 +62,17 @@ def stable_equilibria(answer, field, state):
             raise RuntimeError("the first approximation does not decide here")
         if real_part < 0:
             stable.append(point)
-        elif any(_is_at(place, point) for place in given):
+        elif any(_is_at(position, point) for position in given):
             raise Wrong(
                 f"the point {point_text(point)} is listed as stable, but the first approximation "
                 f"there has an eigenvalue with real part {real_part:.4g}"
             )
-    for place in given:
-        if not any(_is_at(place, point) for point in stable):
+    for position in given:
+        if not any(_is_at(position, point) for point in stable):
             raise Wrong(
-                f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}"
+                f"your point {point_text(position)} is not an equilibrium: {_values_text(flow, position)}"
             )
-    missed = [point for point in stable if not any(_is_at(place, point) for place in given)]
+    missed = [point for point in stable if not any(_is_at(position, point) for position in given)]
     if missed:
         raise Wrong(
             "not all asymptotically stable equilibria are there: some equilibrium that you leave "
@@ -153,27 +153,29 @@ def _judge_spectrum(written, matrix, point):
         left.remove(min(close, key=lambda value: abs(value - number)))
 
 
-def _rest_point(flow, place):
+def _rest_point(flow, position):
     """The equilibrium at a point as it is written."""
-    rest = flow.refine(np.array(place, dtype=float))
-    if rest is None or not _is_at(place, rest):
+    rest = flow.refine(np.array(position, dtype=float))
+    if rest is None or not _is_at(position, rest):
         raise Wrong(
-            f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}"
+            f"your point {point_text(position)} is not an equilibrium: {_values_text(flow, position)}"
         )
     return rest
 
 
-def _values_told(flow, place):
-    values = flow(np.array(place, dtype=float))
+def _values_text(flow, position):
+    values = flow(np.array(position, dtype=float))
     if not np.all(np.isfinite(values)):
         return "the right-hand sides are not defined there"
     return f"the right-hand sides are {point_text(values)} there, not zero"
 
 
-def _is_at(place, point):
+def _is_at(position, point):
     """Whether a point as it is written is one that was searched for; a double zero is found to half
     of its digits."""
-    return agree(np.array(place, dtype=float), point, place, np.abs(point).max(), REPEATED).all()
+    return agree(
+        np.array(position, dtype=float), point, position, np.abs(point).max(), REPEATED
+    ).all()
 
 
 def _among(point, points):

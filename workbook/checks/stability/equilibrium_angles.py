@@ -30,7 +30,7 @@ def equilibrium_angles_exist(answer, field, state, parameters):
     """Check the parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
-    truth = ReferenceCondition(
+    reference = ReferenceCondition(
         (Case(at_rest, (state[0],)),),
         (Case(sp.Not(at_rest), (state[0],), every=True),),
         angles.exist,
@@ -38,7 +38,7 @@ def equilibrium_angles_exist(answer, field, state, parameters):
     agreement = compare(
         answer,
         parameters,
-        truth,
+        reference,
         contradiction_message(
             lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(
                 *angles.extremes(values)
@@ -98,15 +98,15 @@ def angle_linearisation(claim, field, state, parameters, angle, deviations):
                 ((1, 1), slope + friction),
             ):
                 at = values | {angle: sp.Float(phi, 20)} | dict(zip(deviations, deviation))
-                said = number_at(claim, at)
-                if not abs(said - true) <= 1e-8 * (abs(slope) + abs(friction)):
-                    told = ", ".join(
+                claimed = number_at(claim, at)
+                if not abs(claimed - true) <= 1e-8 * (abs(slope) + abs(friction)):
+                    message = ", ".join(
                         f"{symbol} = {value}" for symbol, value in zip(deviations, deviation)
                     )
                     raise Wrong(
                         f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation "
-                        f"{told} changes phi'' by {true:.4g} to first order; your expression gives "
-                        f"{said.real:.4g}"
+                        f"{message} changes phi'' by {true:.4g} to first order; your expression gives "
+                        f"{claimed.real:.4g}"
                     )
     return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
 
@@ -173,7 +173,7 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
                     raise Wrong(
                         f"your angle {given.real:.4g}{member} for {values_text(values)} is "
                         "stationary, but not "
-                        f"{word}: {_roots_told(*angles.derivatives(values, near[0]))}"
+                        f"{word}: {_roots_text(*angles.derivatives(values, near[0]))}"
                     )
                 matched.add(near[0])
         if len(matched) < len(chosen):
@@ -193,7 +193,7 @@ def _judge_angle_condition(answer, field, state, parameters, angle, kind, word):
     slope, friction = (sp.diff(force, x).subs(at_rest) for x in (angle, state[1]))
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
 
-    def truth(values):
+    def reference(values):
         slope, friction = angles.derivatives(values, float(values[angle]))
         return bool(kind(friction, -slope))
 
@@ -202,16 +202,18 @@ def _judge_angle_condition(answer, field, state, parameters, angle, kind, word):
         for values in [*angles.samples, *(near for near, _ in angles.edges)]:
             yield from (values | {angle: sp.Rational(float(phi))} for phi in angles.rest(values))
 
-    def told(values, holds):
+    def message(values, holds):
         return (
             f"the stationary angle {float(values[angle]):.4g} for "
             f"{values_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, "
             f"and your condition {'does not hold' if holds else 'holds'} there: "
-            f"{_roots_told(*angles.derivatives(values, float(values[angle])))}"
+            f"{_roots_text(*angles.derivatives(values, float(values[angle])))}"
         )
 
-    exact = exactly(kind(friction, -slope), sp.Eq(force.subs(at_rest), 0), at=truth, points=points)
-    agreement = compare(answer, symbols, exact, told)
+    exact = exactly(
+        kind(friction, -slope), sp.Eq(force.subs(at_rest), 0), at=reference, points=points
+    )
+    agreement = compare(answer, symbols, exact, message)
     return f"it agrees with the roots of the characteristic equation at the stationary angles: {agreement}"
 
 
@@ -237,7 +239,7 @@ def judge_angle_roots(answer, field, state, parameters, sign):
         pairs = angles.slopes(values)
         return [friction**2 + 4 * slope for slope, friction in pairs if slope < 0], pairs
 
-    def truth(values):
+    def reference(values):
         found, pairs = discriminants(values)
         if not found or min(abs(d) for d in found) < 1e-9 * max(
             friction**2 + abs(slope) for slope, friction in pairs
@@ -245,17 +247,17 @@ def judge_angle_roots(answer, field, state, parameters, sign):
             return None
         return all(sign * discriminant > 0 for discriminant in found)
 
-    def told(values):
+    def message(values):
         slope, friction = next((pair for pair in discriminants(values)[1] if pair[0] < 0), (0, 0))
-        return _roots_told(slope, friction)
+        return _roots_text(slope, friction)
 
-    exact = exactly(sign * border > 0, given, (phi,), truth)
-    agreement = compare(answer, parameters, exact, contradiction_message(told))
+    exact = exactly(sign * border > 0, given, (phi,), reference)
+    agreement = compare(answer, parameters, exact, contradiction_message(message))
     return (
         "for these parameters, and for no others, the stationary angles that are no saddles are "
         f"of the kind {word}: {agreement}"
     )
 
 
-def _roots_told(slope, friction):
+def _roots_text(slope, friction):
     return f"the roots of the characteristic equation are {roots_text(np.roots([1.0, -friction, -slope]))}"

@@ -162,14 +162,16 @@ def growth_rate(claim, field, state, parameters=(), given=()):
                 continue
             residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
             # Which solution it is the student is asked for in another item.
-            told = (
+            message = (
                 "it is a root of the characteristic equation at an unstable stationary solution, "
                 "but not a positive one"
                 if residual < 1e-9 * np.linalg.norm(matrix) ** len(state)
                 else "at an unstable stationary solution the characteristic determinant has the modulus "
                 f"{residual:.4g} for it, not zero"
             )
-            raise Wrong(f"your expression gives {number_text(number)}{where_text(values)}; {told}")
+            raise Wrong(
+                f"your expression gives {number_text(number)}{where_text(values)}; {message}"
+            )
     return "it is positive and a root of the characteristic equation at every unstable stationary solution"
 
 
@@ -192,15 +194,15 @@ def unique_equilibrium(answer, field, state, parameters):
     def count(values):
         return sp.Poly(force.subs(values), x).sqf_part().count_roots()
 
-    def told(values):
+    def message(values):
         number = count(values)
-        places = (
+        points = (
             "no value" if not number else "one value only" if number == 1 else "more than one value"
         )
-        return f"there the right-hand sides vanish at {places} of {x}"
+        return f"there the right-hand sides vanish at {points} of {x}"
 
-    truth = ReferenceCondition((inside,), outside, lambda values: count(values) == 1)
-    agreement = compare(answer, parameters, truth, contradiction_message(told))
+    reference = ReferenceCondition((inside,), outside, lambda values: count(values) == 1)
+    agreement = compare(answer, parameters, reference, contradiction_message(message))
     return f"the number of real roots of the equation of rest is one there and nowhere else: {agreement}"
 
 
@@ -255,9 +257,9 @@ def first_coordinate(part, state, symbols):
 def _judge_values(claims, values, flow, found, wanted, integer, what):
     claimed = []
     for family in claims:
-        for told, number, here in _members(family, values, integer):
+        for message, number, here in _members(family, values, integer):
             if abs(number.imag) > 1e-9 * (1 + abs(number)):
-                raise Wrong(f"your value{told} is not real{where_text(values)}")
+                raise Wrong(f"your value{message} is not real{where_text(values)}")
             number = number.real
             if abs(number) > REACH:
                 continue
@@ -265,13 +267,13 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
             if not near:
                 rates = point_text(flow([number] + [0.0] * (len(flow.state) - 1)))
                 raise Wrong(
-                    f"your value {number:.4g}{told} is no stationary solution{where_text(values)}: "
+                    f"your value {number:.4g}{message} is no stationary solution{where_text(values)}: "
                     f"the right-hand sides are {rates} there"
                 )
             if not any(point is near[0] for point in wanted):
                 rate = _growth(flow, near[0])
                 raise Wrong(
-                    f"at your value {number:.4g}{told} the largest real part of a root of the "
+                    f"at your value {number:.4g}{message} the largest real part of a root of the "
                     f"characteristic equation is {rate:.4g}{where_text(values)}"
                 )
             claimed.append(near[0])

@@ -31,8 +31,8 @@ class Rates:
     values: dict
 
     def judge(self):
-        said, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
-        for symbol, own, column in zip(self.symbols, said.T, self.true.T):
+        claimed, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
+        for symbol, own, column in zip(self.symbols, claimed.T, self.true.T):
             if not np.linalg.norm(own - column) <= 1e-9 * size:
                 raise Wrong(f"{deviation_rate_text(symbol, own, column)}{where_text(self.values)}")
 
@@ -64,14 +64,14 @@ def zero_solution_stability(claim, field, state):
     flow = cached_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)
     if abs(real_part) > 1e-9:
-        truth = "unstable" if real_part > 0 else "asymptotically stable"
+        reference = "unstable" if real_part > 0 else "asymptotically stable"
         reason = (
             f"the first approximation has an eigenvalue with real part {real_part:.4g}"
             if real_part > 0
             else f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
         )
     else:
-        truth, reason = stability_from_motions(flow)
+        reference, reason = stability_from_motions(flow)
     return (
-        yield SameWord(claim, truth, reason, "this does not agree with the motions near zero: ")
+        yield SameWord(claim, reference, reason, "this does not agree with the motions near zero: ")
     )

@@ -32,20 +32,20 @@ def lyapunov_derivative(claim, function, field, state, parameters=()):
         ):
             point = np.array(list(at.values()))
             true = level.derivative(point, flow(point))[0]
-            said = number_at(claim, values | dict(zip(state, point)))
+            claimed = number_at(claim, values | dict(zip(state, point)))
             # The size of the terms of grad V . f, not of their sum, sets the scale: the sum may
             # cancel.
             size = abs(level.derivative(point, np.ones(len(state)))[0]) * np.linalg.norm(
                 flow(point)
             ) + abs(true)
-            if not abs(said - true) <= 1e-9 * size:
+            if not abs(claimed - true) <= 1e-9 * size:
                 where = ", ".join(
                     f"{s} = {v:.3g}"
                     for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())]
                 )
                 raise Wrong(
                     f"at {where} the function changes along the motion at the rate {true:.4g}; "
-                    f"your expression gives {said.real:.4g}"
+                    f"your expression gives {claimed.real:.4g}"
                 )
     return "it is the rate at which the function changes along the motions, at random states"
 
@@ -63,20 +63,20 @@ def vanishing_set(answer, function, field, state, parameters=()):
     kept = [
         p for p in parameters if p.name in {s.name for s in getattr(answer, "free_symbols", ())}
     ]
-    truth = exactly(
+    reference = exactly(
         sp.Eq(rate, 0),
         given,
         tuple(p for p in parameters if p not in kept),
         lambda values: sp.simplify(rate.subs(values).subs(sample)) == 0,
     )
 
-    def told(values, holds):
+    def message(values, holds):
         return (
             f"at {values_text(values)} the derivative is {'zero' if holds else 'not zero'}, and "
             f"your set {'does not hold' if holds else 'holds'} this state"
         )
 
-    agreement = compare(answer, [*state, *kept], truth, told)
+    agreement = compare(answer, [*state, *kept], reference, message)
     return f"the derivative is zero at the states of this set and at no others: {agreement}"
 
 
@@ -96,17 +96,17 @@ def rate_on_vanishing_set(answer, function, field, state, parameters=()):
     def at(values):
         return True if zero.holds(values.values()) else None
 
-    def told(values, holds):
-        said = number_at(claim, values)
+    def message(values, holds):
+        claimed = number_at(claim, values)
         return (
             f"at {values_text(values)} the derivative of V is zero, and {state[-1]} changes there "
-            f"at the rate {float(true.subs(values)):.4g}; your expression gives {said.real:.4g}"
+            f"at the rate {float(true.subs(values)):.4g}; your expression gives {claimed.real:.4g}"
         )
 
     same = ReferenceCondition(
         (Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols)
     )
-    agreement = compare(sp.Eq(claim, true), symbols, same, told)
+    agreement = compare(sp.Eq(claim, true), symbols, same, message)
     return f"it is this rate at the states where the derivative vanishes: {agreement}"
 
 
@@ -125,7 +125,7 @@ def asymptotic_stability_by_lyapunov(answer, function, field, state, parameters)
         heights, rates = level(circle, values.values()), rate(circle, values.values())
         return bool(min(heights) > 0 and max(rates) <= 1e-12 and min(rates) < -1e-12)
 
-    def told(values, holds):
+    def message(values, holds):
         rates = rate(circle, values.values())
         return (
             f"for {values_text(values)} the derivative of V on the circle of radius 0.1 lies "
@@ -134,8 +134,8 @@ def asymptotic_stability_by_lyapunov(answer, function, field, state, parameters)
         )
 
     near = sum(x**2 for x in state) <= sp.Rational(1, 100)
-    truth = ReferenceCondition(*_proved(function, field, state, near), at)
-    agreement = compare(answer, parameters, truth, told)
+    reference = ReferenceCondition(*_proved(function, field, state, near), at)
+    agreement = compare(answer, parameters, reference, message)
     return f"there the derivative is nowhere positive near zero and not identically zero, and only there: {agreement}"
 
 
@@ -177,7 +177,7 @@ def global_stability_by_lyapunov(answer, function, field, state, parameters, giv
             None if 0 < max(abs(float(x)) for x in values.values()) < 1e-6 else not reason(values)
         )
 
-    def told(values, holds):
+    def message(values, holds):
         why = (
             ""
             if holds
@@ -193,8 +193,8 @@ def global_stability_by_lyapunov(answer, function, field, state, parameters, giv
         )
 
     grows = sum(x * sp.diff(function, x) for x in state) > 0
-    truth = ReferenceCondition(*_proved(function, field, state, sp.true, grows), at)
-    agreement = compare(answer, parameters, truth, told)
+    reference = ReferenceCondition(*_proved(function, field, state, sp.true, grows), at)
+    agreement = compare(answer, parameters, reference, message)
     return f"there V grows in every direction and its derivative is nowhere positive, and only there: {agreement}"
 
 

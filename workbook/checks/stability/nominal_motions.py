@@ -46,19 +46,19 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
     ]
     for at in in_every_case(samples, list(motion.values()), time >= 0):
         values = {p: at[p] for p in parameters}
-        place = dict(zip(motion, numbers_at(motion.values(), at, motion).tolist()))
+        position = dict(zip(motion, numbers_at(motion.values(), at, motion).tolist()))
         where = f"for {values_text(at)}"
         for symbol, expression in program.items():
             wanted = complex(sp.sympify(expression).subs(at).evalf(20))
-            if not abs(place[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
+            if not abs(position[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
                 raise Wrong(
-                    f"this is not the program: {where} your {symbol} is {place[symbol].real:.4g}, "
+                    f"this is not the program: {where} your {symbol} is {position[symbol].real:.4g}, "
                     f"prescribed is {wanted.real:.4g}"
                 )
         for symbol, rate, right_side in zip(state, rates, field):
             left = number_at(rate, at, f"the derivative of your {symbol}")
             terms = [
-                complex(term.subs(values).subs(place).evalf(20))
+                complex(term.subs(values).subs(position).evalf(20))
                 for term in sp.Add.make_args(sp.expand(right_side))
             ]
             if (
@@ -138,8 +138,8 @@ class Motion:
         moved = point.astype(complex) + 1j * STEP * np.eye(len(point))[columns]
         return np.array(
             [
-                [complex(value).imag / STEP for value in self._function(*place, *numbers)]
-                for place in moved
+                [complex(value).imag / STEP for value in self._function(*position, *numbers)]
+                for position in moved
             ]
         ).T
 

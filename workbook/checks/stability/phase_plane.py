@@ -33,23 +33,23 @@ def dulac_function(answer, field, state, parameters, domain=None):
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
     terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
     random = np.random.default_rng(9)
-    places = random_columns(random, symbols, domain, 300, [multiplier, divergence])
+    points = random_columns(random, symbols, domain, 300, [multiplier, divergence])
     with np.errstate(all="ignore"):
-        parts, places = _within_reach(
-            [_values(e, symbols, places) for e in (*terms, divergence, multiplier)], places
+        parts, points = _within_reach(
+            [_values(e, symbols, points) for e in (*terms, divergence, multiplier)], points
         )
-    for k, place in enumerate(places.T):
-        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, place))
+    for k, point in enumerate(points.T):
+        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, point))
         if not np.all(np.isfinite(parts[:, k])):
             raise Wrong(
                 f"at {where}, a point of the domain, your multiplier or its divergence is not a "
                 "real number"
             )
-        true, said = parts[:-2, k].sum(), parts[-2, k]
-        if not (math.isfinite(true) and agree(said, true, divergence, abs(parts[:-2, k]).sum())):
+        true, claimed = parts[:-2, k].sum(), parts[-2, k]
+        if not (math.isfinite(true) and agree(claimed, true, divergence, abs(parts[:-2, k]).sum())):
             raise Wrong(
                 f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
-                f"your second expression gives {said:.4g}"
+                f"your second expression gives {claimed:.4g}"
             )
     signs = np.sign(np.where(abs(parts[-2]) > 1e-12 * abs(parts[:-2]).sum(axis=0), parts[-2], 0))
     if not signs.any():
@@ -58,7 +58,7 @@ def dulac_function(answer, field, state, parameters, domain=None):
             "have closed orbits"
         )
     if signs.min() < 0 < signs.max():
-        low, high = places[:, np.argmin(signs)], places[:, np.argmax(signs)]
+        low, high = points[:, np.argmin(signs)], points[:, np.argmax(signs)]
         raise Wrong(
             "the divergence changes its sign in the domain: it is negative at "
             + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, low))
@@ -78,15 +78,15 @@ def first_integral(answer, field, state, parameters, domain=None):
     claim = coercion.as_expression(answer, symbols)
     slopes = [sp.diff(claim, x) for x in state]
     random = np.random.default_rng(10)
-    places = random_columns(random, symbols, domain, 60, claim)
+    points = random_columns(random, symbols, domain, 60, claim)
     with np.errstate(all="ignore"):
-        (levels, *gradient), places = _within_reach(
-            [_values(part, symbols, places) for part in (claim, *slopes)], places
+        (levels, *gradient), points = _within_reach(
+            [_values(part, symbols, points) for part in (claim, *slopes)], points
         )
-        velocity = np.array([_values(component, symbols, places) for component in field])
+        velocity = np.array([_values(component, symbols, points) for component in field])
     gradient = np.array(gradient)
     for k in np.flatnonzero(~np.isfinite([levels, *gradient]).all(axis=0)):
-        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, k]))
+        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, points[:, k]))
         raise Wrong(
             f"your expression is not real, or has no derivatives, at {where}, a point of the domain"
         )
@@ -99,14 +99,14 @@ def first_integral(answer, field, state, parameters, domain=None):
     allowed = 1e-9 * sizes + _left_open(
         claim,
         lambda part: (
-            np.array([_values(sp.diff(part, x), symbols, places) for x in state]) * velocity
+            np.array([_values(sp.diff(part, x), symbols, points) for x in state]) * velocity
         ).sum(axis=0),
     )
     worst = int(np.argmax(abs(rates) - allowed))
     if not abs(rates[worst]) <= allowed[worst] < math.inf:
         raise Wrong(
             "along the motion through "
-            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, places[:, worst]))
+            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, points[:, worst]))
             + f" your expression changes at the rate {rates[worst]:.4g}, not zero"
         )
     judge_factors(slopes, state, domain, "your expression does not depend on the state")
@@ -187,30 +187,30 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     return "its slope is that of the motions, and it goes through the points asked for"
 
 
-def _within_reach(values, places):
+def _within_reach(values, points):
     """Values, a row for each expression, and places without those where a value is too large for a
     float."""
     fits = ~np.isinf(values).any(axis=0)
     if not fits.any():
         raise Invalid("your answer has no values of a size that can be computed with")
-    return np.array(values)[:, fits], places[:, fits]
+    return np.array(values)[:, fits], points[:, fits]
 
 
-def _values(expression, symbols, places):
+def _values(expression, symbols, points):
     """An expression at many places; nan where it is not real, inf where a float cannot hold it.
     Symbols and functions are known (`coercion.with_symbols`)."""
     if expression.has(sp.nan, sp.zoo):
-        return np.full(places.shape[1], math.nan)
+        return np.full(points.shape[1], math.nan)
     # The slope of a Max holds steps, for which SymPy would solve inequalities.
     expression = expression.replace(sp.Heaviside, lambda x, *_: (1 + sp.sign(x)) / 2)
     try:
         function = sp.lambdify(symbols, expression, "mpmath")
     except (ValueError, NotImplementedError):  # the slope of a floor
-        return np.full(places.shape[1], math.nan)
+        return np.full(points.shape[1], math.nan)
 
-    def value(place):
+    def value(point):
         try:
-            found = function(*place)
+            found = function(*point)
             number = complex(found)
         # TypeError: a Piecewise without a case for this place; NameError: what has no values, as a
         # delta function
@@ -224,4 +224,4 @@ def _values(expression, symbols, places):
             else math.nan
         )
 
-    return np.array([value(place.tolist()) for place in places.T])
+    return np.array([value(point.tolist()) for point in points.T])

@@ -75,7 +75,7 @@ def saddle_slopes(answer, field, state):
             velocity = flow.derivative(point, line)
             return line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
 
-        for claim, sign, told in zip(claims, (1, -1), ("leave", "come to")):
+        for claim, sign, message in zip(claims, (1, -1), ("leave", "come to")):
             slope = float(claim)
             across, along = rates(slope)
             moved = (
@@ -88,7 +88,7 @@ def saddle_slopes(answer, field, state):
                 raise Wrong(
                     f"along the line of slope {slope:.4g} through the saddle at {state[0]} = "
                     f"{point[0]:.4g} small deviations change at the rate {along:.3g} along it and "
-                    f"{across:.3g} across it: these motions do not {told} the saddle"
+                    f"{across:.3g} across it: these motions do not {message} the saddle"
                 )
     return "along these lines the linear field at each saddle points straight away from it and straight to it"
 

@@ -92,12 +92,12 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
         true = family.jacobian(rest, numbers)
         size = np.linalg.norm(true)
         for k in range(n):
-            said = [real_at(entry, values) for entry in matrix[:, k]]
-            if any(value is None for value in said):
+            claimed = [real_at(entry, values) for entry in matrix[:, k]]
+            if any(value is None for value in claimed):
                 raise Wrong(f"for {sample_text(values)} your matrix is not real")
-            if not agree(said, true[:, k], list(matrix[:, k]), size).all():
+            if not agree(claimed, true[:, k], list(matrix[:, k]), size).all():
                 raise Wrong(
-                    f"for {sample_text(values)} {deviation_rate_text(state[k], said, true[:, k])}"
+                    f"for {sample_text(values)} {deviation_rate_text(state[k], claimed, true[:, k])}"
                 )
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
@@ -108,13 +108,15 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
     family = stationary_points_of(field, state, parameters, domain)
     reading = stationary_points_of([expression], state, parameters, domain)
     for values, numbers, rest in family.samples(claim):
-        true, said = float(reading(rest, numbers)[0]), real_at(claim, values)
-        if said is None or not agree(said, true, claim, _scale(expression, values, state, rest)):
-            told = "no real number" if said is None else f"{said:.4g}"
+        true, claimed = float(reading(rest, numbers)[0]), real_at(claim, values)
+        if claimed is None or not agree(
+            claimed, true, claim, _scale(expression, values, state, rest)
+        ):
+            message = "no real number" if claimed is None else f"{claimed:.4g}"
             if not values:  # the true number would be the answer itself
-                raise Wrong(f"the value at the stationary solution is another one than {told}")
+                raise Wrong(f"the value at the stationary solution is another one than {message}")
             raise Wrong(
-                f"for {sample_text(values)} the value is {true:.4g}; your expression gives {told}"
+                f"for {sample_text(values)} the value is {true:.4g}; your expression gives {message}"
             )
     return "it is the value at the stationary solution, for sample values of the parameters"
 
@@ -202,31 +204,31 @@ def _judge_points(answer, family, noun, searched=None):
     for values, numbers, rests in (searched or family).samples(points, alone=False):
         missed, outside = list(rests), ""
         for k, point in enumerate(points):
-            place = [real_at(coordinate, values) for coordinate in point]
-            if any(coordinate is None for coordinate in place):
+            position = [real_at(coordinate, values) for coordinate in point]
+            if any(coordinate is None for coordinate in position):
                 outside = "; what your answer gives is not real"
                 continue
-            place = _rounded_inside(family.reduced(np.array(place)), point, family)
-            if not family.inside(place):
-                outside = f"; {_place_told(family.state, place)}, which your answer gives, lies outside the domain"
+            position = _rounded_inside(family.reduced(np.array(position)), point, family)
+            if not family.inside(position):
+                outside = f"; {_place_text(family.state, position)}, which your answer gives, lies outside the domain"
                 continue
             met[k] = True
             open_ = [uncertainty_at(coordinate, values) for coordinate in point]
-            here = [j for j, rest in enumerate(missed) if family.same(place, rest, point, open_)]
+            here = [j for j, rest in enumerate(missed) if family.same(position, rest, point, open_)]
             if not here:
-                if any(family.same(place, rest, point, open_) for rest in rests):
+                if any(family.same(position, rest, point, open_) for rest in rests):
                     raise Wrong(f"for {sample_text(values)} two of your points are the same")
-                rates = family(place, numbers)
+                rates = family(position, numbers)
                 if not rests and np.all(abs(rates) < 1e-9):
                     continue  # the search may have missed it
-                told = (
-                    f"sides are {_vector_told(rates)}"
+                message = (
+                    f"sides are {_vector_text(rates)}"
                     if len(rates) > 1
                     else f"side is {rates[0]:.4g}"
                 )
                 raise Wrong(
                     f"for {sample_text(values)} your answer gives "
-                    f"{_place_told(family.state, place)}; the right-hand {told} there, not zero"
+                    f"{_place_text(family.state, position)}; the right-hand {message} there, not zero"
                 )
             del missed[here[0]]
         if missed:
@@ -244,15 +246,17 @@ def _judge_points(answer, family, noun, searched=None):
     )
 
 
-def _rounded_inside(place, written, family):
+def _rounded_inside(position, written, family):
     """A place whose decimals were rounded to the other side of the border of the domain, on the
     border."""
     for k, (symbol, coordinate) in enumerate(zip(family.state, written)):
         low, high = endpoints(symbol, family.domain)
-        for end in (low, high) if in_decimals(coordinate) and not low <= place[k] <= high else ():
-            if math.isfinite(end) and abs(place[k] - end) <= half_unit(end):
-                place[k] = end
-    return place
+        for end in (
+            (low, high) if in_decimals(coordinate) and not low <= position[k] <= high else ()
+        ):
+            if math.isfinite(end) and abs(position[k] - end) <= half_unit(end):
+                position[k] = end
+    return position
 
 
 def _judge_existence(answer, family, noun):
@@ -262,19 +266,19 @@ def _judge_existence(answer, family, noun):
             None if numbers is None else bool(family.settle(numbers, starts=32, steps=40)[1].any())
         )
 
-    def told(values, holds):
+    def message(values, holds):
         return (
             f"for {values_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
             f"condition {'does not hold' if holds else 'holds'}"
         )
 
     given, rest = family.given, family.at_rest
-    truth = ReferenceCondition(
+    reference = ReferenceCondition(
         (Case(sp.And(given, rest), tuple(family.state)),),
         (Case(sp.And(given, sp.Not(rest)), tuple(family.state), every=True),),
         at,
     )
-    agreement = compare(answer, family.parameters, truth, told)
+    agreement = compare(answer, family.parameters, reference, message)
     return f"there is a {noun} exactly for these parameters: {agreement}"
 
 
@@ -296,8 +300,8 @@ def _judge_point_roots(answer, family, sign, noun):
         numbers = family.numbers(values)
         if numbers is None:
             return None
-        places, exist = family.first_rests(numbers)
-        ((a,), (b,)), ((c,), (d,)) = family.jacobian(places, numbers)
+        positions, exist = family.first_rests(numbers)
+        ((a,), (b,)), ((c,), (d,)) = family.jacobian(positions, numbers)
         trace, determinant, size = a + d, a * d - b * c, a**2 + b**2 + c**2 + d**2
         discriminant = trace**2 - 4 * determinant
         decided = (
@@ -311,7 +315,7 @@ def _judge_point_roots(answer, family, sign, noun):
             else None
         )
 
-    def told(values, holds):
+    def message(values, holds):
         return (
             f"for {values_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
             f"yet your condition {'does not hold' if holds else 'holds'}"
@@ -319,10 +323,10 @@ def _judge_point_roots(answer, family, sign, noun):
 
     _, determinant, discriminant = family.invariants
     decided = sp.And(family.given, family.at_rest, *(sp.Ne(x, 0) for x in family.invariants))
-    truth = exactly(
+    reference = exactly(
         sp.And(sign * discriminant > 0, determinant > 0), decided, tuple(family.state), at
     )
-    agreement = compare(answer, family.parameters, truth, told)
+    agreement = compare(answer, family.parameters, reference, message)
     return f"the stationary point is {noun} exactly for these parameters: {agreement}"
 
 
@@ -383,11 +387,11 @@ def _kind(matrix):
     return f"{how} {'node' if discriminant > 0 else 'focus'}"
 
 
-def _place_told(state, place):
-    return ", ".join(f"{s} = {x:.4g}" for s, x in zip(state, place))
+def _place_text(state, position):
+    return ", ".join(f"{s} = {x:.4g}" for s, x in zip(state, position))
 
 
-def _vector_told(values):
+def _vector_text(values):
     """Numbers for a message; what rounding leaves of a zero is one."""
     size = max(abs(value) for value in values)
     return point_text([value if abs(value) > 1e-12 * size else 0.0 for value in values])

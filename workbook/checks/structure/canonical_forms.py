@@ -143,14 +143,14 @@ def canonical_part_coordinates(claim, system, parameters=()):
         yield SameEntries(
             claim[0, :],
             h[None, :],
-            lambda said, _, j: (
-                f"z has to be xi1 alone{where}; your xi1 holds {number_text(said[0, j])} x{j + 1}"
+            lambda claimed, _, j: (
+                f"z has to be xi1 alone{where}; your xi1 holds {number_text(claimed[0, j])} x{j + 1}"
             ),
             values,
             np.linalg.norm(h),
         )
-        said = matrix_at(claim, values)
-        for k, (row, following) in enumerate(zip(said, [*said[1:], 0 * h])):
+        claimed = matrix_at(claim, values)
+        for k, (row, following) in enumerate(zip(claimed, [*claimed[1:], 0 * h])):
             rate = row @ A_there
             rest = rate - following - h * ((rate - following) @ h) / (h @ h)
             if not np.linalg.norm(rest) <= relative_tolerance(claim) * (
@@ -173,10 +173,10 @@ def judge_form(claim, pair, form):
     pair's A."""
     tolerance = relative_tolerance(claim)
     for values, place, _ in pair.samples_for(claim):
-        said = matrix_at(claim, values)
-        shape_of_form(said, tolerance, form, where_text(values))
+        claimed = matrix_at(claim, values)
+        shape_of_form(claimed, tolerance, form, where_text(values))
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
-        own = np.array([1, *(0 - said[:, 0])])  # not -said: a zero would be told as -0
+        own = np.array([1, *(0 - claimed[:, 0])])  # not -said: a zero would be told as -0
         if not agree(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
             # not 0: the value there is a coefficient, which is asked for
             at = max(
@@ -194,20 +194,22 @@ def judge_form(claim, pair, form):
     return f"it has {form.shape} and the characteristic polynomial of A"
 
 
-def shape_of_form(said, tolerance, form, where):
+def shape_of_form(claimed, tolerance, form, where):
     """Raise `Wrong` unless a matrix of numbers, turned so that it should be the form by
     observation, has ones above the diagonal and zeros outside its first column."""
-    n = len(said)
+    n = len(claimed)
     pattern = np.eye(n, k=1)
-    if _has_shape(said, pattern, tolerance):
+    if _has_shape(claimed, pattern, tolerance):
         return
-    for view, relative in zip((said.T[::-1, ::-1], said.T, said[::-1, ::-1]), form.relatives):
+    for view, relative in zip(
+        (claimed.T[::-1, ::-1], claimed.T, claimed[::-1, ::-1]), form.relatives
+    ):
         if _has_shape(view, pattern, tolerance):
             raise Wrong(f"{relative}{where}; asked is {form.shape}: {form.ones_and_zeros}")
-    off = abs(said - pattern) * (np.arange(n) > 0)
+    off = abs(claimed - pattern) * (np.arange(n) > 0)
     i, j = map(int, np.unravel_index(np.argmax(off), off.shape))
     raise Wrong(
-        f"the entry {form.place(i, j, n)} of your matrix is {number_text(said[i, j])}{where}; "
+        f"the entry {form.place(i, j, n)} of your matrix is {number_text(claimed[i, j])}{where}; "
         f"{form.shape} has {form.ones_and_zeros}"
     )
 
@@ -230,8 +232,8 @@ def _judge_change(claim, pair, said_rows, by_rows):
             true.append(true[-1] @ A + float(coefficient) * h)
         true = np.array(true)
 
-        def told(said, k, j):
-            own, wanted = (said, true) if by_rows else (said[::-1].T, true[::-1].T)
+        def message(claimed, k, j):
+            own, wanted = (claimed, true) if by_rows else (claimed[::-1].T, true[::-1].T)
             if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(
                 own @ wanted - np.eye(n)
             ) <= 10 * relative_tolerance(claim):
@@ -259,7 +261,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
                 f"{j + 1} of your {own} does not fit"
             )
 
-        yield SameEntries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
+        yield SameEntries(claim, true, message, values, np.linalg.norm(true, axis=1)[:, None])
     judge_everywhere(
         claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
     )

@@ -61,20 +61,20 @@ def _judge_components(claim, system, sequential):
     observation."""
     claim, pair, side = by_observation(claim, system)
     tolerance, n, m = relative_tolerance(claim), pair.order, pair.outputs
-    ((_, A, H, _),), ((_, place),) = pair.systems, pair.samples
-    sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(place))
+    ((_, A, H, _),), ((_, point),) = pair.systems, pair.samples
+    sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(point))
     # of every coordinate; m is the rest
     part = np.repeat(np.arange(m + 1), [*sizes, n - sum(sizes)])
-    said = matrix_at(claim, {})
-    require_invertible(said, tolerance, {})
+    claimed = matrix_at(claim, {})
+    require_invertible(claimed, tolerance, {})
     try:
-        _judge_parts(said, A, H, part, tolerance, side, sequential)
+        _judge_parts(claimed, A, H, part, tolerance, side, sequential)
     except Wrong:
         # Which coordinate each row would be if the rows stood in the order in which they are taken.
         turns = sorted(
             range(n), key=lambda k: (part[k] == m, k - np.flatnonzero(part == part[k])[0], part[k])
         )
-        if not sequential and _is_parallel(said[np.argsort(turns)], A, H, part, tolerance, side):
+        if not sequential and _is_parallel(claimed[np.argsort(turns)], A, H, part, tolerance, side):
             raise Wrong(
                 f"your {'columns' if side.by_control else 'rows'} stand in the order in which they "
                 "are taken "
@@ -84,43 +84,45 @@ def _judge_components(claim, system, sequential):
     return "the matrix is invertible, and every zero that the decomposition asks for is one"
 
 
-def _is_parallel(said, *rest):
+def _is_parallel(claimed, *rest):
     try:
-        _judge_parts(said, *rest, sequential=False)
+        _judge_parts(claimed, *rest, sequential=False)
     except Wrong:
         return False
     return True
 
 
-def _judge_parts(said, A, H, part, tolerance, side, sequential):
+def _judge_parts(claimed, A, H, part, tolerance, side, sequential):
     """The zeros of a decomposition; `part` is the number of the part of every coordinate, the rest
     having the last number."""
     n, m = len(A), len(H)
     sizes = [int((part == k).sum()) for k in range(m)]
-    inverse = np.linalg.inv(said)
-    new_A, new_H = said @ A @ inverse, H @ inverse
+    inverse = np.linalg.inv(claimed)
+    new_A, new_H = claimed @ A @ inverse, H @ inverse
     names = [f"coordinate {k + 1}" for k in range(n)]
-    told = "look again at which coordinates make up each part, and how many they are"
+    message = "look again at which coordinates make up each part, and how many they are"
     # What rounding of T to three digits can make of a zero.
     bound = (
         tolerance
-        * np.linalg.norm(said, axis=1)[:, None]
+        * np.linalg.norm(claimed, axis=1)[:, None]
         * np.linalg.norm(A)
         * np.linalg.norm(inverse, axis=0)[None, :]
     )
     for i, j in np.ndindex(n, n):
         free = part[j] <= part[i] if sequential else part[j] < m or part[i] == m
         if not free and not abs(new_A[i, j]) <= bound[i, j]:
-            raise Wrong(f"{side.mixed(names[i], names[j], new_A[i, j])}, and it should not: {told}")
+            raise Wrong(
+                f"{side.mixed(names[i], names[j], new_A[i, j])}, and it should not: {message}"
+            )
     bound = (
         tolerance * np.linalg.norm(H, axis=1)[:, None] * np.linalg.norm(inverse, axis=0)[None, :]
     )
     for k, j in np.ndindex(m, n):
         free = part[j] == k if sizes[k] else part[j] < k if sequential else part[j] < m
         if not free and not abs(new_H[k, j]) <= bound[k, j]:
-            raise Wrong(f"{side.shown(k, m, names[j], new_H[k, j])}, and it should not: {told}")
+            raise Wrong(f"{side.shown(k, m, names[j], new_H[k, j])}, and it should not: {message}")
     if not sequential:
-        _judge_chains([said[part == k] for k in range(m)], A, H, tolerance, side)
+        _judge_chains([claimed[part == k] for k in range(m)], A, H, tolerance, side)
 
 
 def _judge_chains(parts, A, H, tolerance, side):

@@ -114,8 +114,8 @@ def canonical_observable_part(answer, system, parameters=()):
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
     pair, tolerance = observed_pair(system, parameters), relative_tolerance(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
-        said = matrix_at(output, values)
-        if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
+        claimed = matrix_at(output, values)
+        if not abs(claimed - np.eye(len(claimed), claimed.shape[1])).max(initial=0) <= 1e-6:
             raise Wrong(
                 f"in the form (2.5) z is the first coordinate alone{where_text(values)}; that is "
                 "not what your H1 says"
@@ -137,16 +137,16 @@ def similarity_matrix(claim, system, other, parameters=()):
         pair_of(A_to, A_to[:1, :], parameters),
     )
     for (values, one, _, _), (_, other, _, _) in zip(given.systems, wanted.systems):
-        said = matrix_at(claim, values)
-        require_invertible(said, tolerance, values)
-        left, right = said @ one, other @ said
+        claimed = matrix_at(claim, values)
+        require_invertible(claimed, tolerance, values)
+        left, right = claimed @ one, other @ claimed
         size = (
-            np.linalg.norm(said, axis=1)[:, None] * np.linalg.norm(one)
-            + abs(other) @ np.linalg.norm(said, axis=1)[:, None]
+            np.linalg.norm(claimed, axis=1)[:, None] * np.linalg.norm(one)
+            + abs(other) @ np.linalg.norm(claimed, axis=1)[:, None]
         )
         bad = ~(abs(left - right) <= tolerance * size)
         if bad.any():
-            inverse = np.linalg.inv(said)
+            inverse = np.linalg.inv(claimed)
             off = np.linalg.norm(inverse @ one - other @ inverse)
             if off <= tolerance * np.linalg.norm(inverse) * np.linalg.norm(one):
                 raise Wrong("this matrix gives x from y; asked is S in y = S x")
@@ -177,28 +177,28 @@ def _judge_split(claim, pair, side):
     """The rows of T for the pair: the first ones vanish on the unseen states."""
     n, tolerance = pair.order, relative_tolerance(claim)
     for values, A, H, unseen in pair.systems_for(claim):
-        said, size = matrix_at(claim, values), n - len(unseen)
-        require_invertible(said, tolerance, values)
+        claimed, size = matrix_at(claim, values), n - len(unseen)
+        require_invertible(claimed, tolerance, values)
         space, _ = np.linalg.qr(unseen.T)
         if (
-            abs(said[:size] @ space)
-            <= EXACT * np.linalg.norm(said[:size], axis=1)[:, None]
+            abs(claimed[:size] @ space)
+            <= EXACT * np.linalg.norm(claimed[:size], axis=1)[:, None]
             + entry_uncertainties(claim, values)[:size] @ abs(space)
         ).all():
             continue
-        if _vanishes(np.linalg.inv(said)[:size], space, tolerance):
+        if _vanishes(np.linalg.inv(claimed)[:size], space, tolerance):
             raise Wrong(f"this matrix gives {side.reverse}; asked is {side.asked}")
-        if _vanishes(said[n - size :], space, tolerance):
+        if _vanishes(claimed[n - size :], space, tolerance):
             raise Wrong(
                 f"your matrix has the {side.rest} coordinates first; the {side.part} ones, xi, "
                 "have to stand first"
             )
-        if _vanishes(said.T[:size], space, tolerance):
+        if _vanishes(claimed.T[:size], space, tolerance):
             raise Wrong(
                 f"the coordinates stand in your matrix the other way, as "
                 f"{'rows' if side.by_control else 'columns'}; asked is {side.asked}"
             )
-        new_A, new_H = said @ A @ np.linalg.inv(said), H @ np.linalg.inv(said)
+        new_A, new_H = claimed @ A @ np.linalg.inv(claimed), H @ np.linalg.inv(claimed)
         raise Wrong(
             f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many "
             f"coordinates as {side.size} says"
@@ -325,14 +325,14 @@ def _as_system(answer, parameters, names, outputs, columns=False):
     return matrix, other
 
 
-def require_invertible(said, tolerance, values):
+def require_invertible(claimed, tolerance, values):
     """Raise `Wrong` for a matrix without an inverse, whatever the units of its rows."""
-    lengths = np.linalg.norm(said, axis=1)
+    lengths = np.linalg.norm(claimed, axis=1)
     if not lengths.all():
         raise Wrong(
             f"your matrix has no inverse{where_text(values)}: one of its rows or columns is zero"
         )
-    if np.linalg.svd(said / lengths[:, None], compute_uv=False)[-1] <= 1e-2 * tolerance:
+    if np.linalg.svd(claimed / lengths[:, None], compute_uv=False)[-1] <= 1e-2 * tolerance:
         raise Wrong(f"your matrix has no inverse{where_text(values)}")
 
 

@@ -45,9 +45,9 @@ def augmented_system(answer, system, parameters=(), own=False):
     row = coercion.as_matrix(
         row.T if outputs == 1 == row.cols else row, parameters, (outputs, matrix.rows)
     )
-    for values, place, _ in pair.samples_for([matrix, row]):
+    for values, point, _ in pair.samples_for([matrix, row]):
         where = where_text(values)
-        true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
+        true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(point))
         said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
         x, w = slice(0, n), slice(n, None)
         for claim, block, true, what in (
@@ -56,8 +56,8 @@ def augmented_system(answer, system, parameters=(), own=False):
             (matrix, (w, x), 0, "the motion does not act on the error: this part of A' is zero"),
             (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H"),
         ):
-            said = (said_A if claim is matrix else said_H)[block]
-            _compare_block(said, true + 0 * said, claim[block], what, where)
+            claimed = (said_A if claim is matrix else said_H)[block]
+            _compare_block(claimed, true + 0 * claimed, claim[block], what, where)
         if own and matrix.rows == pair.order:
             _compare_block(
                 said_A[w, w],
@@ -78,7 +78,7 @@ def augmented_system(answer, system, parameters=(), own=False):
             said_A[w, w],
             said_H[:, w],
             open_,
-            _error_derivatives(pair, place, n, matrix.rows),
+            _error_derivatives(pair, point, n, matrix.rows),
             where,
         )
     return (
@@ -115,17 +115,17 @@ def amplitude_from_output(claim, system, outputs, time):
     return "it gives C at every moment of motions with all kinds of starts and errors"
 
 
-def _compare_block(said, true, claim, what, where):
-    bad = ~agree(said, true, claim, max(abs(true).max(initial=0), 1.0))
+def _compare_block(claimed, true, claim, what, where):
+    bad = ~agree(claimed, true, claim, max(abs(true).max(initial=0), 1.0))
     if bad.any():
         i, j = np.argwhere(bad)[0]
-        raise Wrong(f"{what}{where}; yours has {number_text(said[i, j])} there")
+        raise Wrong(f"{what}{where}; yours has {number_text(claimed[i, j])} there")
 
 
-def _error_derivatives(pair, place, n, count):
+def _error_derivatives(pair, point, n, count):
     """The derivatives of the error with C = 1 at t = 0, exact: as many as tell two equations of
     these orders apart."""
-    A, H = pair.at(place)
+    A, H = pair.at(point)
     state, found = [row[-1] for row in pair.starts], []
     for _ in range(count + pair.order):
         found.append(product(H, state))
@@ -154,11 +154,11 @@ def _compare_errors(S, c, left_open, derivatives, where):
         rows = [c]
         while len(rows) < count:
             rows.append(rows[-1] @ S)
-        told = np.vstack(rows) * weights[:, None]
-        if not np.isfinite(told).all():
+        message = np.vstack(rows) * weights[:, None]
+        if not np.isfinite(message).all():
             raise Wrong(f"the derivatives of your error are not finite{where}")
-        start = np.linalg.lstsq(told, wanted.astype(complex), rcond=1e-12)[0]
-        return told @ start - wanted
+        start = np.linalg.lstsq(message, wanted.astype(complex), rcond=1e-12)[0]
+        return message @ start - wanted
 
     here = rest(S, c)
     allowed = sum(

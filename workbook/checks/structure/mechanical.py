@@ -64,7 +64,7 @@ def mechanical_eigenvalues(claim, system, parameters=()):
     pair = observed_pair(system, parameters)
     samples = pair.samples_for(claim)
     roots = [
-        different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place, _ in samples
+        different_roots(characteristic_coefficients(pair.at(point)[0])) for _, point, _ in samples
     ]
     spectra = [(values, found, found) for (values, *_), found in zip(samples, roots)]
     yield from compare_eigenvalues(claim, spectra, ALONE)

@@ -31,13 +31,13 @@ def measured_quantity(claim, system, known, quantities):
         raise RuntimeError("the equations do not tell the quantities apart")
     if equations[claim] != seen:
         raise Wrong(
-            f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of "
+            f"the {claim} satisfies the linear equation {_text(equations[claim])} and none of "
             "lower order, in all motions; what is measured has motions that do not"
             if _breaks(equations[claim], A, H)
-            else f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured "
+            else f"the {claim} has motions that break {_text(seen)}, an equation that holds for what is measured "
             f"in all motions"
         )
-    return f"both satisfy {_told(seen)} and no equation of lower order, and no other of the quantities does"
+    return f"both satisfy {_text(seen)} and no equation of lower order, and no other of the quantities does"
 
 
 def _equation(A, H):
@@ -64,7 +64,7 @@ def _breaks(equation, A, H):
     return not total.is_zero_matrix
 
 
-def _told(equation):
+def _text(equation):
     """The equation for z, its derivatives with primes."""
     order = len(equation) - 1
     names = ["z", *("z" + "'" * k for k in range(1, order + 1))]

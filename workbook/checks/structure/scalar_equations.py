@@ -150,8 +150,8 @@ class _LinearEquation:
         rows = [c]
         while len(rows) <= n:
             rows.append(rows[-1] * A)
-        told = sp.Matrix.vstack(*rows[:n])
-        if told.det() == 0:
+        message = sp.Matrix.vstack(*rows[:n])
+        if message.det() == 0:
             raise ValueError("y does not tell the state: its equation is not the system")
         # y^(k) in terms of x and of u, u', ..., u^(highest)
         driven = sp.Matrix(
@@ -160,7 +160,7 @@ class _LinearEquation:
         to_all = np.array(sp.Matrix.vstack(*rows).row_join(driven).tolist(), dtype=float)
         # The states at which y, ..., y^(n-1), u, u', ... vanish but for one of them: there no other
         # term hides a wrong one.
-        back = told.inv()
+        back = message.inv()
         states = np.array(
             (back.row_join(-back * driven[:n, :]))
             .col_join(sp.zeros(highest + 1, n).row_join(sp.eye(highest + 1)))

@@ -55,15 +55,15 @@ def are_similar(A, H, new_A, new_H, tolerance, similar=None, open_=()):
     return False
 
 
-def _same_polynomial(said, true, open_):
+def _same_polynomial(claimed, true, open_):
     """Whether two matrices have the same characteristic polynomial, up to what the entries of the
     first are off by."""
-    own = np.poly(said)
-    allowed = EXACT * max(np.linalg.norm(said), np.linalg.norm(true)) ** np.arange(len(own))
-    for i, j in np.ndindex(said.shape):
-        step = np.zeros(said.shape)
+    own = np.poly(claimed)
+    allowed = EXACT * max(np.linalg.norm(claimed), np.linalg.norm(true)) ** np.arange(len(own))
+    for i, j in np.ndindex(claimed.shape):
+        step = np.zeros(claimed.shape)
         step[i, j] = open_[i, j]
-        allowed = allowed + abs(np.poly(said + step) - own)
+        allowed = allowed + abs(np.poly(claimed + step) - own)
     # A hundredth for products of two such steps.
     return bool((abs(own - np.poly(true)) <= 1.01 * allowed).all())
 
@@ -96,13 +96,13 @@ def difference_text(A, new_A, part, part_output, values, side):
                 key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))),
             )
             there, here = (number_text(np.polyval(poly, at)) for poly in (true, own))
-            told = (
+            message = (
                 f"det(lambda E - A) at lambda = {at} is {there} for the given matrix and {here} "
                 "for yours"
                 if there != here
                 else "by rounding, your matrix has other eigenvalues; exact numbers would be safe"
             )
-            return f"no change of variables turns the given system into yours: {told}{where_text(values)}"
+            return f"no change of variables turns the given system into yours: {message}{where_text(values)}"
     if not _observable(part, part_output):
         return f"in your system the part xi is not {side.part}{where_text(values)}"
     if side.by_control:

@@ -53,8 +53,8 @@ def observability_matrix(claim, system, parameters):
         # The derivative of order k of the product H(t) x(t), by the rule of Leibniz.
         terms = [[comb(k, j) * rows[j] @ powers[k - j] for j in range(k + 1)] for k in range(n)]
 
-        def told(said, k, j):
-            if k and np.allclose(said[k], terms[k][0], rtol=0, atol=1e-6 * sizes[k]):
+        def message(claimed, k, j):
+            if k and np.allclose(claimed[k], terms[k][0], rtol=0, atol=1e-6 * sizes[k]):
                 return (
                     f"row {k + 1} of your matrix leaves out that H changes with time: the "
                     "derivative of z = H(t) x has one term more"
@@ -68,11 +68,11 @@ def observability_matrix(claim, system, parameters):
             )
             return (
                 f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in "
-                f"column {j + 1}: there your matrix has {number_text(said[k, j])}"
+                f"column {j + 1}: there your matrix has {number_text(claimed[k, j])}"
             )
 
         sizes = np.array([sum(map(np.linalg.norm, row)) for row in terms])
-        yield SameEntries(claim, list(map(sum, terms)), told, values, sizes[:, None])
+        yield SameEntries(claim, list(map(sum, terms)), message, values, sizes[:, None])
     return "the rows times x are z and its derivatives, at all moments and parameters tried"
 
 
@@ -96,13 +96,13 @@ def output_gramian(claim, system, duration, parameters):
         yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(said[i, j])}; the "
+                f"{number_text(claimed[i, j])}; the "
                 # the true number would be the answer itself
                 f"integral is {true[i, j]:.4g}"
                 if values
-                else f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}, "
+                else f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(claimed[i, j])}, "
                 "and the integral is not"
             ),
             values,
@@ -122,15 +122,15 @@ def frozen_determinant(claim, system, parameters):
     ):
         matrix, row = _at(system.A, values), _at(system.H, values)
         rows = [(row @ np.linalg.matrix_power(matrix, k))[0] for k in range(system.A.rows)]
-        scale, said = (
+        scale, claimed = (
             np.prod([np.linalg.norm(r) for r in rows]),
             value_at(claim, values, "this determinant"),
         )
-        if not abs(said - np.linalg.det(rows)) <= relative_tolerance(claim) * scale:
+        if not abs(claimed - np.linalg.det(rows)) <= relative_tolerance(claim) * scale:
             # The rows and not their determinant, which may be the answer itself.
-            told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
+            message = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(
-                f"at one of the moments tried the rows are {told}; {number_text(said)}, which your "
+                f"at one of the moments tried the rows are {message}; {number_text(claimed)}, which your "
                 "expression gives, is not their determinant"
             )
     return "it is the determinant at all moments and parameters tried"
