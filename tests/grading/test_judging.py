@@ -15,7 +15,7 @@ import sympy as sp
 
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15
-from foreign import Watch
+from hostile_values import AuditWatch
 
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG
@@ -152,7 +152,7 @@ def _what_a_watch_sees():
     import os
     import pickle
 
-    watch = Watch()
+    watch = AuditWatch()
     eval("'MARK'")
     os.system("true")
     open(os.devnull, "w").close()
@@ -269,7 +269,7 @@ def _fuzz(count):
     found = []
     cells = EXERCISE.code("data", "check")
     judge_cells(cells, {}, {}, NAMES)  # what our own cells import, they have imported
-    watch = Watch()
+    watch = AuditWatch()
     for k, message in enumerate(_mutations(count)):
         try:
             encoded, unreadable, remarks, stopped = judging._read(message, NAMES)

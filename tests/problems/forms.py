@@ -20,17 +20,15 @@ from workbook.checks.contract.encoding import encode
 
 
 def forms(value, kind, symbols):
-    """{name: the answer in this form}: every way to hold it and every way to write its parts occurs
-    in at least one.
+    """Return {name: the answer in this form}; every way to hold and to write its parts occurs.
 
-    `symbols` are those of which a condition may be told as a set of values.
+    `symbols` are those of which a condition may be given as a set of values.
     """
     return dict(each_form(value, kind, symbols))
 
 
 def each_form(value, kind, symbols):
-    """The pairs of `forms`, each when it is asked for: whoever needs three of them has not to wait
-    for all."""
+    """Yield the pairs of `forms`, each computed when it is asked for."""
     for pair in itertools.zip_longest(
         *(changing(value, kind, symbols, ways) for ways in (WRITERS, HOLDERS))
     ):
@@ -39,8 +37,7 @@ def each_form(value, kind, symbols):
 
 
 def changing(value, kind, symbols, ways):
-    """The names of those `ways` that change the value, each to something that no other one
-    gives."""
+    """Yield the names of the `ways` that change the value, each to something new."""
     seen = {encode(value)}
     for name in ways:
         other = encode(changed(value, kind, symbols, [name]))
@@ -60,7 +57,7 @@ def changed(value, kind, symbols, names):
 
 
 def _written(value, kind, write, symbols):
-    """The value with each of its parts written in another way."""
+    """Return the value with each of its parts written in another way."""
     if isinstance(value, (list, tuple)):
         return type(value)(_written(part, _inner(kind), write, symbols) for part in value)
     if isinstance(value, dict):
@@ -75,7 +72,7 @@ def _written(value, kind, write, symbols):
 
 
 def _inner(kind):
-    """The kind of the parts of a list."""
+    """Return the kind of the parts of a list."""
     return kind.removeprefix("list of ") if kind.startswith("list of ") else "part"
 
 

@@ -70,7 +70,7 @@ def _arrivals(family, beside=0.002):
     answer changes them."""
     found = []
     for values in family.samples():
-        positions = family.places(values)
+        positions = family.arguments(values)
         rates = family.rates(positions, values)
         changes = [
             family.change(a, b, values)
@@ -107,7 +107,7 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
     tolerance = relative_tolerance(*claim, computed=1e-6)
     met = 0
     for values in target.samples():
-        positions = target.places(values, count=24)
+        positions = target.arguments(values, count=24)
         points, times, _ = target.switchings(positions, values)
         given = claimed(positions, *values).T
         for k in np.flatnonzero(np.isfinite(times)):
@@ -140,7 +140,7 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
     claimed = real_function([variable, *target.parameters], claim)
     tolerance = relative_tolerance(*claim, computed=1e-5)
     for values in target.samples():
-        positions = target.places(values, count=12)
+        positions = target.arguments(values, count=12)
         points, times, after = target.switchings(positions, values)
         step = 1e-5
         tangent = (
@@ -235,7 +235,7 @@ def _jump(value, data, ends, variable, name):
     reference = sampled_optimum(*data._replace(parameters=()))
     data = data._replace(parameters=tuple(pair for pair in data.parameters if pair[0] == variable))
     family = family_of(data, tuple(end.subs(fixed) for end in ends), variable)
-    positions = family.places((), count=361)
+    positions = family.arguments((), count=361)
     rates, jump = family.rates(positions, ()), 0.0
     for a, b in zip(
         positions[np.append(rates[:-1] * rates[1:] < 0, False)],

@@ -1,14 +1,13 @@
-"""Outputs z = H e^(At) L u of unknown numbers u: which u the output never shows, for all values of
-the parameters, exactly.
+"""Outputs z = H e^(At) L u of unknown numbers u: which u are unobservable, exactly, with parameters.
 
-Where a start is known in part, as with an error C sin(omega t) whose amplitude alone is unknown,
-only some motions of x' = A x come into question: those from x(0) = L u. Such a motion is unseen
-exactly if L u lies in the largest invariant subspace of ker H.
+Where an initial state is known in part, as with an error C sin(omega t) whose amplitude alone is
+unknown, only some motions of x' = A x are possible: those from x(0) = L u. Such a motion is
+unobservable exactly if L u lies in the largest invariant subspace of ker H.
 
 Where a row H(t) consists of sines, cosines, exponentials and powers of t, the products of these
 functions with the coordinates obey linear equations with constant coefficients. So z = H(t) x is an
-output of a constant system of higher order, from known starts for every x(0). No derivative rows
-are needed.
+output of a constant system of higher order, from known initial states for every x(0). No rows of
+derivatives are needed.
 """
 
 import functools
@@ -26,16 +25,20 @@ MOST_FUNCTIONS = 16
 
 
 def initial_states_of(A, H, L, parameters=(), of=None):
-    """The `InitialStates` of matrices as the data give them; `of` are the positions of the u that is asked
-    for, if not all of it."""
+    """Return the `InitialStates` of matrices as the data give them.
+
+    `of` are the positions of the unknowns that are asked for, if not all.
+    """
     return _known_starts(
         sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), sp.ImmutableMatrix(L), tuple(parameters), of
     )
 
 
 def initial_states_of_varying(A, H, time, parameters=()):
-    """The products of the functions in H(t) with the coordinates of x as one constant system, from
-    its starts for every x(0)."""
+    """Return the products of functions in H(t) and coordinates of x as one constant system.
+
+    Its initial states are those of every x(0).
+    """
     functions, rates, rows = _functions(H, time)
     n, E = A.rows, sp.eye(len(functions))
     matrix = sp.kronecker_product(rates, sp.eye(n)) + sp.kronecker_product(E, A)
@@ -51,8 +54,10 @@ def _known_starts(A, H, L, parameters, of):
 
 
 class InitialStates(Pair):
-    """A pair (A, H) of rational functions of the parameters with the matrix L of numbers: `unseen`
-    are now vectors u."""
+    """A pair (A, H) of rational functions of the parameters, and initial states x(0) = L u.
+
+    `unobservable` are now vectors u; L is a matrix of numbers.
+    """
 
     def __init__(self, A, H, L, parameters, of=None):
         super().__init__(A, H, parameters)
@@ -61,10 +66,12 @@ class InitialStates(Pair):
         self.unknowns, self._of = L.cols, of
         self.starts = [[_fraction(entry) for entry in L.row(i)] for i in range(L.rows)]
 
-    def unobservable_at(self, place):
-        """A basis of the u (or of what is asked of them) from which the output stays zero; None
-        where an entry is not defined."""
-        hidden = super().unobservable_at(place)
+    def unobservable_at(self, point):
+        """Return a basis of the u, or of those asked for, from which the output stays zero.
+
+        None where an entry is not defined.
+        """
+        hidden = super().unobservable_at(point)
         if hidden is None:
             return None
         # Combinations L u = (hidden) d; the columns of `hidden` are independent, so every one has
@@ -82,7 +89,7 @@ class InitialStates(Pair):
 
     @functools.cached_property
     def _seen(self):
-        """Of what is asked for alone: no u that is unseen has a part in it."""
+        """The cases in which no unobservable u has a part in what is asked, and in which one has."""
         if self._of is None:
             return super()._seen
         u = sp.symbols(f"u:{self.unknowns}", real=True, cls=sp.Dummy)
@@ -111,7 +118,7 @@ class InitialStates(Pair):
         return to_floats(self.starts, self.unknowns) @ vector
 
     def _derivative_rows(self):
-        """The rows H L, H A L, ..., which say what the derivatives of z at t = 0 tell of u."""
+        """Return the rows H L, H A L, ...: the derivatives of z at t = 0 as functions of u."""
         told = super()._derivative_rows()
         return told * DomainMatrix(
             [
@@ -131,7 +138,7 @@ def _fraction(entry):
 
 
 def _functions(H, time):
-    """Functions f of time with f' = R f and H = f1 H1 + f2 H2 + ...: (f, R, [H1, H2, ...])."""
+    """Return (f, R, [H1, H2, ...]) with f' = R f and H = f1 H1 + f2 H2 + ..., f of time."""
     parts = [_split(entry, time) for entry in H]
     functions = list(dict.fromkeys(f for part in parts for f in part))
     slopes = []
@@ -151,7 +158,7 @@ def _functions(H, time):
 
 
 def _split(expression, time):
-    """{function of time: its coefficient} of a sum."""
+    """Return {function of time: its coefficient} of a sum."""
     found = {}
     for term in sp.Add.make_args(sp.expand(expression)):
         coefficient, function = term.as_independent(time, as_Add=False)

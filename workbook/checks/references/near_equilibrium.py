@@ -1,5 +1,4 @@
-"""Stability of a rest point from motions that start close to it, where the first approximation is
-silent."""
+"""Stability of an equilibrium from nearby motions, where the linearisation is inconclusive."""
 
 import functools
 
@@ -8,13 +7,14 @@ import numpy as np
 
 @functools.lru_cache(maxsize=16)
 def stability_from_motions(flow, radius=0.05, duration=200.0):
-    """Stability of zero from motions that start on a small sphere, for fields whose first
-    approximation is critical.
+    """Return the stability of zero, and the reason, from motions that begin on a small sphere.
 
-    What decides is whether the motions still shrink or grow after the fast parts have died out: the
-    largest distance in a late stretch of time against that in an earlier one. Distance is measured
-    in the coordinates of the eigenvectors, in which the linear terms change the amplitude of no
-    critical part.
+    Notes
+    -----
+    It is meant for fields whose linearisation is critical. Decisive is whether the motions still shrink
+    or grow after the fast parts have died out: the largest distance in a late interval of time against
+    that in an earlier one. Distance is measured in the coordinates of the eigenvectors, in which the
+    linear terms change the amplitude of no critical part.
     """
     _, vectors = np.linalg.eig(flow.jacobian([0.0] * len(flow.state)))
     measure = np.linalg.inv(vectors) if np.linalg.cond(vectors) < 1e6 else np.eye(len(flow.state))
@@ -45,8 +45,7 @@ def stability_from_motions(flow, radius=0.05, duration=200.0):
 
 
 def _trend(flow, measure, start, duration, escape=1.0):
-    """The amplitude of a motion near the end of `duration` divided by that near its middle; inf if
-    it runs away."""
+    """Return the ratio of the amplitudes late and midway in a motion; inf if it escapes."""
     from scipy.integrate import solve_ivp
 
     def outside(_, x):

@@ -1,8 +1,7 @@
-"""Linear random processes at numbers: what their moments become with time, and what measurements
-leave of them.
+"""Linear random processes at numbers: their moments in time, and conditional on measurements.
 
 Moments at any set of times come at once, from a matrix exponential, and measurements are taken all
-together, by the conditional moments of a Gaussian vector: no dispersion equation is integrated and
+together, by the conditional moments of a Gaussian vector: no covariance equation is integrated and
 no filter is run. Steady filters come from the invariant subspaces of their Hamiltonian or
 symplectic pencils (SciPy).
 """
@@ -34,8 +33,7 @@ class NumericProcess:
 
 
 def at_values(process, values, start=True):
-    """The process at values of its symbols, as arrays; without its `start` with zeros as its first
-    moments."""
+    """Return the process at values of its symbols; without `start`, with zero initial moments."""
     process = as_process(process)
     arrays = _arrays(process, tuple(values.items()), start)
     return NumericProcess(*(part.copy() for part in arrays), process.discrete)
@@ -43,7 +41,7 @@ def at_values(process, values, start=True):
 
 @functools.lru_cache(maxsize=256)
 def _arrays(process, values, start):
-    """Every claim about a process is tried at the same values."""
+    """Return the arrays of a process at values; every claim about it is tried at the same ones."""
     values = dict(values)
     start = (
         (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
@@ -55,11 +53,12 @@ def _arrays(process, values, start):
 
 @functools.lru_cache(maxsize=32)
 def as_process(process):
-    """The `Process` of x and, below it, the noise w of a `Coloured` one, or that of `FilterErrors`,
-    which at the start are those of the mean; any other as it is.
+    """Return a `Coloured` system or `FilterErrors` as a `Process`; a process as it is.
 
-    A correlation D exp(-a delay) belongs to w' = -a w + q with the intensity 2 a D, from w(0) with
-    the variance D on.
+    Notes
+    -----
+    A correlation D exp(-a delay) belongs to the noise w' = -a w + q with the intensity 2 a D, from w(0)
+    with the variance D; w is appended to x. The initial errors of a filter are those of the mean.
     """
     if isinstance(process, FilterErrors):
         one, gain = as_process(process.process), process.gain
@@ -80,12 +79,12 @@ def as_process(process):
 
 
 def shape_of(name):
-    """The shape of a claim that is like this matrix of the process among the data."""
+    """Return a function of the data: the shape of this matrix of the process among them."""
     return lambda data: getattr(as_process(data["process"]), name).shape
 
 
 def variance_and_rate(process):
-    """(D, a) of the correlation D exp(-a delay) of a `Coloured` process."""
+    """Return (D, a) of the correlation D exp(-a delay) of a `Coloured` process."""
     D = process.correlation.subs(process.delay, 0)
     a = sp.simplify(-process.correlation.diff(process.delay) / process.correlation)
     if a.has(process.delay):
@@ -100,19 +99,17 @@ def to_array(matrix, values):
 
 
 def transition(one, duration):
-    """(F, N) with x(t + duration) = F x(t) + a vector of the covariance N that is independent of
-    x(t)."""
+    """Return (F, N): x(t + duration) = F x(t) + an independent vector of covariance N."""
     n = len(one.A)
     if one.discrete:
         powers = [np.linalg.matrix_power(one.A, k) for k in range(round(duration) + 1)]
         return powers[-1], sum((F @ one.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
-    return _moved(one.A.tobytes(), one.Q.tobytes(), n, float(duration))
+    return _transition(one.A.tobytes(), one.Q.tobytes(), n, float(duration))
 
 
 @functools.lru_cache(maxsize=256)
-def _moved(A, Q, n, duration):
-    """The same in continuous time: it is asked again with every answer, and takes longer than all
-    else."""
+def _transition(A, Q, n, duration):
+    """Return the same in continuous time, cached: its exponentials take most of the time."""
     from scipy.linalg import expm
 
     A, Q = (np.frombuffer(part).reshape(n, n) for part in (A, Q))
@@ -129,13 +126,13 @@ def _moved(A, Q, n, duration):
 
 
 def moments(one, time):
-    """Mean (n x 1) and covariance of x at a time."""
+    """Return mean (n x 1) and covariance of x at a time."""
     F, N = transition(one, time)
     return F @ one.mean, F @ one.covariance @ F.T + N
 
 
 def joint_moments(one, times):
-    """Mean and covariance of the states at several times under each other."""
+    """Return mean and covariance of the states at several times, stacked."""
     n, found = len(one.A), [moments(one, time) for time in times]
     covariance = np.zeros((n * len(times), n * len(times)))
     for i, early in enumerate(times):
@@ -148,7 +145,7 @@ def joint_moments(one, times):
 
 
 def conditional_moments(one, measured, at):
-    """Mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
+    """Return mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
     n, m = len(one.A), len(one.H)
     if not measured:
         return moments(one, at)
@@ -163,7 +160,7 @@ def conditional_moments(one, measured, at):
 
 
 def stationary_covariance(one):
-    """The covariance that x tends to, whatever it is at the start."""
+    """Return the covariance that x tends to from any initial covariance."""
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
     return (
@@ -174,10 +171,10 @@ def stationary_covariance(one):
 
 
 def steady_covariances(one):
-    """The covariance of the errors of the steady filter, in discrete time before a measurement and
-    after it.
+    """Return the error covariances of the steady filter before and after a measurement.
 
-    Raises `numpy.linalg.LinAlgError` where no filter settles to one whose errors decay.
+    In continuous time both are the same. Raises `numpy.linalg.LinAlgError` where there is no steady
+    filter with decaying errors.
     """
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
@@ -192,15 +189,15 @@ def steady_covariances(one):
 
 
 def filter_gain(one, covariance):
-    """The gain K of the best correction K (z - Hx) at this covariance of the errors, before a
-    measurement."""
+    """Return the gain K of the best correction K (z - Hx) at this error covariance."""
     spread = one.H @ covariance @ one.H.T + one.R if one.discrete else one.R
     return np.linalg.solve(spread.T, one.H @ covariance.T).T
 
 
 def error_covariance(one, gain):
-    """The covariance that the errors x - y of y' = A y + L (z - H y) settle to, in discrete time
-    those of predictions.
+    """Return the stationary covariance of the errors x - y of y' = A y + L (z - H y).
+
+    In discrete time it is that of predictions.
     """
     loop = one.A - gain @ one.H
     largest = np.linalg.eigvals(loop)
@@ -210,10 +207,10 @@ def error_covariance(one, gain):
 
 
 def steady_exists(process):
-    """The `ReferenceCondition`, in the symbols of the process, that there is a steady filter whose errors decay.
+    """Return the `ReferenceCondition` that there is a steady filter whose errors decay.
 
-    By the test of Popov, for every number s = u + i w: the columns of s - A above H are independent
-    unless s is that of a mode that decays, and those of s - A^T above Q unless it decays or grows.
+    By the PBH test, for every number s = u + i w: the columns of s - A above H are independent unless s
+    is that of a mode that decays, and those of s - A^T above Q unless it decays or grows.
     """
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
     process = as_process(process)
@@ -241,7 +238,7 @@ def steady_exists(process):
 
 
 def _dependent(s, A, below):
-    """Whether the columns of s - A above a matrix are dependent, for a complex s."""
+    """Return the condition that the columns of s - A above a matrix are dependent."""
     pencil = (s * sp.eye(A.rows) - A).col_join(below)
     minors = (
         pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")

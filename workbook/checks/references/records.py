@@ -1,5 +1,4 @@
-"""What the output of a system shows that is told as a record (`workbook.systems`), and what its
-control reaches, as a `Pair`."""
+"""The observable and the controllable part of systems given as records, as pairs of matrices."""
 
 import functools
 
@@ -21,7 +20,7 @@ from workbook.systems import (
 
 @functools.singledispatch
 def observed_pair(system, parameters=()):
-    """The `Pair` of what an output shows; its unknowns are the numbers that a start consists of."""
+    """Return the `Pair` of a system with an output; its unknowns are those of an initial state."""
     raise TypeError(
         f"system: expected a record of a system with an output, got {type(system).__name__}"
     )
@@ -60,12 +59,12 @@ def _(system: Measurements, parameters=()):
 
 
 def controlled_pair(system, parameters=()):
-    """The `Pair` of what the control reaches: that of the transposed matrices."""
+    """Return the `Pair` of the controllable part: that of the transposed matrices."""
     return observed_pair(_in_states(system).dual, parameters)
 
 
 def augmented(system):
-    """The `Linear` system of x with the error w below it; without an error the system itself."""
+    """Return the `Linear` system of x and the error w; without an error the system itself."""
     if not isinstance(system, WithError):
         return system
     k, s = system.S.rows, system.B.cols
@@ -75,7 +74,7 @@ def augmented(system):
 
 
 def matrix_of(system, parameters=()):
-    """The matrix of the equations."""
+    """Return the matrix of the equations."""
     return (
         row_of(system, *system.field, parameters=parameters)
         if isinstance(system, Deviations)
@@ -84,8 +83,11 @@ def matrix_of(system, parameters=()):
 
 
 def row_of(system, *quantities, parameters=()):
-    """What quantities of the state are in x: rows of numbers as they are, in deviations expressions
-    by their derivatives on the motion, which hold the parameters alone."""
+    """Return quantities of the state as rows of numbers in x.
+
+    For `Deviations` they are expressions, and the rows their derivatives on the motion, which hold the
+    parameters alone.
+    """
     if not isinstance(system, Deviations):
         return sp.Matrix.vstack(*quantities)
     found = (
@@ -100,7 +102,7 @@ def row_of(system, *quantities, parameters=()):
 
 
 def has_control(system):
-    """Whether a system, which has a control or an output, has a control."""
+    """Return whether a system, which has a control or an output, has a control."""
     if isinstance(system, Mechanical):
         control, output = any(system.L), any(system.H1) or any(system.H2)
     else:
@@ -111,8 +113,7 @@ def has_control(system):
 
 
 def _in_states(system):
-    """A `Mechanical` system, with invertible M, as the `Linear` one of the state (x, x'); others as
-    they are."""
+    """Return a `Mechanical` system as the `Linear` one of (x, x'); others unchanged."""
     if not isinstance(system, Mechanical):
         return system
     n, inverse = system.M.rows, system.M.inv(method="ADJ")

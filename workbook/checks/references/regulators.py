@@ -1,11 +1,10 @@
-"""Linear regulators with a quadratic cost at numbers, given as a `Quadratic`: what a law costs, and
-what costs least.
+"""Linear regulators with a quadratic cost, given as a `Quadratic`: costs of laws, and least costs.
 
 A regulator is a steady filter of the dual process (`references/processes.py`), whose errors have the
-transposed matrix of its loop; so what a gain costs comes from a linear equation, of Lyapunov, and
-the least cost from an invariant subspace. With a given end it comes from the exponential of the
-Hamiltonian matrix, with what the cost does not see left out it is that of the rest. No Riccati
-equation is integrated.
+transposed matrix of its loop; so the cost of a gain comes from a Lyapunov equation, and the least
+cost from an invariant subspace. With a finite duration it comes from the exponential of the
+Hamiltonian matrix; if states that the cost does not depend on are left out, it is that of the rest.
+No Riccati equation is integrated.
 """
 
 import numpy as np
@@ -28,22 +27,20 @@ class Regulator:
         self._dual = processes.at_values(dual(problem), values, start=False)
 
     def cost_of(self, gain):
-        """The matrix X of what u = gain x costs from x, factor x^T X x; raises LinAlgError if a
-        state does not decay.
-        """
+        """Return X, where u = gain x costs factor x^T X x; LinAlgError if a state does not decay."""
         return processes.error_covariance(self._dual, -gain.T)
 
     def gain_for(self, cost):
-        """The gain that costs least now, if what comes later costs x^T `cost` x."""
+        """Return the gain of least cost at present, if the later cost is x^T `cost` x."""
         return -processes.filter_gain(self._dual, cost).T
 
     def rates(self, cost):
-        """The terms of the rate at which the matrix of the cost changes by the Riccati equation."""
+        """Return the terms of the Riccati equation for the rate of the matrix of the cost."""
         gain = self.gain_for(cost)
         return -self.A.T @ cost, -cost @ self.A, -self.G, gain.T @ self.N @ gain
 
     def least(self, time=0.0):
-        """The matrix S of the least cost from a state at a time."""
+        """Return the matrix S of the least cost from a state at a time."""
         if np.isfinite(self.duration):
             return self._with_an_end(self.duration - time)
         return (
@@ -82,19 +79,20 @@ class Regulator:
 
 
 def dual(problem):
-    """The process whose steady filter is the regulator, transposed."""
+    """Return the process whose steady filter is the regulator, transposed."""
     return Process(problem.A.T, Q=problem.G, H=problem.B.T, R=problem.N)
 
 
 def exists(problem):
-    """Whether a law of least cost brings every state to zero, at general values of the symbols:
-    Popov's test."""
+    """Return whether a law of least cost brings every state to zero, by the PBH test."""
     return processes.steady_exists(dual(problem)).at({})
 
 
 def steady_loop(problem, process, values):
-    """The matrix and the noise of (x, e) for the best feedback by the measurements of a process,
-    and the weight of (x, e) in its cost; without measurements those of x, the state being known."""
+    """Return matrix, noise and weight of cost of (x, e) under the best feedback.
+
+    Without measurements they are those of x, the state being known.
+    """
     one, noise = Regulator(problem, values), processes.at_values(process, values, start=False)
     K = one.gain_for(one.least())
     if not len(noise.H):

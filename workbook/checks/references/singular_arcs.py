@@ -1,5 +1,4 @@
-"""Points of singular arcs, found as numbers: states and costates at which H does not depend on a
-control for a while.
+"""Points of singular arcs, as numbers: states and costates at which H does not depend on a control.
 
 The problem is a `pontryagin.Problem`, of which the statement alone is used, with lambda_0 = 1. For
 a control u that enters H linearly, S = dH/du and its derivatives along the trajectories vanish on a
@@ -18,7 +17,7 @@ from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import cached_points
 
-#: From so many places the search for points begins, and so many points are enough.
+#: From so many points the search for points begins, and so many points are enough.
 STARTS, ENOUGH = 160, 8
 #: Newton's steps, and what is left of the equations at a point, as a share of their terms.
 STEPS, SOLVED = 40, 1e-11
@@ -27,7 +26,7 @@ VANISHES = 1e-6
 
 
 def hamiltonian(problem, costates):
-    """H with lambda_0 = 1."""
+    """Return H with lambda_0 = 1."""
     sign = -1 if problem.maximise else 1
     return (
         sum((psi * f for psi, f in zip(costates, problem.field)), sp.S.Zero)
@@ -36,8 +35,10 @@ def hamiltonian(problem, costates):
 
 
 def known_costates(problem, costates):
-    """{costate: value} for the states that enter neither the equations nor the target, and the
-    final cost linearly: their costates do not change, and the end says what they are."""
+    """Return {costate: value} for costates that are constant and given by the final cost.
+
+    Their states enter neither the equations nor the target, and the final cost linearly.
+    """
     sign = -1 if problem.maximise else 1
     entered = set().union(
         *(e.free_symbols for e in (*problem.field, problem.running, *problem.terminal))
@@ -54,7 +55,7 @@ def known_costates(problem, costates):
 
 @functools.lru_cache(maxsize=32)
 def singular_arcs(problem, control, costates):
-    """The `SingularArcs` of a control; `costates` is a tuple of symbols."""
+    """Return the `SingularArcs` of a control; `costates` is a tuple of symbols."""
     return SingularArcs(problem, control, costates)
 
 
@@ -108,9 +109,11 @@ class SingularArcs:
 
     @cached_points
     def points(self, domain=None):
-        """Values {symbol: number} of states, costates, parameters and other controls at points of
-        singular arcs, at most `ENOUGH`; the symbols range over the intervals of `domain`, or what
-        their assumptions allow."""
+        """Return values {symbol: number} at points of singular arcs, at most `ENOUGH`.
+
+        They are values of states, costates, parameters and other controls; the symbols range over the
+        intervals of `domain`, or what their assumptions allow.
+        """
         random, found = np.random.default_rng(17), []
         for k in range(STARTS):
             values = {p: random_value(random, p, domain) for p in self.parameters}
@@ -147,8 +150,10 @@ class SingularArcs:
         return found
 
     def multipliers_exist(self, values, share):
-        """Whether costates belong to a state that make it a point of a singular arc: `values` holds
-        all but these."""
+        """Return whether costates exist with which a state is a point of a singular arc.
+
+        `values` holds all symbols but these.
+        """
         left = [s for s in self._unknown if s in self.costates]
         for others in itertools.product(
             *([float(b.subs(values)) for b in self.problem.controls[u]] for u in self.others)
@@ -159,7 +164,7 @@ class SingularArcs:
             slopes = self._slopes(*point, *given).reshape(len(constant), -1)
             matrix = slopes[:, [self._unknown.index(s) for s in left]]
             # An equation between states alone, or nearly, is as large as it may become next to the
-            # place.
+            # point.
             general = self._slopes(
                 *(1.0 if s in left else values[s] for s in self._unknown), *given
             )
@@ -178,8 +183,7 @@ class SingularArcs:
         return False
 
     def _scaled(self, matrix, point, given, left, share):
-        """Whether costates of length 1 satisfy equations that are linear in them, and a control
-        keeps S at zero."""
+        """Return whether costates of length 1 solve the equations and a control keeps S at zero."""
         costates = np.linalg.svd(matrix)[2][-1]
         full = np.array(point, dtype=float)
         full[[self._unknown.index(s) for s in left]] = costates
@@ -190,8 +194,7 @@ class SingularArcs:
         )
 
     def _kept(self, matrix, constant, point, given, left, share):
-        """Whether among the costates for which the equations hold there are some with which a
-        control keeps S at zero."""
+        """Return whether for some costates that satisfy the equations a control keeps S at zero."""
         at = [self._unknown.index(s) for s in left]
 
         def last(costates):
@@ -226,8 +229,7 @@ class SingularArcs:
         return derivatives, None
 
     def _near(self, start, given):
-        """The point where the equations hold that is next to a start, by steps of least length;
-        None for none."""
+        """Return the point near a start where the equations hold, by steps of least length, or None."""
         point = np.array(start, dtype=float)
         for _ in range(STEPS):
             rest = self._values(*point, *given)
@@ -246,8 +248,7 @@ class SingularArcs:
         return None
 
     def _inside(self, point, domain):
-        """Whether the states lie where they are to be; the point is not to be the limit of an
-        escape either."""
+        """Return whether the states lie in the domain; the point must not be the limit of an escape."""
         for s, value in zip(self._unknown, point):
             interval = (domain or {}).get(s)
             if interval is not None and not float(interval.inf) < value < float(interval.sup):

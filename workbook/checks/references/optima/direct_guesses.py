@@ -29,8 +29,7 @@ class DirectGuesses(DirectProgramme):
     """Guesses from which IPOPT begins."""
 
     def _guess(self, case, span, random, attempt):
-        """Equal pieces under a control that is constant on parts of the duration, followed in small
-        steps."""
+        """Return equal pieces, and the process of a control constant on parts of the duration."""
         pieces, degree = COARSE
         low, high = np.clip(self.bounds(case), -3, 3)
         duration = span[0] if span[0] == span[1] else np.clip(DURATIONS[attempt % 3], *span)
@@ -43,8 +42,7 @@ class DirectGuesses(DirectProgramme):
         return [(None, pieces)], self._packed(self._start(case, 0.1), states, controls, [duration])
 
     def _followed(self, case, duration, parts):
-        """The states at Radau's points under a control that is constant on parts of the duration,
-        and their speeds."""
+        """Return states at Radau's points, and speeds, under a control that is constant on parts."""
         pieces, degree = COARSE
         y, t, states, speeds = self._start(case, 0.1), 0.0, [], []
         for k, u in enumerate(np.repeat(parts, pieces // PARTS)):
@@ -60,8 +58,7 @@ class DirectGuesses(DirectProgramme):
         return np.array(states).T, np.array(speeds)
 
     def _closest(self, case, span, attempt):
-        """Of random durations and controls that are constant on parts of them those that end
-        closest to the target."""
+        """Return the random duration and control, constant on parts, that end closest to the target."""
         low, high = np.clip(self.bounds(case), -3, 3)
         rates, _, gap, insides = self.casadi_functions
         parts = (
@@ -81,10 +78,12 @@ class DirectGuesses(DirectProgramme):
         return durations[chosen], parts[:, chosen]
 
     def _arcs(self, case, arcs, unknown, free, short):
-        """The arcs of a control that is constant on equal pieces, and the unknowns for them;
-        `free`: how many numbers beside the lengths of the arcs are free to meet the target;
-        `short`: a piece or two at the beginning, at the end or between two arcs may hold an arc of
-        another kind, whose length may come out as zero."""
+        """Return the arcs of a control that is constant on equal pieces, and the unknowns for them.
+
+        `free` is the number of unknowns beside the lengths of the arcs that can meet the target. With
+        `short` a piece or two at the beginning, at the end or between two arcs may hold an arc of another
+        kind, whose length may come out as zero.
+        """
         times, states, controls, (duration,) = self._unpacked(arcs, unknown)
         pieces, degree = COARSE
         values, (low, high) = controls[::degree], self.bounds(case)
@@ -129,8 +128,7 @@ class DirectGuesses(DirectProgramme):
         )
 
     def _between(self, before, after, value, special):
-        """The kind of arc that a piece with a value between those of its neighbours may hold, in a
-        list."""
+        """Return the kind of arc, in a list, that a piece between two others may hold."""
         if not self._absolute:
             return [None] * self._curved
         known = [u for u in (before, after) if u is not None]
@@ -140,9 +138,10 @@ class DirectGuesses(DirectProgramme):
         return [min(beyond, key=lambda u: abs(u - value))] if beyond else []
 
     def _quiet(self, case, arcs, unknown):
-        """The same arcs with the control zero on those inside the bounds on which it is about zero
-        on the average, or None: there the cost hardly tells where such an arc begins, unless its
-        control is a single number."""
+        """Return the arcs with the control zero on inner arcs where it averages zero, or None.
+
+        There the cost hardly depends on where such an arc begins, unless its control is a single number.
+        """
         (low, high), count = self.bounds(case), FINE[0] * FINE[1]
         if (
             self._curved

@@ -1,5 +1,4 @@
-"""The best process of a problem with any cost, found by direct optimisation: no costate and no
-maximum principle.
+"""The best process of a problem with any cost by direct optimisation, without costates.
 
 The states are polynomials on pieces of the duration that satisfy the equations at Radau's points.
 First the control is constant on many equal pieces. This is an admissible process, so that no error
@@ -7,10 +6,10 @@ of the discretisation makes it look better than any process is, and it shows the
 control lies on a bound, vanishes with an absolute value in the cost, or is inside. Then these arcs
 get lengths of their own and polynomials as controls, within the bounds between the points too, and
 the cost is known to about nine digits. The problem is a `pontryagin.Problem`; only its statement is
-used.
+used (`direct_problem`, `direct_programme`, `direct_guesses`).
 
 A problem whose plant is not linear, whose cost is not convex, or whose duration is free is searched
-from several controls, and the best process counts. An answer that does better than it shows that
+from several controls, and the best process counts. An answer that does better than this shows that
 the search has failed, and is not judged.
 """
 
@@ -39,9 +38,18 @@ STARTS = 6
 SAME = 1e-9
 
 
-def optima(problem, parameters=None, places=None):
-    """Pairs ({parameter: value}, `Optimum`) for sample values of the parameters, a dict from
-    symbols to intervals, or for the values that `places` are, dicts from the same symbols."""
+def optima(problem, parameters=None, points=None):
+    """Return pairs ({parameter: value}, `Optimum`).
+
+    Parameters
+    ----------
+    problem : pontryagin.Problem
+        The problem.
+    parameters : dict, optional
+        {symbol: interval}, from which sample values are taken.
+    points : list of dict, optional
+        Values of the parameters instead.
+    """
     stated = (
         *(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
         tuple(problem.terminal),
@@ -51,9 +59,9 @@ def optima(problem, parameters=None, places=None):
         problem.maximise,
         problem.first_return,
     )
-    if places is None:
+    if points is None:
         return _optima(stated, tuple((parameters or {}).items()))
-    return [(place, _search(stated, tuple(place)).best(tuple(place.values()))) for place in places]
+    return [(point, _search(stated, tuple(point)).best(tuple(point.values()))) for point in points]
 
 
 @functools.lru_cache(maxsize=64)
@@ -71,9 +79,9 @@ def _search(stated, names):
 
 
 class Optimum:
-    """An optimal process: `cost`, `duration`, `times` after the start with `states` (n rows) and
-    `controls` there.
+    """An optimal process.
 
+    It has `cost`, `duration`, `times` after the start with `states` (n rows) and `controls` there, and
     `arcs`: triples (value, begin, end), the value being None where the control is not constant. The
     last entry of `start` and of `field(y, u)` belongs to the integral of the running cost.
     """
@@ -89,9 +97,10 @@ class Optimum:
         self._search, self._case = search, case
 
     def changes(self):
-        """What goes on where one arc follows another: triples (index of the time and the state
-        there, value of the control before it, value after it), None being a control that is not
-        constant."""
+        """Return where arcs follow one another: (index of time, value before, value after).
+
+        A value is None for a control that is not constant.
+        """
         long = [arc for arc in self.arcs if arc[2] - arc[1] > SHORT * self.duration]
         return [
             (int(np.argmin(abs(self.times - (one[2] + other[1]) / 2))), one[0], other[0])
@@ -100,8 +109,7 @@ class Optimum:
         ]
 
     def left(self):
-        """States on the way, not next to a change nor on the last arc, and what it costs from there
-        to the end."""
+        """Return states away from changes and the last arc, and the remaining cost there."""
         degree = FINE[1]
         rates = np.array(
             [self.field(np.append(y, 0), u)[-1] for y, u in zip(self.states.T, self.controls)]
@@ -118,29 +126,31 @@ class Optimum:
         return self.states[:, keep], (self.cost - spent)[keep]
 
     def jacobians(self, y, u):
-        """The derivatives of `field` in the states: (n + 1) x n; those of the final cost; those of
-        what vanishes."""
+        """Return derivatives in the states: of `field`, (n + 1) x n, of the final cost, of the gap."""
         return [np.array(one, dtype=float) for one in self._search.jacobians(*y, u, *self._case)]
 
     def field(self, y, u):
+        """Return the rates of the states and of the cost."""
         return np.array(self._search.rates(*y[:-1], u, *self._case), dtype=float)
 
     def gap(self, y):
-        """What vanishes at the end."""
+        """Return what vanishes at the end."""
         return np.array(self._search.gap(*y[:-1], *self._case), dtype=float)
 
     def total(self, y):
-        """The cost of a process that ends in y."""
+        """Return the cost of a process that ends in y."""
         return float(y[-1] + self._search.final(*y[:-1], *self._case))
 
     def duration_message(self, said):
+        """Return the text on a wrong duration."""
         return "the best process found ends " + ("earlier" if said > self.duration else "later")
 
     def size(self):
+        """Return the size of the states."""
         return float(max(1e-9, np.abs(self.states).max()))
 
     def cost_size(self):
-        """The size of the terms of the cost, which may cancel."""
+        """Return the size of the terms of the cost, which may cancel."""
         ends = [
             abs(self._search.final(*y, *self._case))
             for y in (self.states[:, 0], self.states[:, -1])
@@ -153,7 +163,7 @@ class _Search(DirectGuesses):
     """The search for the best process at values of the parameters."""
 
     def best(self, case):
-        """The best process for values of the parameters."""
+        """Return the best process for values of the parameters."""
         free = self._duration is None or isinstance(self._duration, tuple)
         pair = (
             self._duration
@@ -212,8 +222,10 @@ class _Search(DirectGuesses):
         return self._optimum(case, *least[:3])
 
     def _with_durations(self, case, span, side, random):
-        """A process that begins from one with a given duration, in a list; for a linear plant that
-        search is convex."""
+        """Return, in a list, a process found from one with a given duration.
+
+        For a linear plant the search with a given duration is convex.
+        """
         for duration in filter(lambda d: span[0] <= d <= span[1], FIXED):
             given = (duration, duration)
             one = self._run(case, given, side, *self._guess(case, given, random, 0))

@@ -51,6 +51,7 @@ class DirectProblem:
         self._curved = any(sp.diff(e, self._control, 2) != 0 for e in (self._running, *self._field))
 
     def bounds(self, case):
+        """Return the bounds of the control, infinite if there is none."""
         low, high = (self._value(bound, case) for bound in self._bounds)
         return (-np.inf if low is None else low), (np.inf if high is None else high)
 
@@ -65,8 +66,10 @@ class DirectProblem:
         return np.array([free if v is None else self._value(v, case) for v in self._initial])
 
     def _sides(self, case):
-        """The sides of the target on which a process that returns to it may run: all that a control
-        leads to."""
+        """Return the sides of the target on which a process that returns to it may run.
+
+        They are all to which a control leads.
+        """
         if not self._returns:
             return [0]
         low, high = self.bounds(case)
@@ -82,7 +85,7 @@ class DirectProblem:
         return sorted(found - {0.0})
 
     def _convex(self, case):
-        """Whether no pair of points shows that the cost is not convex."""
+        """Return whether no pair of points shows that the cost is not convex."""
         random, n = np.random.default_rng(7), len(self._state)
         for _ in range(30):
             one, other = random.normal(scale=3, size=(2, n + 1))

@@ -39,8 +39,7 @@ class DirectProgramme(DirectProblem):
         return np.concatenate([start, states.ravel("F"), controls, bends, lengths])
 
     def _unpacked(self, arcs, unknown):
-        """Times from 0 on, the states there, the controls without that at 0, and the lengths of the
-        arcs."""
+        """Return times from 0, states there, controls after 0, and the lengths of the arcs."""
         n, degree = len(self._state), degree_of(arcs)
         count = degree * sum(pieces for _, pieces in arcs)
         lengths = unknown[-len(arcs) :]
@@ -53,7 +52,7 @@ class DirectProgramme(DirectProblem):
         return times, states, unknown[n * (count + 1) : n * (count + 1) + count], lengths
 
     def _run(self, case, span, side, arcs, guess, barrier=min(BARRIERS)):
-        """(cost, arcs, unknowns, side) of IPOPT's optimum from a guess, or None."""
+        """Return (cost, arcs, unknowns, side) of IPOPT's optimum from a guess, or None."""
         solver, equalities, inequalities = self._programme(arcs, barrier)
         n, degree = len(self._state), degree_of(arcs)
         counts = [degree * pieces for _, pieces in arcs]
@@ -88,8 +87,7 @@ class DirectProgramme(DirectProblem):
         return float(found["f"]), arcs, np.array(found["x"]).ravel(), side
 
     def _programme(self, arcs, barrier):
-        """The nonlinear programme for arcs with so many pieces: IPOPT's function, the numbers of
-        conditions."""
+        """Return IPOPT's function for arcs with so many pieces, and the numbers of conditions."""
         shape = (
             tuple(pieces for _, pieces in arcs),
             tuple(kind is None for kind, _ in arcs),
@@ -114,7 +112,7 @@ class DirectProgramme(DirectProblem):
         return solvers[barrier], *counts
 
     def _written(self, pieces, free, degree):
-        """The programme and the numbers of its conditions, equations and inequalities."""
+        """Return the programme and the numbers of its equations and inequalities."""
         n, count = len(self._state), degree * sum(pieces)
         _, derivative, between = radau(degree)
         y0, y, u = ca.SX.sym("y0", n), ca.SX.sym("y", n, count), ca.SX.sym("u", count)
@@ -176,8 +174,7 @@ class DirectProgramme(DirectProblem):
         )
 
     def _defect(self, case, arcs, unknown):
-        """How far the states at the end of a piece are from where the control, followed in small
-        steps, leads to."""
+        """Return the largest distance of states at ends of pieces from those of a fine integration."""
         times, states, controls, _ = self._unpacked(arcs, unknown)
         degree, worst = degree_of(arcs), 0.0
         for begin in range(0, len(controls), degree):
@@ -195,8 +192,10 @@ class DirectProgramme(DirectProblem):
 
 
 def kinds_of(arcs):
+    """Return the kinds of arcs: the constant value of the control, or None."""
     return [kind for kind, _ in arcs]
 
 
 def degree_of(arcs):
+    """Return the degree of the polynomials on these arcs."""
     return COARSE[1] if len(arcs) == 1 and arcs[0][1] == COARSE[0] else FINE[1]

@@ -1,10 +1,9 @@
-"""The shortest time from any start to a convex target, by support functions: an optimum that knows
-no law.
+"""The shortest time from any start to a convex target, by support functions, without any law.
 
 The plant is x' = Ax + bu with u between two bounds, the state is a point of the plane, and the
-target is a point, a segment, a line, or the border of a convex set. Before the first moment at
-which the set R(T) of reachable states meets a convex D there is a line between the two; so the
-shortest time is the first T at which, for every direction p,
+target is a point, a segment, a line, or the border of a convex set. Before the first time at which
+the set R(T) of reachable states meets a convex D there is a line between the two; so the shortest
+time is the first T at which, for every direction p,
 
     min p.y over R(T) = p.e^{AT}x0 + int_0^T min_u (p.e^{As}b u) ds  <=  sup p.y over D.
 
@@ -59,8 +58,7 @@ class FastestTimes(SeparatingLines):
         yield from self._far if far else ()
 
     def _carried(self, times):
-        """For each time T, in all directions p: (T, p.e^{AT}, the least and the largest p.y that
-        are reached from the origin)."""
+        """Return for times T, directions p: (T, p.e^{AT}, least and largest p.y reached from 0)."""
         p = directions(self._angles)
         rows = np.tile(p, (len(times), 1)), np.repeat(times, len(p))
         least, most = (self.plant.extreme(*rows, sign).reshape(len(times), -1) for sign in (-1, 1))
@@ -69,10 +67,22 @@ class FastestTimes(SeparatingLines):
         )
 
     def solve(self, x, case, far=False):
-        """The optimum from each start: `time` (inf where out of reach), `control` it begins with,
-        `switching` function there.
+        """Return the optimum from each start.
 
-        `far`: times beyond the horizon count too.
+        Parameters
+        ----------
+        x : numpy.ndarray, shape (k, 2)
+            The starts.
+        case : numpy.ndarray, shape (k,)
+            The case of the parameters of each.
+        far : bool
+            Whether times beyond the horizon count, too.
+
+        Returns
+        -------
+        StateBatch
+            With `time` (inf if the target is out of reach), the `control` at first, the `switching`
+            function there, and the `angle` of the separating line.
         """
         x, case = np.asarray(x, dtype=float), np.asarray(case)
         inside = self.convex.inside(x, case)
@@ -118,12 +128,11 @@ class FastestTimes(SeparatingLines):
         )
 
     def _first_met(self, x, case, inside, far, careful):
-        """(low, high, theta, second): R(T) meets D first between two of the times looked at, low
-        and high.
+        """Return (low, high, theta, second): R(T) meets D first between the times low and high.
 
-        From outside, theta is the last line that separates; from inside, the direction in which
-        R(T) gets through D first, and second another one, if there is one. `careful`: lines between
-        the directions tried count too.
+        From outside, theta is the last line that separates; from inside, the direction in which R(T) gets
+        through D first, and second another one, if there is one. `careful`: lines between the directions
+        tried count, too.
         """
         n, p = len(x), directions(self._angles)
         low, high, theta, second, todo = (
@@ -208,9 +217,10 @@ class FastestTimes(SeparatingLines):
         return low, high, theta, second
 
     def _look_between(self, maybe, T, line, largest, angle, *starts):
-        """Put into largest and angle, for the rows `maybe`, a line between the directions tried
-        that separates still: the last one, one close to it, or one close to the best of those
-        tried."""
+        """Put into largest and angle, for rows `maybe`, a separating line between directions.
+
+        It is the last one, one close to it, or one close to the best of those tried.
+        """
         tried = angle[maybe].copy()
         starts, T = rows_of(maybe, *starts), np.full(len(maybe), T)
         angle[maybe], largest[maybe] = line[maybe], self._gap(line[maybe], T, *starts)
@@ -221,8 +231,10 @@ class FastestTimes(SeparatingLines):
             )
 
     def _still_apart(self, here, high, theta, *starts):
-        """Those rows for which a line between the directions tried separates at the time high
-        still: for them all times have to be looked at more closely."""
+        """Return rows for which a line between the directions tried separates at the time high.
+
+        For them all times have to be examined more closely.
+        """
         if not self._spacing or not len(here):
             return here[:0]
         return here[
@@ -230,8 +242,7 @@ class FastestTimes(SeparatingLines):
         ]
 
     def _try_elsewhere(self, here, low, second, time, theta, *starts):
-        """Put into time and theta where R(T) gets through the border in another place, at nearly
-        the same time, but sooner."""
+        """Put into time and theta where R(T) gets through the border elsewhere, but sooner."""
         if not self._spacing or not len(here):
             return
         width = np.full(len(here), 0.2)
@@ -247,8 +258,10 @@ class FastestTimes(SeparatingLines):
             )
 
     def _dips(self, suspects, low, high, theta, x, case, inside):
-        """Put into low, high and theta where R(T) meets a thin D between two of the times only:
-        there the distance has a dip."""
+        """Put into low, high and theta where R(T) meets a thin D only between two of the times.
+
+        There the distance has a dip.
+        """
         if not any(len(here) for here, *_ in suspects):
             return
         here, first, last = (np.concatenate(column) for column in zip(*suspects))
@@ -281,16 +294,14 @@ class FastestTimes(SeparatingLines):
                 low[here[k]], high[here[k]], theta[here[k]] = first[k], closest[k], line[k]
 
     def _other_top(self, gap, angle):
-        """The index of the direction away from a given one in which the gap is largest, and larger
-        than next to it."""
+        """Return the index of another direction in which the gap has a local maximum."""
         top = (gap >= np.roll(gap, 1, axis=0)) & (gap >= np.roll(gap, -1, axis=0))
         return np.where(top & (np.cos(self._angles[:, None] - angle) < 0.95), gap, -np.inf).argmax(
             axis=0
         )
 
     def _likely(self, T, x, case, inside):
-        """Of every fourth direction that in which the gap is largest: the best line is close to
-        it."""
+        """Return the direction, of every fourth, with the largest gap, close to the best line."""
         angles, n = self._angles[::4], len(x)
         rows = np.tile(np.arange(n), len(angles))
         gaps = self._gap(np.repeat(angles, n), T[rows], x[rows], case[rows], inside[rows]).reshape(
@@ -316,7 +327,7 @@ class FastestTimes(SeparatingLines):
             theta[here] = np.where(apart, np.where(gaps[0] > gaps[1], *angles), theta[here])
 
     def missing(self, x, case, left, inside):
-        """The distance from the target at the best moment within the times `left`."""
+        """Return the distance from the target at the best time within the times `left`."""
         n, p, steps = len(x), directions(self._angles), 16
         best, when, angle = np.full(n, np.inf), left, np.zeros(n)
         rows, sign = np.repeat(p, n, axis=0), np.tile(np.where(inside, 1, -1), len(p))

@@ -15,9 +15,9 @@ from workbook.checks.references.optima.transfer_systems import TransferSystem
 class LinearTransfer(TransferSystem):
     """x' = Ax + bu in the plane, the origin as the target.
 
-    Time runs back here: what can be brought to the origin within T is what x' = -Ax - bu reaches
-    from there, and it only grows with T. The least times are those of `fastest_times`, to more
-    digits.
+    Time runs back here: the states that can be brought to the origin within T are those that
+    x' = -Ax - bu reaches from there, and they only grow with T. The least times are those of
+    `fastest_times`, to more digits.
     """
 
     DIRECTIONS = 720
@@ -37,8 +37,10 @@ class LinearTransfer(TransferSystem):
         return self._optimum(start)[0]
 
     def _optimum(self, start):
-        """(least time, angle of a direction p for which no state that can be brought to the origin
-        in this time has a smaller p.x)."""
+        """Return (least time, angle of p), where p.x is least for the start among all states.
+
+        All states means those that can be brought to the origin in this time.
+        """
         self.foresee([start])
         return self._found[tuple(start)]
 
@@ -55,8 +57,7 @@ class LinearTransfer(TransferSystem):
         self._found.update(zip(starts, zip(time.tolist(), angle.tolist())))
 
     def _closer(self, x, time, angle, step=1e-6):
-        """The same to about ten digits, by Newton's iteration for the motion, time running back, to
-        end at the start x."""
+        """Return the same to about ten digits, by Newton's iteration."""
 
         def miss(time, angle):
             return self._back.farthest(directions(angle), time, -1) - x
@@ -87,13 +88,13 @@ class LinearTransfer(TransferSystem):
         return np.where(good, better, time), np.where(good, turned, angle)
 
     def holds(self, start):
-        """Whether some time suffices, up to the precision of the grid of directions."""
+        """Return whether some time suffices, up to the precision of the grid of directions."""
         normals, support = self._limits
         return bool(np.all(normals @ start <= support + 1e-9 * np.abs(start).sum()))
 
     @functools.cached_property
     def _limits(self):
-        """Directions q, and S_T(q) for a time T as long as any that is looked at."""
+        """Directions q, and S_T(q) for a time T as long as any that is considered."""
         normals = directions((np.arange(self.DIRECTIONS) + 0.5) * 2 * math.pi / self.DIRECTIONS)
         return normals, self._support(normals, self._longest)
 
@@ -114,8 +115,10 @@ class LinearTransfer(TransferSystem):
         return self._plan(start, duration)[0]
 
     def _plan(self, start, duration):
-        """The switching times of the fastest control and its first value: time running back, it
-        makes p.y least at the end."""
+        """Return the switching times of the fastest control and its first value.
+
+        Time running back, it makes p.y least at the end.
+        """
         key = tuple(start)
         if key not in self._plans:
             p = directions(np.array([self._optimum(start)[1]]))

@@ -2,7 +2,7 @@
 
 
 def rk4(field, t, y, h):
-    """A step of the classical method of Runge and Kutta."""
+    """Return the state after a step of the classical method of Runge and Kutta."""
     a = field(t, y)
     b = field(t + h / 2, y + h / 2 * a)
     c = field(t + h / 2, y + h / 2 * b)

@@ -1,9 +1,8 @@
-"""Starts from which laws are tried, with the optimum of each: spread over the plane, and close to
-where laws and answers change.
+"""Optima from sample starts: spread over the plane, and close to where laws and answers change.
 
 A law is optimal or not on both sides of a switching curve, and a set of starts is right or wrong at
-its border; so the starts next to these places tell most, and they are found by bisection between
-neighbours that differ.
+its border; so the starts next to these lines are the most informative, and they are found by
+bisection between neighbours that differ.
 """
 
 import functools
@@ -36,8 +35,7 @@ EARLIER = (0.02, 1.0, 15.0, 49.0)
 
 
 class SynthesisData(NamedTuple):
-    """The data of a synthesis as values that can be compared, so that its optimum is computed
-    once."""
+    """The data of a synthesis as hashable values, so that its optimum is computed once."""
 
     field: tuple
     state: tuple
@@ -49,7 +47,7 @@ class SynthesisData(NamedTuple):
 
 
 def synthesis_data(system, target, parameters, start):
-    """The data of a synthesis; what is given as a list becomes a tuple."""
+    """Return the data of a synthesis, with lists as tuples."""
 
     def fixed(value):
         return (
@@ -72,15 +70,15 @@ def synthesis_data(system, target, parameters, start):
 
 @functools.lru_cache(maxsize=64)
 def sampled_optimum(field, state, control, bounds, target, parameters, start):
+    """Return the `SampledOptimum` of data, the same for the same data."""
     return SampledOptimum(field, state, control, bounds, target, parameters, start)
 
 
 class SampledOptimum(SampledStarts):
-    """The fastest times, and how the fastest motions begin, for sample starts and sample values of
-    the parameters."""
+    """The fastest times and first controls from sample starts at sample parameters."""
 
     def batch(self, decimals):
-        """Starts spread over the plane, and pairs on both sides of the switching curves."""
+        """Return starts spread over the plane, and pairs on both sides of the switching curves."""
         kept = self.kept.get(decimals)
         if kept is None:
             kept = self.kept[decimals] = self._batch(BESIDE_DECIMALS if decimals else BESIDE)
@@ -105,8 +103,7 @@ class SampledOptimum(SampledStarts):
         return StateBatch.concatenated([spread, self._safe(self.solve(sides[keep], case[keep]))])
 
     def _safe(self, batch):
-        """Starts in reach, with all states next to them in reach too, and not on the target
-        already."""
+        """Return the starts off the target that are in reach with all states next to them."""
         out_of_reach = batch.take(~np.isfinite(batch.time))
         shortest = 0.15 if self.convex.kind == "hull" else 0.02
         batch = batch.take(
@@ -121,9 +118,11 @@ class SampledOptimum(SampledStarts):
         return batch.take(np.isfinite(self._around(batch, 0.02, count=4).time).all(axis=1))
 
     def next_to_curves(self):
-        """Starts on both sides of the switching curves, as close as they are known, and of a target
-        with a border; far out too if the target is a point, which the optimum meets as well as
-        nearby."""
+        """Return starts on both sides of the switching curves, as close as these are known.
+
+        Also on both sides of a target with a border; far out too if the target is a point, which the
+        optimum meets as well as nearby.
+        """
         kept = self.kept.get("next")
         if kept is None:
             self.batch(False)
@@ -144,12 +143,11 @@ class SampledOptimum(SampledStarts):
         return kept
 
     def extremals(self):
-        """(states next to a target that is a point, and far out, with the control there; places
-        where it changes), as extremals that are followed back tell without a search; None for
-        another target.
+        """Return states on extremals followed back from a target that is a point, without a search.
 
-        For a linear plant an extremal is optimal if an admissible control can hold the state on the
-        target.
+        They are states next to the target and far out with the control there, and those where it changes;
+        None for another target. For a linear plant an extremal is optimal if an admissible control can hold
+        the state on the target.
         """
         if "followed back" not in self.kept:
             parts = (
@@ -199,7 +197,7 @@ class SampledOptimum(SampledStarts):
         return batch.take(self.allowed(batch.x, batch.case))
 
     def _on_target(self, count):
-        """Points of the border of the target: (points, directions across, cases)."""
+        """Return points of the border of the target: (points, directions across, cases)."""
         random, cases = np.random.default_rng(9), range(len(self.cases))
         x, case = (
             np.concatenate([self.convex.around(random, k, count) for k in cases]),
@@ -212,8 +210,7 @@ class SampledOptimum(SampledStarts):
         return x, slope / np.sqrt(size), case
 
     def _sides(self, near, shortest):
-        """The starts next to a curve on which the fastest motions from all states around begin
-        alike."""
+        """Return starts next to a curve around which all fastest motions begin alike."""
         middle, direction, case = near
         shift = NEXT * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
         x, case = np.concatenate([middle + shift, middle - shift]), np.concatenate([case, case])
@@ -228,13 +225,12 @@ class SampledOptimum(SampledStarts):
         return batch.take(np.isfinite(batch.time) & (batch.time > shortest) & alike.all(axis=1))
 
     def robust(self, batch, decimals):
-        """True where the fastest motions from all states around begin alike: no switching curve is
-        close."""
+        """Return where the fastest motions around begin alike: far from switching curves."""
         around = self._around(batch, (BESIDE_DECIMALS if decimals else BESIDE) / 2, count=5)
         return (around.control == batch.control[:, None]).all(axis=1)
 
     def beside_barrier(self, batch, far=False):
-        """True where the fastest time jumps from one state next to the start to another."""
+        """Return where the fastest time jumps from one state next to the start to another."""
         times = np.column_stack([self._around(batch, 0.02, far).time, batch.time])
         times = np.sort(np.where(times > 0, times, np.nan), axis=1)
         # The largest gap between two of the times: a steep slope has a wide range of times too, but
@@ -244,7 +240,7 @@ class SampledOptimum(SampledStarts):
             return np.where(np.isnan(gaps), 0, gaps).max(axis=1) > 0.25 * batch.time
 
     def border(self, decimals):
-        """Starts in reach and out of reach, many of them on both sides of the border between."""
+        """Return starts in reach and out of reach, many of them on both sides of the border between."""
         kept = self.kept.get(("border", decimals))
         if kept is None:
             spread = self.solve(
@@ -271,7 +267,7 @@ class SampledOptimum(SampledStarts):
         return kept
 
     def on_border(self, batch):
-        """True where states next to the start are of the other kind: there rounding decides."""
+        """Return where states next to the start are of the other kind: there rounding decides."""
         reach = np.isfinite(batch.time)
         return (np.isfinite(self._around(batch, 0.003, far=True).time) != reach[:, None]).any(
             axis=1

@@ -29,8 +29,7 @@ class SampledStarts(FastestTimes):
         self._rings = {}
 
     def _points(self, count, seed=4):
-        """Starts that the problem allows: about half of all for each case, also where few satisfy
-        its condition."""
+        """Return starts that the problem allows, about half of all for each case."""
         for more in (1, 4, 16):
             points, cases = self._drawn(more * count, seed)
             if len(points) > count * len(self.cases) / 2:
@@ -51,10 +50,11 @@ class SampledStarts(FastestTimes):
         return points[keep], cases[keep]
 
     def allowed(self, x, case):
+        """Return which states the problem allows as starts."""
         return self.condition(self.start if self.start is not None else sp.true)(x, case)
 
     def condition(self, condition):
-        """A SymPy condition as a function of states and cases."""
+        """Return a SymPy condition as a function of states and cases."""
         test = sp.lambdify([*self.state, *self.parameters], condition, "numpy", docstring_limit=0)
         cases = np.array(self.cases, dtype=float).reshape(len(self.cases), len(self.parameters))
 
@@ -67,10 +67,9 @@ class SampledStarts(FastestTimes):
         return holds
 
     def _around(self, batch, share, far=False, count=8):
-        """The optimum at some states around each, as columns.
+        """Return the optimum at some states around each start, as columns.
 
-        Laws that differ from the optimum do so from the same starts, mostly; so the rings asked for
-        last are kept.
+        Laws that differ from the optimum do so from the same starts, mostly; so the last rings are kept.
         """
         asked = (batch.x.tobytes(), batch.case.tobytes(), share, far, count)
         if asked not in self._rings:
@@ -95,8 +94,10 @@ class SampledStarts(FastestTimes):
         )
 
     def _between(self, batch, kind, count, far=False):
-        """Points where `kind` changes: (points, directions across, cases), by bisection between
-        neighbours that differ."""
+        """Return points where `kind` changes, by bisection between neighbours that differ.
+
+        The result is (points, directions across, cases).
+        """
         left, right, case, random = [], [], [], np.random.default_rng(6)
         for k in range(len(self.cases)):
             here = np.flatnonzero(batch.case == k)
@@ -128,7 +129,7 @@ class SampledStarts(FastestTimes):
         direction = (right - left) / np.linalg.norm(right - left, axis=1)[:, None]
         one = kind(self.solve(left, case, far))
         left, right = bisect(
-            lambda places, rows: kind(self.solve(places, case[rows], far)) == one[rows],
+            lambda points, rows: kind(self.solve(points, case[rows], far)) == one[rows],
             left,
             right,
             16,
@@ -136,7 +137,8 @@ class SampledStarts(FastestTimes):
         return (left + right) / 2, direction, case
 
     def start_text(self, batch, k):
+        """Return the parameters and the state of a start for a message."""
         values = self.cases[batch.case[k]]
         named = ", ".join(f"{p} = {v:.4g}" for p, v in zip(self.parameters, values))
-        place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(self.state, batch.x[k]))
-        return f"{'for ' + named + ', ' if named else ''}from {place}"
+        point = ", ".join(f"{s} = {v:.4g}" for s, v in zip(self.state, batch.x[k]))
+        return f"{'for ' + named + ', ' if named else ''}from {point}"

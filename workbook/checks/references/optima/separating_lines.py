@@ -18,12 +18,12 @@ class SeparatingLines:
         self._angles, self._spacing = convex.angles()
 
     def _supports(self, p, x, case):
-        """sup p.y over D for every direction, shape (directions, starts)."""
+        """Return sup p.y over D for every direction, shape (directions, starts)."""
         rows = np.repeat(p, len(x), axis=0), np.tile(case, len(p)), np.tile(x, (len(p), 1))
         return self.convex.support(*rows).reshape(len(p), len(x))
 
     def _middle(self, gap):
-        """The middle of the directions that separate: they form a convex cone."""
+        """Return the middle of the directions that separate: they form a convex cone."""
         p = np.maximum(gap > 0, gap == gap.max(axis=0)).T @ directions(self._angles)
         return np.arctan2(p[:, 1], p[:, 0])
 
@@ -37,12 +37,11 @@ class SeparatingLines:
         )
 
     def _best(self, theta, T, x, case, inside, width, steps, enough=np.inf):
-        """(direction near theta in which the gap is largest, this gap); or any gap that is large
-        enough.
+        """Return the direction near theta with the largest gap, or any whose gap is large enough.
 
-        From outside, min p.y over R(T) less sup p.y over D is concave in p: along the tangent of
-        the unit circle at p(theta) it has one top, and its sign there tells whether any line
-        separates. From inside the unit vectors themselves are compared.
+        With it comes the gap. From outside, min p.y over R(T) less sup p.y over D is concave in p: along
+        the tangent of the unit circle at p(theta) it has one maximum, and its sign there decides whether
+        any line separates. From inside the unit vectors themselves are compared.
         """
         if not self._spacing:
             return theta, self._gap(theta, T, x, case, inside)
@@ -66,10 +65,9 @@ class SeparatingLines:
         return theta + turn, gap(turn, slice(None))
 
     def _refine(self, x, case, inside, low, high, theta):
-        """The first time between low and high at which no line separates, and the last separating
-        direction.
+        """Return the first time from low to high without a separating line, and the last line.
 
-        From inside: at which R(T) gets through the border, and the direction in which it does.
+        From inside: the time at which R(T) gets through the border, and the direction.
         """
         if not self._spacing:
             return self._halved(x, case, inside, low, high, theta)
@@ -83,8 +81,10 @@ class SeparatingLines:
         return time, angle
 
     def _closer(self, time, angle, x, case, inside, step=1e-6):
-        """The same to more digits from outside D, also where the best line belongs to a corner of
-        R(T): in turn the best line at a time, and the time at which this line separates no more."""
+        """Return the same to more digits from outside D, also at a corner of R(T).
+
+        In turn the best line at a time, and the time at which this line no longer separates are computed.
+        """
         T, theta, width = time, angle, np.where(inside, 0, WIDE)
         with np.errstate(all="ignore"):
             for _ in range(3):
@@ -95,19 +95,18 @@ class SeparatingLines:
         return np.where(good, T, time), np.where(good, theta, angle)
 
     def _touching(self, x, case, inside, low, high, theta, step=1e-5):
-        """The same by Newton's iteration, in turn for the time at which a line separates no more
-        and for the best line then.
+        """Return the same by Newton's iteration, in turn for the time and for the best line then.
 
-        The third result says where this was proved, to the precision of the halvings: before, that
-        line separates, and after, none.
+        The third result is where this was proved, to the precision of the halvings: before, that line
+        separates, and after, none.
         """
         start, T, rows = theta, (low + high) / 2, np.arange(len(x))
 
-        def gaps(*places):
-            repeated = np.tile(rows, len(places))
-            angles, times = (np.concatenate(column) for column in zip(*places))
+        def gaps(*points):
+            repeated = np.tile(rows, len(points))
+            angles, times = (np.concatenate(column) for column in zip(*points))
             return self._gap(angles, times, x[repeated], case[repeated], inside[repeated]).reshape(
-                len(places), -1
+                len(points), -1
             )
 
         with np.errstate(all="ignore"):
@@ -132,7 +131,7 @@ class SeparatingLines:
         return T, theta, np.isin(rows, sure[none])
 
     def _halved(self, x, case, inside, low, high, theta):
-        """The same by halvings, whatever the shape of the distance."""
+        """Return the same by bisection, whatever the shape of the distance."""
         centre = theta
         for turn in range(18):
             middle = (low + high) / 2

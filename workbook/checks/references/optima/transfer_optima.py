@@ -1,13 +1,13 @@
-"""The fastest or slowest transfer of a system to its target, found without the maximum principle.
+"""The fastest or slowest transfer of a system to its target, without the maximum principle.
 
 - one state: the time is the integral of dx/(greatest rate towards the target);
 - a system homogeneous of first degree in two states, a line through zero as the target: the
   direction (angle) obeys an equation of its own, and the time is the integral of dtheta/(greatest
   or least rate); the process ends when the line is met for the first time after the start;
 - a linear system x' = Ax + bu with two states, the origin as the target: the least time is that of
-  `fastest_times`. Whether there is one at all is told by time running back: x0 can be brought to
-  the origin within T exactly if, for every direction q, q.x0 <= S_T(q) := int_0^T max_u(-q.e^{-As}b
-  u) ds.
+  `fastest_times`. Whether there is one is decided with time running back: x0 can be brought to the
+  origin within T exactly if, for every direction q, q.x0 <= S_T(q) := int_0^T max_u(-q.e^{-As}b u)
+  ds.
 """
 
 import functools
@@ -29,13 +29,24 @@ CLOSE = sp.Rational(1, 10**6)
 
 
 class Unknown(RuntimeError):
-    """No optimum of a problem is known that was found in one of these ways."""
+    """Raised for a problem whose optimum is not known in one of these ways."""
 
 
 class Transfer:
-    """The transfers of a `pontryagin.Problem` in least or greatest time, for all values of the
-    parameters; raises `Unknown` for another problem. A state that is free at the start and stands
-    among the parameters is the start itself."""
+    """The transfers of a `pontryagin.Problem` in least or greatest time, for all parameters.
+
+    Parameters
+    ----------
+    problem : pontryagin.Problem
+        The problem.
+    parameters : list of sympy.Symbol
+        Its parameters; a state that is free at the start and among them is its own initial value.
+
+    Raises
+    ------
+    Unknown
+        For a problem of another kind.
+    """
 
     def __init__(self, problem, parameters=()):
         self.dynamics, self.slowest, self.parameters = (
@@ -88,7 +99,7 @@ class Transfer:
         )
 
     def at(self, values, **options):
-        """The optimum for given values of the parameters."""
+        """Return the optimum for given values of the parameters."""
 
         def put(e):
             return e.subs(values, simultaneous=True)
@@ -105,8 +116,10 @@ class Transfer:
         return _Optimum(system, start, self.slowest, **options)
 
     def samples(self, count=SAMPLES):
-        """Sets of parameters for which the target can be reached, with the optimum: of several
-        sizes and both signs."""
+        """Return sets of parameters for which the target can be reached, with the optimum.
+
+        They are of several sizes and both signs.
+        """
         if not self.parameters:
             return [({}, self.at({}))]
         if count not in self._found:
@@ -150,11 +163,11 @@ class Transfer:
         )
 
     def solvable(self, values):
-        """Whether the target can be reached, None for a start that lies on it."""
-        place = tuple(values.items())
-        if place not in self._decided:
-            self._decided[place] = self._decide(values)
-        return self._decided[place]
+        """Return whether the target can be reached; None for a start that lies on it."""
+        point = tuple(values.items())
+        if point not in self._decided:
+            self._decided[point] = self._decide(values)
+        return self._decided[point]
 
     def _decide(self, values):
         start = [
@@ -170,8 +183,7 @@ class Transfer:
         return self._modes_allow(start) and self._system().holds(np.array(start, dtype=float))
 
     def solvable_condition(self):
-        """The condition on the parameters under which the target can be reached from a start off
-        it, or None."""
+        """Return the condition that the target can be reached from a start off it, or None."""
         if self._kind is ScalarTransfer:
             return reach.on_a_line(self.dynamics, self.control, self.bounds, *self._ends())
         matrix, column, constant = reach.linear_parts(self.dynamics, self.control)
@@ -180,12 +192,12 @@ class Transfer:
         return reach.to_origin(matrix, column, self.bounds, self.initial)
 
     def off_target(self):
-        """The condition that the start does not lie on the target."""
+        """Return the condition that the start does not lie on the target."""
         at = dict(zip(self.dynamics, self.initial))
         return sp.Or(*(sp.Ne(gap.subs(at, simultaneous=True), 0) for gap in self.terminal))
 
     def in_time_condition(self, duration):
-        """The condition under which the target is reached within the duration, or None."""
+        """Return the condition that the target is reached within the duration, or None."""
         return (
             reach.in_time(self.dynamics, self.control, self.bounds, *self._ends(), duration)
             if self._kind is ScalarTransfer
@@ -193,18 +205,18 @@ class Transfer:
         )
 
     def _ends(self):
-        """The start and the target of a transfer with one state."""
+        """Return the start and the target of a transfer with one state."""
         (x,), (gap,) = self.dynamics, self.terminal
         return self.initial[0], sp.solve(gap, x)[0]
 
     def solvable_message(self, values):
+        """Return the text on whether the target can be reached."""
         return "from there the target " + (
             "can be reached" if self.solvable(values) else "cannot be reached, whatever the control"
         )
 
     def reach(self, duration):
-        """Distances from zero of the starts from which `duration` is the least time, in many
-        directions."""
+        """Return distances from zero, in many directions, of the starts with this least time."""
         return self._system().radii(duration)
 
     def _system(self):
@@ -218,16 +230,14 @@ class Transfer:
         )
 
     def _modes_allow(self, start):
-        """Exactly: the part of the start along each mode that does not decay must lie in what the
-        control can undo."""
+        """Return, exactly, whether the control can undo the start's part along each growing mode."""
         return all(
             low < -sum(map(operator.mul, left, start)) < high for left, low, high in self._modes
         )
 
     @functools.cached_property
     def _modes(self):
-        """Left eigenvectors w of modes that do not decay, with the ends of the open interval in
-        which -w.x0 has to lie.
+        """Left eigenvectors w of modes that do not decay, with the open interval of -w.x0.
 
         -w.x0 = int e^{-lambda s} w.b u ds, and the ends would need an infinite time, or one extreme
         control throughout.
@@ -254,8 +264,10 @@ class Transfer:
 
 @functools.lru_cache(maxsize=64)
 def _kept(key):
-    """What is known of a transfer: which starts can reach the target, as far as it has been asked,
-    and its samples. Every answer is tried at the same ones."""
+    """Return what is known of a transfer: which starts can reach the target, and its samples.
+
+    Every answer is tried at the same ones.
+    """
     return {}, {}
 
 
@@ -277,8 +289,10 @@ def _drawn(parameters, count):
 
 
 class _Optimum:
-    """The fastest or slowest transfer of a system from one start, with the attributes of
-    `direct_optimum.Optimum`: the last entry of `start` and `field` is the time that has passed."""
+    """The fastest or slowest transfer from a start, like a `direct_optimum.Optimum`.
+
+    The last entry of `start` and `field` is the time that has passed.
+    """
 
     def __init__(self, system, start, slowest, meetings=1):
         self.system, self.begin, self.slowest, self.meetings = system, start, slowest, meetings
@@ -296,17 +310,17 @@ class _Optimum:
         return self.duration
 
     def possible(self):
-        """Whether the target can be reached at all."""
+        """Return whether the target can be reached at all."""
         return self.system.possible(self.begin)
 
     def size(self):
-        """The size of the states of this transfer."""
+        """Return the size of the states of this transfer."""
         return (
             float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
         )
 
     def left(self):
-        """States on the way, and the time that is left there."""
+        """Return states on the way, and the time that is left there."""
         return self.states, self.duration - self.times
 
     def duration_message(self, said):
@@ -316,11 +330,11 @@ class _Optimum:
         return self.system.switchings(self.begin, self.duration)
 
     def breaks(self):
-        """The times at which the control switches."""
+        """Return the times at which the control switches."""
         return self.system.breaks(self.begin, self.duration)
 
     def switching_function(self):
-        """Pairs (time, dH/du), the costate being followed back from the end."""
+        """Return pairs (time, dH/du), the costate being followed back from the end."""
         return self.system.switching_function(self.begin, self.duration, self.slowest)
 
     def field(self, y, u):

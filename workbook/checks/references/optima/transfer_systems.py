@@ -29,7 +29,7 @@ class TransferSystem:
         return np.array(self._jacobian(*y, u), dtype=float)
 
     def gap(self, y):
-        """What vanishes on the target."""
+        """Return what vanishes on the target."""
         return np.array(self._gap(*y), dtype=float)
 
     def normals(self):
@@ -67,7 +67,7 @@ class TransferSystem:
 
 
 class ScalarTransfer(TransferSystem):
-    """One state: everything is the rate towards the target."""
+    """One state: everything depends on the rate towards the target."""
 
     def _target(self):
         slope, here = self._normals[0, 0], self.gap([0.0])[0]
@@ -114,8 +114,7 @@ class ScalarTransfer(TransferSystem):
 
 
 class HomogeneousTransfer(TransferSystem):
-    """Two states, homogeneous of the first degree: the direction theta of the state obeys an
-    equation of its own."""
+    """Two states, homogeneous of degree one: the angle theta obeys an equation of its own."""
 
     def possible(self, start):
         return True
@@ -133,8 +132,7 @@ class HomogeneousTransfer(TransferSystem):
         return math.copysign(1, rates[0])
 
     def _angle(self, start, meetings):
-        """The angle from the start to the meeting with the target, later than the start, in the
-        sense of turning."""
+        """Return the angle from the start to the meeting with the target, in the sense of turning."""
         normal = self._normals[0]
         line = math.atan2(normal[0], -normal[1])
         theta = math.atan2(start[1], start[0])
@@ -205,7 +203,7 @@ class HomogeneousTransfer(TransferSystem):
         return found
 
     def turned(self, start, duration, slowest, steps=400):
-        """The angle turned by the fastest or slowest control in a given time."""
+        """Return the angle turned by the fastest or slowest control in a given time."""
         theta, sense = math.atan2(start[1], start[0]), self._sense
         angle = 0.0
         for _k in range(steps):

@@ -1,5 +1,7 @@
-"""What a process of a student's could hand over in the place of answers, though it is none: code,
-values that are no numbers, things of a wrong kind. Python's own audit sees what judging it does."""
+"""Values that a student's process could hand over instead of answers, under Python's own audit.
+
+They are code, values that are no numbers, things of a wrong kind.
+"""
 
 import json
 import re
@@ -15,8 +17,8 @@ from workbook.grading import judging
 from workbook.notebooks.execution import decoded
 
 
-class Watch:
-    """Notes what the process is asked to do, by Python's own audit."""
+class AuditWatch:
+    """Records what the process does that it must not, by Python's own audit."""
 
     #: Unpickling, starting programs, calling out, changing files.
     FORBIDDEN = (
@@ -40,27 +42,29 @@ class Watch:
         self.events = []
         sys.addaudithook(self._note)
 
-    def _note(self, event, given):
+    def _note(self, event, arguments):
         if event in self.FORBIDDEN:
-            self.events.append(f"{event} {given!r:.200}")
-        elif event == "compile" and given[0] is not None:
+            self.events.append(f"{event} {arguments!r:.200}")
+        elif event == "compile" and arguments[0] is not None:
             # Code is made of our own cells, and of expressions by lambdify, whose names have a
             # narrow alphabet.
-            if not str(given[1]).startswith(
+            if not str(arguments[1]).startswith(
                 ("<data cell>", "<check cell>", "<lambdifygenerated-", "<string>")
             ):
-                self.events.append(f"compile {given!r:.200}")
+                self.events.append(f"compile {arguments!r:.200}")
             if "MARK" in (
-                given[0].decode(errors="replace") if isinstance(given[0], bytes) else str(given[0])
+                arguments[0].decode(errors="replace")
+                if isinstance(arguments[0], bytes)
+                else str(arguments[0])
             ):
-                self.events.append(f"compile of foreign text {given!r:.200}")
-        elif event == "open" and isinstance(given[1], str) and set("wax+") & set(given[1]):
-            self.events.append(f"open {given!r:.200}")
-        elif event == "import" and "MARK" in str(given):
-            self.events.append(f"import {given!r:.200}")
+                self.events.append(f"compile of foreign text {arguments!r:.200}")
+        elif event == "open" and isinstance(arguments[1], str) and set("wax+") & set(arguments[1]):
+            self.events.append(f"open {arguments!r:.200}")
+        elif event == "import" and "MARK" in str(arguments):
+            self.events.append(f"import {arguments!r:.200}")
 
     def seen(self):
-        """What happened since the last time."""
+        """Return the events since the last call."""
         events, self.events = self.events, []
         return sorted(set(events))
 
@@ -116,46 +120,44 @@ NOTHING = [
 ]
 
 
-def judged_under_watch(bench):
-    """{what was handed over: what happened that must not}, for text that is code, for no numbers,
-    for odd answers.
+def judge_hostile_values(problem):
+    """Return {kind of values: events and verdicts that must not be}.
 
-    Comes last in its process: who watches it cannot be sent away.
+    It comes last in its process, since an audit hook cannot be removed.
     """
-    bench.judge({})  # what the check cells import, they have imported
-    watch = Watch()
-    nothing = [
+    problem.judge({})  # what the check cells import, they have imported
+    watch = AuditWatch()
+    non_numbers = [
         encode(value).decode()
         for value in NOTHING
-        if value not in EMPTY_AND_RIGHT.get(bench.master.number, ())
+        if value not in EMPTY_AND_RIGHT.get(problem.master.number, ())
     ]
     return {
-        "texts": _right(bench, texts()) + watch.seen(),
-        "nothing": _right(bench, nothing) + watch.seen(),
-        "odd": _odd(bench) + watch.seen(),
+        "texts": _right(problem, texts()) + watch.seen(),
+        "nothing": _right(problem, non_numbers) + watch.seen(),
+        "odd": _odd(problem) + watch.seen(),
     }
 
 
-def _right(bench, encoded):
-    """The answers among encoded ones that are called right, each given for every answer of the
-    problem."""
+def _right(problem, encoded):
+    """Return the encoded values that are called right, each given for every answer of the problem."""
     return [
         f"{name} = {text:.300} is right"
         for text in encoded
-        for name, verdict in _judged(bench, dict.fromkeys(bench.master.answers, text)).items()
+        for name, verdict in _judged(problem, dict.fromkeys(problem.master.answers, text)).items()
         if verdict.status == RIGHT
     ]
 
 
-def _judged(bench, encoded):
-    """Verdicts on encoded answers that came as a message of a student's process."""
+def _judged(problem, encoded):
+    """Return verdicts on encoded answers that came as a message of a student's process."""
     message = json.dumps({"encoded": encoded, "unreadable": {}, "errors": [], "stopped": []})
-    read, unreadable, *_ = judging._read(message.encode(), list(bench.master.answers))
-    return bench.judge(decoded(read, unreadable, list(bench.master.answers)))
+    read, unreadable, *_ = judging._read(message.encode(), list(problem.master.answers))
+    return problem.judge(decoded(read, unreadable, list(problem.master.answers)))
 
 
 def texts():
-    """Texts that are code, as strings and wherever a text can stand in an encoding."""
+    """Yield texts that are code, as strings and wherever a text can occur in an encoding."""
     for payload in PAYLOADS:
         symbol = {"kind": "Symbol", "name": payload, "assumptions": {}}
         written = json.loads(encode(sp.Symbol("q")))
@@ -177,8 +179,10 @@ def texts():
 
 
 def odd_answers(symbol):
-    """What can be written down and is the answer to nothing; in a symbol of the data, or else its
-    name would tell."""
+    """Return values that can be written down and answer nothing, in a symbol of the data.
+
+    Another symbol would be refused by its name.
+    """
     x = sp.Symbol(symbol)
     function = sp.Lambda(x, x**2)
     return {
@@ -196,23 +200,22 @@ def odd_answers(symbol):
     }
 
 
-def _odd(bench):
-    """What is said of odd answers that it must not: that our check failed, or an example that is
-    right."""
+def _odd(problem):
+    """Return verdicts on odd answers that must not be: our failure, or an example that is right."""
     symbol = next(
-        (value.name for value in bench.data.values() if isinstance(value, sp.Symbol)), "x"
+        (value.name for value in problem.data.values() if isinstance(value, sp.Symbol)), "x"
     )
-    found, examples = [], {name: set() for name in bench.master.answers}
+    failures, examples = [], {name: set() for name in problem.master.answers}
     for what, value in odd_answers(symbol).items():
-        encoded = dict.fromkeys(bench.master.answers, encode(value).decode())
-        for name, verdict in _judged(bench, encoded).items():
+        encoded = dict.fromkeys(problem.master.answers, encode(value).decode())
+        for name, verdict in _judged(problem, encoded).items():
             if verdict.status == UNCHECKED:
-                found.append(f"{name}, {what}: {verdict.message}")
+                failures.append(f"{name}, {what}: {verdict.message}")
             elif verdict.status != RIGHT:
                 examples[name] |= set(re.findall(r"such as (.+?)(?:, got|;|$)", verdict.message))
-    for name, told in examples.items():
-        for example in {part for text in told for part in (text, *text.split(" or "))}:
+    for name, quoted in examples.items():
+        for example in {part for text in quoted for part in (text, *text.split(" or "))}:
             with suppress(Exception):  # words rather than an example
-                if bench.judge_one(name, sp.sympify(example, locals={"sp": sp})).status == RIGHT:
-                    found.append(f"{name} is told as an example what is right: {example}")
-    return found
+                if problem.judge_one(name, sp.sympify(example, locals={"sp": sp})).status == RIGHT:
+                    failures.append(f"{name} is told as an example what is right: {example}")
+    return failures

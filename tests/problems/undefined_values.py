@@ -1,8 +1,8 @@
 """Answers without a value: infinite, undefined, undefined in places. No check may call one right.
 
-A comparison such as `abs(said - true) > tolerance` is False where `said` is nan, so a check that
-only looks for a difference finds none. SymPy keeps such values unnoticed in an expression that was
-built with `evaluate=False`.
+A comparison such as `abs(value - true) > tolerance` is False for nan, so a check that only looks
+for a difference finds none. SymPy keeps such values unnoticed in an expression that was built with
+`evaluate=False`.
 """
 
 import itertools
@@ -50,35 +50,34 @@ NOT_ASKED = {
 }
 
 
-def nonsense(value, data=()):
-    """Pairs (what it is, answer): all entries without a value, one entry without a value, all
-    entries undefined in places.
+def undefined_variants(value, data=()):
+    """Yield pairs (description, answer): all entries without a value, one entry, or in places.
 
-    Every kind of `CONSTANT` comes for the whole answer; for single entries the kinds take turns,
-    the last entry first, and five entries at most: all of a 6 by 6 matrix would tell no more.
-    `data` are the arguments of the check: where they hold the interval of a symbol, the answer is
-    left undefined in one half of it and then in the other.
+    Every kind of `CONSTANT` comes for the whole answer; for single entries the kinds take turns, the
+    last entry first, and five entries at most: all of a 6 by 6 matrix would show no more. `data` are
+    the arguments of the check: where they hold the interval of a symbol, the answer is left undefined
+    in one half of it and then in the other.
     """
     if isinstance(value, LOGIC):
         yield from _conditions(value)
         return
-    places = list(entries(value))
-    if not places:
+    paths = list(entries(value))
+    if not paths:
         return
     for name, bad in CONSTANT.items():
-        yield f"{name} everywhere", _put(value, places, lambda entry, bad=bad: bad)
-    if len(places) > 1:
+        yield f"{name} everywhere", _put(value, paths, lambda entry, bad=bad: bad)
+    if len(paths) > 1:
         # A cycle that begins with oo - oo in the last entry: there a loop that gives up early has
         # not looked.
-        for place, (name, bad) in zip([places[-1], *places[:4]], itertools.cycle(CONSTANT.items())):
-            yield f"{name} in {place}", _put(value, [place], lambda entry, bad=bad: bad)
+        for path, (name, bad) in zip([paths[-1], *paths[:4]], itertools.cycle(CONSTANT.items())):
+            yield f"{name} in {path}", _put(value, [path], lambda entry, bad=bad: bad)
     symbols = sorted(
-        set().union(*(sp.sympify(entry_at(value, place)).free_symbols for place in places)), key=str
+        set().union(*(sp.sympify(entry_at(value, path)).free_symbols for path in paths)), key=str
     )
     if symbols:
         yield (
             f"defined for {symbols[0]} > {NEVER} alone",
-            _put(value, places, lambda entry: _only(entry, symbols[0], symbols[0] > NEVER)),
+            _put(value, paths, lambda entry: _only(entry, symbols[0], symbols[0] > NEVER)),
         )
     for symbol in symbols[:3]:
         border = _border(symbol, data)
@@ -86,7 +85,7 @@ def nonsense(value, data=()):
             if condition not in (sp.true, sp.false):
                 changed = _put(
                     value,
-                    places,
+                    paths,
                     lambda entry, symbol=symbol, condition=condition: _only(
                         entry, symbol, condition
                     ),
@@ -95,8 +94,7 @@ def nonsense(value, data=()):
 
 
 def _only(entry, symbol, condition):
-    """The entry where a condition on a symbol holds, undefined elsewhere; entries without this
-    symbol stay."""
+    """Return the entry where a condition on its symbol holds, undefined elsewhere."""
     return (
         sp.Piecewise((entry, condition), evaluate=False)
         if symbol in sp.sympify(entry).free_symbols
@@ -105,17 +103,16 @@ def _only(entry, symbol, condition):
 
 
 def _border(symbol, data):
-    """A place inside the values of a symbol: inside its interval where the data hold one, else
-    where a condition of theirs holds."""
+    """Return a value inside the interval of a symbol, or where a condition of the data holds."""
     data = [
         part
-        for given in data
+        for datum in data
         for part in (
-            given
-            if isinstance(given, Controlled)
-            else [given.controls]
-            if isinstance(given, Problem)
-            else [given]
+            datum
+            if isinstance(datum, Controlled)
+            else [datum.controls]
+            if isinstance(datum, Problem)
+            else [datum]
         )
     ]
     for part in data:
@@ -143,21 +140,21 @@ def _border(symbol, data):
                 if high[1]
                 else sp.S.One
             )
-    given = [
-        one
+    conditions = [
+        item
         for part in data
-        for one in (part if isinstance(part, (list, tuple)) else [part])
-        if isinstance(one, LOGIC)
+        for item in (part if isinstance(part, (list, tuple)) else [part])
+        if isinstance(item, LOGIC)
     ]
     return (
         -sp.S.One
-        if symbol.is_negative or any(part.subs(symbol, 1) == sp.false for part in given)
+        if symbol.is_negative or any(part.subs(symbol, 1) == sp.false for part in conditions)
         else sp.S.One
     )
 
 
 def _conditions(condition):
-    """The condition as one side of an equation; a side without a value."""
+    """Yield the condition as one side of an equation, and with a side without a value."""
     yield "an equation between conditions", sp.Eq(condition, sp.true, evaluate=False)
     relation = min(condition.atoms(Relational), key=str)
     for name in ("oo - oo", "1/0"):
@@ -170,7 +167,7 @@ def _conditions(condition):
 
 
 def entries(value, path=()):
-    """The paths to the numbers and expressions of an answer."""
+    """Yield the paths to the numbers and expressions of an answer."""
     if isinstance(value, (list, tuple)):
         for k, part in enumerate(value):
             yield from entries(part, (*path, k))
@@ -191,10 +188,10 @@ def entry_at(value, path):
     return value
 
 
-def _put(value, places, change):
-    """A copy of the answer with the entries at some places changed."""
-    for place in places:
-        value = _with(value, place, change)
+def _put(value, paths, change):
+    """Return a copy of the answer with the entries at some paths changed."""
+    for path in paths:
+        value = _with(value, path, change)
     return value
 
 

@@ -1,8 +1,8 @@
-"""Notes which functions of some packages a computation calls, at the cost of these calls alone.
+"""Records which functions of some packages a computation calls, at the cost of these calls alone.
 
 A profiler sees every call, also the millions within SymPy, and with one a verdict takes half as
-long again. Here each function that matters has other code until it is noted, which does so and then
-what the function does: so it is also seen by whoever has imported the function before.
+long again. Here each function that matters has other code until it is recorded, which records it
+and then does what the function does: so a function imported before is seen, too.
 
 Not seen are functions made inside others, methods that use `super()`, and what is imported only
 meanwhile.
@@ -18,14 +18,16 @@ _NOW = [set(), None]
 
 
 @contextmanager
-def calls_noted(packages, heed):
-    """Within it, the set of (module, name) grows by each function called for which `heed(its
-    module, the frame of its caller)` is true; functions are those of modules whose names begin with
-    one of `packages`."""
-    codes = codes_that_note(packages)
-    _NOW[:] = called, heed = set(), heed
-    for function, _, noting in codes:
-        function.__code__ = noting
+def recorded_calls(packages, is_relevant):
+    """Collect (module, name) of each relevant function that is called in this context.
+
+    `is_relevant(its module, the frame of its caller)` selects the calls; functions are those of modules
+    whose names begin with one of `packages`.
+    """
+    codes = recording_codes(packages)
+    _NOW[:] = called, is_relevant = set(), is_relevant
+    for function, _, recording in codes:
+        function.__code__ = recording
     try:
         yield called
     finally:
@@ -33,27 +35,29 @@ def calls_noted(packages, heed):
             function.__code__ = own
 
 
-def codes_that_note(packages):
-    """(function, its code, one that notes the call first) for each function; a process that is
-    forked from one that has asked for them finds them ready."""
+def recording_codes(packages):
+    """Return (function, its code, code that records the call first) for each function.
+
+    A process forked from one that has called this finds them ready.
+    """
     return [
-        found
+        codes
         for name in list(sys.modules)
         if name.startswith(packages)
-        for found in _codes_in(name)
+        for codes in _codes_in(name)
     ]
 
 
 @functools.cache
 def _codes_in(module):
     return [
-        (function, function.__code__, _that_notes(function))
+        (function, function.__code__, _recording(function))
         for function in _functions(vars(sys.modules[module]), module, set())
     ]
 
 
 def _functions(names, module, seen):
-    """The functions of a module or a class of it whose code can be exchanged, each once."""
+    """Yield the functions of a module or a class of it whose code can be exchanged, each once."""
     for value in names.copy().values():
         if isinstance(value, property):
             value = value.fget
@@ -78,12 +82,12 @@ def _functions(names, module, seen):
             yield value
 
 
-def _that_notes(function):
+def _recording(function):
     module, name, own = function.__module__, function.__qualname__, function.__code__
 
-    def note():
-        called, heed = _NOW
-        if heed(module, sys._getframe(2)):
+    def record():
+        called, is_relevant = _NOW
+        if is_relevant(module, sys._getframe(2)):
             called.add((module, name))
             function.__code__ = own
 
@@ -91,14 +95,14 @@ def _that_notes(function):
         function.__code__, function.__globals__, function.__name__, function.__defaults__
     )
     original.__kwdefaults__ = function.__kwdefaults__
-    put = {"NOTE": note, "FUNCTION": original}
-    return _noted.__code__.replace(
-        co_consts=tuple(put.get(constant, constant) for constant in _noted.__code__.co_consts)
+    put = {"RECORD": record, "FUNCTION": original}
+    return _recorded.__code__.replace(
+        co_consts=tuple(put.get(constant, constant) for constant in _recorded.__code__.co_consts)
     )
 
 
-def _noted(*args, **kwargs):
-    note = "NOTE"  # the texts stand for what is put in their places
-    note()
+def _recorded(*args, **kwargs):
+    record = "RECORD"  # the texts stand for what is put in their places
+    record()
     function = "FUNCTION"
     return function(*args, **kwargs)
