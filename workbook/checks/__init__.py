@@ -131,7 +131,7 @@ __getattr__, __dir__, __all__ = lazy_names(
         "feedback.observers": ["closed_loop_equations", "observer_equations"],
         "estimation.moments": ["correlation", "covariance", "expectations", "uncorrelated"],
         "estimation.least_squares": ["error_covariance", "least_squares", "least_sum_of_squares"],
-        "estimation.motions": [
+        "estimation.process_moments": [
             "correlation_at_time",
             "covariance_at_time",
             "covariance_exponents",

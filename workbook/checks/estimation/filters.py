@@ -1,7 +1,6 @@
-"""Optimal estimates and their errors: by measurements at single moments, and by filters that have
-settled.
+"""Optimal estimates and their errors: measurements at single instants, steady filters.
 
-The truth is the conditional law of a Gaussian vector of all states and measurements together, or
+The reference is the conditional law of a Gaussian vector of all states and measurements together, or
 the stabilising solution of a Riccati equation at numbers, from an invariant subspace
 (`references/processes.py`); no filter is run.
 

@@ -1,5 +1,4 @@
-"""Estimates by least squares: at the estimate the weighted sum of the squared residuals is the
-least.
+"""Estimates by least squares: the weighted sum of the squared residuals is least there.
 
 Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns;
 `deviations` are the standard deviations of their errors, without which all are 1 and independent. A

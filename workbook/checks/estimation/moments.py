@@ -1,5 +1,4 @@
-"""Means, covariances and correlations of quantities made of a random vector, from what is known of
-it.
+"""Means, covariances and correlations of quantities linear or nonlinear in a random vector.
 
 Known is either the covariance matrix of the vector, and the quantities are linear in it, or the
 probabilities of all its values, {value: probability}, and the quantities may be any functions of

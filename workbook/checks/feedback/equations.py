@@ -1,6 +1,7 @@
-"""One equation of any order with one control and one output, a record `workbook.systems.Scalar`:
-its state forms y' = Ay + Bu, x = Cy, z = Hy, and feedback by the estimate of such a state, which is
-the student's own.
+"""Feedback for one equation of any order with one control and one output, a `Scalar`.
+
+Its state-space forms are y' = Ay + Bu, x = Cy, z = Hy; the feedback is by the estimate of such a
+state, which the student chooses.
 
 By such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, u, u', ... may have
 any values at one moment. It is right if these satisfy the equation and give z, and if x, x', ...,

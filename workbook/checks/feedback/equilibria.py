@@ -1,6 +1,6 @@
-"""Gains that hold a nonlinear system at its equilibria, for each equilibrium its own.
+"""Gains that stabilise a nonlinear system at its equilibria, one for each equilibrium.
 
-The first approximation decides. Where it is silent under every gain, since an eigenvalue that none
+The linearisation decides. Where it is inconclusive under every gain, since an eigenvalue that none
 changes lies on the imaginary axis, motions that start close to the equilibrium do, as they do for
 `zero_solution_stability`.
 """
@@ -21,7 +21,7 @@ from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.values import matrix_at, numbers_at
 from workbook.checks.tools.wording import point_text, roots_text
 
-#: Loops that are tried at an equilibrium that the first approximation leaves open, and how fast
+#: Loops that are tried at an equilibrium with an inconclusive linearisation, and how fast
 #: their movable part is.
 TRIED, DECAY = 3, 0.3
 

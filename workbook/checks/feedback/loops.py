@@ -1,5 +1,6 @@
-"""Gains, judged by the spectrum of the loop that they close: A - LH, A + BK, A + BKH, or both with
-an estimate.
+"""Gains, judged by the spectrum of the closed loop A - LH, A + BK or A + BKH.
+
+With an estimate both spectra are judged.
 
 What is required is data: a characteristic polynomial, whose coefficients may be symbols, or a
 margin mu, Re lambda <= -mu (for 0 asymptotic stability, Re lambda < 0), for all values of the
@@ -214,7 +215,7 @@ def _judge(gain, loop, what, requirement, pair):
                 "some gain makes the spectrum as required: no mode that stays the same forbids it"
             )
         return "there is no such gain: a mode that no gain changes forbids it"
-    # That no gain would do is the answer, and so it is not told.
+    # That no gain exists is the answer, so the message does not say it.
     message = requirement.hold(loop, gain, what)
     if requirement.polynomial is not None:
         in_general = sp.true if pair is None or not pair.parameters else pair.generic_condition

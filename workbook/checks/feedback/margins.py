@@ -1,5 +1,4 @@
-"""What gains can do at all: the region of those that stabilise, the margins that can be had, and
-what stands in the way.
+"""Stabilising gains: their region, the margins that can be attained, and obstacles.
 
 A margin mu is that of Definition 1.5, Re lambda <= -mu for all eigenvalues.
 """

@@ -1,5 +1,4 @@
-"""Observers given by their equations, e' = f(e, z, u): judged by what becomes of the error d = x -
-e.
+"""Observers given by their equations e' = f(e, z, u), judged by the error d = x - e.
 
 Along the motions of x' = Ax + Bu, z = Hx the error has to obey an equation of its own, d' = (A -
 LH) d with some L, for all x and u; then its spectrum is judged as that of a gain.

@@ -1,5 +1,4 @@
-"""Laws of least quadratic cost for linear systems, `Quadratic`, and feedback by measurements with
-noise.
+"""Linear-quadratic regulators, `Quadratic`, and feedback by noisy measurements.
 
 A gain is judged by its own cost, which is linear algebra: every state decays, and no other gain is
 better at a first moment if what comes later costs what it costs under the gain itself. A gain of

@@ -1,4 +1,4 @@
-"""A feedback law followed from many starts at once, and compared with the fastest times."""
+"""Feedback laws followed from many initial states at once and compared with fastest times."""
 
 import numpy as np
 import sympy as sp

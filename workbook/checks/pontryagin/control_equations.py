@@ -1,4 +1,4 @@
-"""The differential equation that the control obeys where it makes H greatest inside its bounds.
+"""Differential equation of a control that maximises H inside its bounds.
 
 There H_u = 0, and so is its derivative along the equations of motion and of the costates:
 

@@ -1,12 +1,15 @@
-"""Costates along optimal processes, by the conditions of the maximum principle with lambda_0 = 1,
-and the switching function that they give. `problem` and `parameters` are those of `processes`."""
+"""Costates along optimal processes, and the switching function that they give.
+
+They are judged by the conditions of the maximum principle with lambda_0 = 1. `problem` and
+`parameters` are those of `optimal_controls`.
+"""
 
 import numpy as np
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.followed import point_text
-from workbook.checks.pontryagin.in_time import ENDING, Costates, InTime
+from workbook.checks.pontryagin.simulation import point_text
+from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.references.optima.transfer_optima import Transfer
 from workbook.checks.tools.wording import prefix_text

@@ -4,9 +4,9 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.followed import reach
-from workbook.checks.pontryagin.in_time import Control, Steering
 from workbook.checks.pontryagin.sample_points import RIVALS, control_bounds
+from workbook.checks.pontryagin.simulation import reach
+from workbook.checks.pontryagin.time_functions import Control, Steering
 from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.singular_arcs import hamiltonian
 from workbook.checks.tools.domains import sample_cases

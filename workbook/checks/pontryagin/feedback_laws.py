@@ -8,7 +8,7 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.tolerance import in_decimals, perturbed, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong
-from workbook.checks.pontryagin.followed import point_text
+from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
 
 #: A law is followed in so many steps. Where it switches it lags by a step, which costs it this

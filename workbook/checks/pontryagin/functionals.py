@@ -1,5 +1,6 @@
-"""Problems of the calculus of variations, given as a `Functional`: motions on which it is least,
-its least value, and whether there is a best motion at all.
+"""Extrema of the calculus of variations, for problems given as a `Functional`.
+
+Motions on which the functional is least, its least value, and whether there is a best motion.
 
 A motion is judged by what defines it: it has the given values at the ends, no variation that keeps
 them changes the functional to first order, which is asked of variations inside and of such that

@@ -10,13 +10,13 @@ admissible, to keep to the ends, and to cost no more than the optimum that was f
 import numpy as np
 
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.followed import (
+from workbook.checks.pontryagin.simulation import (
     ENDING_ITSELF,
     Path,
     does_as_well,
     on_target,
 )
-from workbook.checks.pontryagin.in_time import (
+from workbook.checks.pontryagin.time_functions import (
     INTEGRATED,
     Control,
     Steering,

@@ -16,7 +16,7 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.feedback_laws import STEPS, FeedbackLaw
-from workbook.checks.pontryagin.followed import does_as_well, point_text
+from workbook.checks.pontryagin.simulation import does_as_well, point_text
 from workbook.checks.references.optima.direct_optimum import optima
 from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales

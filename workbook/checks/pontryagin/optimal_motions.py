@@ -6,18 +6,18 @@ The data are those of `optimal_controls`.
 import numpy as np
 
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.followed import (
+from workbook.checks.pontryagin.optimal_controls import is_time_optimal
+from workbook.checks.pontryagin.simulation import (
     keeps_to_the_ends,
     meets_once,
     point_text,
 )
-from workbook.checks.pontryagin.in_time import (
+from workbook.checks.pontryagin.time_functions import (
     ENDING,
     InTime,
     Motion,
     jumps,
 )
-from workbook.checks.pontryagin.optimal_controls import is_time_optimal
 from workbook.checks.references.optima.best_processes import (
     best_processes,
     free_at_the_start,

@@ -12,14 +12,14 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.followed import (
+from workbook.checks.pontryagin.optimal_controls import ARC, CERTAIN, MISSED, is_time_optimal
+from workbook.checks.pontryagin.simulation import (
     COSTS,
     point_text,
 )
-from workbook.checks.pontryagin.in_time import (
+from workbook.checks.pontryagin.time_functions import (
     INTEGRATED,
 )
-from workbook.checks.pontryagin.optimal_controls import ARC, CERTAIN, MISSED, is_time_optimal
 from workbook.checks.references.optima.best_processes import (
     best_processes,
     best_processes_at,
@@ -35,7 +35,7 @@ from workbook.checks.tools.wording import prefix_text
 #: A smaller part of a time than this is none; after so small parts of a way its growth is looked
 #: at.
 ABSENT, GROWN = 1e-13, (1e-2, 1e-6)
-#: How close two places are that lie on both sides of a bend, and how many times as far as the truth
+#: How close two places are that lie on both sides of a bend, and how many times as far as the reference
 #: an expression may move between them.
 BESIDE, LEAPS = 1e-5, 4
 #: To what share the extreme values of a quantity along the best process are known.

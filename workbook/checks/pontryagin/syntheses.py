@@ -1,4 +1,4 @@
-"""Feedback laws for time-optimal control, judged by their effect against an independent optimum.
+"""Feedback laws for time-optimal control, judged against an independent optimum.
 
 The optimum is that of `fastest_times`: the plant is x' = Ax + bu with u between two bounds, the
 target a point, a segment, a line, or the border of a convex set. A law is optimal if it needs no

@@ -1,9 +1,8 @@
-"""Transfers in least or greatest time: which starts can be brought to the target, in what time,
-with how many switchings.
+"""Transfers in least or greatest time: initial states, times and numbers of switchings.
 
 `problem` is a `pontryagin.Problem` of which the cost is the time. Its parameters stand in a list; a
 state without a value at the start that is one of them stands for its start. What an optimal
-control, motion or costate is, and the time itself, is judged in `processes`. The optimum comes from
+control, motion or costate is, and the time itself, is judged in `optimal_controls` and its like. The optimum comes from
 `transfer_optima`, where neither the maximum principle nor a shooting is used.
 """
 
@@ -17,7 +16,7 @@ from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Number
 from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.in_time import INTEGRATED
+from workbook.checks.pontryagin.time_functions import INTEGRATED
 from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Transfer
 from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.conditions import compare, contradiction_message, exactly

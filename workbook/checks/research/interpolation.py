@@ -1,5 +1,8 @@
-"""Formulas that agree with a table of motions: the polynomial of the table is found here by its
-powers, from linear equations, and not by fundamental polynomials."""
+"""Formulas that agree with a table of motions.
+
+The polynomial of the table is found here by its powers, from linear equations, and not by
+fundamental polynomials.
+"""
 
 import math
 

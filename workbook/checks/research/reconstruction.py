@@ -1,5 +1,4 @@
-"""Reconstruction of a motion from samples: the transition of state and costate, small records,
-continuous measurements.
+"""Reconstruction of a motion from samples: transition matrix, splines, continuous records.
 
 The motion of least cost is found here by dense least squares in positions and velocities at the
 samples, where the integral of u^2 between two states is a quadratic form; the sweep is not used.

@@ -1,7 +1,7 @@
 """Solvability: what measurements along a motion determine, and how well.
 
 Motions are found by the matrix exponential at random values of the symbols, errors by solving small
-systems of equations, and what is unseen by applying the measurements to it; conditions are decided
+systems of equations, and what is unobservable by applying the measurements to it; conditions are decided
 in exact rational arithmetic, on and off the surfaces where they change.
 """
 
@@ -238,7 +238,7 @@ def stations_insufficient(answer, matrix, first, second):
 
 def _unseen_along(matrix, *sights):
     """The condition under which ranges along all of the directions miss a motion of x' = A x
-    (Popov's criterion)."""
+    (PBH test)."""
     rows = sp.Matrix([[*sight, *[0] * (matrix.rows - len(sight))] for sight in sights])
     found = []
     for _, _, vectors in matrix.eigenvects():

@@ -1,8 +1,9 @@
-"""Stability of x' = A x where roots lie on the imaginary axis: multiplicities, motions that grow,
-forms that are conserved.
+"""Stability of x' = A x with roots on the imaginary axis.
+
+Multiplicities, motions that grow without bound, and conserved quadratic forms.
 
 The matrix is that of the equations in deviations from rest, or, where a `program` is given, from a
-program motion (`workbook.checks.stability.nominal_motions`); a `part` of the state picks a subsystem that
+nominal motion (`workbook.checks.stability.nominal_motions`); a `part` of the state picks a subsystem that
 does not depend on the others. What decides is computed from the matrix at sampled values of the
 parameters: clusters of eigenvalues and ranks of A - lambda E, by singular values.
 """

@@ -1,5 +1,4 @@
-"""Planar motions in polar coordinates: the equations, limit cycles, and what becomes of
-neighbouring motions.
+"""Planar motions in polar coordinates: equations, limit cycles and neighbouring motions.
 
 The closed orbits of these checks are circles around zero. They are found from the field alone: on
 such a circle the radial velocity vanishes at every angle and the angular velocity nowhere.

@@ -1,5 +1,4 @@
-"""Positions of equilibrium of an autonomous system, the spectra there, and which of them are
-stable."""
+"""Equilibria of an autonomous system, their spectra and stability."""
 
 import functools
 

@@ -1,5 +1,4 @@
-"""Stationary solutions that depend on parameters or repeat periodically, and what becomes of
-deviations from them.
+"""Stationary solutions that depend on parameters or repeat periodically, and stability.
 
 An equation of second order in x stands here as the field of its state (x, x'). A stationary
 solution x(t) = x* is named by the number x* alone; a periodic family of them is an expression in an
@@ -34,7 +33,7 @@ from workbook.checks.tools.wording import number_text, point_text, where_text
 REACH = 12.0
 #: What rounding leaves of a zero matrix, next to the largest one.
 ROUNDING = 1e-12
-#: By the word that `agreement` knows: what an answer names, and which of the rest points found
+#: By the word that `agreement` knows: what an answer names, and which of the equilibria found
 #: belong to these.
 SORTED = {
     "stationary": ("stationary solutions", lambda flow, point: True),
@@ -209,7 +208,7 @@ def unique_equilibrium(answer, field, state, parameters):
 def sampled_systems(field, state, parameters, given, claim=(), zeros=None):
     """Triples (values, field, rest points between -REACH and REACH) for four samples of the
     parameters that satisfy `given`, and for more where the answer distinguishes cases that these do
-    not meet; the rest points are the zeros of `zeros`, if these are told."""
+    not meet; the equilibria are the zeros of `zeros`, if these are given."""
     for values in in_every_case(allowed_values(parameters, given, 4), claim, given):
         yield (
             values,

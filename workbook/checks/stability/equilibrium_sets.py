@@ -1,11 +1,11 @@
-"""Sets of rest points of an equation of second order, decided for all values of the parameters.
+"""Sets of equilibria of a second-order equation, decided for all parameter values.
 
 That a set of expressions names all stationary values x*, or all that are stable, and no others, is
 a condition on the parameters and one more number: it is a member exactly if the right-hand sides
 vanish there, and the first approximation is as required. Where the equation holds x in sines and
 cosines of multiples of m x alone, the number is the angle m x, and members are compared as points
 of the circle. Families that do not come back with every such turn are left to samples. Where two
-rest points meet, s = 0, either kind may be said.
+equilibria meet, s = 0, either kind is accepted.
 """
 
 import functools

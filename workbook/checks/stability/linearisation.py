@@ -1,4 +1,4 @@
-"""The first approximation at a stationary solution, and what it says of stability."""
+"""Linearisation at a stationary solution, and the stability that follows from it."""
 
 from dataclasses import dataclass
 
@@ -58,7 +58,7 @@ def zero_solution_stability(claim, field, state):
 
     The word "stable" means stable and no more.
 
-    Decided by the spectrum of the first approximation; where that is silent, by motions that
+    Decided by the spectrum of the linearisation; where that is inconclusive, by motions that
     start close to zero.
     """
     flow = cached_field(tuple(field), tuple(state))

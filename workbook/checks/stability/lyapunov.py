@@ -1,4 +1,4 @@
-"""Lyapunov functions: the derivative along the motions, where it vanishes, what stability it proves."""
+"""Lyapunov functions: derivative along the motions, its zeros, and the stability proved."""
 
 import numpy as np
 import sympy as sp

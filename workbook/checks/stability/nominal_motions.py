@@ -18,7 +18,7 @@ from workbook.checks.tools.samples import in_every_case, sample_values
 from workbook.checks.tools.values import number_at, numbers_at
 from workbook.checks.tools.wording import values_text
 
-#: What a right matrix of equations in deviations is told.
+#: The message on a right matrix of deviation equations.
 AS_IT_SAYS = (
     "for small deviations in every direction the right-hand sides change as the matrix says"
 )

@@ -1,4 +1,4 @@
-"""Phase plane: phase curves, first integrals, and Dulac functions that exclude closed orbits.
+"""Phase curves, first integrals, and Dulac functions that exclude closed orbits.
 
 `domain` is a dict from symbols of the state or parameters to SymPy intervals.
 """

@@ -1,4 +1,4 @@
-"""Equilibria of a second-order equation without parameters: their types, and slopes at saddles.
+"""Equilibria of a second-order equation without parameters: types and slopes at saddles.
 
 The equation in x is given as the field of its state (x, x').
 """

@@ -1,6 +1,6 @@
 """Regions of parameters in which a linear system is stable.
 
-The truth about the spectrum stands in `references.spectra`.
+The reference spectrum is that of `references.spectra`.
 """
 
 import functools

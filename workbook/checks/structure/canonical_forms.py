@@ -1,5 +1,6 @@
-"""Canonical forms by observation (2.5) and by control (2.4), and the changes of variables that lead
-to them; the matrix in the basis b, A b, A^2 b, ...
+"""Canonical forms by observation (2.5) and by control (2.4), and the changes to them.
+
+Also the matrix in the basis b, A b, A^2 b, ...
 
 A form is judged by its shape and by its characteristic polynomial; a change of variables by what it
 makes of the equations. The form by control is the other one of the transposed matrix, with rows and

@@ -1,5 +1,7 @@
-"""Controllability of x' = A x + B u, told as `Linear`, and of a `Mechanical` system: what is asked
-of observability in `observability.py`, of the dual system."""
+"""Controllability of x' = A x + B u, a `Linear`, and of a `Mechanical` system.
+
+The questions are those of `observability.py` about the dual system.
+"""
 
 from workbook.checks.contract.claims import Matrix, Vectors, YesNo
 from workbook.checks.contract.verdict import judged

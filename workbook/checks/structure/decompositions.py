@@ -1,24 +1,9 @@
-"""Decompositions by observation (2.7) and by control (2.6), and by the components of the output and
-of the control.
+"""Decompositions by observation (2.7) and by control (2.6).
 
 A change of variables is judged by the zeros that it makes. A system given in new variables is
 judged by the existence of the change: a matrix T with T A = A' T and H = H' T is the solution of
 linear equations, and an invertible one exists if a random solution is invertible. So every choice
 of coordinates is right that has the form asked.
-
-By components (example 7 and problems 2.14, 2.15, 2.33, 2.34): the coordinates come in parts, part i
-with the output z_i or the control u_i, then what is left over. Each output shows its own part
-alone, each control enters its own part alone; a component that has no part (the others see or reach
-all that it does) is free of this.
-- Sequential: part 1 is all that the first component sees or reaches, part 2 what the second adds to
-  it, and so on. By outputs the derivatives of part i contain the parts 1..i only, by controls the
-  parts i, i+1, ... only.
-- Parallel (the source calls it a shuttle): rows h1, h2, h1 A, h2 A, ... (columns b1, b2, A b1, A
-  b2, ...) are taken by turns as long as they are independent. Part i is spanned by the rows h_i A^k
-  (columns A^k b_i) taken from its own chain, each up to what is taken with lower powers of A: so
-  the canonical form of each part, which example 7 goes on to, is as right as the chains are. The
-  parts may act on one another, yet each is observable by its own output (controllable by its own
-  control).
 """
 
 from dataclasses import dataclass

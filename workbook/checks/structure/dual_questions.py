@@ -1,5 +1,4 @@
-"""Questions that are asked both of an output and of a control: one judgement serves both, by
-transposition.
+"""Questions about an output or a control: one judgement serves both, by transposition.
 
 What a control cannot reach is what the output B^T y of y' = A^T y does not show: a row w with w A =
 lambda w and w B = 0 is a column there. So each function here takes a `Pair`, of (A, H) or of (A^T,

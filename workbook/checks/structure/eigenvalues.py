@@ -1,5 +1,8 @@
-"""The eigenvalues at which the rank of Popov's criterion falls: of a system with an output by
-Theorem 2.3, with a control by Theorem 2.4, and by Theorems 2.5 and 2.6 of a mechanical one."""
+"""Unobservable or uncontrollable eigenvalues by the PBH (Popov-Belevitch-Hautus) test.
+
+Theorem 2.3 with an output, Theorem 2.4 with a control, Theorems 2.5 and 2.6 for a mechanical
+system.
+"""
 
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references.records import controlled_pair, has_control, observed_pair

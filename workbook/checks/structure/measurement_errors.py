@@ -1,5 +1,7 @@
-"""A measurement with an error of a known kind and an unknown size, told as `WithError`: z = H x + c
-w, w' = S w, w(0) = C (start): the system of both together, and C by the output.
+"""Measurements with an error of a known kind and an unknown size, as `WithError`.
+
+The measurement is z = H x + c w, w' = S w, w(0) = C (start): the system of both together, and C by
+the output.
 
 What z determines of x(0) and C is asked in `observability.py`: a pair (x(0), C) that gives z = 0
 for all time cannot be told from nothing at all. These pairs come from the largest invariant

@@ -1,5 +1,7 @@
-"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', told as `Mechanical`: the ranks of
-Theorems 2.5, and 2.6 by the dual system, which need no states.
+"""Rank tests of mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x'.
+
+The systems are records `Mechanical`. The ranks are those of Theorem 2.5, and of Theorem 2.6 by the
+dual system; they need no states.
 
 A rank falls exactly where all maximal minors of its matrix vanish together, so the values of lambda
 are the roots of their greatest common divisor, a polynomial with rational coefficients. That holds

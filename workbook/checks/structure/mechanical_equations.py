@@ -1,5 +1,6 @@
-"""The equations of small motions of a mechanical system, M q'' + K q = L u, in whatever way they
-are combined.
+"""Equations of small motions of a mechanical system, M q'' + K q = L u.
+
+Any combination of the equations is accepted.
 
 Equations may be added, multiplied by numbers and written in any order: what they say is q'' = -M^-1
 K q + M^-1 L u, and this is compared.

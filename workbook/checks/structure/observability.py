@@ -1,13 +1,16 @@
-"""Observability of a system that is told as a record: x' = A x, z = H x as `Linear` or `Process`,
-with an error in the measurement as `WithError`, with a row H(t) as `Varying`, and `Mechanical`; of
-constants as `Measurements`, locally. For the `parameters` (a list of symbols) in them."""
+"""Observability of a system given as a record.
+
+The records are x' = A x, z = H x as `Linear` or `Process`, with an error in the measurement as
+`WithError`, with a row H(t) as `Varying`, and `Mechanical`; of constants as `Measurements`,
+locally. The `parameters` in them are a list of symbols.
+"""
 
 from workbook.checks.contract.claims import Vectors, YesNo
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import OUTPUT, judge_region, judge_yes_no
 from workbook.checks.structure.mechanical import SEEN, judge_rank
-from workbook.checks.structure.phrases import PARTS, words
+from workbook.checks.structure.output_wording import PARTS, words
 from workbook.checks.structure.unobservable_bases import (
     bases_by_value,
     judge_basis,
@@ -65,7 +68,7 @@ def unobservable_states(claim, system, parameters=(), start=()):
     the unknowns that alter none to first order.
 
     With parameters: for their values in general position, as the assumptions allow, and
-    wherever as much is unseen. By the symbols of the `start` a vector may be given as a dict.
+    wherever as much is unobservable. By the symbols of the `start` a vector may be given as a dict.
     """
     return judge_basis(claim, observed_pair(system, parameters), words(system))
 

@@ -1,5 +1,6 @@
-"""One scalar equation in place of x' = A x + b u: of order n, between y = c x, the control and
-their derivatives.
+"""Scalar equations equivalent to x' = A x + b u.
+
+An equation is of order n, between y = c x, the control and their derivatives.
 
 At one moment x, u, u', ... may have any values, and the system then says what y, y', ..., y^(n)
 are. An equation is right if it is linear with constant coefficients, of order n, and satisfied by

@@ -1,6 +1,8 @@
-"""An output z = H x of x' = A x in the course of time; where its row H(t) changes, told as
-`Varying`: its derivatives, its Gramian, the trap of frozen rows. What it never shows is asked in
-`observability.py`."""
+"""An output z = H x of x' = A x in time: its derivatives, its Gramian, frozen rows.
+
+Where the row H(t) changes, the system is a `Varying`. Unobservable states are asked for in
+`observability.py`.
+"""
 
 from math import comb
 

@@ -1,9 +1,10 @@
-"""What is unseen, as bases: for a system, for all values of a parameter, or at the values at which
-observability is lost. Of the transposed matrices: the combinations of the coordinates that no
-control changes.
+"""Bases of the unobservable states, and of the uncontrollable combinations by duality.
 
-A condition such as alpha != 1 may be guessed; the states that stay unseen at the value left out may
-not. The truth is that of `pairs`: the largest invariant subspace in the kernel of the output, at
+They are asked for a system, for all values of a parameter, or at the values at which observability
+is lost. The combinations are those of the coordinates that no control changes.
+
+A condition such as alpha != 1 may be guessed; the states that stay unobservable at the value left out may
+not. The reference is that of `pairs`: the largest invariant subspace in the kernel of the output, at
 every value where it can appear.
 """
 

@@ -1,5 +1,6 @@
-"""What answers say of time, read once and evaluated at many instants and parameters: controls,
-motions, costates.
+"""Answers as functions of time, evaluated at many instants and parameters.
+
+They are controls, motions and costates.
 
 A control is an expression, or a list of arcs [value, until]; motions and costates are an expression
 a state.

@@ -1,7 +1,6 @@
-"""Moments of a linear process in the course of time: the mean, the covariance, and what they settle
-to.
+"""Moments of a linear process as functions of time: mean, covariance and their limits.
 
-The truth comes at numbers from the exponential of a block matrix (`references/processes.py`), for times
+The reference comes at numbers from the exponential of a block matrix (`references/processes.py`), for times
 and parameters of all sizes; where a covariance settles, and whether it rises, from the signs of
 determinants.
 """

@@ -1,11 +1,13 @@
-"""What a process has to do, whatever its cost: keep to the bounds of the control and to the ends,
-and cost what the best process found costs. The motion under a control in time is followed in small
-steps."""
+"""Simulation of a process: control bounds, end conditions and cost against the optimum.
+
+A process has to keep to the bounds of the control and to the ends, and to cost what the best
+process found costs. The motion under a control in time is followed in small steps.
+"""
 
 import numpy as np
 
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.pontryagin.in_time import INTEGRATED
+from workbook.checks.pontryagin.time_functions import INTEGRATED
 from workbook.checks.tools import wording
 
 #: Up to which share of its terms the least cost is known, and the cost of a process that is
