@@ -21,8 +21,7 @@ def _load(path):
 
 MODULES = {f"{path.parent.name}.{path.stem}": _load(path) for path in TABLES}
 CASES = [case for module in MODULES.values() for case in module.CASES]
-#: Rooms whose checks look for optima and follow motions: two thirds of what all cases take, for a
-#: fifth of them.
+#: Themes whose checks look for optima and follow motions: two thirds of the time of all cases.
 LONG = {"pontryagin"}
 
 
@@ -51,14 +50,14 @@ def test_every_check_has_its_table(name):
     assert all(module.LIMITS is not None for module in MODULES.values())
 
 
-@pytest.mark.parametrize("room", SHAPES)
-def test_every_check_of_a_room_tells_the_shapes_of_its_data(room):
-    told, asked = SHAPES[room], set()
+@pytest.mark.parametrize("theme", SHAPES)
+def test_every_check_of_a_theme_documents_its_data(theme):
+    shapes, used = SHAPES[theme], set()
     for name in CHECKS:
         check = check_named(name)
-        if check.__module__.split(".")[-2] == room:
+        if check.__module__.split(".")[-2] == theme:
             names = list(inspect.signature(check).parameters)[1:]
             lines = {line.strip() for line in check.__doc__.splitlines()}
-            assert {f"{argument} : {told[argument]}" for argument in names} <= lines, name
-            asked |= set(names)
-    assert set(told) - set(COMMON) <= asked, "shapes of no check's data"
+            assert {f"{argument} : {shapes[argument]}" for argument in names} <= lines, name
+            used |= set(names)
+    assert set(shapes) - set(COMMON) <= used, "shapes of no check's data"
