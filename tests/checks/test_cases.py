@@ -51,7 +51,7 @@ def test_every_check_has_its_table(name):
 
 
 @pytest.mark.parametrize("theme", SHAPES)
-def test_every_check_of_a_theme_documents_its_data(theme):
+def test_every_check_of_a_theme_documents_the_shapes_of_its_data(theme):
     shapes, used = SHAPES[theme], set()
     for name in CHECKS:
         check = check_named(name)

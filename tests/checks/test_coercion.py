@@ -141,8 +141,7 @@ def test_no_conditions(answer, said):
     "join", [sp.Xor, lambda p, q: sp.Implies(q, sp.Not(p)), lambda p, q: sp.ITE(p, q, sp.Not(q))]
 )
 def test_conditions_that_would_take_for_ever(join):
-    """Ninety conditions one within the other are short as they stand, and astronomical when written
-    with And and Or."""
+    """Conditions that are astronomically long when written with And and Or are refused."""
     few, many = x > 0, x > 0
     for k in range(1, 91):
         many = join(many, y > k)

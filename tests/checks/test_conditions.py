@@ -34,8 +34,7 @@ ABOVE = exactly(sp.And(x > 0, x * y > 1))
 
 
 def judged(claim, truth=ABOVE, parameters=(x, y)):
-    """What is said of a claim: "proved ...", "agrees at N points", or the place where it is
-    wrong."""
+    """Return the verdict on a claim: how it agrees, or the point where it is wrong."""
     try:
         return compare(claim, list(parameters), truth, lambda values, holds: f"{holds} at {values}")
     except Wrong as reason:
@@ -79,20 +78,20 @@ def test_a_condition_that_errs_somewhere_is_refuted_there(claim):
 
 
 def test_the_difference_that_is_told_is_one():
-    places = []
+    points = []
 
     def told(values, holds):
-        places.append((tuple(values.values()), holds))
+        points.append((tuple(values.values()), holds))
         return ""
 
     claim = sp.And(x > 0, x * y > 1, sp.Or(sp.Ne(x**2, 2), sp.Ne(y**3, 5)))
     with pytest.raises(Wrong):
         compare(claim, [x, y], ABOVE, told)
-    ((place, holds),) = places
-    assert holds and sp.And(x > 0, x * y > 1).subs(dict(zip((x, y), place)))
+    ((point, holds),) = points
+    assert holds and sp.And(x > 0, x * y > 1).subs(dict(zip((x, y), point)))
     assert (
-        sp.minimal_polynomial(place[0], x) == x**2 - 2
-        and sp.minimal_polynomial(place[1], x) == x**3 - 5
+        sp.minimal_polynomial(point[0], x) == x**2 - 2
+        and sp.minimal_polynomial(point[1], x) == x**3 - 5
     )
 
 
@@ -253,13 +252,12 @@ def test_a_condition_on_angles_that_errs_is_refuted(claim):
 
 
 def test_a_question_with_large_polynomials_ends_soon():
-    """Four lines of sight in space, by their Gram determinant: z3 alone would take minutes, by its
-    own steps or not."""
+    """Four lines of sight in space, by their Gram determinant: z3 alone takes minutes."""
     r = sp.symbols("r1:4", real=True)
     rows = sp.Matrix(
         [
-            [a - one for a, one in zip(place, r)]
-            for place in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (x, x, x))
+            [a - one for a, one in zip(point, r)]
+            for point in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (x, x, x))
         ]
     )
     gram = sp.expand((rows.T * rows).det())
@@ -285,8 +283,7 @@ def test_a_sum_of_squares_vanishes_where_all_of_them_do():
 
 
 def test_families_of_rest_points_are_decided():
-    """A driven pendulum and a spring, with friction. In decimals, and by one formula with (-1)^n,
-    samples do."""
+    """A driven pendulum and a spring, with friction, in decimals and by one formula."""
     n = sp.Symbol("n", integer=True)
     k, d = sp.symbols("k d", positive=True)
     driven, spring = sp.Matrix([y, k - sp.sin(2 * x) - d * y]), sp.Matrix([y, x - k * x**3 - d * y])

@@ -41,8 +41,7 @@ f, g = sp.Function("f"), sp.Function("g", real=True)
 
 
 def same(a, b):
-    """Equality that also holds types, signs of zero, nan and array dtypes apart or together as an
-    answer needs."""
+    """Return whether values are equal in type, sign of zero, nan and dtype, too."""
     if type(a) != type(b):  # noqa: E721 -- not `is`: every Function("f") is a class of its own, equal to the others
         return False
     if isinstance(a, np.ndarray):
@@ -65,8 +64,7 @@ def same(a, b):
 
 @contextlib.contextmanager
 def within(seconds):
-    """Processor time, and without the collector walking through what other tests have left in
-    memory."""
+    """Return the processor time, without garbage collection of what other tests have left."""
     gc.freeze()
     start = time.process_time()
     try:
@@ -340,8 +338,7 @@ def test_a_value_comes_back(value):
 
 
 def parts(value):
-    """All nodes in the order of `args` (SymPy's own traversals take the operands of And and Or in
-    any order)."""
+    """Return all nodes in the order of `args`, which SymPy's own traversals change."""
     yield value
     for arg in value.args:
         yield from parts(arg)
@@ -1084,8 +1081,8 @@ scraps = st.sampled_from(NODES) | st.sampled_from(
 )
 
 
-def places(tree, path=()):
-    """The path to every part of a JSON value."""
+def paths(tree, path=()):
+    """Yield the path to every part of a JSON value."""
     yield path
     items = (
         tree.items()
@@ -1095,7 +1092,7 @@ def places(tree, path=()):
         else ()
     )
     for key, inner in items:
-        yield from places(inner, (*path, key))
+        yield from paths(inner, (*path, key))
 
 
 def replaced(tree, path, scrap):
@@ -1120,7 +1117,7 @@ def decodes_or_refuses(data):
 def test_changed_structure_is_refused_or_a_value(data):
     tree = data.draw(st.sampled_from(NODES))
     for _ in range(data.draw(st.integers(1, 3))):
-        tree = replaced(tree, data.draw(st.sampled_from(list(places(tree)))), data.draw(scraps))
+        tree = replaced(tree, data.draw(st.sampled_from(list(paths(tree)))), data.draw(scraps))
     decodes_or_refuses(text(tree))
 
 
@@ -1141,8 +1138,7 @@ OPERATORS = (
 
 
 def hostile(base, *args):
-    """An instance of a subclass of `base` that tells of every attribute looked up and every
-    operator used, and lies about its class."""
+    """Return an instance of a subclass that records every access and hides its class."""
 
     def watched(name):
         def method(self, *args):

@@ -48,13 +48,17 @@ def test_a_mechanical_system_is_that_of_its_states(stiffness):
         (observed_pair(system), kalman(A, H)),
         (controlled_pair(system), kalman(A.T, B.T)),
     ):
-        (unseen,) = pair.unobservable
+        (unobservable,) = pair.unobservable
         vectors = sp.Matrix(
-            len(unseen),
+            len(unobservable),
             4,
-            [sp.Rational(int(v.numerator), int(v.denominator)) for row in unseen for v in row],
+            [
+                sp.Rational(int(v.numerator), int(v.denominator))
+                for row in unobservable
+                for v in row
+            ],
         )
-        assert (rows * vectors.T).is_zero_matrix and len(unseen) == 4 - rows.rank()
+        assert (rows * vectors.T).is_zero_matrix and len(unobservable) == 4 - rows.rank()
 
 
 def test_what_the_control_of_bodies_reaches_is_what_the_output_of_the_dual_shows():
@@ -73,28 +77,28 @@ def test_a_process_is_seen_as_a_linear_system_is():
 
 
 def test_an_error_hides_what_it_can_imitate():
-    place = Linear([[0, 1], [0, 0]], [0, 1], [[1, 0]])
-    biased = WithError(place.A, place.B, place.H, S=[[0]], c=[[1]], start=[1])
-    assert augmented(place) is place
-    assert augmented(biased) == Linear(sp.diag(place.A, 0), [0, 1, 0], [[1, 0, 1]])
+    position = Linear([[0, 1], [0, 0]], [0, 1], [[1, 0]])
+    biased = WithError(position.A, position.B, position.H, S=[[0]], c=[[1]], start=[1])
+    assert augmented(position) is position
+    assert augmented(biased) == Linear(sp.diag(position.A, 0), [0, 1, 0], [[1, 0, 1]])
     assert [len(observed_pair(biased, (), of).unobservable[0]) for of in (None, (0, 1), (2,))] == [
         1,
         1,
         1,
     ]
     # An error whose start is not known is as many unknowns as it has coordinates.
-    free = WithError(place.A, H=place.H, S=sp.zeros(2), c=[[1, 0]])
+    free = WithError(position.A, H=position.H, S=sp.zeros(2), c=[[1, 0]])
     assert (free.unknowns, len(observed_pair(free).unobservable[0])) == (4, 2)
 
 
 def test_rows_that_change_and_measurements_of_constants():
     assert observed_pair(Varying([[0, 1], [0, 0]], [[1, -t]], t)).unobservable == [[[0, -1]]]
     ring = Measurements([sp.sqrt(x**2 + y**2)], [x, y])
-    (places, *_), (unseen, *_) = (
+    (positions, *_), (unobservable, *_) = (
         zip(*observed_pair(ring, [x, y]).samples),
         observed_pair(ring, [x, y]).unobservable,
     )
-    assert len(unseen) == 1 and places[0]
+    assert len(unobservable) == 1 and positions[0]
 
 
 def test_deviations_are_constant_or_refused():

@@ -230,8 +230,8 @@ def test_a_wrong_growth_rate_is_not_told_where_its_answers_are():
     pendulum, growth = sp.Matrix([v, -v - 4 * sp.sin(x)]), (sp.sqrt(17) - 1) / 2
     assert checks.growth_rate(growth, pendulum, [x, v]).status == "right"
     assert not any(
-        place in checks.growth_rate(2 * growth, pendulum, [x, v]).message
-        for place in ("3.14", "9.42")
+        angle in checks.growth_rate(2 * growth, pendulum, [x, v]).message
+        for angle in ("3.14", "9.42")
     )
 
 
@@ -257,8 +257,7 @@ def test_a_question_ends_once():
 
 
 def test_code_in_a_message_is_set_as_code():
-    """One writes `x != 1`, where mathematics would have x ≠ 1; so what is to be written stands
-    between backticks."""
+    """Code such as `x != 1`, which typesetting would change, is shown as code."""
     x = sp.Symbol("x")
     shown = reporting._as_html(
         {"a": checks.observable_parameters(True, Linear(sp.diag(x, 1), H=[[1, 1]]), [x])}

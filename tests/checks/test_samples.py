@@ -41,17 +41,17 @@ def test_places_are_looked_for_once():
     asked = []
 
     @cached_points
-    def places(symbols, domain=None, far=False):
+    def points(symbols, domain=None, far=False):
         asked.append((symbols, domain, far))
         yield dict.fromkeys(symbols, 2.0 if far else 1.0)
 
-    (place,) = places([x, y], {x: sp.Interval(0, 3)})
-    place[x] = 0.5  # who takes a place may change it
-    assert places([x, y], {x: sp.Interval(0, 3)}) == [{x: 1.0, y: 1.0}] and len(asked) == 1
-    assert places([x, y], {x: sp.Interval(0, 4)}) == [{x: 1.0, y: 1.0}] and len(asked) == 2
+    (point,) = points([x, y], {x: sp.Interval(0, 3)})
+    point[x] = 0.5  # who takes a point may change it
+    assert points([x, y], {x: sp.Interval(0, 3)}) == [{x: 1.0, y: 1.0}] and len(asked) == 1
+    assert points([x, y], {x: sp.Interval(0, 4)}) == [{x: 1.0, y: 1.0}] and len(asked) == 2
     assert (
-        places([x, y], far=True) == [{x: 2.0, y: 2.0}]
-        and places([x]) == [{x: 1.0}]
+        points([x, y], far=True) == [{x: 2.0, y: 2.0}]
+        and points([x]) == [{x: 1.0}]
         and len(asked) == 4
     )
 
@@ -81,8 +81,8 @@ def test_halving_several_times_in_one_call_is_halving(rows, turns):
         chance.uniform(0, 6, rows),
     )
 
-    def like_first(places, which):
-        return np.sin(3 * places + phase[which]) * np.sin(3 * first[which] + phase[which]) > 0
+    def like_first(points, which):
+        return np.sin(3 * points + phase[which]) * np.sin(3 * first[which] + phase[which]) > 0
 
     low, high = first, last
     for _ in range(turns):

@@ -31,10 +31,10 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("claim, places, number", CASES.values(), ids=CASES)
-def test_the_number_is_that_of_one_after_the_other(claim, places, number):
-    one_by_one = complex(claim.subs(places).evalf(20))
-    assert number_at(claim, places) == pytest.approx(number) and one_by_one == pytest.approx(number)
+@pytest.mark.parametrize("claim, values, number", CASES.values(), ids=CASES)
+def test_the_number_is_that_of_one_after_the_other(claim, values, number):
+    one_by_one = complex(claim.subs(values).evalf(20))
+    assert number_at(claim, values) == pytest.approx(number) and one_by_one == pytest.approx(number)
 
 
 def test_what_has_no_value_has_none():

@@ -145,7 +145,7 @@ def _sparse(value, kind):
 
 
 def _unordered(make):
-    """A set holds what has no order."""
+    """Return the parts as a set, where their order does not matter."""
 
     def hold(value, kind):
         if not kind.startswith("set") or not isinstance(value, (list, tuple)):
@@ -206,7 +206,7 @@ def _expression(rewrite):
 
 
 def _rational(rewrite):
-    """What is only for rational functions."""
+    """Return a writer that changes rational functions only."""
     return _expression(
         lambda part: rewrite(part) if part.is_rational_function(*part.free_symbols) else part
     )
@@ -224,7 +224,7 @@ def _float(part, kind, symbols):
 
 
 def _three_digits(part, kind, symbols):
-    """A number as somebody writes it down."""
+    """Return a number rounded to three digits."""
     number = isinstance(part, float) or (
         isinstance(part, sp.Expr) and part.is_number and part.is_real and part.is_finite
     )
@@ -232,7 +232,7 @@ def _three_digits(part, kind, symbols):
 
 
 def _relations(rewrite):
-    """A condition with each of its relations rewritten."""
+    """Return a condition with each of its relations rewritten."""
 
     def write(part, kind, symbols):
         relations = (

@@ -52,7 +52,7 @@ class JudgedProblem:
         return verdicts
 
     def judge_among_right(self, names, answers):
-        """Return verdicts on the answers `names`, with the reference for all that are not in `answers`."""
+        """Return verdicts on the answers `names`, with the reference for all not in `answers`."""
         with checks.collecting() as verdicts:
             for name in names:
                 exec(self._alone[name], self.data | self.reference | answers)
@@ -79,7 +79,7 @@ class JudgedProblem:
         ]
 
     def forms(self, name, value):
-        """Return other forms of a value of an answer by their names; those of the same value are cached."""
+        """Return other forms of a value of an answer by their names, cached."""
         key = name, encode(value)
         if key not in self._forms:
             self._forms[key] = dict(self.each_form(name, value))
@@ -99,7 +99,7 @@ class JudgedProblem:
         )
 
     def symbols(self, name):
-        """Return the only list of symbols among the check's arguments that holds the answer's, or ()."""
+        """Return the only list of symbols in the check's arguments with the answer's, or ()."""
         _, arguments, options = self.check_arguments(name)
         own = getattr(self.reference[name], "free_symbols", set())
         values = [
@@ -149,7 +149,7 @@ def check_calls(source):
 
 
 def solve(master):
-    """Return the encoded answers of the answer cells, the functions called, and the processor seconds."""
+    """Return the encoded answers of a master, the functions called, the processor seconds."""
     namespace = data_of(master)
     with recorded_calls(SOLVERS, from_answers) as called:
         for source in master.code("answer"):
@@ -162,7 +162,7 @@ def solve(master):
 
 
 def first_verdicts(master, answers):
-    """Return {name: processor seconds} of the first verdicts on the answers, one after the other.
+    """Return {name: processor seconds} of the first verdicts, one after the other.
 
     The seconds are scaled to a quiet machine: where others work beside, the same computation takes
     longer, and so does a known one.
@@ -202,12 +202,12 @@ def each_part(master, answers, parts):
 
 
 def from_answers(module, caller):
-    """Return whether a call counts: all calls of ours, and of other solvers from an answer cell."""
+    """Return whether a call counts: all of ours, and of other solvers from an answer cell."""
     return module.startswith(OURS) or caller.f_code.co_filename == "<answer cell>"
 
 
 def from_checks(module, caller):
-    """Return whether a call counts: all calls of ours, and of other solvers from a check or its cell."""
+    """Return whether a call counts: all of ours, and of other solvers from a check."""
     return (
         module.startswith(OURS)
         or caller.f_code.co_filename == "<check cell>"

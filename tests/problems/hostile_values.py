@@ -140,7 +140,7 @@ def judge_hostile_values(problem):
 
 
 def _right(problem, encoded):
-    """Return the encoded values that are called right, each given for every answer of the problem."""
+    """Return the encoded values judged right, each given for every answer of the problem."""
     return [
         f"{name} = {text:.300} is right"
         for text in encoded

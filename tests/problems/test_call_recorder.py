@@ -42,7 +42,7 @@ def test_methods_are_seen_and_keep_their_defaults():
 
 
 def test_a_kept_result_is_no_call():
-    """A cached result is no call, so nothing may be cached when the calls of checks are recorded."""
+    """A cached result is no call: nothing may be cached when calls of checks are recorded."""
     names = {"__name__": "trajlib.kept", "functools": functools}
     exec("@functools.cache\ndef square(x):\n    return x * x\n", names)
     sys.modules["trajlib.kept"] = SimpleNamespace(**names)

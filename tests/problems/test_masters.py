@@ -93,7 +93,7 @@ def _solved(path):
 
 @functools.cache
 def _results(path):
-    """Return what all tests of a problem examine, from one process, where optima are computed once."""
+    """Return what the tests of a problem examine, from one process with common optima."""
     return in_child(each_part, read(path), _solved(path)["answers"], PARTS, timeout=300)
 
 
@@ -206,7 +206,7 @@ def test_wrong_trials_are_wrong_and_change_no_other_verdict(master):
 
 
 def _wrong(problem):
-    """Judge wrong trials: first one half of the answers is wrong and then the other, in every way.
+    """Judge wrong trials: one half of the answers is wrong, then the other, in every way.
 
     The rest stay right, which is verified in the first turn.
     """
@@ -240,7 +240,7 @@ def _wrong(problem):
 
 
 def _revealed_numbers(right, wrong, message):
-    """Return numbers of at least three digits in a message that belong to the right answer alone."""
+    """Return numbers of three or more digits in a message that the right answer alone has."""
     rights, wrongs = _numbers(right), _numbers(wrong)
     numbers = [
         number
@@ -386,7 +386,7 @@ def _alike(problem, name, value):
 
 
 def _known(problem, name, value, text):
-    """Return {form: whether this form of a wrong value gets the sentence}, up to the third that does."""
+    """Return {form: whether it gets the sentence} of a wrong value, up to the third."""
     known = {}
     for form, other in problem.each_form(name, value):
         known[form] = name_of(problem.master.number, name, decode(encode(other))) == text
@@ -487,7 +487,7 @@ def _mutants(problem):
 
 
 def test_every_row_of_the_tables_has_the_verdict_due(master):
-    """Judge the rows in `adversarial/` on this problem: other answers, with verdicts by mathematics."""
+    """Judge the rows in `adversarial/` on this problem, with verdicts by mathematics."""
     rows = rows_of(master.number)
     assert [row.name for row in rows if row.name not in master.answers] == [], (
         "no answers of this problem"
@@ -510,12 +510,12 @@ def _rows(problem):
 
 
 def test_text_is_never_executed(master):
-    """Judge texts that would run if they were evaluated, unpickled or imported anywhere in a check."""
+    """Judge texts that would run if they were evaluated, unpickled or imported in a check."""
     assert result_of(master, "hostile")["texts"] == []
 
 
 def test_values_that_are_no_numbers_are_never_right(master):
-    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, an empty list has no wrong element."""
+    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, an empty list is not wrong."""
     assert result_of(master, "hostile")["nothing"] == [], (
         "what is truly right belongs into EMPTY_AND_RIGHT"
     )

@@ -9,7 +9,7 @@ cross is a closed list, the same in both directions:
 - NumPy scalars (they become Python numbers and strings) and arrays of bool, int, float or complex;
   CasADi `DM` (becomes a float array);
 - SymPy numbers, expressions, relations, conditions, sets, Piecewise laws, matrices and polynomials
-  (`sympy_codec` lists the nodes);
+  (`sympy_nodes` lists them);
 - `Fraction` and mpmath's numbers (they become SymPy's);
 - lists, tuples, sets and frozensets of these, and dicts of these keyed by strings, numbers or
   SymPy;

@@ -32,7 +32,7 @@ RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = (
 )
 
 
-#: What was noticed while an answer was read, said only if it turns out wrong.
+#: Remarks on the form of an answer, shown only if it is wrong.
 _remarks = ContextVar("remarks", default=())
 
 

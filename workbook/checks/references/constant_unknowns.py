@@ -55,5 +55,5 @@ def _plain(product):
 def _cleared(row):
     """Return a row times a function without zeros, so that its entries are polynomials."""
     parts = [sp.fraction(sp.together(entry)) for entry in row]
-    below = {one for _, one in parts}
-    return [sp.expand(above * sp.prod(below - {one})) for above, one in parts]
+    below = {denominator for _, denominator in parts}
+    return [sp.expand(above * sp.prod(below - {denominator})) for above, denominator in parts]

@@ -125,7 +125,7 @@ def _sign_changes(function, symbols):
         grid = itertools.pairwise(
             _HALF if symbol.is_nonnegative else [-x for x in _HALF[::-1]] + _HALF
         )
-        # small numbers are told first
+        # small numbers are shown first
         for left, right in sorted(grid, key=lambda ends: abs(ends[0])):
             root = _root(lambda x: value(mpmath.mpf(x)), left, right)
             if root is not None:

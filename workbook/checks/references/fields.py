@@ -79,7 +79,7 @@ class Field:
 
     def _refined(self, starts, steps=60):
         """Return the same for many starts, the columns of an array: a list of points and None."""
-        x, found = starts.copy(), [None] * starts.shape[1]
+        x, points = starts.copy(), [None] * starts.shape[1]
         value, left = self._at(x), np.arange(starts.shape[1])
         with np.errstate(all="ignore"):
             for _ in range(steps):
@@ -90,7 +90,7 @@ class Field:
                     1 + np.linalg.norm(x[:, left], axis=0)
                 )
                 for k in left[arrived]:
-                    found[k] = x[:, k].copy()
+                    points[k] = x[:, k].copy()
                 left, move = left[~arrived], move[:, ~arrived]
                 if not len(left):
                     break
@@ -100,7 +100,7 @@ class Field:
                 value[:, left] = self._at(x[:, left])
         # Steps that do not shrink lead nowhere, however small the field has become: exp(x) falls
         # without end.
-        return found
+        return points
 
     def _shortened(self, move, x, size):
         """Return Newton steps halved, at most 30 times, until the field is not larger than `size`."""
@@ -128,14 +128,14 @@ class Field:
             else random.uniform(-reach, reach, size=n)
             for k in range(starts)
         ]
-        found = []
+        equilibria = []
         for point in self._refined(np.array(points).T):
             if point is not None and all(
                 np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other))
-                for other in found
+                for other in equilibria
             ):
-                found.append(point)
-        return sorted(found, key=tuple)
+                equilibria.append(point)
+        return sorted(equilibria, key=tuple)
 
     def motion(self, start, duration, escape=1e3):
         """Return the state after `duration`, or None if the motion leaves a ball before."""
@@ -167,8 +167,8 @@ def _solved(matrices, sides):
     except np.linalg.LinAlgError:
         pass
     # A singular matrix among them: the others count all the same.
-    found, solved = np.full(sides.shape, np.nan), np.zeros(len(matrices), dtype=bool)
+    solutions, solved = np.full(sides.shape, np.nan), np.zeros(len(matrices), dtype=bool)
     for k, (matrix, side) in enumerate(zip(matrices, sides.T)):
         with suppress(np.linalg.LinAlgError):
-            found[:, k], solved[k] = np.linalg.solve(matrix, side), True
-    return found, solved
+            solutions[:, k], solved[k] = np.linalg.solve(matrix, side), True
+    return solutions, solved

@@ -24,10 +24,10 @@ ON_BORDER = 1e-9
 def fixed_eigenvalues(pair):
     """Return the different fixed eigenvalues at every one of `pair.samples`: a list of arrays."""
     return [
-        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unseen)))
-        if unseen
+        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unobservable)))
+        if unobservable
         else np.array([])
-        for (_, point), unseen in zip(pair.samples, pair.unobservable)
+        for (_, point), unobservable in zip(pair.samples, pair.unobservable)
     ]
 
 
@@ -45,13 +45,13 @@ def greatest_margin(pair):
 
     The pair must not have parameters.
     """
-    (unseen,) = pair.unobservable
-    if not unseen:
+    (unobservable,) = pair.unobservable
+    if not unobservable:
         return None
     ((_, point),) = pair.samples
     coefficients = [
         sp.Rational(c.numerator, c.denominator)
-        for c in characteristic_coefficients(restricted(pair.at(point)[0], unseen))
+        for c in characteristic_coefficients(restricted(pair.at(point)[0], unobservable))
     ]
     roots = sp.Poly(coefficients, sp.Dummy("s")).sqf_part().all_roots()
     return -max((sp.re(root) for root in roots), key=float)

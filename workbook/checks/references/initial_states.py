@@ -71,20 +71,20 @@ class InitialStates(Pair):
 
         None where an entry is not defined.
         """
-        hidden = super().unobservable_at(point)
-        if hidden is None:
+        unobservable = super().unobservable_at(point)
+        if unobservable is None:
             return None
-        # Combinations L u = (hidden) d; the columns of `hidden` are independent, so every one has
+        # Combinations L u = (unobservable) d; the columns of `unobservable` are independent, so every one has
         # its own u.
         relations = kernel(
-            [[*row, *(vector[i] for vector in hidden)] for i, row in enumerate(self.starts)],
-            self.unknowns + len(hidden),
+            [[*row, *(vector[i] for vector in unobservable)] for i, row in enumerate(self.starts)],
+            self.unknowns + len(unobservable),
         )
-        found = [relation[: self.unknowns] for relation in relations]
+        unknowns = [relation[: self.unknowns] for relation in relations]
         return (
-            found
+            unknowns
             if self._of is None
-            else echelon([[vector[i] for i in self._of] for vector in found])[0]
+            else echelon([[vector[i] for i in self._of] for vector in unknowns])[0]
         )
 
     @functools.cached_property
@@ -93,13 +93,13 @@ class InitialStates(Pair):
         if self._of is None:
             return super()._seen
         u = sp.symbols(f"u:{self.unknowns}", real=True, cls=sp.Dummy)
-        unseen = sp.And(
+        unobservable = sp.And(
             self._given,
             *(sp.Eq(row, 0) for row in self._derivative_rows().to_Matrix() * sp.Matrix(u)),
         )
         asked = sp.Or(*(sp.Ne(u[i], 0) for i in self._of))
-        return Case(sp.And(self._given, sp.Not(sp.And(unseen, asked))), u, every=True), Case(
-            sp.And(unseen, asked), u
+        return Case(sp.And(self._given, sp.Not(sp.And(unobservable, asked))), u, every=True), Case(
+            sp.And(unobservable, asked), u
         )
 
     def dimension_at(self, values):
@@ -119,14 +119,14 @@ class InitialStates(Pair):
 
     def _derivative_rows(self):
         """Return the rows H L, H A L, ...: the derivatives of z at t = 0 as functions of u."""
-        told = super()._derivative_rows()
-        return told * DomainMatrix(
+        rows = super()._derivative_rows()
+        return rows * DomainMatrix(
             [
-                [told.domain.from_sympy(sp.Rational(x.numerator, x.denominator)) for x in row]
+                [rows.domain.from_sympy(sp.Rational(x.numerator, x.denominator)) for x in row]
                 for row in self.starts
             ],
             (self.order, self.unknowns),
-            told.domain,
+            rows.domain,
         )
 
 
@@ -159,9 +159,9 @@ def _functions(H, time):
 
 def _split(expression, time):
     """Return {function of time: its coefficient} of a sum."""
-    found = {}
+    coefficients = {}
     for term in sp.Add.make_args(sp.expand(expression)):
         coefficient, function = term.as_independent(time, as_Add=False)
         if coefficient != 0:
-            found[function] = found.get(function, 0) + coefficient
-    return found
+            coefficients[function] = coefficients.get(function, 0) + coefficient
+    return coefficients

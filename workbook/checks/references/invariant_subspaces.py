@@ -84,17 +84,20 @@ def combined(weights, vectors):
 
 def characteristic_coefficients(rows):
     """Return coefficients of det(lambda I - rows), highest first, by Leverrier's recursion."""
-    n, power, found = len(rows), None, [ONE]
+    n, power, coefficients = len(rows), None, [ONE]
     for k in range(1, n + 1):
         # power = rows * (power + found[-1] * E), with the first one being the matrix itself.
         inner = [
-            [(power[i][j] if power else ZERO) + (found[-1] if i == j else ZERO) for j in range(n)]
+            [
+                (power[i][j] if power else ZERO) + (coefficients[-1] if i == j else ZERO)
+                for j in range(n)
+            ]
             for i in range(n)
         ]
         columns = [product(rows, column) for column in zip(*inner)]
         power = [list(row) for row in zip(*columns)]
-        found.append(-sum((power[i][i] for i in range(n)), ZERO) / k)
-    return found
+        coefficients.append(-sum((power[i][i] for i in range(n)), ZERO) / k)
+    return coefficients
 
 
 def different_roots(coefficients):

@@ -31,17 +31,17 @@ def stability_from_motions(flow, radius=0.05, duration=200.0):
             "unstable",
             f"a motion that starts at distance {radius} from zero leaves the ball of radius 1",
         )
-    told = (
+    reason = (
         f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to "
         f"{100 * high:.2g} per cent between the times {duration / 2:g} and {duration:g}"
     )
     if low > 1e-4:
-        return "unstable", told
+        return "unstable", reason
     if high < -1e-4:
-        return "asymptotically stable", told
+        return "asymptotically stable", reason
     if max(-low, high) < 1e-5:
-        return "stable", told
-    raise RuntimeError(f"motions near zero do not decide: {told}")
+        return "stable", reason
+    raise RuntimeError(f"motions near zero do not decide: {reason}")
 
 
 def _trend(flow, measure, start, duration, escape=1.0):

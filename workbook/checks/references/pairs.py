@@ -48,7 +48,7 @@ class Pair:
 
     def at(self, point):
         """Return (A, H) as lists of rows at a point, or None where an entry is not defined."""
-        n, found = self.order, []
+        n, matrices = self.order, []
         for quotients in self._quotients:
             numbers = []
             for numerator, denominator in quotients:
@@ -56,8 +56,8 @@ class Pair:
                 if not below:
                     return None
                 numbers.append(_value(numerator, point) / below)
-            found.append([numbers[k : k + n] for k in range(0, len(numbers), n)])
-        return found
+            matrices.append([numbers[k : k + n] for k in range(0, len(numbers), n)])
+        return matrices
 
     def unobservable_at(self, point):
         """Return a basis of the unobservable states at a point; None if an entry is undefined."""
@@ -71,23 +71,23 @@ class Pair:
     @functools.cached_property
     def samples(self):
         """Pairs (values, point) for parameters in general position; one empty pair without them."""
-        found = [(values, point_of(values)) for values in general_values(self.parameters)]
-        return [(values, point) for values, point in found if self.at(point) is not None]
+        samples = [(values, point_of(values)) for values in general_values(self.parameters)]
+        return [(values, point) for values, point in samples if self.at(point) is not None]
 
     def samples_for(self, claim):
         """Return (values, point, unobservable) at samples, and more for cases of an answer."""
-        found = [
-            (values, point, unseen)
-            for (values, point), unseen in zip(self.samples, self.unobservable)
+        samples = [
+            (values, point, unobservable)
+            for (values, point), unobservable in zip(self.samples, self.unobservable)
         ]
         if not cases(claim):
-            return found
+            return samples
         known = [values for values, _ in self.samples]
         more = [
             (values, point_of(values))
             for values in in_every_case(known, claim, self.generic_condition)[len(known) :]
         ]
-        return found + [
+        return samples + [
             (values, point, self.unobservable_at(point))
             for values, point in more
             if self.at(point) is not None
@@ -103,12 +103,12 @@ class Pair:
         """The condition that the matrices are defined and as many states unobservable as in general."""
         dimensions = set(map(len, self.unobservable))
         rank = self.unknowns - min(dimensions)
-        told = self._derivative_rows()
+        rows = self._derivative_rows()
         # This coefficient is the sum of the squares of all minors of that size.
-        minors = (told.transpose() * told).charpoly()[rank]
+        minors = (rows.transpose() * rows).charpoly()[rank]
         return sp.And(
             *(sp.Ne(poly.as_expr(), 0) for poly in self._denominators),
-            sp.Ne(told.domain.to_sympy(minors), 0),
+            sp.Ne(rows.domain.to_sympy(minors), 0),
         )
 
     @functools.cached_property
@@ -122,9 +122,9 @@ class Pair:
             (
                 values,
                 *(to_floats(rows, self.order) for rows in self.at(point)),
-                to_floats(unseen, self.unknowns),
+                to_floats(unobservable, self.unknowns),
             )
-            for values, point, unseen in self.samples_for(claim)
+            for values, point, unobservable in self.samples_for(claim)
         ]
 
     @functools.cached_property
@@ -139,8 +139,8 @@ class Pair:
     @functools.cached_property
     def _determinant(self):
         """Kalman's determinant, or the sum of the squares of all minors; zero if not observable."""
-        told = self._derivative_rows()
-        square = told if told.shape[0] == told.shape[1] else told.transpose() * told
+        rows = self._derivative_rows()
+        square = rows if rows.shape[0] == rows.shape[1] else rows.transpose() * rows
         return sp.Poly(square.domain.to_sympy(square.charpoly()[-1]), *self.parameters, domain="QQ")
 
     def reference(self, holds):

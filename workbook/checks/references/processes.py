@@ -61,12 +61,12 @@ def as_process(process):
     with the variance D; w is appended to x. The initial errors of a filter are those of the mean.
     """
     if isinstance(process, FilterErrors):
-        one, gain = as_process(process.process), process.gain
+        process_below, gain = as_process(process.process), process.gain
         return Process(
-            one.A - gain * one.H,
-            one.Q + gain * one.R * gain.T,
-            covariance=one.covariance,
-            discrete=one.discrete,
+            process_below.A - gain * process_below.H,
+            process_below.Q + gain * process_below.R * gain.T,
+            covariance=process_below.covariance,
+            discrete=process_below.discrete,
         )
     if not isinstance(process, Coloured):
         return process
@@ -98,13 +98,13 @@ def to_array(matrix, values):
     )
 
 
-def transition(one, duration):
+def transition(process, duration):
     """Return (F, N): x(t + duration) = F x(t) + an independent vector of covariance N."""
-    n = len(one.A)
-    if one.discrete:
-        powers = [np.linalg.matrix_power(one.A, k) for k in range(round(duration) + 1)]
-        return powers[-1], sum((F @ one.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
-    return _transition(one.A.tobytes(), one.Q.tobytes(), n, float(duration))
+    n = len(process.A)
+    if process.discrete:
+        powers = [np.linalg.matrix_power(process.A, k) for k in range(round(duration) + 1)]
+        return powers[-1], sum((F @ process.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
+    return _transition(process.A.tobytes(), process.Q.tobytes(), n, float(duration))
 
 
 @functools.lru_cache(maxsize=256)
@@ -119,58 +119,58 @@ def _transition(A, Q, n, duration):
     sums = np.kron(A, np.eye(n)) + np.kron(np.eye(n), A)
     block = np.block([[sums, Q.reshape(-1, 1)], [np.zeros((1, n * n + 1))]])
     noise = expm(duration * block)[:-1, -1].reshape(n, n)
-    found = expm(duration * A), (noise + noise.T) / 2
-    for matrix in found:
+    matrices = expm(duration * A), (noise + noise.T) / 2
+    for matrix in matrices:
         matrix.flags.writeable = False
-    return found
+    return matrices
 
 
-def moments(one, time):
+def moments(process, time):
     """Return mean (n x 1) and covariance of x at a time."""
-    F, N = transition(one, time)
-    return F @ one.mean, F @ one.covariance @ F.T + N
+    F, N = transition(process, time)
+    return F @ process.mean, F @ process.covariance @ F.T + N
 
 
-def joint_moments(one, times):
+def joint_moments(process, times):
     """Return mean and covariance of the states at several times, stacked."""
-    n, found = len(one.A), [moments(one, time) for time in times]
+    n, moments_at = len(process.A), [moments(process, time) for time in times]
     covariance = np.zeros((n * len(times), n * len(times)))
     for i, early in enumerate(times):
         for k, late in enumerate(times):
             if early <= late:
-                block = transition(one, late - early)[0] @ found[i][1]
+                block = transition(process, late - early)[0] @ moments_at[i][1]
                 covariance[k * n : (k + 1) * n, i * n : (i + 1) * n] = block
                 covariance[i * n : (i + 1) * n, k * n : (k + 1) * n] = block.T
-    return np.vstack([mean for mean, _ in found]), covariance
+    return np.vstack([mean for mean, _ in moments_at]), covariance
 
 
-def conditional_moments(one, measured, at):
+def conditional_moments(process, measured, at):
     """Return mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
-    n, m = len(one.A), len(one.H)
+    n, m = len(process.A), len(process.H)
     if not measured:
-        return moments(one, at)
-    mean, covariance = joint_moments(one, [*(time for time, _ in measured), at])
-    rows = np.kron(np.eye(len(measured)), one.H)
+        return moments(process, at)
+    mean, covariance = joint_moments(process, [*(time for time, _ in measured), at])
+    rows = np.kron(np.eye(len(measured)), process.H)
     rows = np.hstack([rows, np.zeros((m * len(measured), n))])
-    noise = np.kron(np.eye(len(measured)), one.R)
+    noise = np.kron(np.eye(len(measured)), process.R)
     crossed = covariance[-n:] @ rows.T
     weights = np.linalg.solve(rows @ covariance @ rows.T + noise, crossed.T).T
     innovation = np.reshape([z for _, z in measured], (-1, 1)) - rows @ mean
     return mean[-n:] + weights @ innovation, covariance[-n:, -n:] - weights @ crossed.T
 
 
-def stationary_covariance(one):
+def stationary_covariance(process):
     """Return the covariance that x tends to from any initial covariance."""
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
     return (
-        solve_discrete_lyapunov(one.A, one.Q)
-        if one.discrete
-        else solve_continuous_lyapunov(one.A, -one.Q)
+        solve_discrete_lyapunov(process.A, process.Q)
+        if process.discrete
+        else solve_continuous_lyapunov(process.A, -process.Q)
     )
 
 
-def steady_covariances(one):
+def steady_covariances(process):
     """Return the error covariances of the steady filter before and after a measurement.
 
     In continuous time both are the same. Raises `numpy.linalg.LinAlgError` where there is no steady
@@ -178,32 +178,34 @@ def steady_covariances(one):
     """
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
-    solve = solve_discrete_are if one.discrete else solve_continuous_are
-    found = solve(one.A.T, one.H.T, one.Q, one.R)
+    solve = solve_discrete_are if process.discrete else solve_continuous_are
+    covariance = solve(process.A.T, process.H.T, process.Q, process.R)
     for _ in range(2):  # Kleinman's iteration takes off the rounding of a pencil
-        gain = filter_gain(one, found)
-        found = error_covariance(one, (one.A @ gain if one.discrete else gain))
+        gain = filter_gain(process, covariance)
+        covariance = error_covariance(process, (process.A @ gain if process.discrete else gain))
     return (
-        (found, found - filter_gain(one, found) @ one.H @ found) if one.discrete else (found, found)
+        (covariance, covariance - filter_gain(process, covariance) @ process.H @ covariance)
+        if process.discrete
+        else (covariance, covariance)
     )
 
 
-def filter_gain(one, covariance):
+def filter_gain(process, covariance):
     """Return the gain K of the best correction K (z - Hx) at this error covariance."""
-    spread = one.H @ covariance @ one.H.T + one.R if one.discrete else one.R
-    return np.linalg.solve(spread.T, one.H @ covariance.T).T
+    spread = process.H @ covariance @ process.H.T + process.R if process.discrete else process.R
+    return np.linalg.solve(spread.T, process.H @ covariance.T).T
 
 
-def error_covariance(one, gain):
+def error_covariance(process, gain):
     """Return the stationary covariance of the errors x - y of y' = A y + L (z - H y).
 
     In discrete time it is that of predictions.
     """
-    loop = one.A - gain @ one.H
+    loop = process.A - gain @ process.H
     largest = np.linalg.eigvals(loop)
-    if (abs(largest).max() if one.discrete else 1 + largest.real.max()) >= 1 - 1e-12:
+    if (abs(largest).max() if process.discrete else 1 + largest.real.max()) >= 1 - 1e-12:
         raise np.linalg.LinAlgError("the errors do not decay")
-    return stationary_covariance(replace(one, A=loop, Q=one.Q + gain @ one.R @ gain.T))
+    return stationary_covariance(replace(process, A=loop, Q=process.Q + gain @ process.R @ gain.T))
 
 
 def steady_exists(process):
@@ -215,25 +217,28 @@ def steady_exists(process):
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
     process = as_process(process)
     size = u**2 + w**2 - 1 if process.discrete else u
-    hidden, quiet = (
+    unobservable, uncontrollable = (
         _dependent(u + sp.I * w, matrix, below)
         for matrix, below in ((process.A, process.H), (process.A.T, process.Q))
     )
-    spoiled = sp.Or(sp.And(size >= 0, hidden), sp.And(sp.Eq(size, 0), quiet))
+    none_exists = sp.Or(sp.And(size >= 0, unobservable), sp.And(sp.Eq(size, 0), uncontrollable))
 
     def at(values):
         if not all(value.is_Rational for value in values.values()):
             return None
         one = process.subs(values)
-        hidden, quiet = (
+        unobservable, uncontrollable = (
             np.concatenate(fixed_eigenvalues(pair_of(matrix, below)))
             for matrix, below in ((one.A, one.H), (one.A.T, one.Q))
         )
-        rates = [abs(found) - 1 if process.discrete else found.real for found in (hidden, quiet)]
+        rates = [
+            abs(values) - 1 if process.discrete else values.real
+            for values in (unobservable, uncontrollable)
+        ]
         return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
 
     return ReferenceCondition(
-        (Case(sp.Not(spoiled), (u, w), every=True),), (Case(spoiled, (u, w)),), at
+        (Case(sp.Not(none_exists), (u, w), every=True),), (Case(none_exists, (u, w)),), at
     )
 
 

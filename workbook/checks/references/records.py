@@ -90,15 +90,15 @@ def row_of(system, *quantities, parameters=()):
     """
     if not isinstance(system, Deviations):
         return sp.Matrix.vstack(*quantities)
-    found = (
+    rows = (
         sp.Matrix(quantities)
         .jacobian(list(system.state))
         .subs(system.motion)
         .applyfunc(sp.simplify)
     )
-    if not found.free_symbols <= set(parameters):
+    if not rows.free_symbols <= set(parameters):
         raise ValueError("the equations in deviations are not constant")
-    return found
+    return rows
 
 
 def has_control(system):

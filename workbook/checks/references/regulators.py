@@ -44,7 +44,7 @@ class Regulator:
         if np.isfinite(self.duration):
             return self._with_an_end(self.duration - time)
         return (
-            self._of_what_is_seen()
+            self._of_observable_part()
             if self.anywhere
             else processes.steady_covariances(self._dual)[0]
         )
@@ -57,25 +57,36 @@ class Regulator:
             [np.eye(len(self.A)), self.F]
         )
         n = len(self.A)
-        found = np.linalg.solve(both[:n].T, both[n:].T)
-        return (found + found.T) / 2
+        cost = np.linalg.solve(both[:n].T, both[n:].T)
+        return (cost + cost.T) / 2
 
-    def _of_what_is_seen(self):
+    def _of_observable_part(self):
         exact = [
             sp.Matrix(matrix).applyfunc(lambda x: sp.nsimplify(x, rational=True))
             for matrix in (self.A, self.G)
         ]
-        unseen = np.array(pair_of(*exact).unobservable[0], dtype=float).reshape(-1, len(self.A))
-        seen = np.linalg.svd(unseen)[2][len(unseen) :] if len(unseen) else np.eye(len(self.A))
-        if not len(seen):
+        unobservable = np.array(pair_of(*exact).unobservable[0], dtype=float).reshape(
+            -1, len(self.A)
+        )
+        observable = (
+            np.linalg.svd(unobservable)[2][len(unobservable) :]
+            if len(unobservable)
+            else np.eye(len(self.A))
+        )
+        if not len(observable):
             return 0 * self.A
         rest = Quadratic(
             *map(
                 sp.Matrix,
-                (seen @ self.A @ seen.T, seen @ self.B, _even(seen @ self.G @ seen.T), self.N),
+                (
+                    observable @ self.A @ observable.T,
+                    observable @ self.B,
+                    _even(observable @ self.G @ observable.T),
+                    self.N,
+                ),
             )
         )
-        return seen.T @ Regulator(rest, {}).least() @ seen
+        return observable.T @ Regulator(rest, {}).least() @ observable
 
 
 def dual(problem):
@@ -93,18 +104,20 @@ def steady_loop(problem, process, values):
 
     Without measurements they are those of x, the state being known.
     """
-    one, noise = Regulator(problem, values), processes.at_values(process, values, start=False)
-    K = one.gain_for(one.least())
+    regulator, noise = Regulator(problem, values), processes.at_values(process, values, start=False)
+    K = regulator.gain_for(regulator.least())
     if not len(noise.H):
-        return one.A + one.B @ K, noise.Q, one.G + K.T @ one.N @ K
+        return regulator.A + regulator.B @ K, noise.Q, regulator.G + K.T @ regulator.N @ K
     L = processes.filter_gain(noise, processes.steady_covariances(noise)[0])
     n = len(K.T)
-    loop = np.block([[one.A, one.B @ K], [L @ noise.H, one.A + one.B @ K - L @ noise.H]])
+    loop = np.block(
+        [[regulator.A, regulator.B @ K], [L @ noise.H, regulator.A + regulator.B @ K - L @ noise.H]]
+    )
     zero = np.zeros((n, n))
     return (
         loop,
         np.block([[noise.Q, zero], [zero, L @ noise.R @ L.T]]),
-        np.block([[one.G, zero], [zero, K.T @ one.N @ K]]),
+        np.block([[regulator.G, zero], [zero, K.T @ regulator.N @ K]]),
     )
 
 

@@ -110,7 +110,7 @@ def judge_at_every_scale(claim, problem, parameters, points, weight, what):
     function, wide = (kind(symbols, [claim]) for kind in (real_function, multiprecision_function))
     at = np.array([[float(point[s]) for s in symbols] for point in points])
     numbers = function(*at.T)[0]
-    # An exponent in decimals has three digits: over many powers of ten they tell nothing.
+    # An exponent in decimals has three digits: over many powers of ten they decide nothing.
     for factors in factors_of_scales[:: len(SCALES) if roughly else 1]:
         other = at * [float(factors[s]) for s in symbols]
         there, wanted = function(*other.T)[0], numbers * float(factors[weight])

@@ -114,7 +114,7 @@ class SingularArcs:
         They are values of states, costates, parameters and other controls; the symbols range over the
         intervals of `domain`, or what their assumptions allow.
         """
-        random, found = np.random.default_rng(17), []
+        random, samples = np.random.default_rng(17), []
         for k in range(STARTS):
             values = {p: random_value(random, p, domain) for p in self.parameters}
             ends = [
@@ -141,13 +141,13 @@ class SingularArcs:
                     for gain, u, (_, high) in zip(gains, others, ends)
                 ):
                     values |= dict(zip(self._unknown, point)) | dict(zip(self.others, others))
-                    found.append(
+                    samples.append(
                         values | {s: float(e.subs(values)) for s, e in self._known.items()}
                     )
                     break
-            if len(found) == ENOUGH:
+            if len(samples) == ENOUGH:
                 break
-        return found
+        return samples
 
     def multipliers_exist(self, values, share):
         """Return whether costates exist with which a state is a point of a singular arc.
@@ -174,11 +174,11 @@ class SingularArcs:
                 if self._scaled(matrix, point, given, left, share):
                     return True
                 continue
-            found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
-            rest = matrix @ found + constant
-            if np.all(np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(found))) and self._kept(
-                matrix, constant, point, given, left, share
-            ):
+            costates = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+            rest = matrix @ costates + constant
+            if np.all(
+                np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(costates))
+            ) and self._kept(matrix, constant, point, given, left, share):
                 return True
         return False
 
@@ -204,10 +204,10 @@ class SingularArcs:
 
         zero = last(np.zeros(len(left)))
         slopes = np.array([last(row) - zero for row in np.eye(len(left))]).reshape(len(left), 2)
-        found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+        solution = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
         _, sizes, basis = np.linalg.svd(matrix)
         free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()) :]
-        (rest, factor), turns = zero + found @ slopes, free @ slopes
+        (rest, factor), turns = zero + solution @ slopes, free @ slopes
         size = 1 + np.abs(slopes).max(initial=0)
         if max(abs(factor), np.abs(turns[:, 1]).max(initial=0)) > share * size:
             return True

@@ -17,7 +17,7 @@ from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
 from workbook.checks.tools.wording import values_text
 
 #: For how many points it is kept whether they are stable.
-PLACES = 8192
+MOST_CACHED = 8192
 
 
 def compare_region(answer, system, parameters, what, margin=0, unstable=False):
@@ -41,17 +41,17 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
     if isinstance(system, sp.MatrixBase):
         system = system.as_immutable()
     spectrum = _spectrum(system, tuple(parameters), margin)
-    truth = spectrum.instability if unstable else spectrum.stability
+    reference = spectrum.instability if unstable else spectrum.stability
 
-    def told(values, holds):
-        says = (
+    def message(values, holds):
+        position = (
             f"outside your region, yet it is {what}"
             if holds
             else f"inside your region, yet it is not {what}"
         )
-        return f"the point {values_text(values)} lies {says}: {spectrum.describe(values)}"
+        return f"the point {values_text(values)} lies {position}: {spectrum.describe(values)}"
 
-    return f"agrees with the roots: {compare(answer, parameters, truth, told)}"
+    return f"agrees with the roots: {compare(answer, parameters, reference, message)}"
 
 
 def decays(A, discrete=False):
@@ -111,7 +111,7 @@ class Spectrum:
         self._terms = [sp.nsimplify(c, rational=True) for c in shifted.all_coeffs()]
         self.root = sp.symbols("u w", real=True, cls=sp.Dummy)
         # all claims are tried at like points
-        self._stable_at = functools.lru_cache(maxsize=PLACES)(self._decide)
+        self._stable_at = functools.lru_cache(maxsize=MOST_CACHED)(self._decide)
 
     @functools.cached_property
     def stability(self):
@@ -248,5 +248,5 @@ class Spectrum:
             return "so says Routh's scheme, with coefficients beyond 1e308"
         # Roots computed in floating point: below this the point lies on the imaginary axis, which
         # without a margin Routh has decided.
-        told = f"{largest:.4g}" if abs(largest) >= 1e-7 else "0" if self.margin else "exactly 0"
-        return f"the largest real part of a root is {told}"
+        text = f"{largest:.4g}" if abs(largest) >= 1e-7 else "0" if self.margin else "exactly 0"
+        return f"the largest real part of a root is {text}"

@@ -85,7 +85,7 @@ class StationaryAngles:
     @functools.cached_property
     def samples(self):
         """Five sets of values of the parameters for which there are stationary angles."""
-        found = list(
+        samples = list(
             itertools.islice(
                 (
                     values
@@ -95,9 +95,9 @@ class StationaryAngles:
                 5,
             )
         )
-        if not found:
+        if not samples:
             raise RuntimeError("no parameters with stationary angles were met")
-        return found
+        return samples
 
     def samples_for(self, claims):
         """Return the samples, and more for cases of an answer that these do not meet."""

@@ -198,14 +198,14 @@ class StationaryPoints:
         """
         tries, numbers = self._tries
         rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
-        chosen = [k for k, found in enumerate(rests) if found]
+        chosen = [k for k, stationary in enumerate(rests) if stationary]
         if not chosen:
             raise RuntimeError(
                 "no sample values of the parameters have a stationary point in the domain"
             )
         # Samples with the most points first: these are the ones where a point can be missed.
         most = sorted(chosen, key=lambda k: -len(rests[k]))[:count]
-        without = [k for k, found in enumerate(rests) if not found]
+        without = [k for k, stationary in enumerate(rests) if not stationary]
         taken = [
             (
                 {
@@ -220,16 +220,16 @@ class StationaryPoints:
         known = [values for values, *_ in taken]
         for values in in_every_case(known, claim, self.given)[len(known) :] if cases(claim) else ():
             column = self.numbers(values)
-            found = [] if column is None else self.rests(column)[0] if need_rest else [None]
-            if column is not None and (found or not alone):
-                taken.append((values, column[:, 0], found))
-        for values, column, found in taken:
-            if alone and len(found) > 1:
+            stationary = [] if column is None else self.rests(column)[0] if need_rest else [None]
+            if column is not None and (stationary or not alone):
+                taken.append((values, column[:, 0], stationary))
+        for values, column, stationary in taken:
+            if alone and len(stationary) > 1:
                 raise RuntimeError(
-                    f"there are {len(found)} stationary points in the domain for "
+                    f"there are {len(stationary)} stationary points in the domain for "
                     f"{sample_text(values)}"
                 )
-            yield values, column, found[0] if alone else found
+            yield values, column, stationary[0] if alone else stationary
 
     @functools.cached_property
     def _tries(self):
@@ -297,15 +297,15 @@ def _within(symbol, interval):
 
 def _different(points):
     """Return the columns of an array without those close to an earlier one: a list."""
-    found = []
+    different = []
     while points.shape[1]:
         first = points[:, 0]
-        found.append(first)
+        different.append(first)
         points = points[
             :,
             ~(np.linalg.norm(points - first[:, None], axis=0) < 1e-6 * (1 + np.linalg.norm(first))),
         ]
-    return found
+    return different
 
 
 def _evaluated(function, point, numbers):

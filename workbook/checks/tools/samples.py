@@ -88,19 +88,19 @@ def general_values(parameters):
     if not parameters:
         return [{}]
     primes = (997, 1009, 1013, 1019, 1021, 1031, 1033, 1039)
-    found = [
+    samples = [
         {
             p: value * sp.Rational(prime, 1000)
             for (p, value), prime in zip(values.items(), itertools.cycle(primes))
         }
         for values in sample_values(parameters, 6)
     ]
-    far = {p: FAR * value for p, value in found[1].items()}
+    far = {p: FAR * value for p, value in samples[1].items()}
     far = [
         far,
         {p: value if p.is_nonnegative or p.is_nonpositive else -value for p, value in far.items()},
     ]
-    return [_scaled(values, 1, values) for values in (*found, *far)]
+    return [_scaled(values, 1, values) for values in (*samples, *far)]
 
 
 def allowed_values(parameters, given, count):
@@ -208,15 +208,17 @@ def cases(claim):
     They are those written in it, and those that a modulus, a sign, a step and the greatest of several
     stand for.
     """
-    found = set()
+    relations = set()
     for part in _parts(claim):
         for piece in part.atoms(sp.Piecewise):
-            found |= piece.atoms(Relational)
+            relations |= piece.atoms(Relational)
         for jump in part.atoms(sp.Abs, sp.sign, sp.Heaviside):
-            found |= {jump.args[0] > 0} if jump.args[0].is_extended_real is not False else set()
+            relations |= {jump.args[0] > 0} if jump.args[0].is_extended_real is not False else set()
         for greatest in part.atoms(sp.Max, sp.Min):
-            found |= {one > other for one, other in itertools.combinations(greatest.args, 2)}
-    return {relation for relation in found if isinstance(relation, Relational)}
+            relations |= {
+                first > second for first, second in itertools.combinations(greatest.args, 2)
+            }
+    return {relation for relation in relations if isinstance(relation, Relational)}
 
 
 def _left_out(claim, outcomes, values):
@@ -279,10 +281,13 @@ def _between_borders(relations, base, symbol):
         relation: Condition(relation, symbols).borders(point, symbols.index(symbol))
         for relation in relations
     }
-    found = sorted(set().union(*borders.values()))
-    if not found:
+    roots_of_all = sorted(set().union(*borders.values()))
+    if not roots_of_all:
         return []
-    ends = found[0] - 0.37 * (1 + abs(found[0])), found[-1] + 0.37 * (1 + abs(found[-1]))
+    ends = (
+        roots_of_all[0] - 0.37 * (1 + abs(roots_of_all[0])),
+        roots_of_all[-1] + 0.37 * (1 + abs(roots_of_all[-1])),
+    )
     alone = [
         root
         for relation, roots in borders.items()
@@ -290,7 +295,7 @@ def _between_borders(relations, base, symbol):
         for root in roots
     ]
     points = [
-        *(0.61 * one + 0.39 * other for one, other in itertools.pairwise(found)),
+        *(0.61 * lower + 0.39 * upper for lower, upper in itertools.pairwise(roots_of_all)),
         *ends,
         *alone,
     ]

@@ -28,9 +28,9 @@ def best_processes(problem, parameters=None, count=SAMPLES):
     """
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters)
-    found = thrust_optima(problem, parameters) if isinstance(parameters or {}, dict) else None
-    if found is not None:
-        return found
+    pairs = thrust_optima(problem, parameters) if isinstance(parameters or {}, dict) else None
+    if pairs is not None:
+        return pairs
     if not isinstance(parameters, dict):
         try:
             return Transfer(problem, parameters or ()).samples(count)
@@ -44,8 +44,8 @@ def best_processes_at(problem, parameters, points):
     """Return the same at given points, dicts from the parameters to numbers."""
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters, points)
-    found = thrust_optima(problem, parameters, points)
-    return optima(problem, parameters, points) if found is None else found
+    pairs = thrust_optima(problem, parameters, points)
+    return optima(problem, parameters, points) if pairs is None else pairs
 
 
 def free_at_the_start(problem, parameters=None):

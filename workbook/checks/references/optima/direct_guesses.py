@@ -99,7 +99,8 @@ class DirectGuesses(DirectProgramme):
             elif short:
                 before, after = (kinds[j] if 0 <= j < pieces else None for j in (k - 1, k + count))
                 runs += [
-                    (one, k, k + count) for one in self._between(before, after, values[k], special)
+                    (inner, k, k + count)
+                    for inner in self._between(before, after, values[k], special)
                 ]
             k += count
         kept = []
@@ -108,9 +109,13 @@ class DirectGuesses(DirectProgramme):
                 kept[-1][2] = end
             else:
                 kept.append([kind, begin, end])
-        borders = [0, *((one[2] + other[1]) / 2 for one, other in itertools.pairwise(kept)), pieces]
+        borders = [
+            0,
+            *((previous[2] + following[1]) / 2 for previous, following in itertools.pairwise(kept)),
+            pieces,
+        ]
         # The lengths alone may be too few to meet the target.
-        found = [
+        arcs_found = [
             (kind if len(kept) - 1 + free >= len(self._terminal) else None, FINE[0])
             for kind, _, _ in kept
         ]
@@ -120,7 +125,7 @@ class DirectGuesses(DirectProgramme):
             (begins[:, None] + steps[:, None] * radau(FINE[1])[0][1:]).ravel() * duration / pieces
         )
         states = np.array([np.interp(moments, times, row) for row in states])
-        return found, self._packed(
+        return arcs_found, self._packed(
             unknown[: len(self._state)],
             states,
             np.interp(moments, (times[1:] + times[:-1]) / 2, controls),

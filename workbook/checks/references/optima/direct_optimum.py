@@ -103,9 +103,13 @@ class Optimum:
         """
         long = [arc for arc in self.arcs if arc[2] - arc[1] > SHORT * self.duration]
         return [
-            (int(np.argmin(abs(self.times - (one[2] + other[1]) / 2))), one[0], other[0])
-            for one, other in itertools.pairwise(long)
-            if one[0] is None or one[0] != other[0]
+            (
+                int(np.argmin(abs(self.times - (previous[2] + following[1]) / 2))),
+                previous[0],
+                following[0],
+            )
+            for previous, following in itertools.pairwise(long)
+            if previous[0] is None or previous[0] != following[0]
         ]
 
     def left(self):
@@ -127,7 +131,9 @@ class Optimum:
 
     def jacobians(self, y, u):
         """Return derivatives in the states: of `field`, (n + 1) x n, of the final cost, of the gap."""
-        return [np.array(one, dtype=float) for one in self._search.jacobians(*y, u, *self._case)]
+        return [
+            np.array(matrix, dtype=float) for matrix in self._search.jacobians(*y, u, *self._case)
+        ]
 
     def field(self, y, u):
         """Return the rates of the states and of the cost."""
@@ -141,9 +147,9 @@ class Optimum:
         """Return the cost of a process that ends in y."""
         return float(y[-1] + self._search.final(*y[:-1], *self._case))
 
-    def duration_message(self, said):
+    def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        return "the best process found ends " + ("earlier" if said > self.duration else "later")
+        return "the best process found ends " + ("earlier" if duration > self.duration else "later")
 
     def size(self):
         """Return the size of the states."""
@@ -177,42 +183,42 @@ class _Search(DirectGuesses):
             for f in self._field
             for v in (*self._state, self._control)
         )
-        found, random = [], np.random.default_rng(11)
+        processes, random = [], np.random.default_rng(11)
         for side in self._sides(case):
             costs = []
             for attempt in range(1 if straight and not free and self._convex(case) else STARTS):
-                one = self._run(case, span, side, *self._guess(case, span, random, attempt))
-                if one:
-                    found.append(one)
-                    costs = sorted([*costs, one[0]])
+                process = self._run(case, span, side, *self._guess(case, span, random, attempt))
+                if process:
+                    processes.append(process)
+                    costs = sorted([*costs, process[0]])
                 elif (
                     straight
                     and free
                     and attempt == 0
-                    and (given := self._with_durations(case, span, side, random))
+                    and (with_duration := self._with_durations(case, span, side, random))
                 ):
                     # For a linear plant that search is convex: there is nothing else to be found.
-                    found, costs = found + given, [given[0][0]]
+                    processes, costs = processes + with_duration, [with_duration[0][0]]
                     break
                 if len(costs) > 1 and costs[1] - costs[0] <= TWICE * (1 + abs(costs[0])):
                     break
             if not costs and free and not straight:
-                found += self._with_durations(case, span, side, random)
-        if not found:
+                processes += self._with_durations(case, span, side, random)
+        if not processes:
             raise RuntimeError("no process that satisfies the conditions was found")
-        _cost, arcs, unknown, side = min(found, key=lambda one: one[0])
+        _cost, arcs, unknown, side = min(processes, key=lambda process: process[0])
         others = free + self._initial.count(None)
         guesses = [self._arcs(case, arcs, unknown, others, short) for short in (False, True)]
         fine = [
-            one
+            process
             for k, guess in enumerate(guesses)
             if k == 0 or kinds_of(guess[0]) != kinds_of(guesses[0][0])
             for barrier in BARRIERS
-            if (one := self._run(case, span, side, *guess, barrier))
+            if (process := self._run(case, span, side, *guess, barrier))
         ]
         if not fine:
             raise RuntimeError("the arcs of the best process could not be made exact")
-        least = min(fine, key=lambda one: one[0])
+        least = min(fine, key=lambda process: process[0])
         quiet = self._quiet(case, *guesses[0])
         zero = quiet and self._run(case, span, side, *quiet)
         if zero and zero[0] <= least[0] + SAME * (1 + abs(least[0])) + 10 * self._defect(
@@ -227,11 +233,11 @@ class _Search(DirectGuesses):
         For a linear plant the search with a given duration is convex.
         """
         for duration in filter(lambda d: span[0] <= d <= span[1], FIXED):
-            given = (duration, duration)
-            one = self._run(case, given, side, *self._guess(case, given, random, 0))
-            one = one and self._run(case, span, side, one[1], one[2])
-            if one:
-                return [one]
+            fixed = (duration, duration)
+            process = self._run(case, fixed, side, *self._guess(case, fixed, random, 0))
+            process = process and self._run(case, span, side, process[1], process[2])
+            if process:
+                return [process]
         return []
 
     def _optimum(self, case, cost, arcs, unknown):

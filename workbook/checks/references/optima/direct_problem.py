@@ -73,7 +73,7 @@ class DirectProblem:
         if not self._returns:
             return [0]
         low, high = self.bounds(case)
-        found = set()
+        sides = set()
         for u in (low, (low + high) / 2, high):
             y = rk4(
                 lambda _, z: np.array(self.rates(*z, u, *case)[:-1]),
@@ -81,18 +81,18 @@ class DirectProblem:
                 self._start(case, 0.1),
                 1e-2,
             )
-            found.add(float(np.sign(self.gap(*y, *case)[0])))
-        return sorted(found - {0.0})
+            sides.add(float(np.sign(self.gap(*y, *case)[0])))
+        return sorted(sides - {0.0})
 
     def _convex(self, case):
         """Return whether no pair of points shows that the cost is not convex."""
         random, n = np.random.default_rng(7), len(self._state)
         for _ in range(30):
-            one, other = random.normal(scale=3, size=(2, n + 1))
+            first, second = random.normal(scale=3, size=(2, n + 1))
             a, b, middle = (
                 self._sign
                 * np.array([self.rates(*p, *case)[-1], self.final(*p[:-1], *case)], float)
-                for p in (one, other, (one + other) / 2)
+                for p in (first, second, (first + second) / 2)
             )
             if not np.all(middle <= (a + b) / 2 + 1e-9 * (np.abs(a) + np.abs(b))):
                 return False
@@ -107,8 +107,8 @@ class DirectProblem:
 
         def function(name, arguments, expressions):
             values = sp.lambdify(symbols, [sp.sympify(e).xreplace(names) for e in expressions], ca)
-            found = values(*ca.vertsplit(y), u, *ca.vertsplit(p), *ca.vertsplit(a))
-            return ca.Function(name, arguments, [ca.vertcat(ca.SX(0, 1), *found)])
+            results = values(*ca.vertsplit(y), u, *ca.vertsplit(p), *ca.vertsplit(a))
+            return ca.Function(name, arguments, [ca.vertcat(ca.SX(0, 1), *results)])
 
         return (
             function("rates", [y, u, a, p], [*self._field, self._running]),

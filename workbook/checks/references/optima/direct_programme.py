@@ -74,7 +74,7 @@ class DirectProgramme(DirectProblem):
         upper = np.concatenate(
             [self._start(case, np.inf), free, highs, bends[1], np.full(len(arcs), span[1])]
         )
-        found = solver(
+        result = solver(
             x0=np.clip(guess, lower, upper),
             lbx=lower,
             ubx=upper,
@@ -84,7 +84,7 @@ class DirectProgramme(DirectProblem):
         )
         if solver.stats()["return_status"] != "Solve_Succeeded":
             return None
-        return float(found["f"]), arcs, np.array(found["x"]).ravel(), side
+        return float(result["f"]), arcs, np.array(result["x"]).ravel(), side
 
     def _programme(self, arcs, barrier):
         """Return IPOPT's function for arcs with so many pieces, and the numbers of conditions."""

@@ -93,11 +93,11 @@ class FastestTimes(SeparatingLines):
             [k for k, start in enumerate(starts) if start not in self._known], dtype=int
         )
         for group in np.split(fresh, range(TOGETHER, len(fresh), TOGETHER)) if len(fresh) else ():
-            found = self._solve(x[group], case[group], inside[group], far)
-            rows = np.column_stack([getattr(found, name) for name in FOUND]).tolist()
+            solved = self._solve(x[group], case[group], inside[group], far)
+            rows = np.column_stack([getattr(solved, name) for name in FOUND]).tolist()
             self._known.update(zip([starts[k] for k in group], rows))
-        found = np.array([self._known[start] for start in starts]).reshape(-1, len(FOUND)).T
-        return StateBatch(x=x, case=case, inside=inside, **dict(zip(FOUND, found)))
+        solved = np.array([self._known[start] for start in starts]).reshape(-1, len(FOUND)).T
+        return StateBatch(x=x, case=case, inside=inside, **dict(zip(FOUND, solved)))
 
     def _solve(self, x, case, inside, far, careful=False):
         starts = x, case, inside

@@ -60,10 +60,10 @@ class FunctionalOptimum:
 
     def _on(self, count):
         solver = _programme(self._form, count).solver
-        found = solver(x0=self._guess(count), p=self._numbers, lbg=0, ubg=0)
+        result = solver(x0=self._guess(count), p=self._numbers, lbg=0, ubg=0)
         if not solver.stats()["success"]:
             raise RuntimeError("the optimum was not found: the search did not end")
-        return float(found["f"])
+        return float(result["f"])
 
     @functools.cached_property
     def _form(self):

@@ -93,7 +93,7 @@ class Plant:
 
         p and T have rows; `whole` is the integral of e^{As}b, if it is known already.
         """
-        # Thousands of times some hundred rows come here, so all is said by numbers a row: p.b, p.(A
+        # Thousands of times some hundred rows come here, so each row is reduced to numbers: p.b, p.(A
         # - cE)b and the two of `_carried`.
         start, other, *along = (p @ self._vectors).T
         zeros = self._zeros(start, other, T)

@@ -140,9 +140,9 @@ class LinearTransfer(TransferSystem):
         breaks, first = self._plan(start, duration)
         return first if sum(b < t for b in breaks) % 2 == 0 else sum(self.bounds) - first
 
-    def time_message(self, start, said, true):
+    def time_message(self, start, claimed, true):
         return (
             "that is not enough for any admissible control"
-            if said < true
+            if claimed < true
             else "an admissible control arrives earlier"
         )

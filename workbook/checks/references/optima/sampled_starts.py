@@ -108,28 +108,28 @@ class SampledStarts(FastestTimes):
             others = np.flatnonzero(marks != marks.max())
             if not len(others):
                 continue
-            for one in ones[:count]:
+            for start_index in ones[:count]:
                 # A start inside D is no neighbour of one outside: between the two lies the target.
-                alike = others[batch.inside[here][others] == batch.inside[here][one]]
+                alike = others[batch.inside[here][others] == batch.inside[here][start_index]]
                 if self.convex.kind == "line":
                     side = np.sign(self.convex.g(x, np.full(len(x), k)))
-                    alike = alike[side[alike] == side[one]]
+                    alike = alike[side[alike] == side[start_index]]
                 if len(alike):
                     near = alike[
-                        np.argsort(np.linalg.norm(x[alike] - x[one], axis=1))[
+                        np.argsort(np.linalg.norm(x[alike] - x[start_index], axis=1))[
                             random.integers(0, min(3, len(alike)))
                         ]
                     ]
-                    left.append(x[one])
+                    left.append(x[start_index])
                     right.append(x[near])
                     case.append(k)
         if not left:
             return None
         left, right, case = np.array(left), np.array(right), np.array(case)
         direction = (right - left) / np.linalg.norm(right - left, axis=1)[:, None]
-        one = kind(self.solve(left, case, far))
+        kinds = kind(self.solve(left, case, far))
         left, right = bisect(
-            lambda points, rows: kind(self.solve(points, case[rows], far)) == one[rows],
+            lambda points, rows: kind(self.solve(points, case[rows], far)) == kinds[rows],
             left,
             right,
             16,

@@ -74,9 +74,9 @@ class SeparatingLines:
         time, angle, sure = self._touching(x, case, inside, low, high, theta)
         doubtful = np.flatnonzero(~sure)
         if len(doubtful):
-            found = self._halved(*rows_of(doubtful, x, case, inside, low, high, theta))
+            halved = self._halved(*rows_of(doubtful, x, case, inside, low, high, theta))
             time[doubtful], angle[doubtful] = self._closer(
-                *found, *rows_of(doubtful, x, case, inside)
+                *halved, *rows_of(doubtful, x, case, inside)
             )
         return time, angle
 

@@ -85,9 +85,9 @@ class Optimum:
         self.duration = self.cost = float(sum(lengths))
         self.arcs = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * self.duration]
 
-    def duration_message(self, said):
+    def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        return "the best process found ends " + ("earlier" if said > self.duration else "later")
+        return "the best process found ends " + ("earlier" if duration > self.duration else "later")
 
     def cost_size(self):
         """Return the size of the terms of the cost."""
@@ -157,23 +157,23 @@ class _Search:
         )
         # No two guesses have the same controls at first.
         kinds = shares[order, 0] @ 3 ** np.arange(self._size)
-        order, found = order[np.sort(np.unique(kinds, return_index=True)[1])], []
+        order, processes = order[np.sort(np.unique(kinds, return_index=True)[1])], []
         begun = 0
         for guess in tried[order]:
             for _ in range(ROUNDS):
-                one = self._improved(guess, known, bounds)
-                if one is None:
+                process = self._improved(guess, known, bounds)
+                if process is None:
                     break
-                found.append(one[:2])
-                guess = self._with_an_arc(*one, known, bounds)
+                processes.append(process[:2])
+                guess = self._with_an_arc(*process, known, bounds)
                 if guess is None:
                     break
-            begun += one is not None
+            begun += process is not None
             if begun == IMPROVED:
                 break
-        if not found:
+        if not processes:
             raise RuntimeError("no process that satisfies the conditions was found")
-        return Optimum(*min(found, key=lambda one: one[0].sum()))
+        return Optimum(*min(processes, key=lambda process: process[0].sum()))
 
     def _improved(self, guess, known, bounds):
         """Return lengths, controls and the target's multipliers of IPOPT's optimum, or None."""
@@ -184,7 +184,7 @@ class _Search:
             for end, own in zip((0.0, np.inf), bounds)
         )
         guess, free = np.clip(guess, lower, upper), np.full(count * self._counts[0], np.inf)
-        one = solver(
+        result = solver(
             x0=np.concatenate([guess, np.array(states(guess, known)).ravel("F")]),
             p=known,
             lbg=0,
@@ -194,10 +194,10 @@ class _Search:
         )
         if solver.stats()["return_status"] != "Solve_Succeeded":
             return None
-        found, worth = (np.array(one[name]).ravel() for name in ("x", "lam_g"))
+        optimum, worth = (np.array(result[name]).ravel() for name in ("x", "lam_g"))
         return (
-            found[:count],
-            found[count : len(guess)].reshape(count, self._size),
+            optimum[:count],
+            optimum[count : len(guess)].reshape(count, self._size),
             worth[len(free) :],
         )
 

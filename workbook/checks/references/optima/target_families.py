@@ -116,14 +116,14 @@ class TargetFamily:
             float(argument[p]) for p in self.parameters
         ]
 
-    def change(self, one, other, values):
+    def change(self, first, second, values):
         """Return where between two values of the variable the sign of the rate changes."""
-        sign = np.sign(self.rates(np.array([one]), values)[0])
+        sign = np.sign(self.rates(np.array([first]), values)[0])
         for _ in range(50):
-            middle = (one + other) / 2
+            middle = (first + second) / 2
             same = np.sign(self.rates(np.array([middle]), values)[0]) == sign
-            one, other = (middle, other) if same else (one, middle)
-        return (one + other) / 2
+            first, second = (middle, second) if same else (first, middle)
+        return (first + second) / 2
 
     def switchings(self, arguments, values):
         """Return (points, times before the end, controls after) of the last switchings of extremals."""

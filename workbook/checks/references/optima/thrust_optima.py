@@ -21,7 +21,7 @@ import sympy as sp
 
 from workbook.checks.tools.domains import sample_cases
 
-#: At so many instants a process is told, and how well the equations of its ends are solved.
+#: At so many instants a process is sampled, and how well the equations of its ends are solved.
 INSTANTS, SOLVED = 40, 1e-11
 #: From so many directions, and from so many times the shortest time that may be thought of, a
 #: search begins.
@@ -215,7 +215,7 @@ class ThrustOptimum:
             return np.unwrap(np.arctan2(e[1], e[0]))
 
         def states(t):
-            rows = [_pushed(z, T - one) for one in t]
+            rows = [_pushed(z, T - time) for time in t]
             still = self.begin[:2, None] + np.outer(self.begin[2:], t)
             return np.vstack(
                 [
@@ -261,11 +261,11 @@ class ThrustOptimum:
         rates[0, 2] = rates[1, 3] = 1
         return rates, np.zeros((1, 4)), np.eye(4)[: 4 if self.held else 2]
 
-    def duration_message(self, said):
+    def duration_message(self, duration):
         """Return the text on a wrong duration."""
         return (
             "the point can come there earlier"
-            if said > self.duration
+            if duration > self.duration
             else "no direction of the thrust brings the point there so early, or it misses then"
         )
 

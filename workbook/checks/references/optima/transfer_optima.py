@@ -127,17 +127,17 @@ class Transfer:
         return self._found[count]
 
     def _sampled(self, count):
-        solvable, found = filter(self.solvable, _drawn(self.parameters, 400 * count)), []
-        while len(found) < count:
+        solvable, samples = filter(self.solvable, _drawn(self.parameters, 400 * count)), []
+        while len(samples) < count:
             fresh = [
                 (values, self.at(values))
-                for values in itertools.islice(solvable, count - len(found))
+                for values in itertools.islice(solvable, count - len(samples))
             ]
             if not fresh:
                 raise RuntimeError("too few starts from which the target can be reached were met")
             for system in {best.system for _, best in fresh}:
                 system.foresee([best.begin for _, best in fresh if best.system is system])
-            found += [
+            samples += [
                 (values, best)
                 for values, best in fresh
                 if math.isfinite(best.duration) and best.duration > 0
@@ -146,10 +146,10 @@ class Transfer:
         if self._kind is ScalarTransfer:
             near = (
                 {p: v if p.is_positive or p.is_integer else v * CLOSE for p, v in values.items()}
-                for values, _ in found[:2]
+                for values, _ in samples[:2]
             )
-            found += [(values, self.at(values)) for values in near if self.solvable(values)]
-        return found
+            samples += [(values, self.at(values)) for values in near if self.solvable(values)]
+        return samples
 
     def _key(self):
         return (
@@ -245,12 +245,12 @@ class Transfer:
         matrix, column, constant = reach.linear_parts(self.dynamics, self.control)
         if any(constant):
             raise RuntimeError("a linear system without a constant part was expected")
-        found = []
+        modes = []
         for value, _, vectors in matrix.T.eigenvects():
             for left in vectors if value.is_real and value >= 0 else ():
                 effect = (left.T * column)[0]
                 pushes = [effect * b for b in self.bounds]
-                found.append(
+                modes.append(
                     (
                         left,
                         *sorted(
@@ -259,7 +259,7 @@ class Transfer:
                         ),
                     )
                 )
-        return found
+        return modes
 
 
 @functools.lru_cache(maxsize=64)
@@ -323,8 +323,8 @@ class _Optimum:
         """Return states on the way, and the time that is left there."""
         return self.states, self.duration - self.times
 
-    def duration_message(self, said):
-        return self.system.time_message(self.begin, said, self.duration)
+    def duration_message(self, duration):
+        return self.system.time_message(self.begin, duration, self.duration)
 
     def switchings(self):
         return self.system.switchings(self.begin, self.duration)

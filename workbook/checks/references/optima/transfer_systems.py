@@ -104,8 +104,8 @@ class ScalarTransfer(TransferSystem):
         way = np.sign(self._target() - float(start[0]))
         return max(self.bounds, key=lambda u: way * self.field(y, u)[0])
 
-    def time_message(self, start, said, true):
-        if said < true:
+    def time_message(self, start, claimed, true):
+        if claimed < true:
             return "moving towards the target as fast as the bounds allow, the state has not arrived by then"
         return "moving towards the target as fast as the bounds allow, the state arrives earlier"
 
@@ -178,14 +178,14 @@ class HomogeneousTransfer(TransferSystem):
         u = self.law(y, duration, start, duration, slowest)
         normal = self._normals[0]
         psi = normal * (-1 if slowest else 1) / (normal @ self.field(y, u))
-        found = []
+        samples = []
         for k in range(steps, 0, -2):
             first, middle, last = states[k], states[k - 1], states[k - 2]
             slopes = [
                 self.jacobian(z, self.law(z, 0, start, duration, slowest)).T
                 for z in (first, middle, last)
             ]
-            found.append(
+            samples.append(
                 (
                     k * h,
                     float(
@@ -200,7 +200,7 @@ class HomogeneousTransfer(TransferSystem):
             c = slopes[1] @ (psi + h * b)
             d = slopes[2] @ (psi + 2 * h * c)
             psi = psi + h / 3 * (a + 2 * b + 2 * c + d)
-        return found
+        return samples
 
     def turned(self, start, duration, slowest, steps=400):
         """Return the angle turned by the fastest or slowest control in a given time."""
@@ -212,14 +212,14 @@ class HomogeneousTransfer(TransferSystem):
             )
         return angle
 
-    def time_message(self, start, said, true):
-        if not 0 < said < 100 * true:
+    def time_message(self, start, claimed, true):
+        if not 0 < claimed < 100 * true:
             return (
                 "the process ends at a positive time"
-                if said <= 0
+                if claimed <= 0
                 else "by then every admissible control has met the target long before"
             )
-        least, most = (self.turned(start, said, s) for s in (True, False))
+        least, most = (self.turned(start, claimed, s) for s in (True, False))
         return (
             f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} "
             "at most, "

@@ -16,9 +16,9 @@ from workbook.checks.tools.line_search import bisect
 
 #: Digits that terms are computed to where a value is irrational, and how small a zero is there.
 DIGITS, NOTHING = 60, mpmath.mpf(10) ** -40
-#: The product of the degrees of algebraic numbers up to which a value is told from zero exactly.
+#: The product of the degrees of algebraic numbers up to which a value is distinguished from zero exactly.
 LARGEST_FIELD = 8
-#: Places between which the changes of sign of a term that is not rational are looked for.
+#: Points between which the changes of sign of a term that is not rational are looked for.
 GRID = np.concatenate([-np.geomspace(1e6, 1e-3, 200), np.geomspace(1e-3, 1e6, 200)])
 #: The "sign" of a number that is not real.
 NOT_REAL = "not real"

@@ -139,7 +139,7 @@ class PolynomialForm:
                 defined,
             )
         if node.is_number and node.is_real:
-            # A number known to so many digits tells from zero what a student writes; a difference
+            # A number with so many digits distinguishes from zero what a student writes; a difference
             # is evaluated again.
             near, w = (
                 sp.Rational(str(node.evalf(50))),

@@ -148,19 +148,19 @@ def on_borders(condition, symbols):
 
 def _changes(function, grid):
     """Return the arguments between neighbours of a grid where a function of few values changes."""
-    found, values = [], [function(x) for x in grid]
+    changes, values = [], [function(x) for x in grid]
     for left, right, value, last in zip(grid, grid[1:], values, values[1:]):
         # A third value may lie between two others, so the search goes on from each change to the
         # next.
-        while value != last and len(found) < 40:
+        while value != last and len(changes) < 40:
             inner, outer = left, right
             for _ in range(42):
                 middle = (inner + outer) / 2
                 inner, outer = (middle, outer) if function(middle) == value else (inner, middle)
-            found.append(inner)
+            changes.append(inner)
             left = outer = outer + (outer - inner)
             value = function(left)
-    return found
+    return changes
 
 
 def _near(x, largest):
