@@ -289,24 +289,24 @@ def test_families_of_rest_points_are_decided():
     driven, spring = sp.Matrix([y, k - sp.sin(2 * x) - d * y]), sp.Matrix([y, x - k * x**3 - d * y])
     half, root = sp.asin(k) / 2, 1 / sp.sqrt(k)
     for check, claim, field, proved in (
-        ("stable_rest_angles", [half + sp.pi * n], driven, True),
-        ("unstable_rest_angles", [sp.pi / 2 - half - sp.pi * n], driven, True),
+        ("stable_equilibrium_angles", [half + sp.pi * n], driven, True),
+        ("unstable_equilibrium_angles", [sp.pi / 2 - half - sp.pi * n], driven, True),
         (
-            "rest_angles",
+            "equilibrium_angles",
             [half + sp.pi * n, half + sp.pi / 2 - 2 * half - 3 * sp.pi * n],
             driven,
             False,
         ),
-        ("rest_angles", [(-1) ** n * half + sp.pi * n / 2], driven, False),
+        ("equilibrium_angles", [(-1) ** n * half + sp.pi * n / 2], driven, False),
     ):
         verdict = getattr(checks, check)(claim, field, [x, y], [k, d], n)
         assert (verdict.status, "proved" in verdict.message) == ("right", proved), verdict
     for check, claim, status, proved in (
-        ("rest_values", [0, root, -root], "right", True),
-        ("stable_rest_values", [root, -root], "right", True),
-        ("unstable_rest_values", 0, "right", True),
-        ("rest_values", [0, root, -1.0 * root], "right", False),
-        ("rest_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False),
+        ("equilibrium_values", [0, root, -root], "right", True),
+        ("stable_equilibrium_values", [root, -root], "right", True),
+        ("unstable_equilibrium_values", 0, "right", True),
+        ("equilibrium_values", [0, root, -1.0 * root], "right", False),
+        ("equilibrium_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False),
     ):
         verdict = getattr(checks, check)(claim, spring, [x, y], [k, d])
         assert (verdict.status, "proved" in verdict.message) == (status, proved), verdict

@@ -248,7 +248,7 @@ def test_a_gain_with_which_errors_grow_is_not_said_to_settle(process):
 
 def test_a_negative_root_is_not_told_that_its_square_is_wrong():
     process = Process(A=0, Q=2, H=1, R=1, mean=1, covariance=1)
-    message = checks.estimate_deviations(-sp.sqrt(3) / 2, process, [(1, 2)], 1).message
+    message = checks.estimate_standard_deviations(-sp.sqrt(3) / 2, process, [(1, 2)], 1).message
     assert "not negative" in message and "square" not in message
 
 

@@ -94,14 +94,14 @@ def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
 A = sp.Matrix([[sp.Rational(999, 100), 0], [0, 1]])
 H = sp.Matrix([[0, 1]])
 NUMBERS = [
-    lambda number: checks.lost_eigenvalues([number], Linear(A, H=H)),
+    lambda number: checks.fixed_eigenvalues([number], Linear(A, H=H)),
     lambda number: checks.controllability_matrix([[1, number], [1, 1.0]], Linear(A, [1, 1])),
     lambda number: checks.stationary_value(number, x, [v, sp.Rational(999, 100) - x], [x, v], []),
     lambda number: checks.stationary_linearisation(
         [[0, 1], [-number, 0]], [v, -sp.Rational(999, 100) * x], [x, v], []
     ),
     lambda number: checks.equilibria([[number]], [sp.Rational(999, 100) - x], [x]),
-    lambda number: checks.rest_values([number], [v, sp.Rational(999, 100) - x], [x, v]),
+    lambda number: checks.equilibrium_values([number], [v, sp.Rational(999, 100) - x], [x, v]),
     lambda number: checks.canonical_coordinate(
         [number, 0], Linear([[0, 1], [0, 0]], [0, sp.Rational(100, 999)])
     ),

@@ -93,7 +93,7 @@ class JudgedProblem:
         """Return (function name, data arguments, options) of the check of an answer, evaluated."""
         call = self.calls[name]
         return (
-            call.func.attr,
+            ast.unparse(call.func).removeprefix("checks."),
             [self._value(arg) for arg in call.args[1:]],
             {k.arg: self._value(k.value) for k in call.keywords},
         )

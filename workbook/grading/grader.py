@@ -61,7 +61,7 @@ class Grader:
         self._sandbox.start()  # it imports what notebooks need while checks are imported here
         try:
             if not self._has_checks:
-                preload(*ALWAYS, packages=["workbook.checks"])
+                preload(*ALWAYS, packages=["workbook.checks", "workbook.checks.research"])
             self._sandbox.__enter__()
         except BaseException:
             self._sandbox.__exit__()

@@ -3,8 +3,6 @@
 `judged` adds them to the docstring of a check, so `help` and the page of checks show them.
 """
 
-import textwrap
-
 COMMON = {
     "A": "n x n matrix",
     "B": "n x s matrix, a column for each control",
@@ -182,18 +180,11 @@ SHAPES = {
 
 
 def with_shapes(docstring, module, names):
-    """Return the docstring of a check of some module, extended by the shapes of its data."""
+    """Return the docstring of a check of some module, extended by the section of its parameters."""
+    if not docstring:
+        return docstring
     shapes = SHAPES.get(module.split(".")[-2:][0], COMMON)
-    described = "; ".join(f"`{name}`: {shapes[name]}" for name in names if name in shapes)
-    lines = textwrap.wrap(
-        f"Data: {described}.",
-        115,
-        initial_indent=" " * 4,
-        subsequent_indent=" " * 4,
-        break_on_hyphens=False,
-    )
-    return (
-        "\n".join([docstring.rstrip(), "", *lines, "    "])
-        if described and docstring
-        else docstring
-    )
+    answer, *data = names
+    lines = [f"{name} : {shapes[name]}" if name in shapes else name for name in data]
+    section = ["Parameters", "----------", f"{answer} : the student's answer", *lines]
+    return "\n".join([docstring.rstrip(), "", *(f"    {line}" for line in section), "    "])

@@ -1,5 +1,4 @@
-"""Estimates by least squares: at the estimate the weighted sum of the squared residuals is the
-least.
+"""Estimates by least squares: the weighted sum of the squared residuals is least there.
 
 Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns;
 `deviations` are the standard deviations of their errors, without which all are 1 and independent. A
@@ -20,16 +19,16 @@ from workbook.checks.tools.wording import number_text, where_text
 
 @judged(Expressions("parameters", length=lambda data: len(data["unknowns"])))
 def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
-    """The estimate of the unknowns, in their order."""
+    """Check the estimate of the unknowns, in their order."""
     for values in in_every_case(general_values(parameters), claims):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
-        true, said = (
+        true, claimed = (
             np.linalg.lstsq(rows, wanted, rcond=None)[0],
             numbers_at(claims, values, unknowns),
         )
         uncertain = [uncertainty_at(claim, values) for claim in claims]
-        if not agree(said, true, claims, abs(true).max(), uncertain=uncertain).all():
-            residuals = wanted - rows @ said.real
+        if not agree(claimed, true, claims, abs(true).max(), uncertain=uncertain).all():
+            residuals = wanted - rows @ claimed.real
             slopes = rows.T @ residuals
             k = int(np.argmax(abs(slopes)))
             raise Wrong(
@@ -42,8 +41,8 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
 
 
 @judged(Expression("parameters"))
-def least_sum(claim, measured, unknowns, deviations=None, parameters=()):
-    """The least value of the weighted sum of the squared residuals."""
+def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=()):
+    """Check the least value of the weighted sum of the squared residuals."""
     for values in in_every_case(general_values(parameters), claim):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
@@ -53,7 +52,7 @@ def least_sum(claim, measured, unknowns, deviations=None, parameters=()):
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["unknowns"]),) * 2))
 def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
-    """The covariance matrix of the errors of the estimate."""
+    """Check the covariance matrix of the errors of the estimate."""
     for values in in_every_case(general_values(parameters), claim):
         rows, _ = _weighted(measured, unknowns, deviations, values)
         # Each estimate is a sum of measurements, whose weighted errors are independent with the
@@ -62,9 +61,9 @@ def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
         yield SameEntries(
             claim,
             shares @ shares.T,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(said[i, j])}{where_text(values)}; the errors "
+                f"{number_text(claimed[i, j])}{where_text(values)}; the errors "
                 "of the measurements, taken through the estimate, give another one"
             ),
             values,

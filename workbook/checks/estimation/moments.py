@@ -1,5 +1,4 @@
-"""Means, covariances and correlations of quantities made of a random vector, from what is known of
-it.
+"""Means, covariances and correlations of quantities linear or nonlinear in a random vector.
 
 Known is either the covariance matrix of the vector, and the quantities are linear in it, or the
 probabilities of all its values, {value: probability}, and the quantities may be any functions of
@@ -22,7 +21,7 @@ from workbook.checks.tools.wording import number_text
 
 @judged(Expressions("parameters", length="quantities"))
 def expectations(claims, quantities, vector, law, parameters=()):
-    """The means of quantities under the law {value: probability}."""
+    """Check the means of quantities under the law {value: probability}."""
     for values in in_every_case(general_values(parameters), claims):
         for claim, quantity in zip(claims, quantities):
             mean, size = _mean(quantity, vector, law, values)
@@ -37,8 +36,11 @@ def expectations(claims, quantities, vector, law, parameters=()):
     )
 )
 def covariance(claim, first, second, vector, law, parameters=()):
-    """The covariance of two quantities; of two lists of them the matrix of the covariances of each
-    of the first with each of the second."""
+    """Check the covariance of two quantities.
+
+    Of two lists of them it is the matrix of the covariances of each of the first with each of
+    the second.
+    """
     rows, columns = _several(first), _several(second)
     for values in in_every_case(general_values(parameters), claim):
         found, size = (
@@ -58,7 +60,7 @@ def covariance(claim, first, second, vector, law, parameters=()):
 
 @judged(Expression("parameters"))
 def correlation(claim, first, second, vector, law, parameters=()):
-    """The correlation coefficient of two quantities."""
+    """Check the correlation coefficient of two quantities."""
     for values in in_every_case(general_values(parameters), claim):
         found, _ = _covariances([first, second], vector, law, values)
         yield SameValue(
@@ -72,11 +74,13 @@ def correlation(claim, first, second, vector, law, parameters=()):
 
 @judged(Values(expected="a list of angles"))
 def uncorrelated(claims, first, second, vector, law, angle):
-    """All angles from 0 to pi, without pi itself, at which two quantities, linear in the vector,
-    are not correlated."""
+    """Check all angles at which two quantities, linear in the vector, are not correlated.
+
+    The angles run from 0 to pi, without pi itself.
+    """
     rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
     crossed = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
-    said = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
+    claimed = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
     true = list(_zeros(crossed, angle))
 
     def stranger(one):
@@ -88,7 +92,7 @@ def uncorrelated(claims, first, second, vector, law, angle):
         )
 
     yield SameMembers(
-        said,
+        claimed,
         true,
         lambda one, other: agree(one[1], other, one[0]),
         stranger,

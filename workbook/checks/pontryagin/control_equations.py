@@ -1,4 +1,4 @@
-"""The differential equation that the control obeys where it makes H greatest inside its bounds.
+"""Differential equation of a control that maximises H inside its bounds.
 
 There H_u = 0, and so is its derivative along the equations of motion and of the costates:
 
@@ -36,25 +36,30 @@ CURVED = 1e-3
     )
 )
 def control_equation(claim, problem, domain=None):
-    """The right-hand side of u' = ... for a control that makes H greatest inside its bounds, in
-    states, control and parameters, the costates eliminated; for problems with one control."""
-    truth = _Rate(problem)
-    places = list(truth.places(domain))
+    """Check the right-hand side of u' = ... for a control inside its bounds that maximises H.
+
+    It is an expression in states, control and parameters, the costates eliminated; for problems
+    with one control.
+    """
+    reference = _Rate(problem)
+    places = list(reference.places(domain))
     # the one true number would be the answer itself
-    told = len({round(true, 6) for _, true, _ in places}) > 1
+    message = len({round(true, 6) for _, true, _ in places}) > 1
     u = problem.control[0]
     for values, true, size in places:
-        said = value_at(claim, values, f"{u}'")
-        if agree(said, true, claim, size=size, computed=EXACT):
+        claimed = value_at(claim, values, f"{u}'")
+        if agree(claimed, true, claim, size=size, computed=EXACT):
             continue
-        if not told:
+        if not message:
             raise Wrong(
-                f"dH/d{u} does not stay zero where your expression gives {u}' the value {said:.4g}"
+                f"dH/d{u} does not stay zero where your expression gives {u}' the value {claimed:.4g}"
             )
-        shown = {s: value for s, value in values.items() if s in truth.symbols | claim.free_symbols}
+        shown = {
+            s: value for s, value in values.items() if s in reference.symbols | claim.free_symbols
+        }
         raise Wrong(
             f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is {true:.4g}; your "
-            f"expression gives {said:.4g}"
+            f"expression gives {claimed:.4g}"
         )
     return f"under it dH/d{u} stays zero, tried at {PLACES} places"
 

@@ -17,8 +17,11 @@ SHORTER, ALMOST, NEXT = 400, 0.99, 1e-2
 
 @judged
 def duration_equation(answer, problem, duration, parameters):
-    """An equation whose least positive root is the shortest duration; `duration` is its symbol
-    there, `parameters` a dict from the other symbols to intervals."""
+    """Check an equation whose least positive root is the shortest duration.
+
+    In it `duration` is the symbol of the duration; `parameters` is a dict from the other
+    symbols to intervals.
+    """
     symbols = [duration, *parameters]
     sides = answer.args if isinstance(answer, sp.Eq) else (answer, sp.S.Zero)
     left, right = (coercion.as_expression(side, symbols) for side in sides)

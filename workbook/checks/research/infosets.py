@@ -24,8 +24,10 @@ ROUNDING = 1e-9
 
 @judged(Expressions("bounds", length=lambda data: data["directions"].rows))
 def support_values(claims, sides, bounds, directions):
-    """How far {p: sides p <= bounds} reaches in each direction: the greatest n p over it, for the
-    rows n."""
+    """Check the support function of {p: sides p <= bounds} in each direction.
+
+    For the rows n it is the greatest n p over the set.
+    """
     symbols = _symbols(bounds)
     for values in in_every_case(random_values(symbols, 91), sp.Matrix(claims)):
         corners = _corners(sides, bounds, values)
@@ -43,9 +45,11 @@ def support_values(claims, sides, bounds, directions):
 
 
 @judged
-def common_point(answer, sides, bounds):
-    """Condition for {p: sides p <= bounds} to have a point, for positive values of the symbols of
-    the bounds."""
+def common_point_exists(answer, sides, bounds):
+    """Check the condition for {p: sides p <= bounds} to have a point.
+
+    The symbols of the bounds have positive values.
+    """
     symbols = _symbols(bounds)
     here = sp.And(*(symbol > 0 for symbol in symbols))
 

@@ -1,5 +1,4 @@
-"""Reconstruction of a motion from samples: the transition of state and costate, small records,
-continuous measurements.
+"""Reconstruction of a motion from samples: transition matrix, splines, continuous records.
 
 The motion of least cost is found here by dense least squares in positions and velocities at the
 samples, where the integral of u^2 between two states is a quadratic form; the sweep is not used.
@@ -28,12 +27,13 @@ PIECES = 16
 
 @judged(Expression("lam", "kappa"))
 def transition_polynomial(claim, transition, lam, kappa):
-    """The characteristic polynomial P(lambda) = det(lambda E - A) of a transition matrix that
-    depends on kappa.
+    """Check the characteristic polynomial P(lambda) of a transition matrix.
+
+    It is det(lambda I - A), and the matrix A depends on kappa.
 
     Where `lam` is written with another symbol, w/2 + sqrt(w^2/4 - 1) or exp(i phi),
-    P(lambda)/lambda^(n/2) in this symbol, which is real for a reciprocal polynomial: without the
-    imaginary unit on the unit circle.
+    P(lambda)/lambda^(n/2) in this symbol, which is real for a reciprocal polynomial: without
+    the imaginary unit on the unit circle.
     """
     if lam.has(sp.I) and claim.has(sp.I):
         raise Wrong(
@@ -64,7 +64,7 @@ def transition_polynomial(claim, transition, lam, kappa):
 
 @judged(Number())
 def multiple_eigenvalues(number, transition, kappa):
-    """The kappa > 0 for which eigenvalues coincide, to three digits or exactly."""
+    """Check the kappa > 0 for which eigenvalues coincide, to three digits or exactly."""
     claim = float(number)
     if claim <= 0:
         raise Wrong(f"kappa = {claim:.4g} is not positive")
@@ -82,7 +82,7 @@ def multiple_eigenvalues(number, transition, kappa):
 
 @judged(Number())
 def digits_lost(number, transition, kappa, value):
-    """By how many decimal digits the error of the forward recursion grows with every sample."""
+    """Check by how many decimal digits the error of the forward recursion grows each sample."""
     claim = float(number)
     greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
     if not agree(claim, math.log10(greatest), number):
@@ -96,8 +96,11 @@ def digits_lost(number, transition, kappa, value):
 
 @judged(Expression("times", "samples", "rho", "M"))
 def spline_acceleration(claim, times, samples, rho=None, M=None):
-    """The acceleration of the motion of least cost at the middle one of three samples of equal
-    weight rho, without weights of the easiest motion through the samples."""
+    """Check the acceleration of the motion of least cost at the middle one of three samples.
+
+    The samples have the equal weight rho; without weights the easiest motion through the
+    samples is meant.
+    """
     for values, t, h in _drawn(times, samples, *filter(None, (rho, M))):
         states = _least_cost(t, h, values.get(rho), values.get(M))
         yield SameValue(
@@ -113,7 +116,7 @@ def spline_acceleration(claim, times, samples, rho=None, M=None):
 
 @judged(Expressions("times", "samples", "rho", "M", length=lambda data: len(data["times"])))
 def spline_positions(claims, times, samples, rho, M):
-    """The positions at the samples of the motion of least cost."""
+    """Check the positions at the samples of the motion of least cost."""
     for values, t, h in _drawn(times, samples, rho, M):
         x, _ = _least_cost(t, h, values[rho], values[M])
         for k, claim in enumerate(claims):
@@ -123,7 +126,7 @@ def spline_positions(claims, times, samples, rho, M):
 
 @judged(Expression("times", "samples", "rho", "D"))
 def weight_for_bound(claim, times, samples, rho, D):
-    """The weight M for which the motion of least cost has the greatest acceleration D."""
+    """Check the weight M for which the motion of least cost has the greatest acceleration D."""
     for values, t, h in _bounded(times, samples, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
@@ -145,8 +148,10 @@ def weight_for_bound(claim, times, samples, rho, D):
 
 @judged(Expression("times", "samples", "rho", "D"))
 def spline_misfit(claim, times, samples, rho, D):
-    """The misfit rho sum (x_k - h_k)^2 of the motion of least cost whose greatest acceleration is
-    D."""
+    """Check the misfit of the motion of least cost whose greatest acceleration is D.
+
+    The misfit is rho sum (x_k - h_k)^2.
+    """
     for values, t, h in _bounded(times, samples, rho, D):
         low, high = math.log(values[rho] * t[1] ** 3) - 30, math.log(values[rho] * t[1] ** 3) + 30
         for _ in range(80):
@@ -168,7 +173,7 @@ def spline_misfit(claim, times, samples, rho, D):
 
 @judged(Expression("times", "samples", "rho", "D"))
 def bounded_misfit(claim, times, samples, rho, D):
-    """The least misfit rho sum (x_k - h_k)^2 among all motions with |u| <= D."""
+    """Check the least misfit rho sum (x_k - h_k)^2 among all motions with |u| <= D."""
     from scipy.optimize import lsq_linear
 
     for values, t, h in _bounded(times, samples, rho, D):
@@ -197,7 +202,10 @@ def bounded_misfit(claim, times, samples, rho, D):
 
 @judged(Expression("omega", "rho", "M"))
 def filter_gain(claim, omega, rho, M):
-    """The factor g with which x = g cos(omega t) solves M x'''' + rho (x - cos(omega t)) = 0."""
+    """Check the factor g with which x = g cos(omega t) solves the filter equation.
+
+    The equation is M x'''' + rho (x - cos(omega t)) = 0.
+    """
     for values in in_every_case(random_values([omega, rho, M], SEED), claim):
         gain = value_at(claim, values, "the factor")
         left = values[M] * values[omega] ** 4 * gain + values[rho] * (gain - 1)
@@ -211,8 +219,10 @@ def filter_gain(claim, omega, rho, M):
 
 @judged(Expression("rho", "M"))
 def boundary_decay(claim, rho, M):
-    """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M
-    x'''' + rho x = 0 that decay."""
+    """Check the rate at which the influence of an end decays.
+
+    It is -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that decay.
+    """
     for values in in_every_case(random_values([rho, M], SEED), claim):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])
         yield SameValue(
@@ -223,8 +233,10 @@ def boundary_decay(claim, rho, M):
 
 @judged(Expression("amplitude", "omega", "rho", "D"))
 def weight_of_harmonic(claim, amplitude, omega, rho, D):
-    """The weight M for which the reconstruction of `amplitude` cos(omega t) has the greatest
-    acceleration D."""
+    """Check the weight M for which a reconstructed harmonic has the greatest acceleration D.
+
+    The harmonic is `amplitude` cos(omega t).
+    """
     for values in in_every_case(random_values([amplitude, omega, rho, D], SEED), claim):
         values[D] = values[amplitude] * values[omega] ** 2 * 0.8 * values[D] / (1 + values[D])
         weight = value_at(claim, values, "M")

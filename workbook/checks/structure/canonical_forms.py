@@ -1,5 +1,6 @@
-"""Canonical forms by observation (2.5) and by control (2.4), and the changes of variables that lead
-to them; the matrix in the basis b, A b, A^2 b, ...
+"""Canonical forms by observation (2.5) and by control (2.4), and the changes to them.
+
+Also the matrix in the basis b, A b, A^2 b, ...
 
 A form is judged by its shape and by its characteristic polynomial; a change of variables by what it
 makes of the equations. The form by control is the other one of the transposed matrix, with rows and
@@ -67,9 +68,12 @@ OF_CHAIN = _Form(
 
 @judged(Matrix("parameters", shape="system.A"))
 def canonical_matrix(claim, system, parameters=()):
-    """The n x n matrix of the canonical form of a system, with an output by observation (2.5), its
-    first column, with a control by control (2.4), its last row: ones above the diagonal, and the
-    eigenvalues of A."""
+    """Check the n x n matrix of the canonical form of a system.
+
+    With an output the form is that by observation (2.5), determined by its first column; with a
+    control that by control (2.4), determined by its last row: ones above the diagonal, and the
+    eigenvalues of A.
+    """
     if has_control(system):
         return judge_form(claim.T[::-1, ::-1], controlled_pair(system, parameters), BY_CONTROL)
     return judge_form(claim, observed_pair(system, parameters), BY_OBSERVATION)
@@ -77,7 +81,7 @@ def canonical_matrix(claim, system, parameters=()):
 
 @judged(Matrix("parameters", shape="system.A"))
 def canonical_change(claim, system, parameters=()):
-    """The change to the canonical form of a system with one output or one control.
+    """Check the change of coordinates to the canonical form, with one output or one control.
 
     By observation (2.5) it is T of xi = T x: z = xi1, xi1' = alpha_n xi1 + xi2, and so on; by
     control (2.4) it is P of x = P xi: its last column is b, and A P = P A0.
@@ -97,8 +101,9 @@ def canonical_change(claim, system, parameters=()):
 
 @judged(Matrix("parameters", shape="system.A"))
 def chain_basis_matrix(claim, system, parameters=()):
-    """The matrix of a controllable system with one control (A: n x n, B: n x 1) in the basis g^1 =
-    b, g^2 = A b, ..., g^n = A^(n-1) b.
+    """Check the matrix of a controllable system in the basis b, A b, ..., A^(n-1) b.
+
+    The system has one control (A: n x n, B: n x 1); g^1 = b, g^2 = A b, ..., g^n = A^(n-1) b.
 
     Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the
     eigenvalues of A demand.
@@ -111,8 +116,10 @@ def chain_basis_matrix(claim, system, parameters=()):
 
 @judged(Matrix("parameters"))
 def canonical_part_coordinates(claim, system, parameters=()):
-    """The matrix F (rank N x n) of coordinates xi = F x in which the observable part of the system
-    has the form (2.5) (A: n x n, H: 1 x n)."""
+    """Check the coordinates xi = F x of the observable part in the canonical form (2.5).
+
+    F has as many rows as N has rank (F: rank N x n, A: n x n, H: 1 x n).
+    """
     if claim.cols != system.A.rows:
         raise Invalid(
             f"expected a matrix with {system.A.rows} columns, one for each coordinate of x; the "
@@ -137,14 +144,14 @@ def canonical_part_coordinates(claim, system, parameters=()):
         yield SameEntries(
             claim[0, :],
             h[None, :],
-            lambda said, _, j: (
-                f"z has to be xi1 alone{where}; your xi1 holds {number_text(said[0, j])} x{j + 1}"
+            lambda claimed, _, j: (
+                f"z has to be xi1 alone{where}; your xi1 holds {number_text(claimed[0, j])} x{j + 1}"
             ),
             values,
             np.linalg.norm(h),
         )
-        said = matrix_at(claim, values)
-        for k, (row, following) in enumerate(zip(said, [*said[1:], 0 * h])):
+        claimed = matrix_at(claim, values)
+        for k, (row, following) in enumerate(zip(claimed, [*claimed[1:], 0 * h])):
             rate = row @ A_there
             rest = rate - following - h * ((rate - following) @ h) / (h @ h)
             if not np.linalg.norm(rest) <= relative_tolerance(claim) * (
@@ -167,10 +174,10 @@ def judge_form(claim, pair, form):
     pair's A."""
     tolerance = relative_tolerance(claim)
     for values, place, _ in pair.samples_for(claim):
-        said = matrix_at(claim, values)
-        shape_of_form(said, tolerance, form, where_text(values))
+        claimed = matrix_at(claim, values)
+        shape_of_form(claimed, tolerance, form, where_text(values))
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
-        own = np.array([1, *(0 - said[:, 0])])  # not -said: a zero would be told as -0
+        own = np.array([1, *(0 - claimed[:, 0])])  # not -said: a zero would be told as -0
         if not agree(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
             # not 0: the value there is a coefficient, which is asked for
             at = max(
@@ -188,20 +195,22 @@ def judge_form(claim, pair, form):
     return f"it has {form.shape} and the characteristic polynomial of A"
 
 
-def shape_of_form(said, tolerance, form, where):
+def shape_of_form(claimed, tolerance, form, where):
     """Raise `Wrong` unless a matrix of numbers, turned so that it should be the form by
     observation, has ones above the diagonal and zeros outside its first column."""
-    n = len(said)
+    n = len(claimed)
     pattern = np.eye(n, k=1)
-    if _has_shape(said, pattern, tolerance):
+    if _has_shape(claimed, pattern, tolerance):
         return
-    for view, relative in zip((said.T[::-1, ::-1], said.T, said[::-1, ::-1]), form.relatives):
+    for view, relative in zip(
+        (claimed.T[::-1, ::-1], claimed.T, claimed[::-1, ::-1]), form.relatives
+    ):
         if _has_shape(view, pattern, tolerance):
             raise Wrong(f"{relative}{where}; asked is {form.shape}: {form.ones_and_zeros}")
-    off = abs(said - pattern) * (np.arange(n) > 0)
+    off = abs(claimed - pattern) * (np.arange(n) > 0)
     i, j = map(int, np.unravel_index(np.argmax(off), off.shape))
     raise Wrong(
-        f"the entry {form.place(i, j, n)} of your matrix is {number_text(said[i, j])}{where}; "
+        f"the entry {form.place(i, j, n)} of your matrix is {number_text(claimed[i, j])}{where}; "
         f"{form.shape} has {form.ones_and_zeros}"
     )
 
@@ -224,8 +233,8 @@ def _judge_change(claim, pair, said_rows, by_rows):
             true.append(true[-1] @ A + float(coefficient) * h)
         true = np.array(true)
 
-        def told(said, k, j):
-            own, wanted = (said, true) if by_rows else (said[::-1].T, true[::-1].T)
+        def message(claimed, k, j):
+            own, wanted = (claimed, true) if by_rows else (claimed[::-1].T, true[::-1].T)
             if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(
                 own @ wanted - np.eye(n)
             ) <= 10 * relative_tolerance(claim):
@@ -253,7 +262,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
                 f"{j + 1} of your {own} does not fit"
             )
 
-        yield SameEntries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
+        yield SameEntries(claim, true, message, values, np.linalg.norm(true, axis=1)[:, None])
     judge_everywhere(
         claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
     )

@@ -1,5 +1,4 @@
-"""Questions that are asked both of an output and of a control: one judgement serves both, by
-transposition.
+"""Questions about an output or a control: one judgement serves both, by transposition.
 
 What a control cannot reach is what the output B^T y of y' = A^T y does not show: a row w with w A =
 lambda w and w B = 0 is a column there. So each function here takes a `Pair`, of (A, H) or of (A^T,
@@ -126,10 +125,10 @@ def judge_yes_no(claim, pair, side):
 def judge_region(answer, pair, side, holds=True):
     """The parameters for which the property holds (or, with `holds` False, fails)."""
 
-    def told(values, truth):
-        dimension, says = pair.dimension_at(values), "does not hold" if truth else "holds"
+    def message(values, reference):
+        dimension, says = pair.dimension_at(values), "does not hold" if reference else "holds"
         found = f"the system is {side.fails if dimension else side.holds}"
-        if truth == holds or not dimension:
+        if reference == holds or not dimension:
             return f"at {values_text(values)} your condition {says}, yet {found} there: {left_over(dimension, side)}"
         # An exceptional value itself would be the answer: one parameter of those it depends on
         # stays unsaid.
@@ -142,7 +141,7 @@ def judge_region(answer, pair, side, holds=True):
         )
 
     try:
-        agreement = compare(answer, pair.parameters, pair.reference(holds), told)
+        agreement = compare(answer, pair.parameters, pair.reference(holds), message)
     except Wrong as reason:
         if (
             not holds
@@ -165,8 +164,8 @@ def judge_kalman(claim, pair, side):
         true = np.vstack([H @ np.linalg.matrix_power(A, k) for k in range(pair.order)])
         sizes = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))[:, None]
 
-        def told(said, k, j):
-            if said.shape == true.T.shape and agree(said.T, true, claim.T, sizes).all():
+        def message(claimed, k, j):
+            if claimed.shape == true.T.shape and agree(claimed.T, true, claim.T, sizes).all():
                 return f"this is the transpose of {side.matrix}"
             asked = (
                 f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}"
@@ -177,10 +176,10 @@ def judge_kalman(claim, pair, side):
             )
             return (
                 f"{asked}{where_text(values)}: {block} {k + 1} of your matrix, with "
-                f"{number_text(said[k, j])} in {side.across} {j + 1}, does not fit"
+                f"{number_text(claimed[k, j])} in {side.across} {j + 1}, does not fit"
             )
 
-        yield SameEntries(claim, true, told, values, sizes)
+        yield SameEntries(claim, true, message, values, sizes)
     return f"the {block}s are those of the definition, each block A times the one before"
 
 
@@ -188,10 +187,10 @@ def judge_eigenvalues(claims, pair, side):
     """The different eigenvalues at which the rank of Popov's criterion falls: those of A on the
     unseen states."""
     lost = [
-        different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen)))
+        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unseen)))
         if unseen
         else np.array([])
-        for _, place, unseen in pair.samples_for(claims)
+        for _, point, unseen in pair.samples_for(claims)
     ]
     spectra = [
         (values, found, np.linalg.eigvals(A))

@@ -1,5 +1,6 @@
-"""One scalar equation in place of x' = A x + b u: of order n, between y = c x, the control and
-their derivatives.
+"""Scalar equations equivalent to x' = A x + b u.
+
+An equation is of order n, between y = c x, the control and their derivatives.
 
 At one moment x, u, u', ... may have any values, and the system then says what y, y', ..., y^(n)
 are. An equation is right if it is linear with constant coefficients, of order n, and satisfied by
@@ -27,9 +28,11 @@ LARGEST_ORDER = 12
 
 @judged
 def scalar_equation(answer, system, motion, control, parameters=()):
-    """The equation of order n between the control and y, the output or else the first coordinate of
-    the canonical form by control (2.4); `motion` and `control` are functions of time such as y(t),
-    u(t)."""
+    """Check the equation of order n between the control and y.
+
+    Here y is the output or else the first coordinate of the canonical form by control (2.4);
+    `motion` and `control` are functions of time such as y(t), u(t).
+    """
     claim, canonical = _LinearEquation(answer, motion, control, parameters), not system.H
     for values in general_values(list(parameters)):
         there = system.subs(values)
@@ -46,8 +49,10 @@ def scalar_equation(answer, system, motion, control, parameters=()):
 
 @judged(Expressions("parameters", length="system.A"))
 def canonical_coordinate(claim, system, parameters=()):
-    """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by
-    control (2.4), with one control."""
+    """Check the row c for which y = c x is the first coordinate of the canonical form (2.4).
+
+    The row has n entries; the form is that by control, with one control.
+    """
     for values in in_every_case(general_values(list(parameters)), claim):
         there, b = system.A.subs(values), system.B.subs(values)
         row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, there.rows + 1)])
@@ -146,8 +151,8 @@ class _LinearEquation:
         rows = [c]
         while len(rows) <= n:
             rows.append(rows[-1] * A)
-        told = sp.Matrix.vstack(*rows[:n])
-        if told.det() == 0:
+        message = sp.Matrix.vstack(*rows[:n])
+        if message.det() == 0:
             raise ValueError("y does not tell the state: its equation is not the system")
         # y^(k) in terms of x and of u, u', ..., u^(highest)
         driven = sp.Matrix(
@@ -156,7 +161,7 @@ class _LinearEquation:
         to_all = np.array(sp.Matrix.vstack(*rows).row_join(driven).tolist(), dtype=float)
         # The states at which y, ..., y^(n-1), u, u', ... vanish but for one of them: there no other
         # term hides a wrong one.
-        back = told.inv()
+        back = message.inv()
         states = np.array(
             (back.row_join(-back * driven[:n, :]))
             .col_join(sp.zeros(highest + 1, n).row_join(sp.eye(highest + 1)))

@@ -188,8 +188,9 @@ def _import_checks():
 
     from workbook import checks
 
-    for name in checks.__all__:
-        getattr(checks, name)
+    for package in (checks, checks.research):
+        for name in package.__all__:
+            getattr(package, name)
 
 
 if __name__ == "__main__":

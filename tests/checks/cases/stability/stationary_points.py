@@ -5,7 +5,6 @@ from case import Case
 open_ray = sp.Interval.open(0, sp.oo)
 P, m, g, k, k1, b, c = sp.symbols("P m g k k1 b c", positive=True)
 v, theta, rho, beta, r, u = sp.symbols("v theta rho beta r u", real=True)
-half = sp.Rational(1, 2)
 
 # A rocket, a projectile with thrust, a glider, a pursuit, a limit cycle: problems 1.7, 1.8, 1.9,
 # 1.11, 1.12.
@@ -26,18 +25,13 @@ GLIDER = (
     ANY,
 )
 GLIDE = [-sp.atan(k / k1), (g**2 / (k**2 + k1**2)) ** sp.Rational(1, 4)]
-NO_DRAG = ([k1 * v - g * sp.cos(theta) / v, -g * sp.sin(theta)], [theta, v], [k1, g], ANY)
-ENDS = [(-sp.pi / 2, 0), (sp.pi / 2, 0)]
-FORWARDS = ANY | {theta: sp.Interval.open(-sp.pi / 2, sp.pi / 2)}
-BORDER = (*NO_DRAG[:3], ENDS, FORWARDS)
 CHASE = (
     [b - sp.cos(beta), sp.sin(beta) / rho + c],
     [rho, beta],
     [b, c],
     {rho: open_ray, beta: sp.Interval.Lopen(-sp.pi, sp.pi), b: sp.Interval.open(0, 1)},
 )
-RADIAL = ((u - 2) * r - r**3, r, [u])
-TURNING = ((u - 2) * r - r**3, r + 1, r, [u])
+RADIAL = ([(u - 2) * r - r**3], [r], [u], {r: open_ray})
 ON_CYCLE = ([(u - 2) * r - r**3], [r], [u], {r: open_ray})
 ROUND = ([-u * rho, -u * beta], [rho, beta], [u], {u: open_ray})
 TOUCHING, SIMPLE = ([r**2 * (r - 1)], [r], []), (("zeros", [r * (r - 1)]),)
@@ -288,135 +282,24 @@ CASES = [
     Case("node_region", b > sp.Rational(894, 1000), CHASE, "wrong", "a fraction counts as exact"),
     Case("node_region", k > k1, GLIDER, "wrong", "another slope"),
     Case("node_region", "k > 2.83 k1", GLIDER, "invalid", "text"),
-    Case("dulac", [v, -3 * k * v**2], GLIDER, "right", "a multiplier"),
-    Case("dulac", (-2 * rho, -2 * b), CHASE, "right", "another factor, a tuple"),
-    Case("dulac", [1, sp.cos(beta) / rho], CHASE, "wrong", "the divergence changes its sign"),
-    Case("dulac", [rho, 2 * b], CHASE, "wrong", "another divergence"),
+    Case("stationary_exists", u > 2, RADIAL, "right", "the radicand"),
+    Case("stationary_exists", sp.Interval.open(2, sp.oo), RADIAL, "right", "an interval"),
+    Case("stationary_exists", u >= 2, RADIAL, "wrong", "the radius zero"),
+    Case("stationary_exists", u >= 2.0, RADIAL, "wrong", "the radius zero, as a decimal"),
+    Case("stationary_exists", u > 2.004, RADIAL, "right", "to three digits"),
+    Case("stationary_exists", u > 2.02, RADIAL, "wrong", "off by one per cent"),
+    Case("stationary_exists", sp.And(u > 2, u < 10**7), RADIAL, "wrong", "cut off far out"),
+    Case("stationary_exists", u > 2.0, RADIAL, "right", "a decimal"),
+    Case("stationary_exists", u >= 2.0, RADIAL, "wrong", "the radius zero, a decimal"),
+    Case("stationary_exists", sp.Ne(u, 2), RADIAL, "wrong", "either sign of the radicand"),
+    Case("stationary_exists", 2, RADIAL, "invalid", "the value alone"),
+    Case("stationary_points", sp.sqrt(u - 2), RADIAL, "right", "the root"),
     Case(
-        "dulac",
-        [v * (k - 1) ** 2, -3 * k * (k - 1) ** 2 * v**2],
-        GLIDER,
-        "wrong",
-        "a multiplier that is zero for k = 1",
+        "stationary_points", [(sp.Symbol("u") - 2) ** 0.5], RADIAL, "right", "plain symbols, a list"
     ),
-    Case(
-        "dulac",
-        [rho * (b - 2) ** 2, b * (b - 2) ** 2],
-        CHASE,
-        "right",
-        "zero only for a b beyond those asked about",
-    ),
-    Case("dulac", [v, 0], NO_DRAG, "wrong", "a divergence that vanishes everywhere"),
-    Case(
-        "dulac",
-        [sp.log(v - 1), -3 * k * v**2],
-        GLIDER,
-        "wrong",
-        "a multiplier that is not real everywhere",
-    ),
-    Case("dulac", rho, CHASE, "invalid", "the multiplier alone"),
-    Case(
-        "first_integral",
-        k1 * v**3 / 3 - g * v * sp.cos(theta),
-        NO_DRAG,
-        "right",
-        "the stream function",
-    ),
-    Case(
-        "first_integral",
-        (k1 * v**3 - 3 * g * v * sp.cos(theta)) ** 2 + 5,
-        NO_DRAG,
-        "right",
-        "a function of it",
-    ),
-    Case("first_integral", k1 * v**2 / 2 - g * sp.cos(theta), NO_DRAG, "wrong", "not kept"),
-    Case(
-        "first_integral",
-        0.333 * k1 * v**3 - g * v * sp.cos(theta),
-        NO_DRAG,
-        "right",
-        "three digits of a third",
-    ),
-    Case(
-        "first_integral",
-        0.337 * k1 * v**3 - g * v * sp.cos(theta),
-        NO_DRAG,
-        "wrong",
-        "one per cent off",
-    ),
-    Case("first_integral", g * k1, NO_DRAG, "wrong", "a constant"),
-    Case(
-        "first_integral",
-        (g - 1) * (k1 * v**3 - 3 * g * v * sp.cos(theta)),
-        NO_DRAG,
-        "wrong",
-        "zero for g = 1",
-    ),
-    Case(
-        "first_integral",
-        sp.exp(k1 * v**3 / (3 * g) - v * sp.cos(theta)),
-        NO_DRAG,
-        "right",
-        "too large for a float",
-    ),
-    Case("first_integral", sp.DiracDelta(v), NO_DRAG, "wrong", "what has no values"),
-    Case("first_integral", sp.Eq(v, 0), NO_DRAG, "invalid", "an equation"),
-    Case("phase_curve", sp.sqrt(3 * g * sp.cos(theta) / k1), BORDER, "right", "the curve"),
-    Case(
-        "phase_curve",
-        sp.sqrt(3) * sp.sqrt(g / k1) * sp.sqrt(sp.cos(theta)),
-        BORDER,
-        "right",
-        "separate roots",
-    ),
-    Case(
-        "phase_curve",
-        1.73 * sp.sqrt(g / k1) * sp.sqrt(sp.cos(theta)),
-        BORDER,
-        "right",
-        "three digits of a root",
-    ),
-    Case(
-        "phase_curve",
-        1.75 * sp.sqrt(g / k1) * sp.sqrt(sp.cos(theta)),
-        BORDER,
-        "wrong",
-        "one per cent off",
-    ),
-    Case("phase_curve", sp.sqrt(g * sp.cos(theta) / k1), BORDER, "wrong", "another slope"),
-    Case(
-        "phase_curve", -sp.sqrt(3 * g * sp.cos(theta) / k1), BORDER, "wrong", "outside the domain"
-    ),
-    Case(
-        "phase_curve",
-        v**3 - 3 * v * sp.cos(theta),
-        BORDER,
-        "invalid",
-        "an equation without its right-hand side",
-    ),
-    Case("cycle_exists", u > 2, RADIAL, "right", "the radicand"),
-    Case("cycle_exists", sp.Interval.open(2, sp.oo), RADIAL, "right", "an interval"),
-    Case("cycle_exists", u >= 2, RADIAL, "wrong", "the radius zero"),
-    Case("cycle_exists", u >= 2.0, RADIAL, "wrong", "the radius zero, as a decimal"),
-    Case("cycle_exists", u > 2.004, RADIAL, "right", "to three digits"),
-    Case("cycle_exists", u > 2.02, RADIAL, "wrong", "off by one per cent"),
-    Case("cycle_exists", sp.And(u > 2, u < 10**7), RADIAL, "wrong", "cut off far out"),
-    Case("cycle_exists", u > 2.0, RADIAL, "right", "a decimal"),
-    Case("cycle_exists", u >= 2.0, RADIAL, "wrong", "the radius zero, a decimal"),
-    Case("cycle_exists", sp.Ne(u, 2), RADIAL, "wrong", "either sign of the radicand"),
-    Case("cycle_exists", 2, RADIAL, "invalid", "the value alone"),
-    Case("cycle_radius", sp.sqrt(u - 2), RADIAL, "right", "the root"),
-    Case("cycle_radius", [(sp.Symbol("u") - 2) ** 0.5], RADIAL, "right", "plain symbols, a list"),
-    Case("cycle_radius", u - 2, RADIAL, "wrong", "the square"),
-    Case("cycle_radius", [0, sp.sqrt(u - 2)], RADIAL, "wrong", "the state of rest counted"),
-    Case("cycle_radius", sp.Eq(r**2, u - 2), RADIAL, "invalid", "an equation"),
-    Case("cycle_period", 2 * sp.pi / (1 + sp.sqrt(u - 2)), TURNING, "right", "one turn"),
-    Case("cycle_period", 6.28 / (1 + sp.sqrt(u - 2)), TURNING, "right", "decimals"),
-    Case(
-        "cycle_period", 2 * sp.pi / sp.sqrt(u - 2), TURNING, "wrong", "a part of the rate forgotten"
-    ),
-    Case("cycle_period", 2 * sp.pi / (1 + r), TURNING, "invalid", "the radius left in"),
-    Case("cycle_period", sp.pi / (1 + sp.sqrt(u - 2)), TURNING, "wrong", "half a turn"),
+    Case("stationary_points", u - 2, RADIAL, "wrong", "the square"),
+    Case("stationary_points", [0, sp.sqrt(u - 2)], RADIAL, "wrong", "the state of rest counted"),
+    Case("stationary_points", sp.Eq(r**2, u - 2), RADIAL, "invalid", "an equation"),
     Case("stationary_linearisation", 4 - 2 * u, ON_CYCLE, "right", "a cycle in its radius"),
 ]
 LIMITS = [
@@ -425,8 +308,4 @@ LIMITS = [
     "A condition with other terms than polynomials, roots, absolute values, sines and cosines is "
     "compared at points.",
     "The border between focus and node, where the roots are equal, is not judged.",
-    "A multiplier is tried at 300 points of the domain: a divergence whose sign changes in a "
-    "small part of it only may pass.",
-    "The region of the test of Dulac has to be simply connected; that it is one is for the data "
-    "cell to see to.",
 ]

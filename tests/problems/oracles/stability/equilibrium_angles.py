@@ -69,11 +69,9 @@ def kind_of_angles(mutant, reference, field, state, parameters):
 
 
 ORACLES = {
-    "rest_angles": same_angles,
-    "stable_rest_angles": same_angles,
-    "unstable_rest_angles": same_angles,
-    "stable_angles": angle_condition,
-    "saddle_angles": angle_condition,
-    "focus_parameters": kind_of_angles,
-    "node_parameters": kind_of_angles,
+    "equilibrium_angles": same_angles,
+    "stable_equilibrium_angles": same_angles,
+    "unstable_equilibrium_angles": same_angles,
+    "stable_angle_condition": angle_condition,
+    "saddle_angle_condition": angle_condition,
 }

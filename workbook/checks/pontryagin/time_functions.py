@@ -1,5 +1,6 @@
-"""What answers say of time, read once and evaluated at many instants and parameters: controls,
-motions, costates.
+"""Answers as functions of time, evaluated at many instants and parameters.
+
+They are controls, motions and costates.
 
 A control is an expression, or a list of arcs [value, until]; motions and costates are an expression
 a state.
@@ -171,18 +172,20 @@ class Steering:
 
         def smooth(value):
             def u(times):
-                said = at_instants(value, times, *numbers)[0]
+                claimed = at_instants(value, times, *numbers)[0]
                 # At a single instant, as between the cases t < 1 and t > 1, a control need not be
                 # defined.
                 for aside in (1e-9 * duration, -1e-9 * duration):
-                    undefined = np.flatnonzero(np.isnan(said))
+                    undefined = np.flatnonzero(np.isnan(claimed))
                     if len(undefined):
-                        said[undefined] = at_instants(value, times[undefined] + aside, *numbers)[0]
-                for t in times[np.isnan(said)]:
+                        claimed[undefined] = at_instants(value, times[undefined] + aside, *numbers)[
+                            0
+                        ]
+                for t in times[np.isnan(claimed)]:
                     raise Wrong(
                         f"your control at {self.time} = {t:.4g} is no real number, or not defined"
                     )
-                return said
+                return claimed
 
             return u
 

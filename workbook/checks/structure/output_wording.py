@@ -1,5 +1,4 @@
-"""The words in which a record is asked what its output shows, where they are not those of x' = A x,
-z = H x."""
+"""Wording of questions about the output of records other than x' = A x, z = H x."""
 
 from dataclasses import replace
 

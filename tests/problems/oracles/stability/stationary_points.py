@@ -5,6 +5,7 @@ from random import Random
 import sympy as sp
 
 from oracles.sameness import holds, same_condition, same_value, vanishes
+from oracles.stability.equilibrium_angles import kind_of_angles
 
 
 def first_integral(mutant, reference, field, state, *_):
@@ -74,10 +75,17 @@ def same_points(mutant, reference, field, state, parameters, domain=None, zeros=
     return same_value(turned(mutant), turned(reference), "list of vector" if several else "")
 
 
+def root_region(mutant, reference, field, state, parameters, domain=None):
+    """As `planar_region`; without a domain the stationary angles of an equation are meant."""
+    if domain is None:
+        return kind_of_angles(mutant, reference, field, state, parameters)
+    return planar_region(mutant, reference, field, state, parameters, domain)
+
+
 ORACLES = {
     "stationary_points": same_points,
     "first_integral": first_integral,
-    "focus_region": planar_region,
-    "node_region": planar_region,
+    "focus_region": root_region,
+    "node_region": root_region,
     "stationary_exists": planar_region,
 }

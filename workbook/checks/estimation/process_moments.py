@@ -1,7 +1,6 @@
-"""Moments of a linear process in the course of time: the mean, the covariance, and what they settle
-to.
+"""Moments of a linear process as functions of time: mean, covariance and their limits.
 
-The truth comes at numbers from the exponential of a block matrix (`references/processes.py`), for times
+The reference comes at numbers from the exponential of a block matrix (`references/processes.py`), for times
 and parameters of all sizes; where a covariance settles, and whether it rises, from the signs of
 determinants.
 """
@@ -30,9 +29,12 @@ LATEST = 1000
 
 
 @judged(MatrixOrVector("start", "noises", "parameters", shape=processes.shape_of("mean")))
-def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
-    """The state of a process in discrete time after as many steps as there are noises, a column in
-    the symbols of its start and of the noises; of a single coordinate an expression."""
+def state_after_steps(claim, process, start, noises, parameters=(), given=sp.true):
+    """Check the state of a process in discrete time after as many steps as there are noises.
+
+    It is a column in the symbols of the initial state and of the noises; of a single coordinate
+    an expression.
+    """
     columns = [
         sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
         for column in (start, *noises)
@@ -53,10 +55,10 @@ def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
         yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"with the start and the noises{where_text(values)} the steps, one after the "
                 "other, lead to another state: "
-                f"look at component {i + 1}, where yours is {number_text(said[i, 0])}"
+                f"look at component {i + 1}, where yours is {number_text(claimed[i, 0])}"
             ),
             values,
             size,
@@ -65,22 +67,26 @@ def state_by_noise(claim, process, start, noises, parameters=(), given=sp.true):
 
 
 @judged(MatrixOrVector("time", "parameters", shape=processes.shape_of("mean")))
-def mean_motion(claim, process, time, parameters=(), given=sp.true, times=None):
-    """The mean of the process at the time t, a column; of a single coordinate an expression.
+def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
+    """Check the mean of the process at the time t.
+
+    It is a column; of a single coordinate an expression.
 
     `times` are those for which the answer is asked, if not for all.
     """
     for one, values in _in_time(process, time, claim, parameters, given, times):
         F, _ = processes.transition(one, values[time])
         yield SameEntries(
-            claim, F @ one.mean, _told("mean", values), values, abs(F) @ abs(one.mean)
+            claim, F @ one.mean, _text("mean", values), values, abs(F) @ abs(one.mean)
         )
     return "it is the mean at all times and parameters tried"
 
 
 @judged(Matrix("time", "parameters", shape=processes.shape_of("A")))
-def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=None):
-    """The covariance matrix of the process at the time t; of a single coordinate an expression.
+def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
+    """Check the covariance matrix of the process at the time t.
+
+    Of a single coordinate it is an expression.
 
     `times` are those for which the answer is asked, if not for all.
     """
@@ -94,14 +100,14 @@ def covariance_motion(claim, process, time, parameters=(), given=sp.true, times=
         )
         size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
         yield SameEntries(
-            claim, F @ one.covariance @ F.T + N, _told("covariance", values), values, size.max()
+            claim, F @ one.covariance @ F.T + N, _text("covariance", values), values, size.max()
         )
     return "it is the covariance at all times and parameters tried"
 
 
 @judged(Expression("time", "parameters"))
-def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, times=None):
-    """The correlation coefficient at the time t of two quantities, with the rows `of`.
+def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, times=None):
+    """Check the correlation coefficient at the time t of two quantities, with the rows `of`.
 
     `times` are those for which the answer is asked, if not for all after the start.
     """
@@ -117,9 +123,11 @@ def correlation_motion(claim, process, time, of, parameters=(), given=sp.true, t
 
 
 @judged(Expressions("parameters", length=3))
-def shaping_equation(claims, process, parameters=(), given=sp.true):
-    """[a, Q, D] of the equation w' = a w + q, with the intensity Q of q and the variance D of w(0),
-    that makes the noise of a `Coloured` process."""
+def shaping_filter(claims, process, parameters=(), given=sp.true):
+    """Check the shaping filter [a, Q, D] of the noise of a `Coloured` process.
+
+    The equation is w' = a w + q, with the intensity Q of q and the variance D of w(0).
+    """
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         D, a = (float(part.subs(values)) for part in processes.variance_and_rate(process))
         for claim, true, what in zip(
@@ -138,9 +146,11 @@ def shaping_equation(claims, process, parameters=(), given=sp.true):
 
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
-def settled_covariance(claim, process, parameters=(), given=sp.true):
-    """The covariance matrix that the process settles to, whatever it is at the start, for those
-    parameters with which it does."""
+def stationary_covariance(claim, process, parameters=(), given=sp.true):
+    """Check the covariance matrix that the process converges to from every initial covariance.
+
+    It is asked for those parameters with which the process converges.
+    """
     process = processes.as_process(process)
     settling = sp.And(conjunction(given), decays(process.A, process.discrete))
     for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
@@ -149,9 +159,9 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
         yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"a process that had your covariance would not keep it{where_text(values)}: by the "
-                f"dispersion equation it changes; {entry_text(said, i, j)}"
+                f"dispersion equation it changes; {entry_text(claimed, i, j)}"
             ),
             values,
             abs(true).max(),
@@ -161,21 +171,24 @@ def settled_covariance(claim, process, parameters=(), given=sp.true):
 
 @judged(Values("parameters", expected="a list or a set of exponents"))
 def covariance_exponents(claims, process, parameters=(), given=sp.true):
-    """The different l with e^(l t), in discrete time with l^k, in the covariance of a process that
-    starts anywhere; what the noise makes it keep is not counted."""
+    """Check the different l with e^(l t), in discrete time l^k, in the covariance of a process.
+
+    The process has any initial covariance; what the noise contributes in the limit is not
+    counted.
+    """
     process = processes.as_process(process)
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
         modes = np.linalg.eigvals(processes.to_array(process.A, values))
         pairs = itertools.combinations_with_replacement(modes, 2)
         true = [first * second if process.discrete else first + second for first, second in pairs]
         size = max(map(abs, true))
-        said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
+        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
             return agree(number[1], other, number[0], size, REPEATED)
 
         yield SameMembers(
-            list(zip(claims, said)),
+            list(zip(claims, claimed)),
             true,
             fits,
             lambda number: (
@@ -191,12 +204,14 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
 
 
 @judged
-def settling_region(answer, process, parameters, given=sp.true):
-    """The parameters for which the covariance of the process settles to one matrix, whatever it is
-    at the start."""
+def stationary_covariance_exists(answer, process, parameters, given=sp.true):
+    """Check the parameters for which the covariance converges whatever it is initially.
+
+    It converges to one and the same matrix.
+    """
     process = processes.as_process(process)
 
-    def told(values):
+    def message(values):
         modes = np.linalg.eigvals(processes.to_array(process.A, values))
         if process.discrete:
             return f"the largest modulus of an eigenvalue is {abs(modes).max():.4g} there"
@@ -206,15 +221,16 @@ def settling_region(answer, process, parameters, given=sp.true):
         answer,
         parameters,
         exactly(decays(process.A, process.discrete), given),
-        contradiction_message(told),
+        contradiction_message(message),
     )
     return f"there and nowhere else what is known of the start is forgotten: {agreement}"
 
 
 @judged
-def covariance_rises(answer, process, parameters, given=sp.true):
-    """The condition on the parameters under which the variance of every combination of the
-    coordinates rises all the time; of a single coordinate: under which its variance does.
+def covariance_increases(answer, process, parameters, given=sp.true):
+    """Check the condition under which the variance of every combination increases all the time.
+
+    It is a condition on the parameters; of a single coordinate its variance is meant.
 
     The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
     """
@@ -226,7 +242,7 @@ def covariance_rises(answer, process, parameters, given=sp.true):
         *(minor > 0 for minor in minors), sp.Ne(A.det(), 0) if process.discrete else sp.true
     )
 
-    def told(values):
+    def message(values):
         at = sp.Matrix(rate.subs(values))
         if at.rows == 1:
             return (
@@ -235,7 +251,7 @@ def covariance_rises(answer, process, parameters, given=sp.true):
         return f"there the variances change at the rates {', '.join(map(str, at.diagonal()))} at the start"
 
     agreement = compare(
-        answer, parameters, exactly(rises, conjunction(given)), contradiction_message(told)
+        answer, parameters, exactly(rises, conjunction(given)), contradiction_message(message)
     )
     return f"it rises there and nowhere else: {agreement}"
 
@@ -258,12 +274,10 @@ def _in_time(process, time, claim, parameters, given, times):
         yield processes.at_values(process, values), values
 
 
-def _told(what, values):
-    def told(said, i, j):
+def _text(what, values):
+    def message(claimed, i, j):
         if list(values.values())[-1] == 0:
-            return (
-                f"at the start the {what} is given, and it is another one: {entry_text(said, i, j)}"
-            )
-        return f"the {what}{where_text(values)} is another one: {entry_text(said, i, j)}"
+            return f"at the start the {what} is given, and it is another one: {entry_text(claimed, i, j)}"
+        return f"the {what}{where_text(values)} is another one: {entry_text(claimed, i, j)}"
 
-    return told
+    return message

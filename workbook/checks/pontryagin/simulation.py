@@ -1,11 +1,13 @@
-"""What a process has to do, whatever its cost: keep to the bounds of the control and to the ends,
-and cost what the best process found costs. The motion under a control in time is followed in small
-steps."""
+"""Simulation of a process: control bounds, end conditions and cost against the optimum.
+
+A process has to keep to the bounds of the control and to the ends, and to cost what the best
+process found costs. The motion under a control in time is followed in small steps.
+"""
 
 import numpy as np
 
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.pontryagin.in_time import INTEGRATED
+from workbook.checks.pontryagin.time_functions import INTEGRATED
 from workbook.checks.tools import wording
 
 #: Up to which share of its terms the least cost is known, and the cost of a process that is
@@ -32,12 +34,12 @@ class Path:
             steps = max(8, int(240 * (end - begin) / best.duration))
             h = (end - begin) / steps
             times = begin + h / 2 * np.arange(2 * steps + 1)
-            said = u(times).tolist()
+            claimed = u(times).tolist()
             for k in range(1, 2 * steps, 2):
-                y = _step(best.field, said[k - 1 : k + 2], y, h)
+                y = _step(best.field, claimed[k - 1 : k + 2], y, h)
                 self.times.append(times[k + 1])
                 self.states.append(y)
-                self.controls.append((times[k], said[k]))
+                self.controls.append((times[k], claimed[k]))
 
     def admissible(self, rounding):
         low, high = self.best.bounds
@@ -88,10 +90,10 @@ def does_as_well(
     if not least <= allowed + BENT * max(
         (abs(part) for sides in gained for part in sides), default=0
     ):
-        told = cost if abs(cost) > 1e-9 * best.cost_size() else 0  # what is mere rounding
+        message = cost if abs(cost) > 1e-9 * best.cost_size() else 0  # what is mere rounding
         costs = (
-            f"costs {told:.4g}"
-            if f"{told:.4g}" != f"{best.cost:.4g}"
+            f"costs {message:.4g}"
+            if f"{message:.4g}" != f"{best.cost:.4g}"
             else (
                 f"costs too {'little' if problem.maximise else 'much'}, by a share of "
                 f"{excess / best.cost_size():.1g}"
