@@ -56,7 +56,7 @@ def graded(bench, given, folder, name="ch1-p15.ipynb"):
     path.write_bytes(given if isinstance(given, bytes) else json.dumps(given).encode())
     (found,) = submissions.find(folder / "submitted")
     assert found.trouble == "" and found.problem == "1.15"
-    return bench.grade({"problem": "1.15", "sources": EXERCISE.to_run(found.cells)})
+    return bench.grade({"problem": "1.15", "sources": EXERCISE.sources_to_run(found.cells)})
 
 
 def full_marks(result):

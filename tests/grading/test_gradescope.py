@@ -30,7 +30,7 @@ from classroom import RIGHT_1_15, notebook, write_assignment
 
 from workbook.authoring import read, read_all
 from workbook.authoring.contract import master_file
-from workbook.authoring.mistakes import sentence
+from workbook.authoring.mistakes import mistake_sentence
 from workbook.grading import assignment as assignments
 from workbook.grading.assignment import AssignmentError
 from workbook.grading.gradescope import autograder, bundle
@@ -113,7 +113,7 @@ def test_what_the_bundle_holds(archive):
         # neither the value nor what is said of it can be read anywhere
         for trial in master.trials["wrong"]:
             value = trial.source.rpartition("\n")[2].partition("=")[2].strip()
-            said = sentence(master, trial) or trial.comment
+            said = mistake_sentence(master, trial) or trial.comment
             assert said.partition("\n")[0] not in everything
             assert len(value) < 16 or f"{trial.name} = {value}" not in everything
 

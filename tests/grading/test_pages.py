@@ -18,7 +18,7 @@ from classroom import an_assignment, graded
 from trajlib.typesetting import plain
 from workbook.authoring import read
 from workbook.authoring.contract import master_file
-from workbook.authoring.mistakes import sentence
+from workbook.authoring.mistakes import mistake_sentence
 from workbook.checks.contract.encoding import decode, describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
 from workbook.grading import assignment as assignments
@@ -340,7 +340,7 @@ def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(sto
             [],
         )
     master = read(ROOT / "solutions" / master_file("1.15"))
-    few, divided = (sentence(master, master.trials["wrong"][k]) for k in (0, 5))
+    few, divided = (mistake_sentence(master, master.trials["wrong"][k]) for k in (0, 5))
     all_scores = scores(store, homework)
     pages = {score.student: shown(feedback(homework, score)) for score in all_scores}
     assert few.count("\n") == 1 and all(

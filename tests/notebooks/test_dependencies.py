@@ -42,9 +42,9 @@ def test_the_closure_holds_all_that_is_loaded(code):
 def test_no_import_of_ours_is_missed_by_reading_quickly(monkeypatch):
     """Of each module as many as by its whole tree, or more: code in a text counts too."""
     modules = {
-        ".".join(path.relative_to(dependencies.HOME).with_suffix("").parts): path
-        for package in dependencies.OURS
-        for path in (dependencies.HOME / package).rglob("*.py")
+        ".".join(path.relative_to(dependencies.ROOT).with_suffix("").parts): path
+        for package in dependencies.PACKAGES
+        for path in (dependencies.ROOT / package).rglob("*.py")
         if path.name != "__init__.py"
     }
     quickly = {

@@ -24,12 +24,12 @@ from roundings import roundings
 from sympy.logic.boolalg import Boolean
 
 from workbook.authoring import master_paths, read
-from workbook.authoring.mistakes import question_of, sealed, sentence
+from workbook.authoring.mistakes import answer_type_of, mistake_sentence, seal_mistakes
 from workbook.authoring.scaffold import PLACEHOLDER
 from workbook.authoring.trials import trials_file
 from workbook.checks.contract.encoding import decode, encode
-from workbook.mistakes import file_beside, name_of
-from workbook.mistakes.signature import Unlike, in_cases, signatures
+from workbook.mistakes import find_mistake, mistakes_file
+from workbook.mistakes.signature import NoSignature, arcs_as_piecewise, signatures
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import in_child, judge_cells
 
@@ -306,7 +306,7 @@ def _decimals(bench):
 def test_who_gives_a_wrong_trial_is_told_its_mistake(master):
     seen = found(master, "mistakes")
     assert (
-        json.loads(file_beside(master.exercise).read_text(encoding="utf-8"))["answers"]
+        json.loads(mistakes_file(master.exercise).read_text(encoding="utf-8"))["answers"]
         == seen["sealed"]
     ), f"run `workbook exercises {master.number}`"
     assert len(seen["without name"]) == LIKE_ANOTHER.get(master.number, 0), seen["without name"]
@@ -320,14 +320,14 @@ def _mistakes(bench):
     trials = list(zip(master.trials["wrong"], bench.given("wrong")))
     answers = {name: decode(text.encode()) for name, text in _encoded(bench).items()}
     result = {
-        "sealed": sealed(master, answers, trials),
+        "sealed": seal_mistakes(master, answers, trials),
         "without name": [],
         "not recognised": [],
         "right": [],
     }
     for trial, value in trials:
-        text = sentence(master, trial)
-        if text and name_of(master.number, trial.name, value) != text:
+        text = mistake_sentence(master, trial)
+        if text and find_mistake(master.number, trial.name, value) != text:
             result["without name"].append(f"{trial.name} = {value}")
         elif text:
             known = _known(bench, trial.name, value, text)
@@ -337,8 +337,8 @@ def _mistakes(bench):
             # mistake.
             result["not recognised"] += [
                 f"{trial.name} = {cases}"
-                for cases in in_cases(value, master.answers[trial.name].kind)
-                if name_of(master.number, trial.name, cases) not in (text, "")
+                for cases in arcs_as_piecewise(value, master.answers[trial.name].kind)
+                if find_mistake(master.number, trial.name, cases) not in (text, "")
             ]
     right = [
         *answers.items(),
@@ -350,7 +350,7 @@ def _mistakes(bench):
         for form in bench.forms(name, value).values()
     )
     for name, value in [*right, *forms]:
-        if said := name_of(master.number, name, value):
+        if said := find_mistake(master.number, name, value):
             result["right"].append(f"{name} = {value}: {said}")
     return result
 
@@ -370,8 +370,8 @@ def _told(bench):
 
 
 def _alike(bench, name, value):
-    question = question_of(bench.master, name, [bench.reference[name]])
-    with suppress(Unlike):
+    question = answer_type_of(bench.master, name, [bench.reference[name]])
+    with suppress(NoSignature):
         return not set(signatures(value, question)).isdisjoint(
             signatures(bench.reference[name], question)
         )
@@ -382,7 +382,7 @@ def _known(bench, name, value, text):
     is."""
     known = {}
     for form, other in bench.each_form(name, value):
-        known[form] = name_of(bench.master.number, name, decode(encode(other))) == text
+        known[form] = find_mistake(bench.master.number, name, decode(encode(other))) == text
         if sum(known.values()) == 3:
             break
     return known
@@ -392,7 +392,7 @@ def test_every_mistake_has_a_name(master):
     notes = [
         f"{trial.name}: {trial.comment}"
         for trial in master.trials["wrong"]
-        if sentence(master, trial) is None
+        if mistake_sentence(master, trial) is None
     ]
     assert notes == [], (
         "a wrong trial needs a sentence to the student who has it, with . or ? at its end"
@@ -402,9 +402,9 @@ def test_every_mistake_has_a_name(master):
 def test_a_mistake_has_words_of_its_own(master):
     page = master.path.read_text(encoding="utf-8")
     told = [
-        sentence(master, trial).partition("\n")[0]
+        mistake_sentence(master, trial).partition("\n")[0]
         for trial in master.trials["wrong"]
-        if sentence(master, trial)
+        if mistake_sentence(master, trial)
     ]
     assert [words for words in told if len(words) > 20 and words in page] == [], (
         "the page says this to everybody"
@@ -413,7 +413,7 @@ def test_a_mistake_has_words_of_its_own(master):
 
 def test_a_named_mistake_is_told_without_the_answer(master):
     for trial in master.trials["wrong"]:
-        if said := sentence(master, trial):
+        if said := mistake_sentence(master, trial):
             words = set(re.findall(r"\w+", said.partition("\n")[0]))
             named = "_" in trial.name and trial.name in words  # others are ordinary words
             assert not named and len(said) < 400 and "right answer" not in said, said

@@ -94,7 +94,7 @@ def _cell(value):
 
 
 def _display(words, markdown):
-    if not in_notebook():
+    if not runs_in_notebook():
         print(words)
         return
     from IPython.display import display
@@ -102,7 +102,7 @@ def _display(words, markdown):
     display({"text/plain": words, "text/markdown": markdown()}, raw=True)
 
 
-def in_notebook():
+def runs_in_notebook():
     """Whether a notebook reads what is shown."""
     # IPython is not imported for this: where there is a notebook, it is there.
     ipython = sys.modules.get("IPython")

@@ -197,7 +197,7 @@ def _plan(copies, aside, known, store, limits):
             "problem": problem,
             "exercise": prints[problem],
             "trouble": submission.trouble,
-            "sources": exercise.to_run(submission.cells),
+            "sources": exercise.sources_to_run(submission.cells),
             "names": list(exercise.about["answers"]),
         }
     return Plan(tuple(pending.values()), skipped, tuple(aside))

@@ -4,7 +4,7 @@ is graded again."""
 import hashlib
 import json
 
-from workbook.mistakes import file_beside
+from workbook.mistakes import mistakes_file
 from workbook.notebooks.dependencies import module_closure
 
 #: What runs a notebook's cells, and reads and judges what they hand over.
@@ -14,7 +14,7 @@ JUDGES = "import workbook.notebooks.cells, workbook.grading.judging"
 def fingerprint(exercise):
     """What a result depends on besides the notebook: the exercise's data and check cells, its named
     mistakes, the library under them, and the judge."""
-    cells, mistakes = exercise.code("data", "check"), file_beside(exercise.path)
+    cells, mistakes = exercise.code("data", "check"), mistakes_file(exercise.path)
     closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
     return hashlib.sha256(
         json.dumps(

@@ -89,8 +89,8 @@ def release(problem, site=""):
     notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
     if site:
         # Homework leads to the student edition, where a problem stands without its solution.
-        to_site = exercises.below(site)
-        notebook = exercises.linked(
+        to_site = exercises.site_urls(site)
+        notebook = exercises.add_links(
             notebook, lambda place: to_site(re.sub("^solutions/", "exercises/", place))
         )
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"

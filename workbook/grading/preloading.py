@@ -13,7 +13,7 @@ from trajlib._lazy import home_of
 from workbook.grading.fingerprint import JUDGES
 from workbook.grading.isolation import system_call
 from workbook.notebooks import exercises
-from workbook.notebooks.dependencies import module_closure, path_of
+from workbook.notebooks.dependencies import module_closure, module_path
 
 #: SymPy imports these inside its functions, when `solve`, `simplify`, `lambdify`, a derivative by a
 #: matrix or a set first needs them.
@@ -90,7 +90,7 @@ def _with_libraries(cells, sources=()):
     imports = [
         line
         for module in ours
-        for line in _IMPORT.findall(path_of(module).read_text(encoding="utf-8"))
+        for line in _IMPORT.findall(module_path(module).read_text(encoding="utf-8"))
     ]
     return [
         name

@@ -13,8 +13,8 @@ from pathlib import Path
 from trajlib._lazy import home_of
 
 #: The packages whose modules count, and the folder in which both lie.
-OURS = ("trajlib", "workbook")
-HOME = Path(__file__).resolve().parents[2]
+PACKAGES = ("trajlib", "workbook")
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def module_closure(source):
@@ -31,7 +31,7 @@ def module_closure(source):
     while waiting:
         module = waiting.pop()
         if module not in closure:
-            path = path_of(module)
+            path = module_path(module)
             closure[module] = hashlib.sha256(path.read_bytes()).hexdigest()
             waiting += sorted(_loaded_by(module, path))
     return dict(sorted(closure.items()))
@@ -57,7 +57,7 @@ def _loaded(source, package=None):
             if _is_ours(start):
                 for alias in node.names:
                     module = f"{start}.{alias.name}"
-                    if path_of(module):
+                    if module_path(module):
                         packages[alias.asname or alias.name] = module
                     else:
                         found.add(_home(start, alias.name) or start)
@@ -65,7 +65,7 @@ def _loaded(source, package=None):
         # A package itself says nothing of what a notebook computes, but what it imports at once
         # may.
         found |= (
-            _loaded_by(module, path_of(module)) - {"trajlib._lazy"}
+            _loaded_by(module, module_path(module)) - {"trajlib._lazy"}
             if _is_package(module)
             else {module}
         )
@@ -118,7 +118,7 @@ def _loaded_by(module, path):
 
 
 def _is_ours(name):
-    return name.split(".")[0] in OURS
+    return name.split(".")[0] in PACKAGES
 
 
 def _home(module, name):
@@ -126,16 +126,16 @@ def _home(module, name):
 
 
 def _is_package(module):
-    return path_of(module).name == "__init__.py"
+    return module_path(module).name == "__init__.py"
 
 
 @cache
-def path_of(name):
+def module_path(name):
     """The file of a module of ours, None if the name is of something else; by its place, since
     `find_spec` imports what is above."""
     if not _is_ours(name):
         return None
-    place = HOME.joinpath(*name.split("."))
+    place = ROOT.joinpath(*name.split("."))
     return next(
         (file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file()), None
     )

@@ -13,7 +13,7 @@ from dataclasses import replace
 from trajlib.typesetting import typeset
 from workbook.checks.contract import error_hints
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
-from workbook.display.results import in_notebook
+from workbook.display.results import runs_in_notebook
 
 MARKS = {RIGHT: "✓", WRONG: "✗", MISSING: "…", INVALID: "?", UNCHECKED: "!"}
 #: Ink and ground of a line, with a contrast of at least 4.5.
@@ -38,7 +38,7 @@ class NotYet(Exception):
     def _render_traceback_(self):
         # Jupyter asks for this instead of the traceback: the student reads the verdicts and nothing
         # else.
-        if not in_notebook():
+        if not runs_in_notebook():
             return str(self).split("\n")
         right = sum(verdict.status == RIGHT for verdict in self.verdicts.values())
         return [f"Not yet: {right} of {len(self.verdicts)} right."]
@@ -75,7 +75,7 @@ def report(problem="", /, **verdicts):
         collected.update(verdicts)
         return
     right = all(verdict.status == RIGHT for verdict in verdicts.values())
-    if in_notebook():
+    if runs_in_notebook():
         _display(verdicts)
     elif right:
         print(_as_text(verdicts))
@@ -101,11 +101,11 @@ def collecting():
 
 
 def _mistake(problem, name, answer):
-    from workbook.mistakes import name_of
+    from workbook.mistakes import find_mistake
     from workbook.notebooks.exercises import UnknownExercise
 
     try:
-        return name_of(problem, name, answer)
+        return find_mistake(problem, name, answer)
     except UnknownExercise:  # a notebook of another edition
         return ""
 

@@ -138,7 +138,9 @@ def _graded(found):
                 data = [source for _, source in exercise.code("data")]
                 judgement = judge(
                     exercise,
-                    sandbox.run(exercise.to_run(one.cells), exercise.about["answers"], before=data),
+                    sandbox.run(
+                        exercise.sources_to_run(one.cells), exercise.about["answers"], before=data
+                    ),
                     bounds,
                 )
             attempts.append(
