@@ -4,6 +4,7 @@ Another release of Matplotlib draws the same picture with other bytes. So a pict
 fingerprint of the code that draws it, and is kept as long as the fingerprint is the same.
 """
 
+import ast
 import base64
 import hashlib
 import json
@@ -54,8 +55,21 @@ class DrawingCells:
 
 def fingerprint(source):
     """Return a hash of the code that makes a drawing: its cell and the module of shapes."""
-    shapes = module_path("workbook.display.drawings").read_text(encoding="utf-8")
+    shapes = _without_docstrings(module_path("workbook.display.drawings").read_text("utf-8"))
     return hashlib.sha256((source + "\0" + shapes).encode()).hexdigest()[:16]
+
+
+def _without_docstrings(source):
+    """Return the lines of a module without docstrings, comment lines and blank lines."""
+    lines = source.splitlines()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(
+            node
+        ):
+            docstring = node.body[0]
+            for k in range(docstring.lineno - 1, docstring.end_lineno):
+                lines[k] = ""
+    return "\n".join(line for line in lines if line.strip() and not line.lstrip().startswith("#"))
 
 
 def alt_text(caption):
