@@ -222,7 +222,7 @@ def changed_workbook(tmp_path, monkeypatch):
     """The exercises in a copy whose check cells can be changed; `change(problem, old, new)`
     does."""
     copy = tmp_path / "workbook"
-    shutil.copytree(exercises.home(), copy)
+    shutil.copytree(exercises.folder(), copy)
     monkeypatch.setattr(exercises, "home", lambda: copy)
 
     def change(problem, old, new):
