@@ -52,8 +52,8 @@ def _served(source, base, solved):
     very edition."""
     notebook = json.loads(source.read_text(encoding="utf-8"))
     if base:
-        to_site = exercises.below(base)
-        notebook = exercises.linked(
+        to_site = exercises.site_urls(base)
+        notebook = exercises.add_links(
             notebook,
             lambda place: to_site(
                 place if solved else place.replace("solutions/", "exercises/", 1)

@@ -21,7 +21,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from trajlib.typesetting import typeset
 from workbook.notebooks import exercises
-from workbook.notebooks.dependencies import OURS
+from workbook.notebooks.dependencies import PACKAGES
 from workbook_site import catalogue
 from workbook_site.pages import to_label, to_page
 
@@ -268,7 +268,7 @@ def uses(code):
 
 
 def _is_ours(module):
-    return module.split(".")[0] in OURS
+    return module.split(".")[0] in PACKAGES
 
 
 def _cells(path):
