@@ -178,7 +178,7 @@ def _single(A, b, wanted):
 
 def _ackermann(A, b, wanted, digits):
     """Return -e^T W^-1 psi(A) with so many digits, or None if W is singular for them."""
-    import mpmath  # type: ignore[import-untyped]
+    import mpmath
 
     with mpmath.workdps(digits):
         exact = [[mpmath.mpf(x) for x in row] for row in A.tolist()]
