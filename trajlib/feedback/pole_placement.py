@@ -220,7 +220,7 @@ def _scipy(A, B, wanted):
 
 
 def _again(A, B, gain, wanted):
-    """Return the gain from eigenvectors corrected once: SciPy's are left a little off by its search.
+    """Return the gain from eigenvectors corrected once: SciPy's search leaves them a little off.
 
     With g = K v for the vectors v of the loop, (lambda I - A) v' = B g gives vectors close to them,
     and K' v' = g.
