@@ -45,8 +45,11 @@ serve:  ## show the built site at http://127.0.0.1:8000
 
 # The tests of the grader mostly wait, so they run beside all others. Those compute, and two processes for one core would
 # take a sixth longer than one after the other.
-test: $(INSTALLED)  ## the style of the code and all tests
-	$(BIN)/ruff check
+test: $(INSTALLED)  ## the style of the code, its types and arrows, and all tests
+	$(BIN)/ruff format --check --quiet
+	$(BIN)/ruff check --quiet
+	$(BIN)/lint-imports --no-cache --quiet
+	$(BIN)/mypy --no-error-summary
 	@mkdir -p _build/tests
 	@$(PYTEST) -n 2 tests/grading --junitxml=_build/tests/grader.xml > _build/tests/grader.log 2>&1 & grader=$$!; \
 	  trap 'kill $$grader' INT TERM; \

@@ -1,5 +1,6 @@
 """Docstrings of the public names of trajlib: a summary of one line, and every argument documented."""
 
+import functools
 import importlib
 import inspect
 
@@ -32,13 +33,19 @@ def documented(value):
         return value.__func__
     if isinstance(value, property):
         return value.fget
+    if isinstance(value, functools.cached_property):
+        return value.func
     return value if inspect.isroutine(value) or inspect.isclass(value) else None
 
 
 def arguments(value):
+    try:
+        signature = inspect.signature(value)
+    except ValueError:  # an error class without arguments of its own
+        return []
     names = [
         parameter.name.lstrip("*")
-        for parameter in inspect.signature(value).parameters.values()
+        for parameter in signature.parameters.values()
         if parameter.name not in ("self", "cls")
     ]
     return [name for name in names if not name.startswith("_")]
