@@ -9,7 +9,8 @@ figures     pictures with their number, their caption and words for who cannot s
 printed     powers and products in what cells print
 punctuation a comma stays with the formula before it
 numbering   numbers of equations and theorems follow their labels
-reference   the pages of the library, from its docstrings, with links to what uses it and back
+library     the pages of the library, from its docstrings (`docstrings`)
+uses        links between the names of the library and the pages that use them
 lectures    what only the notebook of a lecture shows
 cases       the page of the checks, from the tables that are their tests
 freshness   what makes a page outdated, beyond its own text
@@ -29,13 +30,14 @@ from workbook_site import (
     freshness,
     keeping,
     lectures,
+    library,
     listings,
     numbering,
     offline,
     pages,
     printed,
     punctuation,
-    reference,
+    uses,
 )
 
 
@@ -52,7 +54,8 @@ def setup(app):
         printed,
         punctuation,
         numbering,
-        reference,
+        uses,
+        library,
         lectures,
         cases,
         freshness,

@@ -12,7 +12,7 @@ from sphinx.util.docutils import SphinxDirective
 from workbook import checks
 from workbook.checks.contract.encoding import describe
 from workbook.checks.contract.reporting import MARKS
-from workbook_site.reference import spans
+from workbook_site.docstrings import spans
 
 
 class CheckCases(SphinxDirective):
