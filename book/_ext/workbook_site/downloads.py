@@ -1,7 +1,6 @@
-"""What the site serves beside its pages: the students' notebooks and the wheel of trajlib and
-workbook.
+"""Downloads beside the pages: the students' notebooks, and the wheel of trajlib and workbook.
 
-A notebook has the address it has in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel
+A notebook has the same path as in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel
 into wheels/.
 """
 
@@ -18,17 +17,23 @@ from workbook_site import catalogue
 
 
 class WheelRole(SphinxRole):
-    """{wheel}`the wheel` links to the wheel that the site serves."""
+    """Links to the wheel that the site serves: {wheel}`the wheel`.
+
+    {wheel}`!install` is the command that installs it for the notebooks, with the extra `workbook`.
+    """
 
     def run(self):
         name = f"trajlib-{version('trajlib')}-py3-none-any.whl"
+        if self.text == "!install":
+            command = f'pip install "{name}[workbook]"'
+            return [nodes.literal("", command)], []
         return [
             link(self.env.docname, f"wheels/{name}", f"{escape(self.text)} (<code>{name}</code>)")
         ], []
 
 
 def link(page, address, inner):
-    """A download link from a page to an address below the site's root; `inner` is its HTML."""
+    """Return a download link from a page to an address below the root; `inner` is its HTML."""
     relative = posixpath.relpath(address, posixpath.dirname(page) or ".")
     return nodes.raw(
         "", f'<a class="download" href="{escape(relative)}" download>{inner}</a>', format="html"
@@ -48,16 +53,13 @@ def _copy_notebooks(app, exception):
 
 
 def _served(source, base, solved):
-    """A notebook as the site hands it out: where the site has an address, its links lead to this
-    very edition."""
+    """Return the text of a notebook, its links leading to this edition if the site has an address."""
     notebook = json.loads(source.read_text(encoding="utf-8"))
     if base:
         to_site = exercises.below(base)
         notebook = exercises.linked(
             notebook,
-            lambda place: to_site(
-                place if solved else place.replace("solutions/", "exercises/", 1)
-            ),
+            lambda path: to_site(path if solved else path.replace("solutions/", "exercises/", 1)),
         )
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 

@@ -17,7 +17,7 @@ from sphinx.util.docutils import SphinxDirective
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import OURS
 from workbook_site import catalogue
-from workbook_site.pages import to_label, to_page
+from workbook_site.problem_pages import to_label, to_page
 
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(?P<code>.*?)^\1[ \t]*$", re.M | re.S)
 OPTION = re.compile(r"^:[\w-]+:.*$", re.M)
