@@ -17,19 +17,24 @@ from workbook_site import catalogue
 
 
 class WheelRole(SphinxRole):
-    """Links to the wheel that the site serves: {wheel}`the wheel`.
-
-    {wheel}`!install` is the command that installs it for the notebooks, with the extra `workbook`.
-    """
+    """Links to the wheel that the site serves: {wheel}`the wheel`."""
 
     def run(self):
-        name = f"trajlib-{version('trajlib')}-py3-none-any.whl"
-        if self.text == "!install":
-            command = f'pip install "{name}[workbook]"'
-            return [nodes.literal("", command)], []
+        name = wheel_name()
         return [
             link(self.env.docname, f"wheels/{name}", f"{escape(self.text)} (<code>{name}</code>)")
         ], []
+
+
+class InstallWheelRole(SphinxRole):
+    """Shows the command that installs the downloaded wheel with an extra: {install-wheel}`live`."""
+
+    def run(self):
+        return [nodes.literal("", f'pip install "{wheel_name()}[{self.text}]"')], []
+
+
+def wheel_name():
+    return f"trajlib-{version('trajlib')}-py3-none-any.whl"
 
 
 def link(page, address, inner):
@@ -66,4 +71,5 @@ def _served(source, base, solved):
 
 def setup(app):
     app.add_role("wheel", WheelRole())
+    app.add_role("install-wheel", InstallWheelRole())
     app.connect("build-finished", _copy_notebooks)
