@@ -1,20 +1,20 @@
-"""`workbook grade` with a clock beside the cells: what a notebook's own cells take, noted in the
-very run that is timed.
+"""`workbook grade` with a clock around the cells, to time these within a timed run.
 
     python benchmarks/cell_clock.py LOG grade submitted --out graded
 
 Each notebook adds two kinds of lines to the file LOG, seconds on the clock and of a processor: one
 for its data and answer cells in the sandbox, and one for each of its check cells where they judge.
-Each cell counts once; that the grader runs data cells again before the notebook and before the
-checks is its own affair. What the clock itself takes is not taken off either.
+Each cell counts once: when the grader runs data cells again, before the notebook and before the
+checks, that is its own overhead. The time of the clock itself is not subtracted.
 """
 
 import json
 import sys
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 
-from workbook.checks.contract.encoding import decode
+from workbook.checks.contract.decoding import decode
 from workbook.grading import forkserver, judging, worker_pool
 from workbook.grading.sandbox import Sandbox
 
@@ -39,45 +39,44 @@ def main(log, *arguments):
 
 
 def serve(log, control, modules):
-    """What a forkserver of the grader does; the lanes that it forks have a clock."""
-    forkserver._KINDS["lane"] = lambda *given: work(log, *given)
+    """Be a forkserver of the grader whose worker processes have a clock."""
+    worker_pool.run_worker = partial(run_worker, worker_pool.run_worker, log)
     forkserver.main(control, modules)
 
 
-def work(log, *given):
-    """What a lane of the grader does, with a clock."""
-    hand_in, outcome, judge_answers = Sandbox.hand_in, Sandbox.outcome, judging.judge_answers
+def run_worker(original, log, *arguments):
+    """Be a worker process of the grader, with a clock."""
+    start_run, finish_run = Sandbox.start_run, Sandbox.finish_run
+    judge_answers = judging.judge_answers
 
-    def clocked_hand_in(sandbox, sources, names, before=()):
-        hand_in(sandbox, [BEGIN, *sources, f"{SPENT} = {SINCE}"], [*names, SPENT], before)
+    def clocked_start_run(sandbox, sources, names, before=()):
+        start_run(sandbox, [BEGIN, *sources, f"{SPENT} = {SINCE}"], [*names, SPENT], before)
 
-    def clocked_outcome(sandbox):
-        found = outcome(sandbox)
-        handed_over = json.loads(found.handed_over)
+    def clocked_finish_run(sandbox):
+        outcome = finish_run(sandbox)
+        handed_over = json.loads(outcome.handed_over)
         note(log, decode(handed_over["encoded"].pop(SPENT).encode()))
-        return replace(found, handed_over=json.dumps(handed_over).encode())
+        return replace(outcome, handed_over=json.dumps(handed_over).encode())
 
     def clocked_judge_answers(cells, *rest):
         start = ("check", BEGIN)
         stop = ("check", f"import cell_clock; cell_clock.note({log!r}, {SINCE})")
         return judge_answers(
             [
-                each
+                part
                 for cell in cells
-                for each in ([start, cell, stop] if cell[0] == "check" else [cell])
+                for part in ([start, cell, stop] if cell[0] == "check" else [cell])
             ],
             *rest,
         )
 
-    Sandbox.hand_in, Sandbox.outcome, judging.judge_answers = (
-        clocked_hand_in,
-        clocked_outcome,
-        clocked_judge_answers,
-    )
-    worker_pool.work(*given)
+    Sandbox.start_run, Sandbox.finish_run = clocked_start_run, clocked_finish_run
+    judging.judge_answers = clocked_judge_answers
+    original(*arguments)
 
 
 def note(log, seconds):
+    """Add a line with seconds of wall time and of processor time."""
     with open(log, "a", encoding="utf-8") as file:
         file.write("{} {}\n".format(*map(float, seconds)))
 

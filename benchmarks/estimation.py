@@ -176,7 +176,7 @@ def compare(python, folder):
         {
             "estimates": (both.estimates, known["simdkalman"]["states"]),
             "last covariances": (
-                both._steps[1][both.kinds[:, -1]],
+                both._steps[1][both.matrix_index[:, -1]],
                 known["simdkalman"]["covariances"],
             ),
         },

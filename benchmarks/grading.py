@@ -1,30 +1,29 @@
-"""Grading a class with `workbook grade` against `nbgrader autograde`, on the same notebooks in one
-run.
+"""Grade a class with `workbook grade` and with `nbgrader autograde`, on the same notebooks.
 
-Overhead is what a run takes less what the cells themselves take, both measured in that very run:
-for nbgrader by the times it leaves in each graded notebook (on the clock) and by a cell before the
-others (of the processor), for trajlib by `cell_clock.py`. Each is given on the clock and, with all
-processes of a run, in processor time. trajlib runs with its sandbox on; nbgrader has none. Starting
-costs both a few seconds, which a small class feels and a large one does not: so what each further
-notebook costs stands apart. Our check cells take less than theirs, since one process runs them for
-all and keeps what it has found from the data alone: a gain in cells, not in overhead. While a
-notebook is judged, one process of trajlib also gets the next one's place ready: this uses a second
-core where one is idle. The growth with as many processes as cores, where none is, shows what that
-hides; the best that it can be is the processor time of one process over that of the cores. Growth
-is with students (four times as many) and processes.
+Overhead is the time of a run minus the time of the cells themselves, both measured in that very
+run: for nbgrader by the times that it leaves in each graded notebook (wall time) and by a cell
+before the others (processor time), for workbook by `cell_clock.py`. Each is given as wall time and,
+with all processes of a run, as processor time. workbook runs with its sandbox on; nbgrader has
+none. Starting costs both a few seconds, which matters for a small class and not for a large one: so
+the cost of each further notebook is given separately. The check cells of workbook take less than
+those of nbgrader, since one process runs them for all notebooks and keeps what it has computed from
+the data alone: a gain in cells, not in overhead. While a notebook is judged, one process of
+workbook also prepares the process of the next: this uses a second core where one is idle. The
+growth with as many processes as cores, where none is idle, shows what that hides; the best possible
+is the processor time of one process divided by the number of cores. Growth is with students (four
+times as many) and processes.
 
-What is left of our overhead is mostly the price of importing, and of a process for each notebook.
-To see where it goes, in processor time: `perf record -g` over a run, summed by process, and by
-phase where each phase gives its process another name (`prctl`, PR_SET_NAME). For 48 notebooks more
-than half is spent once, whatever their number: a forkserver that imports SymPy, IPython, NumPy and
-what the homework uses (SciPy's `integrate` alone takes half as long as SymPy), and the command's
-own imports, of which Typer's of pydantic are the greatest. Of what each notebook takes, more than
+What is left of the overhead is mostly the price of importing, and of a process for each notebook.
+To see its parts, in processor time: `perf record -g` over a run, summed by process, and by phase
+where each phase gives its process another name (`prctl`, PR_SET_NAME). For 48 notebooks more than
+half is spent once, whatever their number: by a forkserver that imports SymPy, IPython, NumPy and
+what the homework uses (SciPy's `integrate` alone takes half as long as SymPy), and by the command's
+own imports, of which Typer's of pydantic are the largest. Of the time for each notebook, more than
 half is the kernel's: a fork of what is loaded, whose price grows with the number of mapped files
 and of small pages, the namespaces, and the pages that a process copies as it writes to them, if
-only to count references. The rest is read and written: answers, texts, results, pages. No less than
-a bare fork and end of a process of that size, once, can be had as long as each notebook has a
-process of its own, which is what keeps them apart; and no less at the start than importing SymPy
-takes.
+only to count references. The rest is reading and writing: answers, texts, results, pages. As long
+as each notebook has a process of its own, which is what isolates them, the least possible is a bare
+fork and exit of a process of that size; and at the start, the import of SymPy.
 
     python benchmarks/grading.py [STUDENTS] [PROBLEM ...]
 """
@@ -46,8 +45,7 @@ from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[1]
 PYTHON, CLOCK = sys.executable, ROOT / "benchmarks" / "cell_clock.py"
-#: What nbgrader's kernel is told before the other cells, and after them: to sum up their processor
-#: time.
+#: Cells before and after the others in nbgrader's kernel, which sum up their processor time.
 CLOCK_IN = """import time
 workbook_clock = {"began": 0.0, "spent": 0.0}
 get_ipython().events.register("pre_run_cell", lambda *_: workbook_clock.update(began=time.process_time()))
@@ -70,34 +68,37 @@ def main(students=8, *problems):
             "OPENBLAS_NUM_THREADS": "1",
         }
         nbgrader(course, environment, "generate_assignment")
-        theirs = nbgrader(course, environment, "autograde")
-        # everything is graded: what is left is starting and ending
-        their_start = nbgrader(course, environment, "autograde")
+        nbgrader_run = nbgrader(course, environment, "autograde")
+        # Everything is graded by now: this is the time of starting and ending alone.
+        nbgrader_start = nbgrader(course, environment, "autograde")
         graded = [
             json.loads(path.read_text(encoding="utf-8"))
             for path in course.glob("autograded/*/hw1/*.ipynb")
         ]
-        count, their_cells = len(graded), sum(map(in_cells, graded), start=Taken(0, 0))
+        count, nbgrader_cells = len(graded), sum(map(in_cells, graded), start=Taken(0, 0))
         assert count == students * len(problems)
 
         cores = len(os.sched_getaffinity(0))
-        ours, our_cells = workbook(course, environment, 1)
+        workbook_run, workbook_cells = workbook(course, environment, 1)
         side_by_side, _ = workbook(course, environment, cores)
         multiply(course, students, 4)
-        ours_of_4, our_cells_of_4 = workbook(course, environment, 1)
+        workbook_run_of_4, workbook_cells_of_4 = workbook(course, environment, 1)
         side_by_side_of_4, _ = workbook(course, environment, cores)
 
-    further = (ours_of_4 - ours) / (3 * count), (our_cells_of_4 - our_cells) / (3 * count)
-    their_further = (theirs - their_start) / count, their_cells / count
+    workbook_further = (
+        (workbook_run_of_4 - workbook_run) / (3 * count),
+        (workbook_cells_of_4 - workbook_cells) / (3 * count),
+    )
+    nbgrader_further = (nbgrader_run - nbgrader_start) / count, nbgrader_cells / count
     print(
         f"{students} students, problems {', '.join(problems)}: {count} notebooks, one process "
-        "each, trajlib in its sandbox"
+        "each, workbook in its sandbox"
     )
-    compare((theirs, their_cells), (ours, our_cells))
+    compare((nbgrader_run, nbgrader_cells), (workbook_run, workbook_cells))
     print("each further notebook")
-    compare(their_further, further)
+    compare(nbgrader_further, workbook_further)
     for times in (2, 4):
-        print(f"{times * count} notebooks, so reckoned")
+        print(f"{times * count} notebooks, extrapolated")
         compare(
             *(
                 (
@@ -105,34 +106,40 @@ def main(students=8, *problems):
                     cells + cells_of_each * ((times - 1) * count),
                 )
                 for (whole, cells), (each, cells_of_each) in [
-                    ((theirs, their_cells), their_further),
-                    ((ours, our_cells), further),
+                    ((nbgrader_run, nbgrader_cells), nbgrader_further),
+                    ((workbook_run, workbook_cells), workbook_further),
                 ]
             )
         )
     print(f"growth of workbook grade, 1 process and {cores}, on the clock (processor)")
-    for number, one, several in [
-        (count, ours, side_by_side),
-        (4 * count, ours_of_4, side_by_side_of_4),
+    for number, single, several in [
+        (count, workbook_run, side_by_side),
+        (4 * count, workbook_run_of_4, side_by_side_of_4),
     ]:
         print(
-            f"  {number} notebooks: {one.wall:.1f} s ({one.processor:.1f} s), {several.wall:.1f} s "
-            f"({several.processor:.1f} s): {one.wall / several.wall:.2f} times as fast, of "
-            f"{min(cores, one.wall * cores / several.processor):.2f} that {cores} busy processors "
+            f"  {number} notebooks: {single.wall:.1f} s ({single.processor:.1f} s), {several.wall:.1f} s "
+            f"({several.processor:.1f} s): {single.wall / several.wall:.2f} times as fast, of "
+            f"{min(cores, single.wall * cores / several.processor):.2f} that {cores} busy processors "
             "would give"
         )
 
 
-def compare(theirs, ours):
-    """Print what (the whole, its cells) of each take, on the clock and of the processor."""
-    for name, (whole, cells) in [("nbgrader autograde", theirs), ("workbook grade     ", ours)]:
+def compare(nbgrader_run, workbook_run):
+    """Print wall and processor time of each (whole, its cells)."""
+    for name, (whole, cells) in [
+        ("nbgrader autograde", nbgrader_run),
+        ("workbook grade     ", workbook_run),
+    ]:
         overhead = whole - cells
         print(
             f"  {name} {whole.wall:.3f} s: cells {cells.wall:.3f} s, overhead {overhead.wall:.3f} "
             f"s; processor {whole.processor:.3f} s: cells {cells.processor:.3f} s, overhead "
             f"{overhead.processor:.3f} s"
         )
-    times, of_overhead = theirs[0] / ours[0], (theirs[0] - theirs[1]) / (ours[0] - ours[1])
+    times, of_overhead = (
+        nbgrader_run[0] / workbook_run[0],
+        (nbgrader_run[0] - nbgrader_run[1]) / (workbook_run[0] - workbook_run[1]),
+    )
     print(
         f"  nbgrader takes {times.wall:.1f} times as long, its overhead is {of_overhead.wall:.1f} "
         f"times ours; in processor time {times.processor:.1f} and {of_overhead.processor:.1f}"
@@ -140,8 +147,7 @@ def compare(theirs, ours):
 
 
 def hand_in(course, students, problems):
-    """A source for nbgrader, and for each student the notebooks with all answers as in the worked
-    solutions."""
+    """Make nbgrader's source, and each student's notebooks with right answers."""
     for problem in problems:
         exercise = exercises.find(problem)
         name = f"ch{problem.replace('.', '-p')}.ipynb"
@@ -155,18 +161,17 @@ def hand_in(course, students, problems):
             cell["source"] = source
         first = next(k for k, cell in enumerate(notebook["cells"]) if cell["cell_type"] == "code")
         for k in range(students):
-            # A remark of the student's own, since the same notebook twice would be one only by
-            # chance.
+            # A remark of the student's own: notebooks of a class are not equal.
             notebook["cells"][0]["source"] = f"student {k}"
-            place = course / "submitted" / f"student{k:04d}" / "hw1"
-            place.mkdir(parents=True, exist_ok=True)
-            (place / name).write_text(json.dumps(notebook), encoding="utf-8")
+            folder = course / "submitted" / f"student{k:04d}" / "hw1"
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(json.dumps(notebook), encoding="utf-8")
             clocked = copy.deepcopy(notebook)
             clocked["cells"].insert(first, code_cell("clock-in", CLOCK_IN))
             clocked["cells"].append(code_cell("clock-out", CLOCK_OUT))
-            place = course / "clocked" / f"student{k:04d}" / "hw1"
-            place.mkdir(parents=True, exist_ok=True)
-            (place / name).write_text(json.dumps(clocked), encoding="utf-8")
+            folder = course / "clocked" / f"student{k:04d}" / "hw1"
+            folder.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_text(json.dumps(clocked), encoding="utf-8")
 
 
 def code_cell(name, source):
@@ -182,13 +187,13 @@ def code_cell(name, source):
 
 def multiply(course, students, factor):
     for k in range(students, students * factor):
-        place = course / "submitted" / f"student{k:04d}"
-        if not place.exists():
-            shutil.copytree(course / "submitted" / f"student{k % students:04d}", place)
+        folder = course / "submitted" / f"student{k:04d}"
+        if not folder.exists():
+            shutil.copytree(course / "submitted" / f"student{k % students:04d}", folder)
 
 
 def nbgrader(course, environment, command):
-    """Run a command of nbgrader, on the notebooks with a clock in them; what it has `Taken`."""
+    """Run a command of nbgrader on the notebooks with a clock; return the time `Taken`."""
     done, taken = run(
         [
             PYTHON,
@@ -209,7 +214,7 @@ def nbgrader(course, environment, command):
 
 
 def workbook(course, environment, processes):
-    """Grade everything from nothing; what that has `Taken`, and what the cells of it."""
+    """Grade everything afresh; return the time `Taken` by that and by its cells."""
     shutil.rmtree(course / "graded", ignore_errors=True)
     log = course / "cells"
     log.write_text("", encoding="utf-8")
@@ -244,8 +249,7 @@ def workbook(course, environment, processes):
 
 
 def in_cells(notebook):
-    """What nbgrader's kernel needed for the cells of one notebook: by the times it wrote down, and
-    as clocked."""
+    """Return the time `Taken` by nbgrader's kernel for the cells of one notebook."""
     cells = [
         cell
         for cell in notebook["cells"]
@@ -254,13 +258,13 @@ def in_cells(notebook):
     stamps = [cell["metadata"]["execution"] for cell in cells if cell["metadata"].get("execution")]
     spans = [
         [
-            datetime.fromisoformat(each[event])
+            datetime.fromisoformat(stamp[event])
             for event in ("iopub.execute_input", "shell.execute_reply")
         ]
-        for each in stamps
+        for stamp in stamps
     ]
-    told = "".join(notebook["cells"][-1]["outputs"][0]["text"])
-    return Taken(sum((end - begin).total_seconds() for begin, end in spans), float(told))
+    clocked = "".join(notebook["cells"][-1]["outputs"][0]["text"])
+    return Taken(sum((end - begin).total_seconds() for begin, end in spans), float(clocked))
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Verdicts and decompositions of `trajlib.structure` against python-control, SciPy and
 sympy.physics.control.
 
-Right first, fast second. Floats: pairs whose unseen states are known by construction
+Right first, fast second. Floats: pairs whose unobservable states are known by construction
 (tests/library/known_pairs.py: rotated, in bad units, defective, up to 60 states) are judged by
 everybody, and wrong ranks are counted; then seconds for a verdict and a decomposition up to n =
 100. The peers: the rank of python-control's Kalman matrix; its `minreal` (SLICOT's staircase, only
@@ -75,16 +75,16 @@ def judged(count):
     )
     yes, rng = dict.fromkeys(wrong, 0), np.random.default_rng(16)
     for _ in range(count):
-        A, H, unseen, _ = known_pair(rng)
+        A, H, unobservable, _ = known_pair(rng)
         for name, method in peers.items():
             try:
                 rank = method(A, H)
             except Exception:
                 failed[name] += 1
                 continue
-            wrong[name] += rank != len(A) - unseen
-            yes[name] += (rank == len(A)) != (unseen == 0)
-        said = popov(A, H) != (unseen == 0)
+            wrong[name] += rank != len(A) - unobservable
+            yes[name] += (rank == len(A)) != (unobservable == 0)
+        said = popov(A, H) != (unobservable == 0)
         wrong["Popov at SciPy's eigenvalues"] += said
         yes["Popov at SciPy's eigenvalues"] += said
     print(
@@ -96,7 +96,7 @@ def judged(count):
 
 
 def timed():
-    print("\nseconds for one pair, observable and with a third of the states unseen")
+    print("\nseconds for one pair, observable and with a third of the states unobservable")
     for n in (10, 30, 60, 100):
         rng, row = np.random.default_rng(n), []
         for hidden in (0, n // 3):

@@ -1,7 +1,6 @@
-"""Judging an answered notebook in a ready-forked process against executing the same notebook with
-nbclient.
+"""Judge an answered notebook in a forked process, and execute it with nbclient.
 
-The peer executes data, answer and check cells in a fresh kernel, as nbgrader and most course tools
+nbclient executes data, answer and check cells in a fresh kernel, as nbgrader and most course tools
 do.
 """
 
@@ -15,7 +14,7 @@ RUNS = 5
 
 
 def main(number="1.15"):
-    import matplotlib.pyplot  # noqa: F401  what a ready process has loaded
+    import matplotlib.pyplot  # noqa: F401  a forkserver has loaded it
     import nbclient
     import nbformat
     import sympy  # noqa: F401
@@ -30,10 +29,10 @@ def main(number="1.15"):
         cells=[nbformat.v4.new_code_cell(s) for s in master.code("data", "answer", "check")]
     )
     cells = exercise.code("data", "check")
-    # the forked children find everything imported
+    # Afterwards the forked children find everything imported.
     run_notebook(master.code("data", "answer"), master.answers)
 
-    ours, judged, peer = [], [], []
+    runs, judgings, peers = [], [], []
     for _ in range(RUNS):
         start = time.perf_counter()
         run = run_notebook(master.code("data", "answer"), master.answers)
@@ -41,12 +40,12 @@ def main(number="1.15"):
         verdicts = judge(cells, run, master.answers)
         end = time.perf_counter()
         assert all(v.status == "right" for v in verdicts.values())
-        judged.append(end - middle)
-        ours.append(end - start)
+        judgings.append(end - middle)
+        runs.append(end - start)
         start = time.perf_counter()
         nbclient.NotebookClient(notebook.copy(), kernel_name="python3").execute()
-        peer.append(time.perf_counter() - start)
-    run_judge, alone, nbclient_time = map(statistics.median, (ours, judged, peer))
+        peers.append(time.perf_counter() - start)
+    run_judge, alone, nbclient_time = map(statistics.median, (runs, judgings, peers))
     print(
         f"problem {number}: run and judge {run_judge:.2f} s (judging alone {alone:.2f} s), "
         f"nbclient {nbclient_time:.2f} s (medians of {RUNS})"

@@ -36,7 +36,7 @@ from nbformat import NotebookNode
 from settings import CORES
 from sphinx_external_toc.parsing import parse_toc_yaml
 
-from workbook.grading.preloading import SYMPY, draw_once, preload
+from workbook.grading.preloading import SYMPY, preload, warm_up_matplotlib
 from workbook.notebooks.dependencies import HOME, OURS, module_closure
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -223,7 +223,7 @@ def import_for(pages):
     if many:
         # both are cached: each page would look them up again
         local_ips(), KernelProvisionerFactory.instance()
-        draw_once("svg")
+        warm_up_matplotlib("svg")
 
 
 def run_in_parallel(function, items, *arguments):

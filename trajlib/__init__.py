@@ -1,7 +1,8 @@
-"""Controlled motion: stability, observers, filters and optimal control, exact where the input is
-exact.
+"""Controlled motion: stability, observers, filters and optimal control.
 
-`import trajlib` loads nothing heavy; a theme is loaded when it is first used:
+Exact input gives exact results.
+
+`import trajlib` loads nothing heavy; each package loads on first use:
 
 >>> import trajlib
 >>> "stability" in dir(trajlib)

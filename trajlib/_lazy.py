@@ -1,32 +1,42 @@
-"""Names that are imported when they are first used (PEP 562), so that importing a package costs
-nothing."""
+"""Lazy loading (PEP 562): modules and names of a package load on first use.
+
+The tables are the only source; `python -m trajlib._stubs` writes the type stubs from them.
+"""
 
 import importlib
 import sys
+from collections.abc import Iterable, Mapping
 
 
-def lazy_modules(package, modules):
-    """`__getattr__`, `__dir__`, `__all__` of a package whose sub-modules load on first use."""
+def lazy_modules(package: str, modules: Iterable[str]) -> tuple:
+    """Return `__getattr__`, `__dir__`, `__all__` of a package whose sub-modules load lazily."""
     return _lazy(package, dict.fromkeys(modules))
 
 
-def lazy_names(package, exports):
-    """The same for names: `exports` maps a module of the package to the names it gives,
-    `{"regions": ["shift"]}`."""
+def lazy_names(package: str, exports: Mapping[str, list[str]]) -> tuple:
+    """Return `__getattr__`, `__dir__`, `__all__` of a package whose names load lazily.
+
+    `exports` maps a module of the package to the names it gives, `{"regions": ["shift"]}`; a module
+    outside the package stands with its full name.
+    """
     return _lazy(package, {name: module for module, names in exports.items() for name in names})
 
 
-def home_of(package, name):
-    """The module that gives `package.name`, without importing it; None if the package has no such
-    lazy name."""
+def home_of(package: str, name: str) -> str | None:
+    """Return the module that gives `package.name`, without importing it; None if it is not lazy."""
     table = getattr(importlib.import_module(package), "_lazy_home", {})
     if name not in table:
         return None
-    return f"{package}.{name}" if table[name] is None else f"{package}.{table[name]}"
+    return _full_name(package, name if table[name] is None else table[name])
 
 
-def _lazy(package, home):
-    sys.modules[package]._lazy_home = home
+def _full_name(package: str, module: str) -> str:
+    """Return the full name of a module of a package, or of one that has it already."""
+    return module if module.startswith(f"{package.split('.')[0]}.") else f"{package}.{module}"
+
+
+def _lazy(package: str, home: Mapping[str, str | None]) -> tuple:
+    sys.modules[package]._lazy_home = home  # type: ignore[attr-defined]
 
     def __getattr__(name):
         if name not in home:
@@ -35,10 +45,10 @@ def _lazy(package, home):
             )
         if home[name] is None:
             return importlib.import_module(f"{package}.{name}")
-        value = getattr(importlib.import_module(f"{package}.{home[name]}"), name)
-        # Importing a module of the same name sets the package's attribute to the module: the name
-        # asked for wins.
+        value = getattr(importlib.import_module(_full_name(package, home[name])), name)
         setattr(sys.modules[package], name, value)
         return value
 
-    return __getattr__, lambda: sorted(home), sorted(home)
+    # Pages of reference list functions and classes; constants are not among them.
+    public = [name for name in sorted(home) if not name.isupper()]
+    return __getattr__, lambda: sorted(home), public

@@ -1,31 +1,52 @@
-"""The flow of a vector field: how fast a function of the state changes along the motions.
+"""Lie derivatives along a vector field."""
 
->>> import sympy as sp
->>> x, v, omega = sp.symbols("x v omega")
->>> oscillator = {x: v, v: -omega**2*x}
->>> lie_derivative(omega**2*x**2 + v**2, oscillator)
-0
->>> lie_derivative(x, oscillator, order=2)
--omega**2*x
-"""
+from collections.abc import Mapping
 
 import sympy as sp
 
 __all__ = ["lie_derivative"]
 
 
-def lie_derivative(function, flow, order=1):
-    """The derivative of a function along the motions, sum of df/dx x', or one of higher `order`, as
-    it comes.
+def lie_derivative(function: sp.Expr, flow: Mapping, order: int = 1) -> sp.Expr:
+    """Return the Lie derivative of a function along a vector field, sum of df/dx x'.
 
-    `function`: an expression; `flow`: {symbol: its rate}, of states and costates alike; symbols
-    that it does not hold are constants, as a control is while it does not switch. Raises TypeError
-    if `flow` is no dict and ValueError for an order that is no whole number from 0 on. Source:
-    Definition 1.4 of the problem book.
+    Parameters
+    ----------
+    function : sympy.Expr
+        Function of the state.
+    flow : mapping
+        Rate of each symbol, of states and costates; other symbols are constants, as a control
+        is between its switching times.
+    order : int
+        Order of the derivative, from 0 on.
 
+    Returns
+    -------
+    sympy.Expr
+        Not simplified.
+
+    Raises
+    ------
+    TypeError
+        If `flow` is no mapping.
+    ValueError
+        If the order is no integer from 0 on.
+
+    Notes
+    -----
+    Source: Definition 1.4 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
-    >>> x1, x2, psi1, psi2, u = sp.symbols("x1 x2 psi1 psi2 u")
-    >>> lie_derivative(psi2, {x1: x2, x2: u, psi1: 0, psi2: -psi1})
+    >>> x, v, omega = sp.symbols("x v omega")
+    >>> oscillator = {x: v, v: -omega**2*x}
+    >>> lie_derivative(omega**2*x**2 + v**2, oscillator)
+    0
+    >>> lie_derivative(x, oscillator, order=2)
+    -omega**2*x
+    >>> psi1, psi2, u = sp.symbols("psi1 psi2 u")
+    >>> lie_derivative(psi2, {x: v, v: u, psi1: 0, psi2: -psi1})
     -psi1
     """
     if not hasattr(flow, "items"):

@@ -1,5 +1,4 @@
-r"""Formulas in words: as TeX between dollars, as one would type them where nothing is set, and what
-was typed, set.
+r"""Formulas in text: from TeX to plain characters, and from plain characters to HTML.
 
 >>> plain(r"the roots of $\det(M s^2 + D s + K)$, for $\dot x_1 \leq \sqrt{2}/x_{10}$ and $\varphi_0 \neq 0$")
 "the roots of det(M s^2 + D s + K), for x1' <= sqrt(2)/x10 and phi0 != 0"
@@ -29,9 +28,24 @@ was typed, set.
 
 import html
 import re
+from collections.abc import Callable
 
 FORMULA = re.compile(r"\$([^$]+)\$")
-#: In this order: what stands in braces is read before what it belongs to.
+SIGNS = {
+    "leq": "<=",
+    "le": "<=",
+    "geq": ">=",
+    "neq": "!=",
+    "equiv": "==",
+    "pm": "+-",
+    "to": "->",
+    "cdot": "*",
+    "dots": "...",
+    "ldots": "...",
+    "infty": "oo",
+    "top": "T",
+}
+#: In this order: the content of braces is read before what it belongs to.
 TYPED = [
     (re.compile(pattern), typed)
     for pattern, typed in [
@@ -63,22 +77,8 @@ TYPED = [
         (r"  +", " "),
     ]
 ]
-SIGNS = {
-    "leq": "<=",
-    "le": "<=",
-    "geq": ">=",
-    "neq": "!=",
-    "equiv": "==",
-    "pm": "+-",
-    "to": "->",
-    "cdot": "*",
-    "dots": "...",
-    "ldots": "...",
-    "infty": "oo",
-    "top": "T",
-}
 
-#: A dark JupyterLab has a dark ground for code, and a verdict a light one.
+#: A dark JupyterLab has a dark background for code, and a verdict a light one.
 AS_AROUND = "color: inherit; background: none"
 SET = {"+/-": "±", "<=": "≤", ">=": "≥", "!=": "≠", "->": "→", "oo": "∞", "-": "−"}
 GREEK = dict(
@@ -112,10 +112,10 @@ GREEK = dict(
     )
 )
 GREEK |= {name.capitalize(): letter.upper() for name, letter in GREEK.items()}
-#: Powers, products and roots, as one types them and nobody writes them.
+#: Powers, products and roots in the notation of code.
 TYPEWRITTEN = re.compile(r"\*\*|[\w)]\*[A-Za-z(]|\bsqrt\(")
-#: Code to write, and what is surely a formula in a line of words: letters with numbers, Greek
-#: letters, letters beside a sign.
+#: Code, and certain formulas in a line of words: letters with numbers, Greek letters, letters
+#: beside a sign.
 MATHEMATICS = re.compile(
     r"""
     `(?P<code>[^`]+)`
@@ -140,33 +140,53 @@ MATHEMATICS = re.compile(
 )
 
 
-def plain(text):
-    """A text with its formulas as one would type them, for comments and terminals."""
+def plain(text: str) -> str:
+    """Return a text with its TeX formulas in plain characters, for comments and terminals.
+
+    Parameters
+    ----------
+    text : str
+        Text with TeX formulas between dollars.
+
+    Returns
+    -------
+    str
+    """
     return FORMULA.sub(lambda formula: _typed(formula[1]), text).replace("`", "")
 
 
 def _whole(part):
-    """A numerator or denominator, in brackets unless it is of one piece."""
+    """Return a numerator or denominator, in brackets unless it is a single word."""
     return part if re.fullmatch(r"d?\\?\w+", part) else f"({part})"
 
 
 def _typed(formula):
-    for pattern, typed in TYPED:
-        formula = pattern.sub(typed, formula)
+    for pattern, replacement in TYPED:
+        formula = pattern.sub(replacement, formula)
     return formula.strip()
 
 
-def typeset(text, escape=html.escape):
-    """A text as one types it, as HTML: powers raised, numbers of letters lowered, Greek letters and
-    signs as they are.
+def typeset(text: str, escape: Callable = html.escape) -> str:
+    """Return a text with formulas in plain characters as HTML.
 
-    What stands between backticks is code. The text is not read as Python, so it may be anybody's.
-    `escape` is for the words between.
+    Powers become superscripts, indices subscripts, names of Greek letters and signs characters.
+    Text between backticks is code.
+
+    Parameters
+    ----------
+    text : str
+        Text; it is not read as Python, so it may come from any source.
+    escape : callable
+        Applied to the words between formulas.
+
+    Returns
+    -------
+    str
     """
     pieces, end = [], 0
-    for found in MATHEMATICS.finditer(text):
-        pieces += [escape(text[end : found.start()]), _html(found)]
-        end = found.end()
+    for match in MATHEMATICS.finditer(text):
+        pieces += [escape(text[end : match.start()]), _html(match)]
+        end = match.end()
     return "".join([*pieces, escape(text[end:])])
 
 
@@ -174,33 +194,38 @@ def _letter(name):
     return GREEK.get(name, f"<i>{name}</i>" if name else "")
 
 
-def _html(found):
-    if found["code"]:
-        return f"<code style='{AS_AROUND}'>{html.escape(found['code'])}</code>"
-    if found["product"]:
-        return f"<i>{found['product']}</i>"
-    if found["barred"]:
+def _html(match):
+    if match["code"]:
+        return f"<code style='{AS_AROUND}'>{html.escape(match['code'])}</code>"
+    if match["product"]:
+        return f"<i>{match['product']}</i>"
+    if match["barred"]:
         return (
-            f"{GREEK[found['barred']]}&#772;"
-            if found["barred"] in GREEK
-            else f"<i>{found['barred']}&#772;</i>"
+            f"{GREEK[match['barred']]}&#772;"
+            if match["barred"] in GREEK
+            else f"<i>{match['barred']}&#772;</i>"
         )
-    if found["dash"]:
+    if match["dash"]:
         return "–"
-    if found["power"] or found["powers"]:
-        return f"<sup>{typeset(found['power'] or found['powers'])}</sup>"
-    if found["unit"]:
-        return found["unit"]
-    if found["exponent"]:
-        return f"·10<sup>{typeset(str(int(found['exponent'])))}</sup>"
-    if found["cross"]:
+    if match["power"] or match["powers"]:
+        return f"<sup>{typeset(match['power'] or match['powers'])}</sup>"
+    if match["unit"]:
+        return match["unit"]
+    if match["exponent"]:
+        return f"·10<sup>{typeset(str(int(match['exponent'])))}</sup>"
+    if match["cross"]:
         return " × "
-    if found["below"]:
-        return "/".join("<i>d</i>" + _letter(found[part]) for part in ("above", "below"))
-    if found["letter"]:
-        letter, name = (_letter(found[part]) for part in ("letter", "name"))
-        lowered = found["index"] or (found["name"] and name)
-        return letter + (f"<sub>{lowered}</sub>" if lowered else "") + "′" * len(found["primes"])
-    if found["times"]:
-        return "·" if found.string[found.end()].isdigit() else "\u202f"
-    return "√" if found["root"] else SET[found["sign"]]
+    if match["below"]:
+        return "/".join("<i>d</i>" + _letter(match[part]) for part in ("above", "below"))
+    if match["letter"]:
+        letter, name = (_letter(match[part]) for part in ("letter", "name"))
+        lowered = match["index"] or (match["name"] and name)
+        return letter + (f"<sub>{lowered}</sub>" if lowered else "") + "′" * len(match["primes"])
+    if match["times"]:
+        return "·" if match.string[match.end()].isdigit() else "\u202f"
+    return "√" if match["root"] else SET[match["sign"]]
+
+
+def escape_markdown(text: str) -> str:
+    """Return text for a notebook's Markdown: x1*x2 keeps its star."""
+    return text.replace("*", r"\*").replace("_", r"\_")

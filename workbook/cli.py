@@ -73,7 +73,8 @@ def solve(
     """Run a problem's worked solution (from a checkout) and print its answers and their
     verdicts."""
     from workbook.authoring import read
-    from workbook.checks.contract.encoding import decode, describe
+    from workbook.checks.contract.decoding import decode
+    from workbook.checks.contract.encoding import describe
     from workbook.notebooks.execution import judge, run_notebook
 
     exercise = exercises.find(number)
@@ -427,14 +428,14 @@ def new(
 ):
     """Make a homework folder: the students' notebooks, a README for them, and assignment.toml with
     points and dates."""
-    from workbook.grading.handing_out import due_date, make, spoken
+    from workbook.grading.handing_out import due_date, due_text, make
 
     made = make(assignments, name, numbers, title, due_date(due) if due else None, site)
     answers = sum(len(points) for points in made.points.values())
     console.print(
         f"{assignments / name}: {len(made.problems)} problems, {answers} answers, "
         f"{made.max_points:g} "
-        f"points, " + (f"due {spoken(made.due)}" if made.due else "no due date"),
+        f"points, " + (f"due {due_text(made.due)}" if made.due else "no due date"),
         markup=False,
     )
 
@@ -471,9 +472,9 @@ def main():
         # Masters and homeworks that break their contract say so themselves; nothing else of ours
         # raises a ValueError here.
         from workbook.authoring import MasterError
-        from workbook.grading.assignment import BadInput
+        from workbook.grading.assignment import InputError
 
-        if not isinstance(error, (BadInput, MasterError)):
+        if not isinstance(error, (InputError, MasterError)):
             raise
         print(f"workbook: {error}", file=sys.stderr)
         sys.exit(2)
@@ -499,17 +500,17 @@ def _put(folder, numbers):
 
 def _grade_course(*given):
     # Also what is to be imported is inside: that takes long enough for somebody to press Ctrl-C.
-    from workbook.grading.interrupts import ctrl_c_heeded
+    from workbook.grading.interrupts import repeat_lost_interrupts
 
-    with ctrl_c_heeded():
+    with repeat_lost_interrupts():
         from workbook.grading.commands import grade_course
-        from workbook.grading.isolation import NoIsolation, NotStarted
+        from workbook.grading.isolation import ProcessStartError, SandboxUnavailableError
 
         try:
             return grade_course(*given)
-        except NotStarted as error:
+        except ProcessStartError as error:
             raise UserError(str(error)) from None
-        except NoIsolation as error:
+        except SandboxUnavailableError as error:
             raise UserError(f"{error}; --trust-students grades without a sandbox") from None
 
 

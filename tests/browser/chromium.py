@@ -10,7 +10,7 @@ from contextlib import suppress
 import psutil
 import pytest
 
-from workbook.grading.isolation import system_call
+from workbook.grading.system_calls import system_call
 
 #: Linux: whom the children of a child that ends are left to.
 PR_SET_CHILD_SUBREAPER = 36

@@ -1,6 +1,18 @@
 """One row of a check's table of cases: the table is the check's test and its page in the book."""
 
 from dataclasses import dataclass
+from operator import attrgetter
+
+from workbook import checks
+
+NOT_CHECKS = {"NotYet", "Unusable", "Verdict", "collecting", "judged", "report"}
+#: The names of all checks, those of the research chapters with their package.
+CHECKS = sorted({*dir(checks)} - NOT_CHECKS | {f"research.{name}" for name in dir(checks.research)})
+
+
+def check_named(name):
+    """Return the check with a name as `Case.check` gives it, perhaps with a dot."""
+    return attrgetter(name)(checks)
 
 
 @dataclass(frozen=True)

@@ -20,7 +20,14 @@ from workbook.checks.contract.claims import (
     symbols_in,
 )
 from workbook.checks.contract.verdict import Invalid, Wrong
-from workbook.checks.tools.comparisons import Agrees, Entries, Follows, Members, Same, Word
+from workbook.checks.tools.comparisons import (
+    SameEntries,
+    SameMembers,
+    SameSides,
+    SameTruth,
+    SameValue,
+    SameWord,
+)
 
 x, k = sp.symbols("x k", positive=True)
 
@@ -29,7 +36,7 @@ x, k = sp.symbols("x k", positive=True)
 def twice(claim, x, parameters=(k,)):
     """Twice the product."""
     for value in (1, 2, 3):
-        yield Same(claim, 2.5 * 2 * value, "twice the product", {x: 2.5, k: value})
+        yield SameValue(claim, 2.5 * 2 * value, "twice the product", {x: 2.5, k: value})
     return "it is"
 
 
@@ -68,15 +75,15 @@ def test_the_form_depends_on_the_data():
 def test_a_truth_that_cannot_be_computed_is_no_verdict_on_the_answer():
     @judged(Expression())
     def lost(claim):
-        yield Same(claim, float("nan"), "the number", {})
+        yield SameValue(claim, float("nan"), "the number", {})
 
     assert lost(1).status == "unchecked"
 
 
 def test_a_condition_agrees():
-    Agrees(x > 1, True, "it holds", {x: 2}).judge()
+    SameTruth(x > 1, True, "it holds", {x: 2}).judge()
     with pytest.raises(Exception, match="for x = 0.5 it fails, yet your condition holds"):
-        Agrees(x < 1, False, "it fails", {x: 0.5}).judge()
+        SameTruth(x < 1, False, "it fails", {x: 0.5}).judge()
 
 
 def test_symbols_in_data():
@@ -133,20 +140,20 @@ def test_what_a_claim_refuses(claim, answer):
 
 def test_entries():
     claim, told = sp.Matrix([[1, x], [2, 3]]), lambda said, i, j: f"{i} {j} {said[i, j].real:g}"
-    assert (Entries(claim, [[1, 5], [2, 3]], told, {x: 5}).judge() == [[1, 5], [2, 3]]).all()
+    assert (SameEntries(claim, [[1, 5], [2, 3]], told, {x: 5}).judge() == [[1, 5], [2, 3]]).all()
     for true, message in (([[1, 5], [2, 4]], "1 1 3"), ([[1, 4], [5, 5]], "0 1 5")):
         with pytest.raises(Wrong, match=message):
-            Entries(claim, true, told, {x: 5}).judge()
+            SameEntries(claim, true, told, {x: 5}).judge()
 
 
-def members(said, **twice):
-    return Members(
-        said,
+def members(claimed, **repeated):
+    return SameMembers(
+        claimed,
         [1, 4, 9],
         lambda one, other: abs(one - other) < 0.1,
         lambda one: f"{one} is none",
         lambda count, others: f"{count} of them, not {others}",
-        **twice,
+        **repeated,
     )
 
 
@@ -160,14 +167,14 @@ def test_members():
         with pytest.raises(Wrong, match=message):
             members(said).judge()
     with pytest.raises(Wrong, match="4 again"):
-        members([1, 4, 4, 9], twice=lambda one: f"{one} again").judge()
+        members([1, 4, 4, 9], repeated=lambda one: f"{one} again").judge()
 
 
 def test_a_word_and_a_law():
-    assert Word("node", "node", "the roots are real").judge() == "the roots are real"
+    assert SameWord("node", "node", "the roots are real").judge() == "the roots are real"
     with pytest.raises(Wrong, match="but the roots are real"):
-        Word("focus", "node", "the roots are real", "but ").judge()
-    Follows([1, 2.0], [1, 2.0 + 1e-12], 1.0, lambda k: "").judge()
+        SameWord("focus", "node", "the roots are real", "but ").judge()
+    SameSides([1, 2.0], [1, 2.0 + 1e-12], 1.0, lambda k: "").judge()
     for left, size in (([1, 3], 1.0), ([1, float("nan")], 1.0), ([1, 2], float("inf"))):
         with pytest.raises(Wrong, match="at"):
-            Follows(left, [1, 2], size, lambda k: f"at {k}").judge()
+            SameSides(left, [1, 2], size, lambda k: f"at {k}").judge()

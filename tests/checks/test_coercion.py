@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from workbook.checks.contract import coercion
-from workbook.checks.contract.encoding import decode, encode
+from workbook.checks.contract import coercion, condition_coercion
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import Invalid
 
 x, y = sp.symbols("x y", real=True)
@@ -113,7 +114,7 @@ def test_symbols_match_by_name():
     ],
 )
 def test_conditions(answer, condition):
-    assert coercion.as_condition(answer, [x, y]) == condition
+    assert condition_coercion.as_condition(answer, [x, y]) == condition
 
 
 @pytest.mark.parametrize(
@@ -133,25 +134,24 @@ def test_conditions(answer, condition):
 def test_no_conditions(answer, said):
     for symbols in ([x], [x, y]):
         with pytest.raises(Invalid, match=said):
-            coercion.as_condition(answer, symbols)
+            condition_coercion.as_condition(answer, symbols)
 
 
 @pytest.mark.parametrize(
     "join", [sp.Xor, lambda p, q: sp.Implies(q, sp.Not(p)), lambda p, q: sp.ITE(p, q, sp.Not(q))]
 )
 def test_conditions_that_would_take_for_ever(join):
-    """Ninety conditions one within the other are short as they stand, and astronomical when written
-    with And and Or."""
+    """Conditions that are astronomically long when written with And and Or are refused."""
     few, many = x > 0, x > 0
     for k in range(1, 91):
         many = join(many, y > k)
         few = many if k == 2 else few
-    assert coercion.as_condition(few, [x, y]) == few
+    assert condition_coercion.as_condition(few, [x, y]) == few
     if join is sp.Xor or many.has(sp.ITE):
         with pytest.raises(Invalid, match="give a simpler form"):
-            coercion.as_condition(many, [x, y])
+            condition_coercion.as_condition(many, [x, y])
     else:
-        assert coercion.as_condition(many, [x, y]) == many, (
+        assert condition_coercion.as_condition(many, [x, y]) == many, (
             "written out it is no longer than as it stands"
         )
 
@@ -196,7 +196,7 @@ def test_no_functions(function, said):
     ],
 )
 def test_conditions_written_as_membership_and_as_cases(answer):
-    condition = coercion.as_condition(decode(encode(answer)), [x])
+    condition = condition_coercion.as_condition(decode(encode(answer)), [x])
     assert [bool(condition.subs(x, value)) for value in (-1, 0, sp.Rational(1, 2), 1, 2)] == [
         0,
         0,
@@ -219,7 +219,7 @@ def test_conditions_written_as_membership_and_as_cases(answer):
     ],
 )
 def test_values_of_a_single_symbol(values):
-    condition = coercion.as_condition(values, [x])
+    condition = condition_coercion.as_condition(values, [x])
     assert [bool(condition.subs(x, value)) for value in (0, 1, 2)] == [False, True, True]
 
 
@@ -235,12 +235,12 @@ def test_values_of_a_single_symbol(values):
 )
 def test_what_is_half_a_condition_is_none(answer):
     with pytest.raises(Invalid):
-        coercion.as_condition(answer, [x])
+        condition_coercion.as_condition(answer, [x])
 
 
 def test_values_that_are_none():
     with pytest.raises(Invalid, match="is undefined"):
-        coercion.as_condition(np.array([[np.nan, 1.0], [np.inf, 0.0]]), [x])
+        condition_coercion.as_condition(np.array([[np.nan, 1.0], [np.inf, 0.0]]), [x])
     for integral in (
         sp.Integral(plain, plain),
         sp.Integral(plain, (plain, 1)),
@@ -262,7 +262,7 @@ def test_a_symbol_may_be_a_case():
     cases = sp.Piecewise((plain, x > 0), (y, True))
     assert coercion.as_expression(cases, [x, y]) == sp.Piecewise((x, x > 0), (y, True))
     with pytest.raises(Invalid):
-        coercion.as_condition(cases, [x, y])
+        condition_coercion.as_condition(cases, [x, y])
 
 
 def test_the_cardinal_sine_has_its_value_at_zero():
@@ -270,11 +270,11 @@ def test_the_cardinal_sine_has_its_value_at_zero():
 
 
 def test_intervals_of_a_single_symbol():
-    assert coercion.as_condition(sp.Interval.open(0, sp.oo), [x]).subs(x, 1) == sp.true
+    assert condition_coercion.as_condition(sp.Interval.open(0, sp.oo), [x]).subs(x, 1) == sp.true
     assert (
-        coercion.as_condition(sp.Union(sp.Interval.open(-2, -1), sp.Interval(1, 2)), [x]).subs(
-            x, sp.Rational(3, 2)
-        )
+        condition_coercion.as_condition(
+            sp.Union(sp.Interval.open(-2, -1), sp.Interval(1, 2)), [x]
+        ).subs(x, sp.Rational(3, 2))
         == sp.true
     )
 
@@ -325,13 +325,13 @@ def test_yes_and_no(answer, value):
 )
 def test_what_came_instead_of_a_condition_is_told_in_a_word(answer, word):
     with pytest.raises(Invalid, match=word):
-        coercion.as_condition(answer, [x, y])
+        condition_coercion.as_condition(answer, [x, y])
 
 
 @pytest.mark.parametrize("values", [[sp.nan, 1], np.array([1, np.nan]), sp.Matrix([sp.zoo])])
 def test_values_that_are_undefined_are_no_condition(values):
     with pytest.raises(Invalid, match="undefined"):
-        coercion.as_condition(values, [x])
+        condition_coercion.as_condition(values, [x])
 
 
 TOO_LARGE = {
@@ -377,7 +377,7 @@ LARGE_ENOUGH = [
         lambda e, s: coercion.as_matrix([[e, 1], [0, e]], s),
         lambda e, s: coercion.as_number(e),
         lambda e, s: coercion.as_expressions([1, e], s),
-        lambda e, s: coercion.as_condition(e > 1, s),
+        lambda e, s: condition_coercion.as_condition(e > 1, s),
     ],
     ids=["expression", "matrix", "number", "list", "condition"],
 )

@@ -14,11 +14,18 @@ from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     kernel,
     restricted,
-    unseen_subspace,
+    unobservable_subspace,
 )
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.references.spectra import Spectrum
-from workbook.checks.tools.conditions import Case, Condition, Truth, compare, decision, exactly
+from workbook.checks.tools.conditions import (
+    Case,
+    Condition,
+    ReferenceCondition,
+    compare,
+    decision,
+    exactly,
+)
 from workbook.systems import Linear
 
 x, y = sp.symbols("x y", real=True)
@@ -27,8 +34,7 @@ ABOVE = exactly(sp.And(x > 0, x * y > 1))
 
 
 def judged(claim, truth=ABOVE, parameters=(x, y)):
-    """What is said of a claim: "proved ...", "agrees at N points", or the place where it is
-    wrong."""
+    """Return the verdict on a claim: how it agrees, or the point where it is wrong."""
     try:
         return compare(claim, list(parameters), truth, lambda values, holds: f"{holds} at {values}")
     except Wrong as reason:
@@ -72,20 +78,20 @@ def test_a_condition_that_errs_somewhere_is_refuted_there(claim):
 
 
 def test_the_difference_that_is_told_is_one():
-    places = []
+    points = []
 
     def told(values, holds):
-        places.append((tuple(values.values()), holds))
+        points.append((tuple(values.values()), holds))
         return ""
 
     claim = sp.And(x > 0, x * y > 1, sp.Or(sp.Ne(x**2, 2), sp.Ne(y**3, 5)))
     with pytest.raises(Wrong):
         compare(claim, [x, y], ABOVE, told)
-    ((place, holds),) = places
-    assert holds and sp.And(x > 0, x * y > 1).subs(dict(zip((x, y), place)))
+    ((point, holds),) = points
+    assert holds and sp.And(x > 0, x * y > 1).subs(dict(zip((x, y), point)))
     assert (
-        sp.minimal_polynomial(place[0], x) == x**2 - 2
-        and sp.minimal_polynomial(place[1], x) == x**3 - 5
+        sp.minimal_polynomial(point[0], x) == x**2 - 2
+        and sp.minimal_polynomial(point[1], x) == x**3 - 5
     )
 
 
@@ -141,13 +147,13 @@ def test_what_is_no_polynomial_is_tried():
 
 def test_a_truth_that_says_nothing_anywhere_makes_no_verdict():
     with pytest.raises(RuntimeError):
-        judged(x > 0, Truth(at=lambda values: None))
+        judged(x > 0, ReferenceCondition(at=lambda values: None))
 
 
 def test_what_holds_for_every_value_of_an_unknown():
     """y^2 + x y + 1 > 0 for all y exactly if |x| < 2."""
     above = y**2 + x * y + 1 > 0
-    truth = Truth(
+    truth = ReferenceCondition(
         (Case(above, (y,), every=True),),
         (Case(sp.Not(above), (y,)),),
         lambda values: bool(values[x] ** 2 < 4),
@@ -184,7 +190,7 @@ def test_what_a_system_hides_at_an_irrational_value():
 
 def test_the_largest_invariant_subspace():
     A = [[Fraction(a) for a in row] for row in ([0, 1, 0], [1, 1, 1], [1, 0, 1])]
-    (vector,) = unseen_subspace(A, [[Fraction(0), Fraction(1), Fraction(0)]])
+    (vector,) = unobservable_subspace(A, [[Fraction(0), Fraction(1), Fraction(0)]])
     assert vector[0] == -vector[2] and vector[1] == 0
     assert restricted(A, [vector]) == [[0]]
     assert characteristic_coefficients(A) == [1, -2, 0, 0]
@@ -215,7 +221,7 @@ COSINE = sp.And(0 <= angle, angle < 2 * sp.pi, sp.cos(angle) < positive)
     ],
 )
 def test_angles_are_compared_on_the_circle(claim):
-    truth = Truth(
+    truth = ReferenceCondition(
         *(
             (Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
             for part in (COSINE, sp.Not(COSINE))
@@ -236,7 +242,7 @@ def test_angles_are_compared_on_the_circle(claim):
     ],
 )
 def test_a_condition_on_angles_that_errs_is_refuted(claim):
-    truth = Truth(
+    truth = ReferenceCondition(
         *(
             (Case(sp.And(0 <= angle, angle < 2 * sp.pi, positive < 1, part), angles=(angle,)),)
             for part in (COSINE, sp.Not(COSINE))
@@ -246,13 +252,12 @@ def test_a_condition_on_angles_that_errs_is_refuted(claim):
 
 
 def test_a_question_with_large_polynomials_ends_soon():
-    """Four lines of sight in space, by their Gram determinant: z3 alone would take minutes, by its
-    own steps or not."""
+    """Four lines of sight in space, by their Gram determinant: z3 alone takes minutes."""
     r = sp.symbols("r1:4", real=True)
     rows = sp.Matrix(
         [
-            [a - one for a, one in zip(place, r)]
-            for place in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (x, x, x))
+            [a - one for a, one in zip(point, r)]
+            for point in ((1, 0, 0), (0, 1, 0), (0, 0, 1), (x, x, x))
         ]
     )
     gram = sp.expand((rows.T * rows).det())
@@ -278,31 +283,30 @@ def test_a_sum_of_squares_vanishes_where_all_of_them_do():
 
 
 def test_families_of_rest_points_are_decided():
-    """A driven pendulum and a spring, with friction. In decimals, and by one formula with (-1)^n,
-    samples do."""
+    """A driven pendulum and a spring, with friction, in decimals and by one formula."""
     n = sp.Symbol("n", integer=True)
     k, d = sp.symbols("k d", positive=True)
     driven, spring = sp.Matrix([y, k - sp.sin(2 * x) - d * y]), sp.Matrix([y, x - k * x**3 - d * y])
     half, root = sp.asin(k) / 2, 1 / sp.sqrt(k)
     for check, claim, field, proved in (
-        ("stable_rest_angles", [half + sp.pi * n], driven, True),
-        ("unstable_rest_angles", [sp.pi / 2 - half - sp.pi * n], driven, True),
+        ("stable_equilibrium_angles", [half + sp.pi * n], driven, True),
+        ("unstable_equilibrium_angles", [sp.pi / 2 - half - sp.pi * n], driven, True),
         (
-            "rest_angles",
+            "equilibrium_angles",
             [half + sp.pi * n, half + sp.pi / 2 - 2 * half - 3 * sp.pi * n],
             driven,
             False,
         ),
-        ("rest_angles", [(-1) ** n * half + sp.pi * n / 2], driven, False),
+        ("equilibrium_angles", [(-1) ** n * half + sp.pi * n / 2], driven, False),
     ):
         verdict = getattr(checks, check)(claim, field, [x, y], [k, d], n)
         assert (verdict.status, "proved" in verdict.message) == ("right", proved), verdict
     for check, claim, status, proved in (
-        ("rest_values", [0, root, -root], "right", True),
-        ("stable_rest_values", [root, -root], "right", True),
-        ("unstable_rest_values", 0, "right", True),
-        ("rest_values", [0, root, -1.0 * root], "right", False),
-        ("rest_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False),
+        ("equilibrium_values", [0, root, -root], "right", True),
+        ("stable_equilibrium_values", [root, -root], "right", True),
+        ("unstable_equilibrium_values", 0, "right", True),
+        ("equilibrium_values", [0, root, -1.0 * root], "right", False),
+        ("equilibrium_values", [0, root + sp.Max(0, k - 10**6), -root], "wrong", False),
     ):
         verdict = getattr(checks, check)(claim, spring, [x, y], [k, d])
         assert (verdict.status, "proved" in verdict.message) == (status, proved), verdict

@@ -28,8 +28,10 @@ from hypothesis import strategies as st
 from sympy.core.function import AppliedUndef, UndefinedFunction
 from sympy.logic.boolalg import ITE
 
-from workbook.checks.contract import encoding
-from workbook.checks.contract.encoding import EncodingError, decode, describe, encode
+from workbook.checks.contract import limits
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import describe, encode
+from workbook.checks.contract.traversal import EncodingError
 
 x, y, z = sp.symbols("x y z")
 t = sp.Symbol("t", real=True)
@@ -39,8 +41,7 @@ f, g = sp.Function("f"), sp.Function("g", real=True)
 
 
 def same(a, b):
-    """Equality that also holds types, signs of zero, nan and array dtypes apart or together as an
-    answer needs."""
+    """Return whether values are equal in type, sign of zero, nan and dtype, too."""
     if type(a) != type(b):  # noqa: E721 -- not `is`: every Function("f") is a class of its own, equal to the others
         return False
     if isinstance(a, np.ndarray):
@@ -63,8 +64,7 @@ def same(a, b):
 
 @contextlib.contextmanager
 def within(seconds):
-    """Processor time, and without the collector walking through what other tests have left in
-    memory."""
+    """Return the processor time, without garbage collection of what other tests have left."""
     gc.freeze()
     start = time.process_time()
     try:
@@ -338,8 +338,7 @@ def test_a_value_comes_back(value):
 
 
 def parts(value):
-    """All nodes in the order of `args` (SymPy's own traversals take the operands of And and Or in
-    any order)."""
+    """Return all nodes in the order of `args`, which SymPy's own traversals change."""
     yield value
     for arg in value.args:
         yield from parts(arg)
@@ -486,7 +485,8 @@ def test_equal_sets_and_dicts_give_equal_bytes():
 
 PROGRAM = """
 import hashlib, sympy as sp
-from workbook.checks.contract.encoding import encode, decode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 x, y, t = sp.symbols("x y t")
 f = sp.Function("f")
 values = [{"b", "a", "c", x, sp.pi, (1, "z")}, {x: 1, "x": 2, 3: 4}, sp.solveset(sp.sin(x) * sp.cos(2*x), x),
@@ -519,7 +519,8 @@ def test_the_same_bytes_in_every_process():
 def test_plain_values_import_nothing_heavy():
     heavy = ["numpy", "sympy", "casadi", "workbook.checks.contract.sympy_codec"]
     program = (
-        "import sys; from workbook.checks.contract.encoding import *; "
+        "import sys; from workbook.checks.contract.decoding import decode; "
+        "from workbook.checks.contract.encoding import describe, encode; "
         "decode(encode([1, 2.5, 'a', {'k': (1j, ...)}, {3}])); describe([1, {}]); "
     )
     assert in_process(program + f"print([m for m in {heavy} if m in sys.modules])").strip() == "[]"
@@ -754,7 +755,7 @@ HOSTILE = {
     "lone surrogate": b'"\\ud800"',
     "null": b"null",
     "null within": b"[1,null]",
-    "too many bytes": b'"' + b"a" * encoding.MAX_BYTES + b'"',
+    "too many bytes": b'"' + b"a" * limits.MAX_BYTES + b'"',
     # size and depth
     "huge integer": b"9" * 1_000_000,
     "integer above the limit": text(10**2000),
@@ -1006,7 +1007,7 @@ COSTLY = {  # what SymPy takes many seconds over as soon as it evaluates
 def test_decoding_computes_nothing(tree):
     with within(seconds=1):
         value = decode(text(tree))
-    assert encode(value) == text(tree) and len(describe(value)) <= encoding.MAX_DESCRIPTION
+    assert encode(value) == text(tree) and len(describe(value)) <= limits.MAX_DESCRIPTION
 
 
 # Names: an expression that a check compiles with lambdify is Python code
@@ -1080,8 +1081,8 @@ scraps = st.sampled_from(NODES) | st.sampled_from(
 )
 
 
-def places(tree, path=()):
-    """The path to every part of a JSON value."""
+def paths(tree, path=()):
+    """Yield the path to every part of a JSON value."""
     yield path
     items = (
         tree.items()
@@ -1091,7 +1092,7 @@ def places(tree, path=()):
         else ()
     )
     for key, inner in items:
-        yield from places(inner, (*path, key))
+        yield from paths(inner, (*path, key))
 
 
 def replaced(tree, path, scrap):
@@ -1107,7 +1108,7 @@ def decodes_or_refuses(data):
         value = decode(data)
     except EncodingError:
         return
-    assert len(describe(value)) <= encoding.MAX_DESCRIPTION
+    assert len(describe(value)) <= limits.MAX_DESCRIPTION
     encode(value)
 
 
@@ -1116,7 +1117,7 @@ def decodes_or_refuses(data):
 def test_changed_structure_is_refused_or_a_value(data):
     tree = data.draw(st.sampled_from(NODES))
     for _ in range(data.draw(st.integers(1, 3))):
-        tree = replaced(tree, data.draw(st.sampled_from(list(places(tree)))), data.draw(scraps))
+        tree = replaced(tree, data.draw(st.sampled_from(list(paths(tree)))), data.draw(scraps))
     decodes_or_refuses(text(tree))
 
 
@@ -1137,8 +1138,7 @@ OPERATORS = (
 
 
 def hostile(base, *args):
-    """An instance of a subclass of `base` that tells of every attribute looked up and every
-    operator used, and lies about its class."""
+    """Return an instance of a subclass that records every access and hides its class."""
 
     def watched(name):
         def method(self, *args):
@@ -1253,7 +1253,7 @@ def test_hostile_objects_are_refused_unread(make):
     finally:
         ARMED.clear()
     assert message is not None and touched == []
-    assert len(described) <= encoding.MAX_DESCRIPTION
+    assert len(described) <= limits.MAX_DESCRIPTION
 
 
 def test_the_traps_do_catch():
@@ -1358,7 +1358,7 @@ def test_unfit_values_are_refused_kindly(value, message):
     with pytest.raises(EncodingError, match=message) as caught, within(seconds=1):
         encode(value)
     assert len(str(caught.value)) < 500
-    assert len(describe(value)) <= encoding.MAX_DESCRIPTION
+    assert len(describe(value)) <= limits.MAX_DESCRIPTION
 
 
 # Limits: what is just within them crosses
@@ -1447,4 +1447,4 @@ def test_descriptions_stay_short_and_quick():
     )
     with within(seconds=2):
         texts = [describe(value) for value in values]
-    assert all(len(text) <= encoding.MAX_DESCRIPTION for text in texts)
+    assert all(len(text) <= limits.MAX_DESCRIPTION for text in texts)

@@ -17,7 +17,7 @@ RIGHT = "(k2 > 0) & (k1*k2 > 1)"
 
 @pytest.fixture(scope="module")
 def outputs():
-    """What cells show, run one after the other whatever fails."""
+    """Return the outputs of cells, run one after the other whatever fails."""
 
     def run(*cells):
         notebook = nbformat.v4.new_notebook(
@@ -31,7 +31,7 @@ def outputs():
 
 @pytest.fixture(scope="module")
 def first_day(outputs):
-    """One kernel through the first day: {what happened: outputs of the cell}."""
+    """Run one kernel through a first day and return {event: outputs of the cell}."""
     cells = {
         "data": DATA,
         "early": CHECK,
@@ -119,7 +119,7 @@ def test_other_names_that_do_not_exist_are_told_as_ever(outputs):
 @pytest.mark.parametrize("after", ["after and", "after chain", "after unreadable"])
 def test_the_value_before_a_failed_cell_is_not_judged(first_day, after):
     assert re.match(
-        "… a_region: missing: not judged: the cell that assigns it stopped with",
+        "… a_region: missing: not checked: its cell stopped with",
         shown(first_day[after]),
     )
 
@@ -129,8 +129,7 @@ def test_a_mended_cell_is_judged(first_day):
 
 
 def test_half_right_keeps_each_line_its_own_colour(first_day):
-    """The error is one line; the verdicts are HTML, whose colours do not need the site's style
-    sheet."""
+    """The error is one line; the verdicts are HTML with colours of their own."""
     display, error = first_day["after half"]
     assert error.output_type == "error" and error.traceback == ["Not yet: 1 of 2 right."]
     lines = re.findall(

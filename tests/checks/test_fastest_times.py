@@ -40,8 +40,10 @@ def test_an_oscillator_far_out_begins_as_the_semicircles_say(size):
         * random.uniform(0.8, 1.2, 300)[:, None]
         * np.column_stack([np.cos(angle), np.sin(angle)])
     )
-    place = random.uniform(-size, size, 300)
-    near = np.column_stack([place, _semicircles(place) + _beside(random, abs(place), 300)])
+    positions = random.uniform(-size, size, 300)
+    near = np.column_stack(
+        [positions, _semicircles(positions) + _beside(random, abs(positions), 300)]
+    )
     starts = np.concatenate([spread, near])
     found = optimum.solve(starts, np.zeros(600, dtype=int), far=True)
     assert (found.control == -np.sign(starts[:, 1] - _semicircles(starts[:, 0]))).all()

@@ -1,14 +1,13 @@
-"""Where an expression goes over from one form to another, by a corner, a jump or quickly, a place
-is found next to it, and nowhere else."""
+"""Kinks of expressions: corners, jumps and steep transitions between sample points are found."""
 
 import numpy as np
 import pytest
 import sympy as sp
 
-from workbook.checks.tools.kinks import next_to_bends
+from workbook.checks.tools.kinks import points_at_kinks
 
 x, y = sp.symbols("x y", real=True)
-PLACES = [{x: a, y: b} for a, b in ((-3.1, 0.2), (2.3, 1.4), (0.7, -2.2), (-1.9, 1.1))]
+POINTS = [{x: a, y: b} for a, b in ((-3.1, 0.2), (2.3, 1.4), (0.7, -2.2), (-1.9, 1.1))]
 
 
 @pytest.mark.parametrize(
@@ -25,13 +24,13 @@ PLACES = [{x: a, y: b} for a, b in ((-3.1, 0.2), (2.3, 1.4), (0.7, -2.2), (-1.9,
     ],
 )
 def test_next_to_a_border_there_is_a_place(claim, on_border):
-    found = next_to_bends(claim, PLACES)
-    assert found and all(abs(float(on_border.subs(place))) < 1e-3 for place in found)
+    found = points_at_kinks(claim, POINTS)
+    assert found and all(abs(float(on_border.subs(point))) < 1e-3 for point in found)
 
 
 def test_a_jump_has_two_sides():
-    found = next_to_bends(sp.Heaviside(x - y), PLACES[:2])
-    assert sorted(np.sign(place[x] - place[y]) for place in found) == [-1, 1]
+    found = points_at_kinks(sp.Heaviside(x - y), POINTS[:2])
+    assert sorted(np.sign(point[x] - point[y]) for point in found) == [-1, 1]
 
 
 @pytest.mark.parametrize(
@@ -48,4 +47,4 @@ def test_a_jump_has_two_sides():
     ],
 )
 def test_what_is_smooth_has_no_bends(claim):
-    assert next_to_bends(claim, PLACES) == []
+    assert points_at_kinks(claim, POINTS) == []

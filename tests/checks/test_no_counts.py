@@ -5,9 +5,8 @@ how much."""
 import re
 
 import pytest
+from case import check_named
 from test_cases import CASES
-
-from workbook import checks
 
 #: A count of what is asked for, as it could stand in a message.
 COUNT = re.compile(
@@ -26,7 +25,7 @@ YES_NO = [case for case in CASES if case.verdict == "wrong" and isinstance(case.
 
 
 def said(case, answer):
-    return getattr(checks, case.check)(answer, *case.data, **dict(case.options))
+    return check_named(case.check)(answer, *case.data, **dict(case.options))
 
 
 @pytest.mark.parametrize("case", SEVERAL, ids=lambda case: f"{case.check}: {case.note}")

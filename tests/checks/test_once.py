@@ -6,9 +6,9 @@ import weakref
 
 import pytest
 import sympy as sp
+from case import check_named
 
 from trajlib.pontryagin import Problem
-from workbook import checks
 from workbook.checks.references.optima import several_controls
 
 x, y, angle = sp.symbols("x y angle")
@@ -16,7 +16,7 @@ t, T, a, b = sp.symbols("t T a b", positive=True)
 TURNED = [x * sp.cos(angle) + y * sp.sin(angle), y * sp.cos(angle) - x * sp.sin(angle)]
 CALLS = {
     "uncorrelated": ("solveset", [[0, sp.pi / 2], [0]], (*TURNED, [x, y], sp.diag(1, 4), angle)),
-    "bearing_tells_range": (
+    "research.range_observable": (
         "factor",
         [sp.Ne(a, 0), sp.Ne(b, 0)],
         ([x + y * t, 1 + t], t, T, [a, b]),
@@ -27,7 +27,7 @@ CALLS = {
 @pytest.mark.parametrize("name", CALLS)
 def test_a_second_verdict_asks_no_solver(name, monkeypatch):
     solver, (first, second), data = CALLS[name]
-    check, asked, solve = getattr(checks, name), [], getattr(sp, solver)
+    check, asked, solve = check_named(name), [], getattr(sp, solver)
     monkeypatch.setattr(sp, solver, lambda *given: (asked.append(given), solve(*given))[1])
     assert check(first, *data).status in ("right", "wrong") and len(asked) == 1
     assert check(second, *data).status in ("right", "wrong") and len(asked) == 1

@@ -4,7 +4,13 @@ of every kind."""
 import pytest
 import sympy as sp
 
-from workbook.checks.references.records import augmented, by_control, matrix_of, reached, seen
+from workbook.checks.references.records import (
+    augmented,
+    controlled_pair,
+    has_control,
+    matrix_of,
+    observed_pair,
+)
 from workbook.systems import (
     Deviations,
     Linear,
@@ -38,43 +44,61 @@ def in_states(system):
 def test_a_mechanical_system_is_that_of_its_states(stiffness):
     system = Mechanical(BODIES.M, BODIES.D * 0, stiffness, BODIES.L, BODIES.H1)
     A, B, H = in_states(system)
-    for pair, rows in ((seen(system), kalman(A, H)), (reached(system), kalman(A.T, B.T))):
-        (unseen,) = pair.unseen
+    for pair, rows in (
+        (observed_pair(system), kalman(A, H)),
+        (controlled_pair(system), kalman(A.T, B.T)),
+    ):
+        (unobservable,) = pair.unobservable
         vectors = sp.Matrix(
-            len(unseen),
+            len(unobservable),
             4,
-            [sp.Rational(int(v.numerator), int(v.denominator)) for row in unseen for v in row],
+            [
+                sp.Rational(int(v.numerator), int(v.denominator))
+                for row in unobservable
+                for v in row
+            ],
         )
-        assert (rows * vectors.T).is_zero_matrix and len(unseen) == 4 - rows.rank()
+        assert (rows * vectors.T).is_zero_matrix and len(unobservable) == 4 - rows.rank()
 
 
 def test_what_the_control_of_bodies_reaches_is_what_the_output_of_the_dual_shows():
-    assert [len(pair.unseen[0]) for pair in (reached(BODIES), seen(BODIES.dual))] == [0, 0]
+    assert [
+        len(pair.unobservable[0]) for pair in (controlled_pair(BODIES), observed_pair(BODIES.dual))
+    ] == [0, 0]
     free = Mechanical(sp.eye(2), 0, sp.eye(2), L=[1, 1])
-    assert [len(pair.unseen[0]) for pair in (reached(free), seen(free.dual))] == [2, 2]
+    assert [
+        len(pair.unobservable[0]) for pair in (controlled_pair(free), observed_pair(free.dual))
+    ] == [2, 2]
 
 
 def test_a_process_is_seen_as_a_linear_system_is():
     A, H = sp.Matrix([[0, 1], [0, 0]]), sp.Matrix([[0, 1]])
-    assert seen(Process(A=A, H=H, R=1)) is seen(Linear(A, H=H))
+    assert observed_pair(Process(A=A, H=H, R=1)) is observed_pair(Linear(A, H=H))
 
 
 def test_an_error_hides_what_it_can_imitate():
-    place = Linear([[0, 1], [0, 0]], [0, 1], [[1, 0]])
-    biased = WithError(place.A, place.B, place.H, S=[[0]], c=[[1]], start=[1])
-    assert augmented(place) is place
-    assert augmented(biased) == Linear(sp.diag(place.A, 0), [0, 1, 0], [[1, 0, 1]])
-    assert [len(seen(biased, (), of).unseen[0]) for of in (None, (0, 1), (2,))] == [1, 1, 1]
+    position = Linear([[0, 1], [0, 0]], [0, 1], [[1, 0]])
+    biased = WithError(position.A, position.B, position.H, S=[[0]], c=[[1]], start=[1])
+    assert augmented(position) is position
+    assert augmented(biased) == Linear(sp.diag(position.A, 0), [0, 1, 0], [[1, 0, 1]])
+    assert [len(observed_pair(biased, (), of).unobservable[0]) for of in (None, (0, 1), (2,))] == [
+        1,
+        1,
+        1,
+    ]
     # An error whose start is not known is as many unknowns as it has coordinates.
-    free = WithError(place.A, H=place.H, S=sp.zeros(2), c=[[1, 0]])
-    assert (free.unknowns, len(seen(free).unseen[0])) == (4, 2)
+    free = WithError(position.A, H=position.H, S=sp.zeros(2), c=[[1, 0]])
+    assert (free.unknowns, len(observed_pair(free).unobservable[0])) == (4, 2)
 
 
 def test_rows_that_change_and_measurements_of_constants():
-    assert seen(Varying([[0, 1], [0, 0]], [[1, -t]], t)).unseen == [[[0, -1]]]
+    assert observed_pair(Varying([[0, 1], [0, 0]], [[1, -t]], t)).unobservable == [[[0, -1]]]
     ring = Measurements([sp.sqrt(x**2 + y**2)], [x, y])
-    (places, *_), (unseen, *_) = zip(*seen(ring, [x, y]).samples), seen(ring, [x, y]).unseen
-    assert len(unseen) == 1 and places[0]
+    (positions, *_), (unobservable, *_) = (
+        zip(*observed_pair(ring, [x, y]).samples),
+        observed_pair(ring, [x, y]).unobservable,
+    )
+    assert len(unobservable) == 1 and positions[0]
 
 
 def test_deviations_are_constant_or_refused():
@@ -90,12 +114,12 @@ def test_deviations_are_constant_or_refused():
 
 def test_a_record_with_one_side_says_which():
     pair = sp.eye(2), [1, 0]
-    assert by_control(Linear(*pair)) and by_control(Mechanical(pair[0], 0, 0, L=pair[1]))
-    assert not by_control(Linear(pair[0], H=[pair[1]])) and not by_control(
+    assert has_control(Linear(*pair)) and has_control(Mechanical(pair[0], 0, 0, L=pair[1]))
+    assert not has_control(Linear(pair[0], H=[pair[1]])) and not has_control(
         Mechanical(pair[0], 0, 0, H2=[pair[1]])
     )
     for unclear in (Linear(pair[0]), Linear(*pair, [pair[1]]), BODIES):
         with pytest.raises(TypeError, match="either a control or an output"):
-            by_control(unclear)
+            has_control(unclear)
     with pytest.raises(TypeError, match="a record of a system with an output, got int"):
-        seen(3)
+        observed_pair(3)

@@ -18,7 +18,9 @@ from hypothesis import strategies as st
 
 from workbook import checks
 from workbook.checks.contract import reporting
-from workbook.checks.contract.encoding import EncodingError, decode, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import Unusable, Verdict, Wrong, judged
 from workbook.systems import Linear, Process
 
@@ -228,8 +230,8 @@ def test_a_wrong_growth_rate_is_not_told_where_its_answers_are():
     pendulum, growth = sp.Matrix([v, -v - 4 * sp.sin(x)]), (sp.sqrt(17) - 1) / 2
     assert checks.growth_rate(growth, pendulum, [x, v]).status == "right"
     assert not any(
-        place in checks.growth_rate(2 * growth, pendulum, [x, v]).message
-        for place in ("3.14", "9.42")
+        angle in checks.growth_rate(2 * growth, pendulum, [x, v]).message
+        for angle in ("3.14", "9.42")
     )
 
 
@@ -246,7 +248,7 @@ def test_a_gain_with_which_errors_grow_is_not_said_to_settle(process):
 
 def test_a_negative_root_is_not_told_that_its_square_is_wrong():
     process = Process(A=0, Q=2, H=1, R=1, mean=1, covariance=1)
-    message = checks.estimate_deviations(-sp.sqrt(3) / 2, process, [(1, 2)], 1).message
+    message = checks.estimate_standard_deviations(-sp.sqrt(3) / 2, process, [(1, 2)], 1).message
     assert "not negative" in message and "square" not in message
 
 
@@ -255,8 +257,7 @@ def test_a_question_ends_once():
 
 
 def test_code_in_a_message_is_set_as_code():
-    """One writes `x != 1`, where mathematics would have x ≠ 1; so what is to be written stands
-    between backticks."""
+    """Code such as `x != 1`, which typesetting would change, is shown as code."""
     x = sp.Symbol("x")
     shown = reporting._as_html(
         {"a": checks.observable_parameters(True, Linear(sp.diag(x, 1), H=[[1, 1]]), [x])}
@@ -272,8 +273,10 @@ def test_code_in_a_message_is_set_as_code():
     )
 
 
-#: First aid is printed as it stands.
-MESSAGES = [path for path in Path(checks.__file__).parent.rglob("*.py") if path.stem != "first_aid"]
+#: The hints on errors are printed as they are, outside of a report.
+MESSAGES = [
+    path for path in Path(checks.__file__).parent.rglob("*.py") if path.stem != "error_hints"
+]
 
 
 @pytest.mark.parametrize("path", MESSAGES, ids=lambda path: f"{path.parent.name}/{path.stem}")

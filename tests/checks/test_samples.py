@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from workbook.checks.tools.samples import found_once, in_every_case, sample_values
-from workbook.checks.tools.searching import bisected
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.samples import cached_points, in_every_case, sample_values
 
 x, y = sp.symbols("x y", real=True)
 
@@ -40,18 +40,18 @@ def test_every_case_of_an_answer_is_met(added):
 def test_places_are_looked_for_once():
     asked = []
 
-    @found_once
-    def places(symbols, domain=None, far=False):
+    @cached_points
+    def points(symbols, domain=None, far=False):
         asked.append((symbols, domain, far))
         yield dict.fromkeys(symbols, 2.0 if far else 1.0)
 
-    (place,) = places([x, y], {x: sp.Interval(0, 3)})
-    place[x] = 0.5  # who takes a place may change it
-    assert places([x, y], {x: sp.Interval(0, 3)}) == [{x: 1.0, y: 1.0}] and len(asked) == 1
-    assert places([x, y], {x: sp.Interval(0, 4)}) == [{x: 1.0, y: 1.0}] and len(asked) == 2
+    (point,) = points([x, y], {x: sp.Interval(0, 3)})
+    point[x] = 0.5  # who takes a point may change it
+    assert points([x, y], {x: sp.Interval(0, 3)}) == [{x: 1.0, y: 1.0}] and len(asked) == 1
+    assert points([x, y], {x: sp.Interval(0, 4)}) == [{x: 1.0, y: 1.0}] and len(asked) == 2
     assert (
-        places([x, y], far=True) == [{x: 2.0, y: 2.0}]
-        and places([x]) == [{x: 1.0}]
+        points([x, y], far=True) == [{x: 2.0, y: 2.0}]
+        and points([x]) == [{x: 1.0}]
         and len(asked) == 4
     )
 
@@ -81,13 +81,13 @@ def test_halving_several_times_in_one_call_is_halving(rows, turns):
         chance.uniform(0, 6, rows),
     )
 
-    def like_first(places, which):
-        return np.sin(3 * places + phase[which]) * np.sin(3 * first[which] + phase[which]) > 0
+    def like_first(points, which):
+        return np.sin(3 * points + phase[which]) * np.sin(3 * first[which] + phase[which]) > 0
 
     low, high = first, last
     for _ in range(turns):
         middle = (low + high) / 2
         same = like_first(middle, np.arange(rows))
         low, high = np.where(same, middle, low), np.where(same, high, middle)
-    found = bisected(like_first, first, last, turns)
+    found = bisect(like_first, first, last, turns)
     assert (found[0] == low).all() and (found[1] == high).all()

@@ -30,7 +30,7 @@ def only(problem):
 
 @pytest.mark.parametrize("start", RANDOM)
 def test_to_a_place(start):
-    """The disc of all places that can be reached holds the target then, and not before."""
+    """The disc of all positions that can be reached holds the target then, and not before."""
     start = [sp.Rational(s, 100) for s in start]
     best = only(thrust(start, [x - 1, y], pull=sp.Rational(1, 3), size=2))
     times = best.duration * np.linspace(1e-3, 1, 2000)
@@ -51,12 +51,12 @@ def test_to_rest(start):
     s, z = (1 + nodes) / 2 * T, np.array(start, dtype=float)
     still = np.array([z[0] + T * z[2], z[1] + T * z[3], z[2], z[3]])
 
-    def room(p):
+    def margin(p):
         return (
             p @ still + np.hypot(p[2] + p[0] * s, p[3] + p[1] * s) @ weights * T / 2
         ) / np.linalg.norm(p)
 
-    assert min(minimize(room, p).fun for p in [-still, *np.eye(4), *-np.eye(4)]) < 0
+    assert min(minimize(margin, p).fun for p in [-still, *np.eye(4), *-np.eye(4)]) < 0
 
 
 @pytest.mark.parametrize(
@@ -76,8 +76,8 @@ def test_along_a_line(start, time):
 
 @pytest.mark.slow
 def test_a_search_finds_nothing_better():
-    place, rest = thrust((1, 2, 1, 0), [x, y]), thrust((1, 2, 1, 0), [x, y, v, w])
-    assert optima(place)[0][1].duration == pytest.approx(only(place).duration, rel=1e-8)
+    position, rest = thrust((1, 2, 1, 0), [x, y]), thrust((1, 2, 1, 0), [x, y, v, w])
+    assert optima(position)[0][1].duration == pytest.approx(only(position).duration, rel=1e-8)
     assert 0 <= optima(rest)[0][1].duration - only(rest).duration < 5e-3
 
 

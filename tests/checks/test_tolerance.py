@@ -9,12 +9,12 @@ from workbook import checks
 from workbook.checks.contract.tolerance import (
     EXACT,
     MOST_FOLLOWED,
+    agree,
     in_decimals,
+    relative_tolerance,
     rounds_to,
-    same,
-    share,
 )
-from workbook.checks.tools.values import uncertain_at
+from workbook.checks.tools.values import uncertainty_at
 from workbook.systems import Linear
 
 k = sp.Symbol("k", positive=True)
@@ -41,7 +41,7 @@ x, v, r, t = sp.symbols("x v r t", real=True)
 )
 def test_three_significant_digits(answer, value, right):
     assert rounds_to(answer, value) is right
-    assert same(answer, value, sp.Float(answer)) is right or value == 0 == answer
+    assert agree(answer, value, sp.Float(answer)) is right or value == 0 == answer
 
 
 @pytest.mark.parametrize(
@@ -57,34 +57,36 @@ def test_three_significant_digits(answer, value, right):
 )
 def test_what_counts_as_decimals(written, decimals):
     assert in_decimals(written) is decimals
-    assert (share(written) > EXACT) is decimals
+    assert (relative_tolerance(written) > EXACT) is decimals
 
 
 def test_an_exact_number_has_to_be_right():
-    assert not same(0.3333, 1 / 3, sp.Rational(3333, 10000))
-    assert same(1 / 3, 1 / 3 + 1e-12, sp.Rational(1, 3))
+    assert not agree(0.3333, 1 / 3, sp.Rational(3333, 10000))
+    assert agree(1 / 3, 1 / 3 + 1e-12, sp.Rational(1, 3))
 
 
 def test_a_complex_number_has_the_digits_of_its_modulus():
-    assert same(0.707 + 0.707j, (1 + 1j) / np.sqrt(2), sp.Float(0.707) * (1 + sp.I))
-    assert not same(0.707 + 0.713j, (1 + 1j) / np.sqrt(2), sp.Float(0.707) * (1 + sp.I))
+    assert agree(0.707 + 0.707j, (1 + 1j) / np.sqrt(2), sp.Float(0.707) * (1 + sp.I))
+    assert not agree(0.707 + 0.713j, (1 + 1j) / np.sqrt(2), sp.Float(0.707) * (1 + sp.I))
 
 
 def test_rounded_coefficients_of_an_expression_cost_their_share():
     # 1.11 k is 1.1149 k to three digits; at k = 8.9 the values, 9.879 and 9.923, differ by more
     # than half a unit.
-    assert same(1.11 * 8.9, 1.1149 * 8.9, 1.11 * k)
-    assert not same(9.879, 9.923, sp.Float(9.879))
+    assert agree(1.11 * 8.9, 1.1149 * 8.9, 1.11 * k)
+    assert not agree(9.879, 9.923, sp.Float(9.879))
 
 
 def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
     claim = 1 + 0.331 * k
-    assert not same(1 + 0.331 * 0.01, 1 + 0.01 / 3, claim, uncertain=uncertain_at(claim, {k: 0.01}))
-    assert same(0.667 - 0.66, 0.0067, 0.667 - k, uncertain=uncertain_at(0.667 - k, {k: 0.66}))
-    assert uncertain_at(x**0.5 + sp.Rational(1, 3) * x, {x: 4}) == 0  # nothing is rounded
-    assert np.isnan(uncertain_at(sp.Float(0.33), {}))  # a number has digits of its own
+    assert not agree(
+        1 + 0.331 * 0.01, 1 + 0.01 / 3, claim, uncertain=uncertainty_at(claim, {k: 0.01})
+    )
+    assert agree(0.667 - 0.66, 0.0067, 0.667 - k, uncertain=uncertainty_at(0.667 - k, {k: 0.66}))
+    assert uncertainty_at(x**0.5 + sp.Rational(1, 3) * x, {x: 4}) == 0  # nothing is rounded
+    assert np.isnan(uncertainty_at(sp.Float(0.33), {}))  # a number has digits of its own
     assert np.isnan(
-        uncertain_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1})
+        uncertainty_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1})
     )
 
 
@@ -92,14 +94,14 @@ def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
 A = sp.Matrix([[sp.Rational(999, 100), 0], [0, 1]])
 H = sp.Matrix([[0, 1]])
 NUMBERS = [
-    lambda number: checks.lost_eigenvalues([number], Linear(A, H=H)),
+    lambda number: checks.fixed_eigenvalues([number], Linear(A, H=H)),
     lambda number: checks.controllability_matrix([[1, number], [1, 1.0]], Linear(A, [1, 1])),
     lambda number: checks.stationary_value(number, x, [v, sp.Rational(999, 100) - x], [x, v], []),
     lambda number: checks.stationary_linearisation(
         [[0, 1], [-number, 0]], [v, -sp.Rational(999, 100) * x], [x, v], []
     ),
     lambda number: checks.equilibria([[number]], [sp.Rational(999, 100) - x], [x]),
-    lambda number: checks.rest_values([number], [v, sp.Rational(999, 100) - x], [x, v]),
+    lambda number: checks.equilibrium_values([number], [v, sp.Rational(999, 100) - x], [x, v]),
     lambda number: checks.canonical_coordinate(
         [number, 0], Linear([[0, 1], [0, 0]], [0, sp.Rational(100, 999)])
     ),

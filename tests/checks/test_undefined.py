@@ -8,18 +8,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy as sp
+from case import check_named
 
 from workbook import checks
 from workbook.checks.contract.verdict import Invalid, Wrong
-from workbook.checks.tools.values import (
-    matrix_at,
-    number_at,
-    numbers_at,
-    real_at,
-    real_function,
-    truth_at,
-    value_at,
-)
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import matrix_at, number_at, numbers_at, truth_at, value_at
 
 x, y, t = sp.symbols("x y t", real=True)
 UNDEFINED = sp.Add(sp.oo, -sp.oo, evaluate=False)
@@ -100,11 +95,11 @@ def test_a_condition_with_an_undefined_term_does_not_hold():
 
 LAW = cases("pontryagin/syntheses")
 MOVE, SEEN, SOLVED = map(
-    cases, ("pontryagin/transfers", "structure/observability", "research/solvability")
+    cases, ("pontryagin/transfers", "structure/observability", "research/conditioning")
 )
-SPLINE, PLANE = cases("research/reconstruction"), cases("stability/stationary")
-LINES, FLAT = cases("stability/critical"), cases("stability/first_approximation")
-LISTS = cases("stability/rest_families")
+SPLINE, PLANE = cases("research/reconstruction"), cases("stability/phase_plane")
+LINES, FLAT = cases("stability/critical"), cases("stability/linearisation")
+LISTS = cases("stability/equilibrium_families")
 STRIP = sp.Piecewise((LAW.TO_ORIGIN, sp.Abs(LAW.x1 - sp.Rational(1, 2)) > sp.Rational(1, 25)))
 SIDES = LAW.x1 + LAW.x2 * sp.Abs(LAW.x2) / 2
 PUSH = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > 1))
@@ -138,12 +133,18 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
             "wrong",
             "the end of your arc number 2",
         ),
-        ("unseen_states", [HUGE, HUGE, HUGE, HUGE], SEEN.PLATFORM, "wrong", "larger than"),
-        ("unseen_states", [0, 10**9, 0, 10**9 * SEEN.g], SEEN.PLATFORM, "right", "z stays zero"),
-        ("breaks_bound", [0, 0, HUGE], SOLVED.BOUND, "invalid", "finite"),
-        ("multiple_eigenvalues", HUGE, SPLINE.MULTIPLE, "invalid", "finite"),
+        ("unobservable_states", [HUGE, HUGE, HUGE, HUGE], SEEN.PLATFORM, "wrong", "larger than"),
         (
-            "growing_motion",
+            "unobservable_states",
+            [0, 10**9, 0, 10**9 * SEEN.g],
+            SEEN.PLATFORM,
+            "right",
+            "z stays zero",
+        ),
+        ("research.bound_violating_error", [0, 0, HUGE], SOLVED.BOUND, "invalid", "finite"),
+        ("research.multiple_eigenvalues", HUGE, SPLINE.MULTIPLE, "invalid", "finite"),
+        (
+            "unbounded_motion",
             [HUGE * LINES.t**2, HUGE],
             (*LINES.DRIFT, LINES.t),
             "wrong",
@@ -156,8 +157,8 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
             "wrong",
             "the entry (2, 1) of your matrix",
         ),
-        ("rest_values", [sp.pi * LISTS.n, HUGE], LISTS.PENDULUM, "wrong", "larger than"),
-        ("rest_values", [sp.pi * LISTS.n, sp.oo], LISTS.PENDULUM, "wrong", "infinite"),
+        ("equilibrium_values", [sp.pi * LISTS.n, HUGE], LISTS.PENDULUM, "wrong", "larger than"),
+        ("equilibrium_values", [sp.pi * LISTS.n, sp.oo], LISTS.PENDULUM, "wrong", "infinite"),
         (
             "first_integral",
             PLANE.k1 * PLANE.v**3 / 3 - PLANE.g * PLANE.v * sp.cos(PLANE.theta) + sp.oo,
@@ -177,7 +178,7 @@ LATE = sp.Piecewise((-1, MOVE.t < 1), (1, MOVE.t > sp.Rational(21, 20)))
     ],
 )
 def test_answers_that_are_undefined_where_it_matters(check, answer, data, verdict, said):
-    found = getattr(checks, check)(answer, *data)
+    found = check_named(check)(answer, *data)
     assert (found.status, said in found.message) == (verdict, True), found
 
 

@@ -6,7 +6,8 @@ import sympy as sp
 
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.tools import values
-from workbook.checks.tools.values import number_at, real_at
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import number_at
 
 x, y = sp.symbols("x y")
 ANGLE = sp.Symbol("psi", positive=True)
@@ -30,10 +31,10 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("claim, places, number", CASES.values(), ids=CASES)
-def test_the_number_is_that_of_one_after_the_other(claim, places, number):
-    one_by_one = complex(claim.subs(places).evalf(20))
-    assert number_at(claim, places) == pytest.approx(number) and one_by_one == pytest.approx(number)
+@pytest.mark.parametrize("claim, values, number", CASES.values(), ids=CASES)
+def test_the_number_is_that_of_one_after_the_other(claim, values, number):
+    one_by_one = complex(claim.subs(values).evalf(20))
+    assert number_at(claim, values) == pytest.approx(number) and one_by_one == pytest.approx(number)
 
 
 def test_what_has_no_value_has_none():

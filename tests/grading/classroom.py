@@ -1,5 +1,4 @@
-"""A small class for the tests: assignments, graded attempts without running anything, and notebooks
-to submit."""
+"""A small class for the tests: assignments, graded attempts, and notebooks to submit."""
 
 import hashlib
 import json
@@ -20,7 +19,7 @@ RIGHT_1_15 = {
 
 
 def write_assignment(folder, text, name="hw1"):
-    """Write assignments/NAME/assignment.toml below `folder`; returns its path."""
+    """Write assignments/NAME/assignment.toml below `folder` and return its path."""
     path = folder / "assignments" / name / "assignment.toml"
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text, encoding="utf-8")
@@ -42,8 +41,7 @@ def graded(
     content=None,
     texts=None,
 ):
-    """Record an attempt with its result; `statuses` maps answers to right, wrong, ...; returns its
-    id."""
+    """Record an attempt with its result and return its id; `statuses` maps answers to right, ..."""
     attempt = store.note_attempt(
         student, assignment, problem, content or f"{student}-{problem}-{submitted}", submitted
     )
@@ -56,8 +54,7 @@ def graded(
 
 
 def notebook(problem, answers):
-    """A student's notebook: the exercise as handed out, with the stubs of `answers` replaced by
-    code."""
+    """Return a student's notebook: the exercise with the stubs of `answers` replaced by code."""
     pristine = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
     for cell in pristine["cells"]:
         if cell["metadata"].get("tags") == ["answer"]:
@@ -72,8 +69,7 @@ def _answered(line, answers):
 
 
 def hand_in(folder, student, problem, answers, assignment="hw1", at=None, name=None):
-    """Put a notebook where students' work is collected: submitted/<student>/<assignment>/; returns
-    its path."""
+    """Write a notebook to submitted/<student>/<assignment>/ and return its path."""
     chapter, number = problem.split(".")
     path = (
         folder / "submitted" / student / assignment / (name or f"ch{chapter}-p{number:0>2}.ipynb")

@@ -31,8 +31,10 @@ CERTIFICATES = [
 
 
 class LocalCluster:
-    """A scheduler, and workers that come and go. The folder `here` holds its certificates, if it
-    has any."""
+    """A scheduler, and workers that come and go.
+
+    The folder `here` has its certificates, if there are any.
+    """
 
     def __init__(self, here, scheme="tls"):
         self.here, self.scheme, self._processes = here, scheme, []
@@ -42,12 +44,12 @@ class LocalCluster:
         self.address = f"{scheme}://127.0.0.1:{self.port}"
 
     def as_here(self, command):
-        """A command of the guide with the address of this cluster."""
+        """Return a command of the guide with the address of this cluster."""
         command = command.replace("scheduler.example.org:8786", f"127.0.0.1:{self.port}")
         return command.replace("scheduler.example.org --port 8786", f"127.0.0.1 --port {self.port}")
 
     def start(self, command, **environment):
-        """Start what does not end; returns the process."""
+        """Start a process that does not end by itself, and return it."""
         log = open(self.here / f"log-{len(self._processes)}.txt", "wb")
         path = f"{Path(sys.executable).parent}:{os.environ['PATH']}"
         process = subprocess.Popen(
@@ -75,7 +77,7 @@ class LocalCluster:
         )
 
     def wait_for(self, worker, number=1):
-        """The process, when its workers have found the scheduler."""
+        """Return the process when its workers have found the scheduler."""
         log, give_up = self.here / f"log-{self._processes.index(worker)}.txt", time.monotonic() + 60
         while log.read_bytes().count(b"Registered to") < number:
             assert time.monotonic() < give_up and worker.poll() is None, log.read_text(
@@ -88,22 +90,22 @@ class LocalCluster:
         process.terminate()
         process.wait(timeout=30)
 
-    def lanes(self):
-        """Processes below the workers that grade, or run notebooks."""
+    def grading_processes(self):
+        """Return the processes below the workers that grade or run notebooks."""
         below = set().union(
             *(descendants(process.pid) for process in self._processes if process.poll() is None)
         )
-        return {one for one in below if b"workbook" in command_of(one[0])}
+        return {process_key for process_key in below if b"workbook" in command_of(process_key[0])}
 
     def workers(self):
-        """Numbers of the processes that do the workers' work, below their nannies."""
-        found = [
+        """Return the pids of the workers proper, below their nannies."""
+        pids = [
             number
             for process in self._processes
             for number, _ in descendants(process.pid)
             if b"spawn_main" in command_of(number)
         ]
-        return sorted(found)
+        return sorted(pids)
 
     def close(self):
         below = set().union(*(descendants(process.pid) for process in self._processes))

@@ -1,5 +1,4 @@
-"""What tests about verdicts and points share: a homework as its module describes it, and a store of
-results."""
+"""Fixtures of tests about verdicts and points: a homework, and a store of results."""
 
 import sys
 from pathlib import Path
@@ -11,7 +10,7 @@ from classroom import an_assignment
 
 from workbook.grading.store import Store
 
-#: Their tests wait: for sandboxes, lanes, whole commands, a browser, limits of time.
+#: Their tests wait: for sandboxes, worker processes, whole commands, a browser, limits of time.
 WAITING = {
     "test_cluster",
     "test_commands",
@@ -34,7 +33,7 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture
 def homework(request, tmp_path):
-    """The assignment that the test's module writes down as `HOMEWORK`."""
+    """The assignment that the test's module has as `HOMEWORK`."""
     return an_assignment(tmp_path, request.module.HOMEWORK)
 
 

@@ -1,11 +1,11 @@
-"""The commands of a guide, to be run as it shows them, and what it shows that they print."""
+"""The commands of a guide and the output that it shows, to be run and compared."""
 
 import re
 
 
 def steps(text):
-    """(section, command, lines it prints) for every command of the page."""
-    found, section, inside = [], "", False
+    """Return (section, command, lines that it prints) for every command of the page."""
+    commands, section, inside = [], "", False
     for line in text.replace("\\\n", "").split("\n"):
         if line.startswith("#") and not inside:
             section = line.lstrip("# ")
@@ -13,14 +13,14 @@ def steps(text):
             assert inside or line == "```console", f"{line}: shell commands stand in console blocks"
             inside = not inside
         elif inside and line.startswith("$ "):
-            found.append((section, line[2:], []))
+            commands.append((section, line[2:], []))
         elif inside:
-            found[-1][2].append(line)
-    return found
+            commands[-1][2].append(line)
+    return commands
 
 
 def like(shown, printed):
-    """Whether what was printed is what the page shows; `...` stands for anything."""
+    """Return whether output is as the page shows it; `...` stands for anything."""
     words = [" ".join(line.split()) for line in shown if line.strip()]
     pattern = "".join(
         ".*" if line == "..." else re.escape(line).replace(r"\.\.\.", ".*") + "\n" for line in words

@@ -5,14 +5,13 @@ import subprocess
 import sys
 from pathlib import Path
 
-from workbook.grading.isolation import CLONE_NEWNS, MS_BIND, MS_PRIVATE, MS_REC, mount, unshare
+from workbook.grading.system_calls import CLONE_NEWNS, MS_BIND, MS_PRIVATE, MS_REC, mount, unshare
 
 USER = 54321
 
 
 def run(code, folder, timeout=120):
-    """Run Python `code` in `folder`, which becomes that user's home; returns the finished
-    process."""
+    """Run Python `code` in `folder`, which becomes the user's home; return the process."""
     environment = {"PATH": os.environ["PATH"], "HOME": str(folder), "LANG": "C.UTF-8"}
     if os.getuid() == 0:
         os.chown(folder, USER, USER)
@@ -30,7 +29,7 @@ def run(code, folder, timeout=120):
 
 
 def _become_ordinary():
-    """Without root's rights, and with the interpreter where it was even if that is root's home."""
+    """Drop root's rights, and keep the interpreter readable even if it is in root's home."""
     prefix = os.path.realpath(sys.base_prefix)
     unshare(CLONE_NEWNS)
     mount("none", "/", flags=MS_REC | MS_PRIVATE)

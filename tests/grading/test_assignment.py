@@ -1,4 +1,4 @@
-"""assignment.toml: what it says, and one clear line for everything that is wrong in it."""
+"""assignment.toml: its fields, and an error of one line for everything wrong in it."""
 
 import datetime
 import json
@@ -30,7 +30,7 @@ attempts = 3
 """
 
 
-def test_everything_it_can_say(tmp_path):
+def test_all_fields(tmp_path):
     homework = an_assignment(tmp_path, FULL)
     assert (homework.name, homework.title) == ("hw1", "Homework 1: stability")
     assert homework.problems == ("1.4", "1.15") and list(homework.points) == ["1.4", "1.15"]
@@ -38,7 +38,7 @@ def test_everything_it_can_say(tmp_path):
     assert (homework.attempt, homework.attempts) == ("last", 3)
 
 
-def test_what_it_need_not_say(tmp_path):
+def test_optional_fields(tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
     assert (homework.title, homework.due, homework.attempt, homework.attempts) == (
         "hw1",
@@ -62,7 +62,7 @@ def test_points(tmp_path):
     assert homework.max_points == 10 + 2 + 0 + 6
 
 
-def test_points_of_a_problem_with_some_answers_named_stay_those_of_the_problem(tmp_path):
+def test_points_of_named_answers_are_part_of_the_problems(tmp_path):
     homework = an_assignment(
         tmp_path, 'problems = ["1.15"]\n[points]\n"1.15" = 10\n"1.15.a_region" = 6'
     )
@@ -75,7 +75,7 @@ def test_points_of_a_problem_with_some_answers_named_stay_those_of_the_problem(t
     assert whole.points["1.17"] == {"a_region": 2, "b_region": 3}
 
 
-def test_the_name_is_that_of_the_folder_also_from_inside_it(tmp_path, monkeypatch):
+def test_the_name_is_that_of_the_folder(tmp_path, monkeypatch):
     path = write_assignment(tmp_path, 'problems = ["1.15"]', name="week 2")
     monkeypatch.chdir(path.parent)
     assert assignments.read("assignment.toml").name == "week 2"
@@ -85,7 +85,7 @@ ONE = 'problems = ["1.15"]\n'
 
 
 @pytest.mark.parametrize(
-    "text, said",
+    "text, message",
     [
         ("", "problems is a list"),
         ("problems = [1.15]", "problems is a list of numbers in quotes"),
@@ -133,12 +133,14 @@ ONE = 'problems = ["1.15"]\n'
         (ONE + ONE, "Cannot overwrite a value"),
     ],
 )
-def test_what_is_wrong_is_said_in_one_line(tmp_path, text, said):
+def test_errors_are_one_line(tmp_path, text, message):
     path = write_assignment(tmp_path, text)
     with pytest.raises(AssignmentError) as error:
         assignments.read(path)
     assert (
-        said in str(error.value) and str(path) in str(error.value) and "\n" not in str(error.value)
+        message in str(error.value)
+        and str(path) in str(error.value)
+        and "\n" not in str(error.value)
     )
 
 
@@ -180,7 +182,7 @@ def test_a_homework_to_hand_out(tmp_path):
     )
 
 
-def test_what_is_handed_out_is_the_exercise_without_dead_links(tmp_path):
+def test_a_handed_out_notebook_is_the_exercise_without_dead_links(tmp_path):
     for exercise in exercises.read_all():
         pristine = json.loads(exercise.path.read_text(encoding="utf-8"))
         for site in ("", "https://example.org/course/"):
@@ -188,8 +190,10 @@ def test_what_is_handed_out_is_the_exercise_without_dead_links(tmp_path):
             assert released["metadata"] == pristine["metadata"] and len(released["cells"]) == len(
                 pristine["cells"]
             )
-            for ours, theirs in zip(released["cells"], pristine["cells"], strict=True):
-                assert ours == theirs or "places" in ours["metadata"]
+            for released_cell, pristine_cell in zip(
+                released["cells"], pristine["cells"], strict=True
+            ):
+                assert released_cell == pristine_cell or "places" in released_cell["metadata"]
             text = "".join(cell["source"] for cell in released["cells"])
             assert "_build/" not in text and not re.search(r"\]\(\.", text)
             if site:
@@ -204,19 +208,19 @@ def test_what_is_handed_out_is_the_exercise_without_dead_links(tmp_path):
                 )
 
 
-def test_a_notebook_is_found_again_without_its_metadata(tmp_path):
+def test_a_handed_out_notebook_is_known_without_its_metadata(tmp_path):
     for exercise in exercises.read_all():
         notebook = json.loads(handing_out.release(exercise.number))
         notebook["metadata"] = {}
         path = tmp_path / "ann" / "hw1" / handing_out.file_name(exercise.number)
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(json.dumps(notebook))
-    assert {found.problem for found in submissions.find(tmp_path)} == {
+    assert {entry.problem for entry in submissions.find(tmp_path)} == {
         exercise.number for exercise in exercises.read_all()
     }
 
 
-def test_a_homework_is_not_written_over(tmp_path):
+def test_a_homework_is_not_overwritten(tmp_path):
     handing_out.make(tmp_path, "hw1", ["1.15"])
     before = (tmp_path / "hw1" / "assignment.toml").read_bytes()
     with pytest.raises(AssignmentError, match="already there"):
@@ -225,7 +229,7 @@ def test_a_homework_is_not_written_over(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "name, numbers, said",
+    "name, numbers, message",
     [
         ("hw1", ["9.99"], "no problem 9.99"),
         ("hw1", ["1.15", "1.15"], "named twice"),
@@ -237,13 +241,13 @@ def test_a_homework_is_not_written_over(tmp_path):
         ("hw1 ", ["1.15"], "names a folder"),
     ],
 )
-def test_a_homework_that_cannot_be_made_leaves_nothing_behind(tmp_path, name, numbers, said):
-    with pytest.raises(AssignmentError, match=said):
+def test_a_homework_that_cannot_be_made_leaves_nothing_behind(tmp_path, name, numbers, message):
+    with pytest.raises(AssignmentError, match=message):
         handing_out.make(tmp_path, name, numbers)
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_title_that_cannot_be_leaves_nothing_behind(tmp_path):
+def test_an_invalid_title_leaves_nothing_behind(tmp_path):
     with pytest.raises(AssignmentError, match="title is one line of text"):
         handing_out.make(tmp_path, "hw1", ["1.15"], "two\nlines")
     assert list(tmp_path.iterdir()) == []
@@ -264,7 +268,7 @@ def test_a_full_disk_leaves_nothing_behind(tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
-def test_due_dates_as_people_write_them():
+def test_due_dates():
     zone = datetime.timezone(datetime.timedelta(hours=3))
     assert handing_out.due_date("2026-10-01T23:59:00+03:00") == datetime.datetime(
         2026, 10, 1, 23, 59, tzinfo=zone
@@ -298,6 +302,6 @@ def test_due_dates_as_people_write_them():
         " 2026-10-01",
     ],
 )
-def test_no_due_dates(text):
+def test_invalid_due_dates(text):
     with pytest.raises(AssignmentError, match='is not a date; write "2026-10-01 23:59"'):
         handing_out.due_date(text)

@@ -1,5 +1,7 @@
-"""Grading on a Dask cluster of several processes: the same grades as on one machine, whatever ends
-in the midst, and nothing less safe."""
+"""Grading on a Dask cluster: the same grades as on one machine, and no less safe.
+
+The cluster has several processes, which the tests also kill.
+"""
 
 import concurrent.futures
 import json
@@ -27,8 +29,8 @@ from guide import like
 from test_nothing_lost import count, grades, outliving, submit_a_course
 
 from workbook.grading import course, grader
-from workbook.grading.cluster import coordinator, dask_worker
-from workbook.grading.isolation import NoIsolation
+from workbook.grading.cluster import connection, coordinator, dask_worker
+from workbook.grading.isolation import SandboxUnavailableError
 from workbook.grading.judging import Bounds
 from workbook.grading.preloading import ALWAYS
 from workbook.grading.sandbox import Limits
@@ -66,7 +68,7 @@ def submitted(dask):
 
 @pytest.fixture(scope="module")
 def expected(submitted, tmp_path_factory):
-    """What one machine makes of it."""
+    """The grades of one machine."""
     out = tmp_path_factory.mktemp("alone")
     course.grade(submitted, out, count=2)
     return grades(out)
@@ -74,7 +76,7 @@ def expected(submitted, tmp_path_factory):
 
 def start(dask, out):
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
-    known = () if dask.scheme == "tcp" else CERTIFICATES
+    options = () if dask.scheme == "tcp" else CERTIFICATES
     command = [
         sys.executable,
         "-m",
@@ -85,7 +87,7 @@ def start(dask, out):
         str(out),
         "--cluster",
         dask.address,
-        *known,
+        *options,
     ]
     return subprocess.Popen(
         command,
@@ -100,7 +102,10 @@ def start(dask, out):
 
 
 def wait_for_results(process, out, number):
-    """Until so many are stored. The first two need no worker: they are no notebooks."""
+    """Wait until so many are stored.
+
+    The first two need no worker: they are not notebooks.
+    """
     give_up = time.monotonic() + 60
     while count(out) < number and process.poll() is None and time.monotonic() < give_up:
         time.sleep(0.005)
@@ -114,7 +119,7 @@ def our_cluster(dask, **options):
     )
 
 
-def a_unit(key, problem="1.15", answers=RIGHT_1_15):
+def a_task(key, problem="1.15", answers=RIGHT_1_15):
     exercise = exercises.find(problem)
     sources = [source for _, source in exercise.code("data")] + [
         f"{name} = {text}" for name, text in answers.items()
@@ -130,7 +135,7 @@ def a_unit(key, problem="1.15", answers=RIGHT_1_15):
 # As on one machine
 
 
-def test_the_guide_grades_as_one_machine_does(dask, submitted, expected):
+def test_the_commands_of_the_guide_grade_as_one_machine_does(dask, submitted, expected):
     (command, shown) = COMMANDS[-1]
     assert (
         command.startswith("workbook grade")
@@ -149,11 +154,11 @@ def test_the_guide_grades_as_one_machine_does(dask, submitted, expected):
     )
     assert done.returncode == 0 and like(shown, done.stdout), done.stdout
     assert len(expected) == 12 and grades(dask.here / "graded") == expected
-    assert not outliving(dask.lanes()), "lanes are left on the workers"
+    assert not outliving(dask.grading_processes()), "grading processes are left on the workers"
 
 
 @pytest.mark.slow
-def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
+def test_processes_that_are_killed_cost_nothing(dask, expected, tmp_path):
     # The grader is killed,
     process = start(dask, tmp_path)
     wait_for_results(process, tmp_path, 3)
@@ -165,10 +170,10 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
     wait_for_results(process, tmp_path, before + 1)
     assert 12 > count(tmp_path) > before >= 3, "a result was lost"
     os.killpg(process.pid, signal.SIGINT)
-    _, said = process.communicate(timeout=60)
-    assert process.returncode == 130 and "Traceback" not in said, said
+    _, output = process.communicate(timeout=60)
+    assert process.returncode == 130 and "Traceback" not in output, output
     assert (
-        said.strip().split("\n")[-1]
+        output.strip().split("\n")[-1]
         == "workbook: stopped; what is graded is stored, and the same command goes on from there"
     )
     # and then a worker is killed.
@@ -176,35 +181,39 @@ def test_whatever_ends_in_the_midst_costs_nothing(dask, expected, tmp_path):
     process = start(dask, tmp_path)
     wait_for_results(process, tmp_path, before + 1)
     os.kill(victim, signal.SIGKILL)
-    _, said = process.communicate(timeout=120)
-    assert process.returncode == 0 and "Traceback" not in said, said
+    _, output = process.communicate(timeout=120)
+    assert process.returncode == 0 and "Traceback" not in output, output
     assert grades(tmp_path) == expected and victim not in dask.workers()
 
 
-def test_nothing_runs_on_after_the_grader_has_stopped(dask):
+def test_all_processes_end_with_the_grader(dask):
     def begun():
-        return {one for one in dask.lanes() - before if b"forkserver.main" in command_of(one[0])}
+        return {
+            process_key
+            for process_key in dask.grading_processes() - before
+            if b"forkserver.main" in command_of(process_key[0])
+        }
 
-    before = dask.lanes()  # a killed grader's lanes end by themselves, a little later
-    endless = a_unit(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
+    before = (
+        dask.grading_processes()
+    )  # a killed grader's processes end by themselves, a little later
+    endless = a_task(1, answers={"a_region": "[None for _ in iter(int, 1)]"})
     with closing(
-        coordinator.grade_all(
-            [a_unit(0), endless], grader.settings(Limits(), Bounds()), our_cluster(dask)
-        )
+        our_cluster(dask).grade_all([a_task(0), endless], grader.to_settings(Limits(), Bounds()))
     ) as results:
         key, result = next(results)
         assert key == 0 and {verdict["status"] for verdict in result["verdicts"].values()} == {
             "right"
         }
         assert begun()
-    assert not outliving(dask.lanes() - before)
+    assert not outliving(dask.grading_processes() - before)
 
 
-# Workers that are not fit
+# Workers that cannot grade
 
 
 def copied_library(folder, path, old, new):
-    """A copy of both packages and of the exercises with one text changed."""
+    """Copy both packages and the exercises with one text changed; return the folder."""
     for package in ("trajlib", "workbook"):
         shutil.copytree(
             ROOT / package, folder / package, ignore=shutil.ignore_patterns("__pycache__")
@@ -225,14 +234,14 @@ def test_another_library_on_a_worker_is_named_before_anything_is_graded(dask, su
     )
     worker = dask.add_worker(PYTHONPATH=changed)
     process = start(dask, tmp_path / "out")
-    _, said = process.communicate(timeout=60)
+    _, output = process.communicate(timeout=60)
     dask.remove(worker)
-    assert process.returncode == 2, said
-    last = said.strip().split("\n")[-1]
+    assert process.returncode == 2, output
+    last = output.strip().split("\n")[-1]
     assert re.fullmatch(
         r"workbook: worker tls://127.0.0.1:\d+: its problem 1.15 is another one than here: .*", last
-    ), said
-    assert "Traceback" not in said
+    ), output
+    assert "Traceback" not in output
     assert {row[0] for row in grades(tmp_path / "out")} == {"gil", "hal"}, (
         "whose files are no notebooks, for which no worker is asked"
     )
@@ -245,18 +254,14 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
         (bare / name).symlink_to(Path(sys.executable).parent / name)
     worker = dask.add_worker(PATH=str(bare))
     with pytest.raises(
-        NoIsolation, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"
+        SandboxUnavailableError, match=r"worker tls://127.0.0.1:\d+: bubblewrap is not installed"
     ):
-        next(
-            coordinator.grade_all(
-                [a_unit(0)], grader.settings(Limits(), Bounds()), our_cluster(dask)
-            )
-        )
+        next(our_cluster(dask).grade_all([a_task(0)], grader.to_settings(Limits(), Bounds())))
     dask.remove(worker)
 
 
 @pytest.mark.parametrize(
-    "changes, said",
+    "changes, message",
     [
         ({"sympy": "1.12"}, r"it has sympy 1\.\d+(\.\d+)?, and this machine 1\.12"),
         ({"casadi": None}, r"it has casadi 3\.\S+, and this machine \(none\)"),
@@ -265,16 +270,16 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
         ({"problem 99.1": "0"}, "its problem 99.1 is another one than here"),
     ],
 )
-def test_what_differs_is_said(changes, said, monkeypatch):
-    known = dask_worker.library(["1.15"])
-    monkeypatch.setattr(dask_worker, "_library_now", dask_worker.library)
-    dask_worker._compare(known)
-    with pytest.raises(dask_worker.Unfit, match=said):
-        dask_worker._compare(known | changes)
+def test_the_part_of_the_library_that_differs_is_named(changes, message, monkeypatch):
+    versions = dask_worker.library_versions(["1.15"])
+    monkeypatch.setattr(dask_worker, "_library_versions_now", dask_worker.library_versions)
+    dask_worker._require_same_library(versions)
+    with pytest.raises(dask_worker.UnfitWorkerError, match=message):
+        dask_worker._require_same_library(versions | changes)
 
 
 def test_the_library_that_counts_is_all_that_grades():
-    """Both what runs and judges a notebook and what is below its checks."""
+    """It has all modules that run and judge a notebook, and those below its checks."""
     from workbook.notebooks.dependencies import module_closure
 
     closure = module_closure("import workbook.grading.cluster.dask_worker")
@@ -286,16 +291,19 @@ def test_the_library_that_counts_is_all_that_grades():
             "notebooks.exercises",
             "checks.contract.encoding",
             "checks.contract.verdict",
-            "grading.cluster_lanes",
+            "grading.cluster.dask_worker",
+            "grading.forked_worker",
+            "grading.forkserver",
             "grading.framing",
+            "grading.grader",
             "grading.isolation",
             "grading.judging",
-            "grading.lanes",
+            "grading.notebook_worker",
             "grading.sandbox",
+            "grading.seccomp",
             "grading.system_calls",
-            "grading.bench",
-            "grading.watching",
-            "grading.worker",
+            "grading.watchdog",
+            "grading.worker_pool",
         )
     } <= closure.keys()
 
@@ -333,8 +341,7 @@ for number in WORKERS:
 
 @pytest.mark.parametrize("trusting", [True, False], ids=["unguarded", "guarded"])
 def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
-    """With no sandbox it reaches the scheduler, the workers and their key, so that this tests
-    something; in the sandbox nothing."""
+    """Without a sandbox it reaches the scheduler, the workers and their key; inside, nothing."""
     ports = [dask.port, *(int(address.rpartition(":")[2]) for address in addresses(dask))]
     facts = f"PORTS, FILES, WORKERS = {ports}, {[str(dask.here / 'worker-key.pem')]}, {dask.workers()}\n"
     path = hand_in(
@@ -344,11 +351,11 @@ def test_a_notebook_reaches_nothing_of_the_cluster(dask, tmp_path, trusting):
         {"b_region": RIGHT_1_15["b_region"], "a_region": "' '.join(sorted(set(found)))"},
     )
     notebook = json.loads(path.read_text())
-    place = next(
+    position = next(
         k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"]
     )
     notebook["cells"].insert(
-        place,
+        position,
         {
             "cell_type": "code",
             "metadata": {},
@@ -382,11 +389,12 @@ def test_a_key_that_notebooks_could_read_is_refused(monkeypatch, tmp_path):
 
     monkeypatch.setattr(distributed, "get_worker", Worker)
     with pytest.raises(
-        dask_worker.Unfit, match="it keeps /usr/bin/env in /usr, which every notebook can read"
+        dask_worker.UnfitWorkerError,
+        match="it keeps /usr/bin/env in /usr, which every notebook can read",
     ):
-        dask_worker._look_around()
+        dask_worker._require_hidden_files()
     Worker.security.tls_worker_key = str(tmp_path / "key.pem")
-    dask_worker._look_around()
+    dask_worker._require_hidden_files()
 
 
 def addresses(dask):
@@ -404,20 +412,20 @@ def addresses(dask):
         return list(client.nthreads())
 
 
-# Without certificates, and what cannot be used
+# Without certificates, and invalid options
 
 
-def test_plain_tcp_is_said_and_works(tmp_path):
+def test_plain_tcp_works_with_a_warning(tmp_path):
     with a_cluster(tmp_path, "tcp") as plain:
         plain.start(f"dask scheduler --host 127.0.0.1 --port {plain.port} --no-dashboard")
         plain.add_worker("--no-nanny --nthreads 1")
         hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
         process = start(plain, tmp_path / "out")
-        _, said = process.communicate(timeout=60)
+        _, output = process.communicate(timeout=60)
         assert (
             process.returncode == 0
             and f"{plain.address} is not encrypted: who can reach it can read and change grades"
-            in said
+            in output
         )
         assert '"ada","5.00"' in (tmp_path / "out" / "hw1" / "grades.csv").read_text(
             encoding="utf-8"
@@ -425,7 +433,7 @@ def test_plain_tcp_is_said_and_works(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "address, said",
+    "address, message",
     [
         (
             "scheduler",
@@ -440,24 +448,24 @@ def test_plain_tcp_is_said_and_works(tmp_path):
         ("tls://host:8786", "needs certificates; --tls-ca-file names a file of them"),
     ],
 )
-def test_an_address_that_cannot_be_is_refused(address, said):
-    with pytest.raises(coordinator.ClusterError, match=re.escape(said)):
-        coordinator.check(coordinator.Cluster(address))
+def test_an_invalid_address_is_refused(address, message):
+    with pytest.raises(connection.ClusterError, match=re.escape(message)):
+        coordinator.Cluster(address).check()
 
 
 def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
     def files(ca="ca.pem", cert="grader.pem", key="grader-key.pem"):
         return coordinator.Cluster(dask.address, dask.here / ca, dask.here / cert, dask.here / key)
 
-    coordinator.check(files())
+    files().check()
     with pytest.raises(
-        coordinator.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"
+        connection.ClusterError, match="--tls-key .*nowhere.pem: there is no such file"
     ):
-        coordinator.check(files(key="nowhere.pem"))
+        files(key="nowhere.pem").check()
     with pytest.raises(
-        coordinator.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"
+        connection.ClusterError, match="these certificates cannot be used: .*KEY_VALUES_MISMATCH"
     ):
-        coordinator.check(files(cert="worker.pem"))
+        files(cert="worker.pem").check()
     subprocess.run(
         [
             "openssl",
@@ -479,41 +487,37 @@ def test_certificates_that_cannot_be_used_are_refused(dask, tmp_path):
         timeout=60,
     )
     with pytest.raises(
-        coordinator.ClusterError,
+        connection.ClusterError,
         match="no scheduler can be reached at tls://127.0.0.1:.*signed by the same CA",
     ):
         next(
-            coordinator.grade_all(
-                [a_unit(0)],
-                grader.settings(Limits(), Bounds()),
-                files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem"),
+            files(cert=tmp_path / "x.pem", key=tmp_path / "key.pem").grade_all(
+                [a_task(0)], grader.to_settings(Limits(), Bounds())
             )
         )
 
 
 @pytest.mark.parametrize("seconds", [0.2, 1.5])
-def test_nobody_at_the_address(monkeypatch, seconds):
-    """However Dask's last try before the time is up ended."""
-    monkeypatch.setattr(coordinator, "TO_CONNECT", seconds)
+def test_no_server_at_the_address(monkeypatch, seconds):
+    """However Dask's last attempt ended before the time was up."""
+    monkeypatch.setattr(connection, "CONNECT_SECONDS", seconds)
     with pytest.raises(
-        coordinator.ClusterError,
+        connection.ClusterError,
         match="no scheduler can be reached at tcp://127.0.0.1:1: .*refused",
     ):
         next(
-            coordinator.grade_all(
-                [a_unit(0)],
-                grader.settings(Limits(), Bounds()),
-                coordinator.Cluster("tcp://127.0.0.1:1"),
+            coordinator.Cluster("tcp://127.0.0.1:1").grade_all(
+                [a_task(0)], grader.to_settings(Limits(), Bounds())
             )
         )
 
 
-def test_somebody_else_at_the_address(tmp_path):
-    """The command ends, though Dask would wait for ever for the first word."""
+def test_another_server_at_the_address(tmp_path):
+    """The command ends, although Dask would wait for ever for a reply."""
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     shorter = (
-        "from workbook import cli\nfrom workbook.grading.cluster import coordinator\n"
-        "coordinator.TO_CONNECT = 1\ncli.main()"
+        "from workbook import cli\nfrom workbook.grading.cluster import connection\n"
+        "connection.CONNECT_SECONDS = 1\ncli.main()"
     )
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"tcp://127.0.0.1:{silent.getsockname()[1]}"
@@ -542,24 +546,24 @@ def test_somebody_else_at_the_address(tmp_path):
     )
 
 
-def test_without_dask_one_line(monkeypatch):
+def test_without_dask_the_error_is_one_line(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(
-        coordinator.ClusterError,
+        connection.ClusterError,
         match="needs Dask, which is not installed here: pip install distributed",
     ):
-        coordinator.check(coordinator.Cluster("tls://host:8786"))
+        coordinator.Cluster("tls://host:8786").check()
 
 
 @pytest.mark.parametrize(
-    "options, said",
+    "options, message",
     [
         (("--cluster", "nowhere"), "nowhere is not the address of a scheduler"),
         (("--cluster", "tcp://127.0.0.1:1", "--processes", "2"), "--processes is for this machine"),
         (("--tls-key", "x"), "--tls-ca-file, --tls-cert and --tls-key are for --cluster"),
     ],
 )
-def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
+def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, message):
     (tmp_path / "submitted").mkdir()
     done = subprocess.run(
         [sys.executable, "-m", "workbook.cli", "grade", "submitted", "--out", "graded", *options],
@@ -570,7 +574,9 @@ def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, said):
         timeout=60,
     )
     assert (
-        done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
+        done.returncode == 2
+        and message in done.stderr
+        and len(done.stderr.strip().split("\n")) == 1
     ), done.stderr
     assert not (tmp_path / "graded").exists()
 
@@ -588,40 +594,39 @@ def test_grading_on_one_machine_loads_nothing_of_dask():
 # Inside a worker
 
 
-def test_a_lane_ends_with_its_thread_and_outlives_others(monkeypatch):
-    """The kernel's signal at a parent's death is one at the death of the thread that started the
-    child."""
-    monkeypatch.setattr(dask_worker, "_compare", lambda expected: None)
-    monkeypatch.setattr(dask_worker, "_look_around", lambda: None)
-    given = json.dumps(
-        grader.settings(Limits(), Bounds())
-        | {"run": "x", "library": {}, "lanes": 1, "modules": {"notebooks": ALWAYS, "checks": []}}
+def test_a_worker_process_ends_with_its_thread_and_not_with_others(monkeypatch):
+    """The kernel's death signal comes when the thread that started the child ends."""
+    monkeypatch.setattr(dask_worker, "_require_same_library", lambda expected: None)
+    monkeypatch.setattr(dask_worker, "_require_hidden_files", lambda: None)
+    settings = json.dumps(
+        grader.to_settings(Limits(), Bounds())
+        | {"run": "x", "library": {}, "workers": 1, "modules": {"notebooks": ALWAYS, "checks": []}}
     ).encode()
     with concurrent.futures.ThreadPoolExecutor(1) as lasting:
-        assert lasting.submit(dask_worker.ready, given).result() == b"{}"
-        (lane,) = dask_worker._all
-        passing = threading.Thread(target=dask_worker.ready, args=(given,))
+        assert lasting.submit(dask_worker.prepare, settings).result() == b"{}"
+        (worker,) = dask_worker._all
+        passing = threading.Thread(target=dask_worker.prepare, args=(settings,))
         passing.start()
         passing.join(timeout=60)
-        (other,) = dask_worker._all - {lane}
+        (other,) = dask_worker._all - {worker}
         give_up = time.monotonic() + 60
         while other.alive() and time.monotonic() < give_up:
             time.sleep(0.01)
-        assert lane.alive() and not other.alive()
-        # What comes in is bytes, and so is what goes out; the lane is the same one, and its limits
-        # are told.
-        told = json.loads(
-            lasting.submit(dask_worker.grade, given, json.dumps(a_unit(0)).encode()).result()
+        assert worker.alive() and not other.alive()
+        # Arguments and results are bytes; the worker process is the same one, and the result has
+        # its limits.
+        reply = json.loads(
+            lasting.submit(dask_worker.grade, settings, json.dumps(a_task(0)).encode()).result()
         )
         assert (
-            told["result"]["final"] == "yes"
-            and told["limits"]["memory_megabytes"] <= Limits().memory_megabytes
+            reply["result"]["final"] == "yes"
+            and reply["limits"]["memory_megabytes"] <= Limits().memory_megabytes
         )
-        assert lane.alive() and dask_worker._all == {lane, other}
-        dask_worker._end("x")
-        assert not lane.alive() and not dask_worker._all
-        # A worker that was slow to get ready hears of the end first.
+        assert worker.alive() and dask_worker._all == {worker, other}
+        dask_worker._end_run("x")
+        assert not worker.alive() and not dask_worker._all
+        # A worker that was slow to start finds that the run has ended.
         assert (
-            b"the run has ended" in lasting.submit(dask_worker.ready, given).result()
+            b"the run has ended" in lasting.submit(dask_worker.prepare, settings).result()
             and not dask_worker._all
         )

@@ -1,5 +1,4 @@
-"""A download from Moodle or Canvas becomes folders that `workbook grade` reads, whatever names are
-in it."""
+"""Downloads from Moodle or Canvas become folders that `workbook grade` reads."""
 
 import json
 import re
@@ -14,9 +13,9 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import notebook
 
 from workbook.cli import app
-from workbook.grading.assignment import BadInput
+from workbook.grading.assignment import InputError
 from workbook.grading.collecting import collect
-from workbook.grading.submissions import Aside, Submission, find
+from workbook.grading.submissions import LeftAside, Submission, find
 
 MOODLE = {
     "Ann Able_101_assignsubmission_file/ch1-p15.ipynb": 1,
@@ -34,7 +33,7 @@ WHEN = (2026, 9, 30, 12, 0, 0)
 
 
 def download(folder, files, archive):
-    """The files, whose contents differ, in a folder or archive."""
+    """Make a folder or archive of the files, whose contents differ."""
     contents = {
         name: json.dumps(notebook("1.15", {"a_region": f"k1 > {k}"})) for name, k in files.items()
     }
@@ -78,49 +77,51 @@ def handed_in(folder):
     ],
 )
 def test_a_download(tmp_path, files, expected, archive):
-    given = download(tmp_path, files, archive)
+    downloaded = download(tmp_path, files, archive)
     into = tmp_path / "submitted"
-    collected, aside = collect(given, "hw1", into)
+    collected, aside = collect(downloaded, "hw1", into)
     assert handed_in(into) == expected and aside == [] and sum(map(len, collected.values())) == 4
     if archive:
         assert {path.stat().st_mtime for path in into.rglob("*") if path.is_file()} == {
             time.mktime((*WHEN, 0, 0, -1))
         }
-    collect(given, "hw1", into)
+    collect(downloaded, "hw1", into)
     assert handed_in(into) == expected, "once more is no more"
-    assert sum(isinstance(one, Submission) and one.problem == "1.15" for one in find(into)) == len(
-        [name for name in expected if name.endswith(".ipynb")]
-    )
-    assert [one.student for one in find(into) if isinstance(one, Aside)] == ["Cid_104"] * (
-        files is MOODLE
-    )
+    assert sum(
+        isinstance(entry, Submission) and entry.problem == "1.15" for entry in find(into)
+    ) == len([name for name in expected if name.endswith(".ipynb")])
+    assert [entry.student for entry in find(into) if isinstance(entry, LeftAside)] == [
+        "Cid_104"
+    ] * (files is MOODLE)
 
 
-def test_accents_in_an_archive_that_does_not_say_how_it_writes_them(tmp_path):
-    """As a Mac packs it: names in UTF-8 whose flag is not set."""
-    given = download(tmp_path, MOODLE, True)
-    packed, header = given.read_bytes(), rb"(PK(?:\x03\x04..|\x01\x02....))\x00\x08"
+def test_accents_in_an_archive_without_the_utf_8_flag(tmp_path):
+    """macOS writes names in UTF-8 without setting the flag."""
+    path = download(tmp_path, MOODLE, True)
+    packed, header = path.read_bytes(), rb"(PK(?:\x03\x04..|\x01\x02....))\x00\x08"
     assert len(re.findall(header, packed, re.DOTALL)) == 2, "one name has an accent"
-    given.write_bytes(re.sub(header, rb"\1" + bytes(2), packed, flags=re.DOTALL))
-    assert "Renée_O Neil_102" in collect(given, "hw1", tmp_path / "submitted")[0]
+    path.write_bytes(re.sub(header, rb"\1" + bytes(2), packed, flags=re.DOTALL))
+    assert "Renée_O Neil_102" in collect(path, "hw1", tmp_path / "submitted")[0]
 
 
 @pytest.mark.parametrize(
-    "place",
+    "path_in_archive",
     [
         "Ann Able_101_assignsubmission_onlinetext/onlinetext.html",
         "Ann Able_101_assignsubmission_onlinetext_.html",
     ],
 )
-def test_text_typed_in_is_told_as_that(tmp_path, place):
-    given = download(tmp_path, {place: 1, "Bob_102_assignsubmission_file_/ch1-p15.ipynb": 2}, True)
-    collected, aside = collect(given, "hw1", tmp_path / "submitted")
+def test_online_text_is_reported_as_such(tmp_path, path_in_archive):
+    downloaded = download(
+        tmp_path, {path_in_archive: 1, "Bob_102_assignsubmission_file_/ch1-p15.ipynb": 2}, True
+    )
+    collected, aside = collect(downloaded, "hw1", tmp_path / "submitted")
     assert list(collected) == ["Bob_102"] and [
         (path, "typed in at Moodle" in why) for path, why in aside
-    ] == [(place, True)]
+    ] == [(path_in_archive, True)]
 
 
-def test_a_later_download_keeps_what_was_there(tmp_path):
+def test_a_later_download_overwrites_nothing(tmp_path):
     collect(
         download(tmp_path, {"ableann_101_9001_ch1-p15.ipynb": 1}, True),
         "hw1",
@@ -135,7 +136,7 @@ def test_a_later_download_keeps_what_was_there(tmp_path):
         "101/hw1/ch1-p15.ipynb",
         "101/hw1/ch1-p15 (2).ipynb",
     }
-    assert {one.problem for one in find(tmp_path / "submitted")} == {"1.15"}
+    assert {entry.problem for entry in find(tmp_path / "submitted")} == {"1.15"}
 
 
 def test_addresses_from_the_worksheet(tmp_path):
@@ -156,9 +157,8 @@ def test_addresses_from_the_worksheet(tmp_path):
 
 
 @pytest.mark.parametrize("archive", [True, False])
-def test_names_that_lead_nowhere(tmp_path, archive):
-    """Nothing is written but below STUDENT/HOMEWORK, whatever an archive says; what is left aside
-    is named."""
+def test_names_that_lead_out_of_the_folder(tmp_path, archive):
+    """Nothing is written outside STUDENT/HOMEWORK, and what is left aside is reported."""
     odd = {
         "ableann_101_9001_ch1-p15.ipynb": 1,
         "README.txt": 2,
@@ -186,26 +186,26 @@ def test_names_that_lead_nowhere(tmp_path, archive):
 
 
 @pytest.mark.parametrize(
-    "content, said", [(b"no archive", "neither a folder nor a .zip"), (None, "No such file")]
+    "content, message", [(b"no archive", "neither a folder nor a .zip"), (None, "No such file")]
 )
-def test_what_is_no_download(tmp_path, content, said):
+def test_files_that_are_no_download(tmp_path, content, message):
     path = tmp_path / "all.zip"
     if content is not None:
         path.write_bytes(content)
-    with pytest.raises(BadInput, match=said):
+    with pytest.raises(InputError, match=message):
         collect(path, "hw1", tmp_path / "submitted")
-    with pytest.raises(BadInput, match="cannot be the name of a homework"):
+    with pytest.raises(InputError, match="cannot be the name of a homework"):
         collect(path, "../hw1", tmp_path / "submitted")
-    with pytest.raises(BadInput, match="no file that is named as Moodle or Canvas"):
+    with pytest.raises(InputError, match="no file that is named as Moodle or Canvas"):
         collect(download(tmp_path, {"ch1-p15.ipynb": 1}, False), "hw1", tmp_path / "submitted")
 
 
 def test_the_command(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    given = download(tmp_path, CANVAS | {"README.txt": 9}, True)
-    app(["collect", str(given), "hw1"], standalone_mode=False)
-    said = capsys.readouterr().out
+    path = download(tmp_path, CANVAS | {"README.txt": 9}, True)
+    app(["collect", str(path), "hw1"], standalone_mode=False)
+    output = capsys.readouterr().out
     assert (
-        "submitted: 4 files of 3 students for hw1" in said
-        and "left aside: README.txt: its name is not one" in said
+        "submitted: 4 files of 3 students for hw1" in output
+        and "left aside: README.txt: its name is not one" in output
     )

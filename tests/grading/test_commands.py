@@ -1,5 +1,4 @@
-"""`workbook grade`, `workbook score`, `workbook assignment new`: what they write, say and
-refuse."""
+"""`workbook grade`, `workbook score`, `workbook assignment`: files, output and errors."""
 
 import csv
 import io
@@ -17,9 +16,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment
 from guide import like, steps
 
-from workbook.checks.contract.encoding import decode, describe
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import describe
 from workbook.grading import commands, grader, worker_pool
-from workbook.grading.assignment import BadInput
+from workbook.grading.assignment import InputError
 from workbook.grading.judging import Judgement
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
@@ -47,19 +47,18 @@ def table(path):
 
 @pytest.fixture
 def here(monkeypatch):
-    """Notebooks of ours run without lanes and sandbox: these tests are about what is made of the
-    verdicts."""
+    """Run notebooks without worker processes and sandbox, for tests of what follows."""
 
     def grade_all(waiting, count, settings, forkserver=None):
-        for unit in waiting:
-            ran.append(unit["problem"])
-            exercise = exercises.find(unit["problem"])
+        for task in waiting:
+            ran.append(task["problem"])
+            exercise = exercises.find(task["problem"])
             run = run_notebook(
-                [source for _, source in exercise.code("data")] + unit["sources"], unit["names"]
+                [source for _, source in exercise.code("data")] + task["sources"], task["names"]
             )
-            verdicts = judge(exercise.code("data", "check"), run, unit["names"])
+            verdicts = judge(exercise.code("data", "check"), run, task["names"])
             texts = {name: describe(decode(data)) for name, data in run.encoded.items()}
-            yield unit["key"], grader.as_plain(Judgement(verdicts, texts, ()))
+            yield task["key"], grader.to_plain(Judgement(verdicts, texts, ()))
 
     ran = []
     monkeypatch.setattr(worker_pool, "grade_all", grade_all)
@@ -67,20 +66,19 @@ def here(monkeypatch):
 
 
 def grade(folder, **options):
-    given = {
+    arguments = {
         "assignment_folder": folder / "assignments",
         "processes": 1,
         "timeout": 60,
         "trusting": True,
         "quiet": True,
     } | options
-    return commands.grade_course(folder / "submitted", folder / "graded", **given)
+    return commands.grade_course(folder / "submitted", folder / "graded", **arguments)
 
 
 @pytest.fixture
 def course(tmp_path):
-    """Ann has all of 1.15, Bob two wrong answers and late, Cid handed in 1.17 without answers, Dan
-    nothing."""
+    """Ann has all of 1.15, Bob two wrong answers and late, Cid no answers in 1.17, Dan nothing."""
     write_assignment(tmp_path, HOMEWORK)
     hand_in(tmp_path, "ann", "1.15", RIGHT_1_15, at=DUE - 60)
     hand_in(
@@ -115,7 +113,7 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
         ["cid", "0.00", "0.00", "0.00", "12.00", "", "no"],
         ["dan", "0.00", "0.00", "0.00", "12.00", "", "no"],
     ]
-    # Dan has no grade to hand on.
+    # Dan has no grade.
     assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == [
         "ID number",
         "ann",
@@ -191,7 +189,7 @@ def test_points_by_hand_from_the_command_line(course, here):
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         (["bib", "hw1", "1.15", "a_region", "1"], "hw1 has no student bib"),
         (["bob", "hw7", "1.15", "a_region", "1"], "there are no grades of hw7 in graded"),
@@ -206,11 +204,13 @@ def test_points_by_hand_from_the_command_line(course, here):
         (["bob", "hw1", "1.15", "a_region", "--remove"], "has no points by hand"),
     ],
 )
-def test_a_score_that_cannot_be_is_refused_in_one_line(course, here, arguments, said):
+def test_an_invalid_score_is_refused_in_one_line(course, here, arguments, message):
     grade(course)
     done = workbook("score", *arguments, cwd=course)
     assert (
-        done.returncode == 2 and said in done.stderr and len(done.stderr.strip().split("\n")) == 1
+        done.returncode == 2
+        and message in done.stderr
+        and len(done.stderr.strip().split("\n")) == 1
     )
 
 
@@ -219,8 +219,7 @@ def test_a_score_that_cannot_be_is_refused_in_one_line(course, here, arguments, 
 
 @pytest.fixture
 def changed_workbook(tmp_path, monkeypatch):
-    """The exercises in a copy whose check cells can be changed; `change(problem, old, new)`
-    does."""
+    """Exercises in a copy whose check cells `change(problem, old, new)` changes."""
     copy = tmp_path / "workbook"
     shutil.copytree(exercises.home(), copy)
     monkeypatch.setattr(exercises, "home", lambda: copy)
@@ -234,9 +233,7 @@ def changed_workbook(tmp_path, monkeypatch):
     return change
 
 
-def test_a_changed_problem_regrades_what_it_changed_and_says_so(
-    course, here, changed_workbook, capsys
-):
+def test_a_changed_problem_regrades_and_lists_changes(course, here, changed_workbook, capsys):
     hand_in(course, "bob", "1.17", {}, at=DUE - 60)
     grade(course)
     commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "b_region", 1.0, "see me")
@@ -267,11 +264,11 @@ def test_a_changed_problem_regrades_what_it_changed_and_says_so(
         0.0,
         "the problem or its checks changed",
     )
-    said = capsys.readouterr().err
-    assert "1 answer is not what it was:" in said
+    output = capsys.readouterr().err
+    assert "1 answer is not what it was:" in output
     assert (
         "ann 1.15 a_region: right -> wrong, 2 -> 0 points (the problem or its checks changed)"
-        in said
+        in output
     )
     assert table(course / "graded" / "hw1" / "changes.csv")[-1][1:] == [
         "ann",
@@ -283,12 +280,12 @@ def test_a_changed_problem_regrades_what_it_changed_and_says_so(
         "0.00",
         "the problem or its checks changed",
     ]
-    assert grade(course)["changes"]["hw1"] == [], "a change is told once"
+    assert grade(course)["changes"]["hw1"] == [], "a change is listed once"
     assert len(table(course / "graded" / "hw1" / "changes.csv")) == 1 + 2, "and stays in the table"
 
 
-def test_a_change_of_a_problem_that_is_taken_back(course, here, changed_workbook):
-    """What counts is judged by the problem as it is, not by the version that judged last."""
+def test_a_change_of_a_problem_that_is_undone(course, here, changed_workbook):
+    """The result that counts is by the problem as it is, not by the version that judged last."""
     right = "a_region=checks.stability_region(a_region, a_poly"
     mistaken = "a_region=checks.stability_region(a_region, b_poly"
     for old, new, points in (
@@ -302,7 +299,7 @@ def test_a_change_of_a_problem_that_is_taken_back(course, here, changed_workbook
     assert grade(course)["graded"] == 0
 
 
-def test_a_run_killed_before_it_told_its_changes_tells_them_next_time(
+def test_changes_of_a_killed_run_are_listed_by_the_next(
     course, here, changed_workbook, monkeypatch
 ):
     grade(course)
@@ -383,9 +380,9 @@ def test_roster(course, here, capsys):
     )
 
 
-def test_other_points_possible_in_canvas_are_said(course, here, capsys):
+def test_different_points_possible_in_canvas_are_reported(course, here, capsys):
     roster = course / "canvas.csv"
-    for possible, said in (
+    for possible, output in (
         ("10", True),
         ("12", False),
         ("12.00", False),
@@ -404,47 +401,47 @@ def test_other_points_possible_in_canvas_are_said(course, here, capsys):
         assert (
             "Canvas has 10 points possible for Homework 1, the homework has 12"
             in capsys.readouterr().err
-        ) == said
+        ) == output
 
 
-def test_a_bad_roster_is_said_before_anything_is_graded(course, here):
+def test_a_bad_roster_is_an_error_before_anything_is_graded(course, here):
     (course / "canvas.csv").write_text("name,grade\n", encoding="utf-8")
-    with pytest.raises(BadInput, match="not a gradebook exported from Canvas"):
+    with pytest.raises(InputError, match="not a gradebook exported from Canvas"):
         grade(course, roster=course / "canvas.csv")
     assert here == [] and not (course / "graded").exists()
 
 
-# What else is said and refused
+# Messages and refusals
 
 
 def test_without_a_file_every_answer_is_a_point(course, here, capsys):
     hand_in(course, "dan", "1.17", {})
     grade(course, assignment_folder=None, quiet=False)
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     assert (
         "hw1: 7 points, no due date, one for each answer, since there is no assignment.toml for it"
-        in said
+        in output
     )
-    assert "  problems: 1.15 (from 2 students), 1.17 (from 2 students)\n" in said
+    assert "  problems: 1.15 (from 2 students), 1.17 (from 2 students)\n" in output
 
 
-def test_without_a_file_a_stray_adds_to_nobodys_maximum(course, here, capsys):
+def test_without_a_file_a_problem_of_one_student_is_not_asked_for(course, here, capsys):
     summary = grade(course, assignment_folder=None, quiet=False)
-    said = capsys.readouterr().err
-    assert "hw1: 5 points" in said and "1.15 (from 2 students)\n" in said
+    output = capsys.readouterr().err
+    assert "hw1: 5 points" in output and "1.15 (from 2 students)\n" in output
     assert (
         "submitted/cid/hw1/ch1-p17.ipynb: only cid handed in problem 1.17, while others share 1.15"
-        in said
+        in output
     )
     assert summary["to review"] == {"hw1": {"cid": []}}
 
 
-def test_a_homework_of_another_name_is_no_silent_zero(course, here, capsys):
-    """Where files say which homeworks there are, nothing makes one of its own."""
+def test_a_misspelt_homework_is_reported(course, here, capsys):
+    """Where there are assignment files, no folder makes a homework of its own."""
     for student, name in (("dan", "HW1"), ("hw1", "eva"), ("fay", "stuff")):
         hand_in(course, student, "1.15", RIGHT_1_15, assignment=name)
     summary = grade(course, quiet=False)
-    said = capsys.readouterr().err
+    output = capsys.readouterr().err
     assert set(summary["assignments"]) == {"hw1"} and list(summary["to review"]["hw1"]) == [
         "dan",
         "fay",
@@ -452,18 +449,20 @@ def test_a_homework_of_another_name_is_no_silent_zero(course, here, capsys):
     ]
     assert (
         "submitted/dan/HW1/ch1-p15.ipynb: there is no homework HW1; hw1 is another name: rename "
-        "the folder" in said
+        "the folder" in output
     )
     assert (
         "hw1 is a homework, so this has to lie in eva/hw1: first the student, then the homework"
-        in said
+        in output
     )
-    assert "there is no homework stuff: no assignment.toml stands in a folder of this name" in said
+    assert (
+        "there is no homework stuff: no assignment.toml stands in a folder of this name" in output
+    )
     (course / "submitted" / "dan" / "HW1").rename(course / "submitted" / "dan" / "hw1")
     assert grade(course)["assignments"]["hw1"]["dan"] == 10
 
 
-def test_a_file_is_found_in_either_spelling(course, here):
+def test_an_assignment_is_found_in_either_unicode_form(course, here):
     write_assignment(course, HOMEWORK, name=normalize("NFD", "été"))
     hand_in(
         course, normalize("NFD", "renée"), "1.15", RIGHT_1_15, assignment=normalize("NFC", "été")
@@ -486,7 +485,7 @@ def test_a_file_is_found_in_either_spelling(course, here):
     )
 
 
-def test_versions_beyond_the_attempts_are_not_graded(course, here):
+def test_attempts_beyond_the_limit_are_not_graded(course, here):
     write_assignment(course, "attempts = 1\n" + HOMEWORK)
     for k in range(5):
         hand_in(
@@ -504,7 +503,7 @@ def test_versions_beyond_the_attempts_are_not_graded(course, here):
     assert grade(course)["graded"] == 0, "an attempt that was taken away is one all the same"
 
 
-# What is told of what changed
+# Changes
 
 
 def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
@@ -535,7 +534,7 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
     )
 
 
-def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsys):
+def test_points_by_hand_are_capped_at_what_the_answer_is_worth(course, here, capsys):
     grade(course)
     commands.score_by_hand(course / "graded", "bob", "hw1", "1.15", "a_region", 2.0, "well")
     assert grade(course)["assignments"]["hw1"]["bob"] == 8
@@ -563,14 +562,14 @@ def test_points_by_hand_are_no_more_than_the_answer_is_worth(course, here, capsy
 # Work that was left aside or could not be read
 
 
-def test_a_person_has_to_look_at_what_was_left_aside(course, here, capsys):
-    for student, place in (
+def test_what_was_left_aside_needs_review(course, here, capsys):
+    for student, path_below in (
         ("dan", "hw1/inner/ch1-p15.ipynb"),
         ("eva", "ch1-p15.ipynb"),
         ("fay", "hw1/mine.ipynb"),
         ("ann", "ch1-p15.ipynb"),
     ):
-        path = course / "submitted" / student / place
+        path = course / "submitted" / student / path_below
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text('{"cells": []}')
     (course / "submitted" / "gil" / "hw1").mkdir(parents=True)
@@ -602,7 +601,7 @@ def test_a_person_has_to_look_at_what_was_left_aside(course, here, capsys):
     )
 
 
-def test_a_notebook_for_another_problem_makes_only_those_wait_who_lack_something(course, here):
+def test_a_notebook_for_another_problem_needs_review_only_if_work_is_missing(course, here):
     for student, number in (("ann", "1.17"), ("ann", "1.4"), ("cid", "1.4")):
         hand_in(course, student, number, {})
     assert grade(course)["to review"]["hw1"] == {"cid": []}
@@ -616,13 +615,13 @@ def test_a_notebook_for_another_problem_makes_only_those_wait_who_lack_something
         )
 
 
-def test_a_homework_of_which_everything_was_left_aside(course, here):
+def test_a_homework_with_everything_left_aside(course, here):
     write_assignment(course, HOMEWORK, name="hw2")
     hand_in(course, "ann", "1.15", {}, assignment="hw2/inner")
     assert grade(course)["to review"]["hw2"] == {"ann": []}
 
 
-def test_the_lecturer_sees_what_could_not_be_read(course, here, capsys):
+def test_the_summary_lists_what_could_not_be_read(course, here, capsys):
     for student in ("dan", "eva"):
         hand_in(course, student, "1.15", {}).write_text("{ broken")
     grade(course, quiet=False)
@@ -642,17 +641,17 @@ def test_the_lecturer_sees_what_could_not_be_read(course, here, capsys):
     )
 
 
-# A disk that is full, and what is spoilt
+# A full disk and damaged files
 
 
-def test_a_full_disk_is_said_in_one_line_and_tells_its_changes_next_time(course, here):
+def test_a_full_disk_is_one_line_and_changes_are_listed_next_time(course, here):
     grade(course)
     hand_in(course, "bob", "1.15", RIGHT_1_15, at=DUE + 120)
     before = (course / "graded" / "hw1" / "grades.csv").read_bytes()
     full = course / "graded" / "hw1" / ".grades.csv.writing"
     full.symlink_to("/dev/full")
     with pytest.raises(
-        BadInput,
+        InputError,
         match="grades.csv cannot be written: No space left on device; nothing that was there "
         "is lost",
     ):
@@ -676,24 +675,24 @@ def test_a_full_disk_is_said_in_one_line_and_tells_its_changes_next_time(course,
         "[" * 10**5,
     ],
 )
-def test_a_record_of_another_form_is_said_in_one_line(course, here, spoilt):
+def test_a_record_of_another_form_is_an_error_of_one_line(course, here, spoilt):
     grade(course)
     (course / "graded" / "hw1" / "grades.json").write_text(spoilt)
     for act in (
         lambda: grade(course),
         lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 1.0),
     ):
-        with pytest.raises(BadInput, match="grades.json is not as workbook grade wrote it"):
+        with pytest.raises(InputError, match="grades.json is not as workbook grade wrote it"):
             act()
 
 
-def test_check_takes_a_byte_order_mark(course):
+def test_check_accepts_a_byte_order_mark(course):
     path = course / "submitted" / "ann" / "hw1" / "ch1-p15.ipynb"
     path.write_bytes(b"\xef\xbb\xbf" + path.read_bytes())
     assert exercises.read(path).number == "1.15"
 
 
-def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
+def test_answers_that_need_review(course, here, changed_workbook, capsys):
     # A check of ours that fails: it asks for a polynomial that is not there.
     changed_workbook("1.15", "stability_region(a_region, a_poly", "stability_region(a_region, None")
     summary = grade(course, quiet=False)
@@ -713,7 +712,7 @@ def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         (["grade", "nowhere", "--out", "graded"], "nowhere is not a folder"),
         (
@@ -734,9 +733,9 @@ def test_answers_to_be_looked_at(course, here, changed_workbook, capsys):
         (["assignment", "new", "hw2", "1.15", "--due", "0001-01-01"], "'0001-01-01' is not a date"),
     ],
 )
-def test_bad_input_ends_in_one_line_and_code_2(course, arguments, said):
+def test_bad_input_ends_in_one_line_and_code_2(course, arguments, message):
     done = workbook(*arguments, cwd=course)
-    assert done.returncode == 2 and said in done.stderr, done.stderr
+    assert done.returncode == 2 and message in done.stderr, done.stderr
     assert len(done.stderr.strip().split("\n")) == 1 and "Traceback" not in done.stderr
 
 
@@ -776,10 +775,10 @@ def test_a_homework_from_the_command_line(tmp_path):
     }
 
 
-def test_a_spoilt_record_is_said_in_one_line(course, here):
+def test_a_damaged_record_is_an_error_of_one_line(course, here):
     grade(course)
     (course / "graded" / "hw1" / "grades.json").write_text("{")
-    with pytest.raises(BadInput, match="grades.json is not as workbook grade wrote it"):
+    with pytest.raises(InputError, match="grades.json is not as workbook grade wrote it"):
         grade(course)
     (course / "graded" / "hw1" / "grades.json").unlink()
     assert grade(course)["changes"] == {"hw1": []}
@@ -787,8 +786,8 @@ def test_a_spoilt_record_is_said_in_one_line(course, here):
 
 def test_names_of_pages():
     assert commands.page_name("ann") == "ann.html"
-    one, other = commands.page_name("ж" * 120 + "a"), commands.page_name("ж" * 120 + "b")
-    assert one != other and len(one.encode()) <= 255 and len(other.encode()) <= 255
+    first, other = commands.page_name("ж" * 120 + "a"), commands.page_name("ж" * 120 + "b")
+    assert first != other and len(first.encode()) <= 255 and len(other.encode()) <= 255
 
 
 # The lecturer's guide
@@ -847,7 +846,7 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         "LC_ALL": "C.UTF-8",
         "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
     }
-    told, waiting = [], dict(MEANWHILE)
+    commands_run, waiting = [], dict(MEANWHILE)
     for section, command, shown in steps(GUIDE.read_text(encoding="utf-8")):
         if section in waiting:
             waiting.pop(section)(tmp_path)
@@ -879,8 +878,8 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         assert not shown or like(shown, done.stdout), (
             f"{command} prints\n{done.stdout}\nand the page shows\n" + "\n".join(shown)
         )
-        told.append(command)
-    assert waiting == {} and len(told) > 15
+        commands_run.append(command)
+    assert waiting == {} and len(commands_run) > 15
     for written in (
         "summary.html",
         "feedback/ann.html",

@@ -1,4 +1,4 @@
-"""A run over a course: what is graded, what is graded again, and what is not."""
+"""A run over a course: which notebooks are graded, and graded again."""
 
 import os
 import sqlite3
@@ -21,8 +21,8 @@ from workbook.grading import (
     preloading,
     worker_pool,
 )
-from workbook.grading.assignment import BadInput
-from workbook.grading.judging import Judgement, failed
+from workbook.grading.assignment import InputError
+from workbook.grading.judging import Judgement, grader_failure
 from workbook.grading.sandbox import Limits
 from workbook.grading.scores import scores
 from workbook.grading.store import Store
@@ -35,28 +35,28 @@ def points(out, known):
 
 
 @pytest.fixture
-def broken_lanes(monkeypatch):
-    """Lanes that die on every unit of the students named."""
-    unlucky = set()
+def failing_workers(monkeypatch):
+    """Worker processes that die on every notebook with one of these words."""
+    words = set()
 
-    def grade_all(given, count, settings, forkserver=None):
-        for unit in given:
-            broken = any(name in "".join(unit["sources"]) for name in unlucky)
+    def grade_all(tasks, count, settings, forkserver=None):
+        for task in tasks:
+            broken = any(name in "".join(task["sources"]) for name in words)
             judgement = (
-                failed(unit["names"], "it died")
+                grader_failure(task["names"], "it died")
                 if broken
-                else Judgement({name: Verdict("right", "yes") for name in unit["names"]}, {}, ())
+                else Judgement({name: Verdict("right", "yes") for name in task["names"]}, {}, ())
             )
-            yield unit["key"], grader.as_plain(judgement)
+            yield task["key"], grader.to_plain(judgement)
 
     monkeypatch.setattr(worker_pool, "grade_all", grade_all)
-    return unlucky
+    return words
 
 
-def test_what_the_grader_failed_on_is_graded_again(tmp_path, broken_lanes):
+def test_notebooks_that_the_grader_failed_on_are_graded_again(tmp_path, failing_workers):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15 | {"a_region": "'ADA'"})
     hand_in(tmp_path, "bela", "1.15", RIGHT_1_15)
-    broken_lanes.add("ADA")
+    failing_workers.add("ADA")
     known, plan, count = course.grade(tmp_path / "submitted", tmp_path)
     assert (len(plan.pending), count) == (2, 1) and points(tmp_path, known) == {
         "ada": 0.0,
@@ -67,18 +67,18 @@ def test_what_the_grader_failed_on_is_graded_again(tmp_path, broken_lanes):
         assert {verdict.status for verdict in ada.verdicts.values()} == {
             "unchecked"
         } and ada.remarks == ("grader: it failed on this notebook (it died)",)
-    broken_lanes.clear()
+    failing_workers.clear()
     known, plan, count = course.grade(tmp_path / "submitted", tmp_path)
-    assert (len(plan.pending), plan.known, count) == (1, 1, 0) and points(tmp_path, known) == {
+    assert (len(plan.pending), plan.graded_before, count) == (1, 1, 0) and points(
+        tmp_path, known
+    ) == {
         "ada": 5.0,
         "bela": 5.0,
     }
     assert course.grade(tmp_path / "submitted", tmp_path)[1].pending == ()
 
 
-def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(
-    tmp_path, broken_lanes, monkeypatch
-):
+def test_only_a_first_run_imports_while_it_reads(tmp_path, failing_workers, monkeypatch):
     started = []
 
     class Stub:
@@ -93,14 +93,14 @@ def test_a_first_run_imports_while_it_reads_and_a_later_one_only_what_is_needed(
     assert started == [preloading.ALWAYS], "the second run has nothing to grade"
 
 
-def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
-    """For real: every lane ends itself at the first notebook of its life that says so."""
+def test_a_worker_process_that_dies_is_replaced(tmp_path, monkeypatch):
+    """With real processes: each exits at the first notebook that contains DIE."""
     monkeypatch.setattr(
         forkserver,
         "START",
-        "import os\nfrom workbook.grading import grader\nreal = grader.Bench.grade\n"
-        "grader.Bench.grade = lambda bench, unit: os._exit(1) if 'DIE' in ''.join(unit['sources']) "
-        "else real(bench, unit)\n" + forkserver.START,
+        "import os\nfrom workbook.grading import grader\nreal = grader.Grader.grade\n"
+        "grader.Grader.grade = lambda self, task: os._exit(1) if 'DIE' in ''.join(task['sources']) "
+        "else real(self, task)\n" + forkserver.START,
     )
     for student, answers in (
         ("ada", RIGHT_1_15),
@@ -113,7 +113,7 @@ def test_a_lane_that_dies_is_replaced(tmp_path, monkeypatch):
 
 
 @pytest.mark.slow
-def test_other_limits_grade_again_what_met_the_former_ones(tmp_path):
+def test_other_limits_regrade_what_exceeded_the_former_ones(tmp_path):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     hand_in(
         tmp_path,
@@ -142,12 +142,12 @@ def test_other_limits_grade_again_what_met_the_former_ones(tmp_path):
     again = course.grade(
         tmp_path / "submitted", tmp_path, limits=Limits(cpu_seconds=30, wall_seconds=90)
     )[1]
-    assert (len(again.pending), again.known) == (1, 1)
+    assert (len(again.pending), again.graded_before) == (1, 1)
     with Store(tmp_path / "grades.sqlite") as store:
         assert store.attempts("hw1")[1].remarks == ()
 
 
-def test_the_same_notebook_twice_is_one_attempt(tmp_path, broken_lanes):
+def test_the_same_notebook_twice_is_one_attempt(tmp_path, failing_workers):
     path = hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     (path.parent / "ch1-p15 (copy).ipynb").write_bytes(path.read_bytes())
     known, plan, _ = course.grade(tmp_path / "submitted", tmp_path)
@@ -160,15 +160,15 @@ DUE = 1577923200.0
 
 @pytest.fixture
 def by_content(monkeypatch):
-    """Lanes that find right what says GOOD."""
+    """Worker processes that judge right what contains GOOD."""
 
-    def grade_all(given, count, settings, forkserver=None):
-        for unit in given:
-            status = "right" if "GOOD" in "".join(unit["sources"]) else "wrong"
+    def grade_all(tasks, count, settings, forkserver=None):
+        for task in tasks:
+            status = "right" if "GOOD" in "".join(task["sources"]) else "wrong"
             yield (
-                unit["key"],
-                grader.as_plain(
-                    Judgement({name: Verdict(status, "") for name in unit["names"]}, {}, ())
+                task["key"],
+                grader.to_plain(
+                    Judgement({name: Verdict(status, "") for name in task["names"]}, {}, ())
                 ),
             )
 
@@ -185,12 +185,12 @@ def run(folder):
     return len(plan.pending), points(folder, known), late(folder, known)
 
 
-def test_an_earlier_version_handed_in_again_is_the_last(tmp_path, by_content):
+def test_an_earlier_version_handed_in_again_is_the_last_attempt(tmp_path, by_content):
     write_assignment(tmp_path, LAST)
     for k, answers, expected in ((0, "GOOD", (1, 5)), (1, "BAD", (1, 0)), (2, "GOOD", (0, 5))):
         hand_in(tmp_path, "ann", "1.15", {"a_region": f"'{answers}'"}, at=DUE - 9 + k)
-        graded, found, _ = run(tmp_path)
-        assert (graded, found["ann"]) == expected
+        graded, late_by_student, _ = run(tmp_path)
+        assert (graded, late_by_student["ann"]) == expected
 
 
 @pytest.mark.parametrize("rule, points_, is_late", [("last", 5, True), ("best", 5, False)])
@@ -206,7 +206,7 @@ def test_copies_side_by_side(tmp_path, by_content, rule, points_, is_late):
     assert run(tmp_path) == (0, {"ann": points_}, {"ann": is_late})
 
 
-def test_the_time_of_a_file_put_right_later(tmp_path, by_content):
+def test_a_corrected_time_of_a_file(tmp_path, by_content):
     write_assignment(tmp_path, LAST)
     path = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE + 5)
     assert run(tmp_path) == (1, {"ann": 5}, {"ann": True})
@@ -222,12 +222,12 @@ def test_the_time_of_a_file_put_right_later(tmp_path, by_content):
 @pytest.mark.parametrize(
     "name", [b"grades.sqlite", b"grades.sqlite-wal", b".grading", b"\x01" * 250]
 )
-def test_a_homework_folder_of_an_odd_name_stops_nothing(tmp_path, by_content, name):
+def test_a_homework_folder_of_an_invalid_name_stops_nothing(tmp_path, by_content, name):
     write_assignment(tmp_path, LAST)
-    ours = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE - 9)
+    normal = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE - 9)
     folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
     os.makedirs(folder)
-    Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(ours.read_bytes())
+    Path(os.fsdecode(folder + b"/x.ipynb")).write_bytes(normal.read_bytes())
     done = commands.grade_course(
         tmp_path / "submitted", tmp_path / "graded", tmp_path / "assignments", 1, 60, True, True
     )
@@ -235,25 +235,25 @@ def test_a_homework_folder_of_an_odd_name_stops_nothing(tmp_path, by_content, na
     assert len(done["left aside"]) == (name != b".grading")
 
 
-def test_a_stray_takes_no_points_away(tmp_path, by_content):
+def test_a_problem_of_one_student_takes_no_points_away(tmp_path, by_content):
     write_assignment(tmp_path, LAST)
     hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE - 9)
     hand_in(tmp_path, "ann", "1.17", {}, at=DUE - 5)
     assert run(tmp_path) == (1, {"ann": 5}, {"ann": False})
 
 
-def test_a_store_that_is_full_or_none_is_said(tmp_path, by_content):
+def test_a_store_that_is_full_or_no_database_is_an_error(tmp_path, by_content):
     hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"})
     run(tmp_path)
     full = "grades.sqlite: database or disk is full; what is stored in it is kept"
-    with pytest.raises(BadInput, match=full), Store(tmp_path / "grades.sqlite") as store:
+    with pytest.raises(InputError, match=full), Store(tmp_path / "grades.sqlite") as store:
         store._database.execute("PRAGMA max_page_count = 1")
         for k in range(1000):
             store.set_manual("ann", "hw1", "1.15", f"a{k}", 1.0, "x" * 1000)
     assert run(tmp_path)[:2] == (0, {"ann": 5})
     (tmp_path / "graded").mkdir()
     (tmp_path / "graded" / "grades.sqlite").write_text("this is something else " * 100)
-    with pytest.raises(BadInput, match="grades.sqlite: file is not a database"):
+    with pytest.raises(InputError, match="grades.sqlite: file is not a database"):
         course.grade(tmp_path / "submitted", tmp_path / "graded")
 
 
@@ -265,7 +265,7 @@ def test_a_store_of_an_older_version_is_read(tmp_path, by_content):
     assert run(tmp_path)[:2] == (0, {"ann": 5})
 
 
-def test_what_is_for_no_problem_is_named(tmp_path, broken_lanes):
+def test_a_notebook_for_no_problem_is_reported(tmp_path, failing_workers):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     hand_in(tmp_path, "ada", "1.4", {})
     odd = hand_in(tmp_path, "bela", "1.15", RIGHT_1_15, name="essay\x1b.ipynb")
@@ -276,14 +276,14 @@ def test_what_is_for_no_problem_is_named(tmp_path, broken_lanes):
 
 
 @pytest.mark.parametrize("out", ["submitted", "submitted/graded"])
-def test_results_do_not_lie_among_the_students(tmp_path, broken_lanes, out):
+def test_results_among_the_submissions_are_refused(tmp_path, failing_workers, out):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     with pytest.raises(course.CourseError, match="every folder is a student's: put it beside"):
         course.grade(tmp_path / "submitted", tmp_path / out)
     assert [path.name for path in (tmp_path / "submitted").iterdir()] == ["ada"]
 
 
-def test_a_mended_judge_grades_again(tmp_path, broken_lanes, monkeypatch):
+def test_a_changed_judge_grades_again(tmp_path, failing_workers, monkeypatch):
     hand_in(tmp_path, "ada", "1.15", RIGHT_1_15)
     course.grade(tmp_path / "submitted", tmp_path / "graded")
     assert course.grade(tmp_path / "submitted", tmp_path / "graded")[1].pending == ()
@@ -301,16 +301,16 @@ def test_a_mended_judge_grades_again(tmp_path, broken_lanes, monkeypatch):
 
 
 def test_an_exercise_is_read_again_when_its_file_has_changed(tmp_path, monkeypatch):
-    """And not with each notebook while it has not."""
-    place = tmp_path / "ch1" / "p15.ipynb"
-    place.parent.mkdir()
+    """While it has not changed, it is not read again for each notebook."""
+    notebook_path = tmp_path / "ch1" / "p15.ipynb"
+    notebook_path.parent.mkdir()
     text = exercises.find("1.15").path.read_text(encoding="utf-8")
     monkeypatch.setattr(exercises, "home", lambda: tmp_path)
-    place.write_text(text, encoding="utf-8")
+    notebook_path.write_text(text, encoding="utf-8")
     first = exercises.find("1.15")
     assert exercises.find("1.15") is first
-    place.write_text(text.replace("a_region", "a_place"), encoding="utf-8")
-    os.utime(place, ns=(0, place.stat().st_mtime_ns + 1))
+    notebook_path.write_text(text.replace("a_region", "a_place"), encoding="utf-8")
+    os.utime(notebook_path, ns=(0, notebook_path.stat().st_mtime_ns + 1))
     assert (
         "a_place" in exercises.find("1.15").about["answers"]
         and "a_region" in first.about["answers"]

@@ -1,4 +1,4 @@
-"""What other systems read: each format as a golden text, and names that try a parser's patience."""
+"""Tables for other systems: each format as a golden text, and unusual names."""
 
 import csv
 import io
@@ -14,7 +14,7 @@ from classroom import graded
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading import canvas, exporting
-from workbook.grading.assignment import BadInput
+from workbook.grading.assignment import InputError
 from workbook.grading.canvas import Roster
 from workbook.grading.record import Change
 from workbook.grading.scores import scores
@@ -49,7 +49,7 @@ AWKWARD = [
 
 @pytest.fixture
 def small(store, homework):
-    """Ann has all, Bob some of it and late, Cid an answer to be looked at, Dan nothing."""
+    """Ann has all, Bob some of it and late, Cid an answer that needs review, Dan nothing."""
     graded(store, "ann", "1.17", {"a_region": RIGHT, "b_region": RIGHT}, BEFORE)
     graded(store, "ann", "1.18", {"a_region": RIGHT, "b_region": RIGHT}, BEFORE)
     graded(store, "bob", "1.17", {"a_region": RIGHT, "b_region": WRONG}, AFTER)
@@ -83,7 +83,7 @@ def test_grades_csv(small, homework):
 
 
 def test_moodle_csv(small, homework):
-    """Who has no grade yet has no row: a feedback without a grade would wipe one."""
+    """A student without a grade has no row: feedback without a grade would delete one."""
     assert exporting.moodle_csv(homework, small) == (
         '"ID number","Homework 1, stability","Homework 1, stability (feedback)"\r\n'
         '"ann","7.00","1.17 a_region: right; 1.17 b_region: right; 1.18 a_region: right; 1.18 '
@@ -94,7 +94,7 @@ def test_moodle_csv(small, homework):
     )
 
 
-def test_moodle_knows_students_by_their_addresses(store, homework):
+def test_moodle_csv_with_addresses(store, homework):
     for name in ("ann@uni.example", "bob@uni.example"):
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": WRONG})
     assert rows(exporting.moodle_csv(homework, scores(store, homework)))[0][0] == "Email address"
@@ -131,7 +131,7 @@ ROSTER = (
 
 
 def test_canvas_csv_fills_its_own_column(small, homework):
-    text, strangers = canvas.canvas_csv(homework, small, Roster(ROSTER))
+    text, unknown = canvas.canvas_csv(homework, small, Roster(ROSTER))
     assert text == (
         '"Student","ID","SIS User ID","SIS Login ID","Section","Homework 1, stability (22)"\r\n'
         '"    Points Possible","","","","","7"\r\n'
@@ -141,7 +141,7 @@ def test_canvas_csv_fills_its_own_column(small, homework):
         '"Zee, Zoe","104","u4","zoe","B","2.00"\r\n'
         '"Student, Test","105","","f00d","B",""\r\n'
     )
-    assert strangers == ["dan"]
+    assert unknown == ["dan"]
 
 
 def test_canvas_csv_makes_a_new_column(small, homework):
@@ -167,16 +167,15 @@ def test_canvas_csv_makes_a_new_column(small, homework):
     "column, names",
     [("ID", ["101", "102"]), ("SIS User ID", ["u1", "u2"]), ("SIS Login ID", ["ann", "bob"])],
 )
-def test_canvas_students_are_known_by_whichever_id_fits(store, homework, column, names):
+def test_canvas_students_are_matched_by_the_id_that_fits_most(store, homework, column, names):
     for name in names:
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
-    text, strangers = canvas.canvas_csv(homework, scores(store, homework), Roster(ROSTER))
-    assert [row[5] for row in rows(text)][2:4] == ["5.00", "5.00"] and strangers == []
+    text, unknown = canvas.canvas_csv(homework, scores(store, homework), Roster(ROSTER))
+    assert [row[5] for row in rows(text)][2:4] == ["5.00", "5.00"] and unknown == []
 
 
-def test_an_id_of_one_kind_is_not_taken_for_another(store, homework):
-    """102 is Bob's number in Canvas and, in the university, Ann's: the whole class goes by one of
-    the two."""
+def test_ids_of_different_kinds_are_not_mixed(store, homework):
+    """102 is Bob's ID in Canvas and Ann's of the university: one kind is used for all."""
     roster = ROSTER.replace("101,u1", "101,102").replace("102,u2", "102,103")
     for name in ("102", "103"):
         graded(store, name, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
@@ -186,37 +185,37 @@ def test_an_id_of_one_kind_is_not_taken_for_another(store, homework):
     assert [row[5] for row in rows(text)][2:5] == ["5.00", "5.00", "EX"]
 
 
-def test_canvas_roster_with_semicolons_stays_so(small, homework):
+def test_a_canvas_roster_with_semicolons_keeps_them(small, homework):
     roster = 'Student;ID;Section\n    Points Possible;;\n"Able; Ann";ann;A\n'
     text, _ = canvas.canvas_csv(homework, small, Roster(roster))
     assert rows(text, ";")[2] == ["Able; Ann", "ann", "A", "7.00"]
 
 
 @pytest.mark.parametrize("text", ["", "name,grade\nann,1\n", "Student,ID\n", "Student\n", "{}"])
-def test_what_is_no_roster(text):
-    with pytest.raises(BadInput, match="not a gradebook exported from Canvas"):
+def test_files_that_are_no_roster(text):
+    with pytest.raises(InputError, match="not a gradebook exported from Canvas"):
         Roster(text)
 
 
 def test_a_roster_that_cannot_be_read(tmp_path):
-    with pytest.raises(BadInput, match="No such file"):
+    with pytest.raises(InputError, match="No such file"):
         canvas.read_roster(tmp_path / "canvas.csv")
     (tmp_path / "canvas.csv").write_bytes(b"Student,ID,Section\nZo\xeb,1,A\n")
-    with pytest.raises(BadInput, match="not CSV in UTF-8"):
+    with pytest.raises(InputError, match="not CSV in UTF-8"):
         canvas.read_roster(tmp_path / "canvas.csv")
 
 
 # Awkward names
 
 
-def test_identifiers_go_back_to_other_systems_as_they_came(store, homework):
-    found = awkward(store, homework)
-    assert sorted(row[0] for row in rows(exporting.moodle_csv(homework, found))[1:]) == sorted(
-        AWKWARD
-    )
-    assert sorted(row[3] for row in rows(exporting.nbgrader_csv(homework, found))[1:]) == sorted(
-        AWKWARD
-    )
+def test_identifiers_are_unchanged_for_other_systems(store, homework):
+    class_scores = awkward(store, homework)
+    assert sorted(
+        row[0] for row in rows(exporting.moodle_csv(homework, class_scores))[1:]
+    ) == sorted(AWKWARD)
+    assert sorted(
+        row[3] for row in rows(exporting.nbgrader_csv(homework, class_scores))[1:]
+    ) == sorted(AWKWARD)
     out = io.StringIO()
     csv.writer(out).writerows(
         [
@@ -224,21 +223,21 @@ def test_identifiers_go_back_to_other_systems_as_they_came(store, homework):
             *([name, name, name, "A"] for name in AWKWARD),
         ]
     )
-    text, strangers = canvas.canvas_csv(homework, found, Roster(out.getvalue()))
+    text, unknown = canvas.canvas_csv(homework, class_scores, Roster(out.getvalue()))
     assert [row[:4] for row in rows(text)[2:]] == [
         [name, name, name, "A"] for name in AWKWARD
-    ] and strangers == []
+    ] and unknown == []
     assert {row[4] for row in rows(text)[2:]} == {"2.50"}
 
 
-def test_no_table_for_people_begins_a_cell_like_a_formula(store, homework):
-    found = awkward(store, homework)
+def test_no_cell_for_people_is_a_formula(store, homework):
+    class_scores = awkward(store, homework)
     change = [
         Change("now", name, "1.17", "a_region", "wrong", "right", 0.0, 1.0, "graded again")
         for name in AWKWARD
     ]
     for text, column in (
-        (exporting.grades_csv(homework, found), 0),
+        (exporting.grades_csv(homework, class_scores), 0),
         (exporting.changes_csv(change), 1),
     ):
         shown = [row[column] for row in rows(text)[1:]]

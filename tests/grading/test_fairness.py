@@ -1,5 +1,4 @@
-"""What students do to notebooks in good faith costs them nothing, and what is not their fault is
-never laid to them."""
+"""Edits in good faith cost nothing, and students are not blamed for others' faults."""
 
 import copy
 import json
@@ -15,7 +14,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook
 
 from workbook.grading import submissions
-from workbook.grading.grader import Bench, _lacking
+from workbook.grading.grader import Grader, _missing_data_cells
 from workbook.grading.preloading import ALWAYS
 from workbook.grading.sandbox import Limits
 from workbook.notebooks import exercises
@@ -25,8 +24,8 @@ NAMES = list(EXERCISE.about["answers"])
 
 
 @pytest.fixture(scope="module")
-def bench():
-    with Bench(Limits(cpu_seconds=20, wall_seconds=200)) as ready:
+def grader():
+    with Grader(Limits(cpu_seconds=20, wall_seconds=200)) as ready:
         yield ready
 
 
@@ -41,22 +40,25 @@ def code(source, **metadata):
 
 
 def answered():
-    """The notebook as handed out, rightly answered: cells by role in a dict, and the notebook."""
+    """Return the notebook as handed out with right answers."""
     return notebook("1.15", RIGHT_1_15)
 
 
-def by_tag(given, tag):
-    return [cell for cell in given["cells"] if cell["metadata"].get("tags") == [tag]]
+def by_tag(nb, tag):
+    return [cell for cell in nb["cells"] if cell["metadata"].get("tags") == [tag]]
 
 
-def graded(bench, given, folder, name="ch1-p15.ipynb"):
-    """Judgement on a notebook, by way of a file as it is submitted; `given` may be bytes."""
+def graded(grader, nb, folder, name="ch1-p15.ipynb"):
+    """Return the judgement on a notebook, read from a file as it is submitted.
+
+    `nb` may be bytes.
+    """
     path = folder / "submitted" / "ada" / "hw" / name
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_bytes(given if isinstance(given, bytes) else json.dumps(given).encode())
-    (found,) = submissions.find(folder / "submitted")
-    assert found.trouble == "" and found.problem == "1.15"
-    return bench.grade({"problem": "1.15", "sources": EXERCISE.to_run(found.cells)})
+    path.write_bytes(nb if isinstance(nb, bytes) else json.dumps(nb).encode())
+    (submission,) = submissions.find(folder / "submitted")
+    assert submission.trouble == "" and submission.problem == "1.15"
+    return grader.grade({"problem": "1.15", "sources": EXERCISE.to_run(submission.cells)})
 
 
 def full_marks(result):
@@ -68,134 +70,134 @@ def full_marks(result):
 # Each of these gives a changed notebook; all of them keep full marks.
 
 
-def as_handed_out(given):
+def as_handed_out(nb):
     pass
 
 
-def check_cells_deleted(given):
-    given["cells"] = [cell for cell in given["cells"] if cell not in by_tag(given, "check")]
+def check_cells_deleted(nb):
+    nb["cells"] = [cell for cell in nb["cells"] if cell not in by_tag(nb, "check")]
 
 
-def data_cell_deleted(given):
-    given["cells"] = [cell for cell in given["cells"] if cell not in by_tag(given, "data")]
+def data_cell_deleted(nb):
+    nb["cells"] = [cell for cell in nb["cells"] if cell not in by_tag(nb, "data")]
 
 
-def data_cell_at_the_end(given):
-    (data,) = by_tag(given, "data")
-    given["cells"].remove(data)
-    given["cells"].append(data)
+def data_cell_at_the_end(nb):
+    (data,) = by_tag(nb, "data")
+    nb["cells"].remove(data)
+    nb["cells"].append(data)
 
 
-def cells_in_reverse_order(given):
-    given["cells"].reverse()
+def cells_in_reverse_order(nb):
+    nb["cells"].reverse()
 
 
-def helper_below_its_use(given):
-    answers = by_tag(given, "answer")
+def helper_below_its_use(nb):
+    answers = by_tag(nb, "answer")
     answers[0]["source"] = "a_region = both(k1 > 0, product)"
     answers[1]["source"] += "\nproduct = last_but_one > 1"
-    given["cells"] += [
+    nb["cells"] += [
         code("def both(*parts): return sp.And(*parts)"),
         code("last_but_one = k1*k2"),
     ]
-    given["cells"].append(given["cells"].pop(given["cells"].index(answers[1])))
+    nb["cells"].append(nb["cells"].pop(nb["cells"].index(answers[1])))
 
 
-def all_cells_doubled(given):
-    given["cells"] = [twin for cell in given["cells"] for twin in (cell, copy.deepcopy(cell))]
+def all_cells_doubled(nb):
+    nb["cells"] = [twin for cell in nb["cells"] for twin in (cell, copy.deepcopy(cell))]
 
 
-def untouched_copy_below(given):
-    given["cells"] += [code(stub) for _, stub in EXERCISE.code("answer")]
+def untouched_copy_below(nb):
+    nb["cells"] += [code(stub) for _, stub in EXERCISE.code("answer")]
 
 
-def untouched_copy_above(given):
-    given["cells"][:0] = [code(stub) for _, stub in EXERCISE.code("answer")]
+def untouched_copy_above(nb):
+    nb["cells"][:0] = [code(stub) for _, stub in EXERCISE.code("answer")]
 
 
-def everything_in_one_cell(given):
-    given["cells"] = [code("\n".join(f"{name} = {text}" for name, text in RIGHT_1_15.items()))]
+def everything_in_one_cell(nb):
+    nb["cells"] = [code("\n".join(f"{name} = {text}" for name, text in RIGHT_1_15.items()))]
 
 
-def answers_split_over_cells(given):
-    cell = by_tag(given, "answer")[0]
-    place = given["cells"].index(cell)
-    given["cells"][place : place + 1] = [
+def answers_split_over_cells(nb):
+    cell = by_tag(nb, "answer")[0]
+    k = nb["cells"].index(cell)
+    nb["cells"][k : k + 1] = [
         code("first = k1 > 0"),
         code("second = k1*k2 > 1"),
         code("a_region = sp.And(first, second)"),
     ]
 
 
-def typed_into_check_cells(given):
-    for cell, (name, text) in zip(by_tag(given, "check"), RIGHT_1_15.items()):
+def typed_into_check_cells(nb):
+    for cell, (name, text) in zip(by_tag(nb, "check"), RIGHT_1_15.items()):
         cell["source"] = f"{name} = {text}\n" + "".join(cell["source"])
-    for cell in by_tag(given, "answer"):
-        given["cells"].remove(cell)
+    for cell in by_tag(nb, "answer"):
+        nb["cells"].remove(cell)
 
 
-def check_cell_reformatted_and_failing(given):
-    for cell in by_tag(given, "check"):
+def check_cell_reformatted_and_failing(nb):
+    for cell in by_tag(nb, "check"):
         cell["source"] = "print('checking')\n" + "".join(cell["source"]).replace(
             "checks.report", "checks.reprot"
         )
 
 
-def tags_and_metadata_lost(given):
-    given["metadata"] = {}
-    for cell in given["cells"]:
+def tags_and_metadata_lost(nb):
+    nb["metadata"] = {}
+    for cell in nb["cells"]:
         cell["metadata"] = {}
 
 
-def sources_as_lists_and_windows_lines(given):
-    for cell in given["cells"]:
+def sources_as_lists_and_windows_lines(nb):
+    for cell in nb["cells"]:
         cell["source"] = "".join(cell["source"]).replace("\n", "\r\n").splitlines(keepends=True)
 
 
-def saved_by_another_editor(given):
-    given.update(nbformat=4, nbformat_minor=2)
-    for _k, cell in enumerate(given["cells"]):
+def saved_by_another_editor(nb):
+    nb.update(nbformat=4, nbformat_minor=2)
+    for cell in nb["cells"]:
         cell.pop("id", None)
         cell["metadata"] = {"collapsed": False, "scrolled": True, "trusted": "x"}
-    given["metadata"]["kernelspec"] = {"name": "sagemath", "language": "sage"}
+    nb["metadata"]["kernelspec"] = {"name": "sagemath", "language": "sage"}
 
 
-def huge_outputs(given):
-    for cell in by_tag(given, "answer"):
+def huge_outputs(nb):
+    for cell in by_tag(nb, "answer"):
         cell["outputs"] = [
             {"output_type": "display_data", "data": {"image/png": "A" * 10**6}, "metadata": {}}
         ]
 
 
-def last_value_by_its_underscore(given):
-    cell = by_tag(given, "answer")[0]
-    place = given["cells"].index(cell)
-    given["cells"][place : place + 1] = [code("sp.And(k1 > 0, k1*k2 > 1)"), code("a_region = _")]
+def last_value_by_its_underscore(nb):
+    cell = by_tag(nb, "answer")[0]
+    k = nb["cells"].index(cell)
+    nb["cells"][k : k + 1] = [code("sp.And(k1 > 0, k1*k2 > 1)"), code("a_region = _")]
 
 
-def module_written_by_a_cell(given):
-    cell = by_tag(given, "answer")[0]
-    given["cells"].insert(
-        given["cells"].index(cell), code("%%writefile mine.py\ndef both(p, q): return p & q")
+def module_written_by_a_cell(nb):
+    cell = by_tag(nb, "answer")[0]
+    nb["cells"].insert(
+        nb["cells"].index(cell), code("%%writefile mine.py\ndef both(p, q): return p & q")
     )
     cell["source"] = "from mine import both\na_region = both(k1 > 0, k1*k2 > 1)"
 
 
 def first(source):
-    """A change: one more cell on top."""
+    """Return a change: one more cell at the top."""
 
-    def change(given):
-        given["cells"].insert(0, code(source))
+    def change(nb):
+        nb["cells"].insert(0, code(source))
 
     change.__name__ = "first_" + source
     return change
 
 
 def in_the_answer_cell(source):
-    """A change: lines above the answer, in its own cell."""
+    """Return a change: lines above the answer, in its own cell."""
 
-    def change(given):
-        cell = by_tag(given, "answer")[0]
+    def change(nb):
+        cell = by_tag(nb, "answer")[0]
         cell["source"] = source + "\n" + "".join(cell["source"])
 
     change.__name__ = "above_" + source
@@ -291,10 +293,10 @@ CHANGES = [
 @pytest.mark.parametrize(
     "change", CHANGES, ids=lambda change: change.__name__.replace("\n", "; ")[:60]
 )
-def test_costs_nothing(bench, tmp_path, change):
-    given = answered()
-    change(given)
-    result = graded(bench, given, tmp_path)
+def test_harmless_edits_of_a_notebook_cost_nothing(grader, tmp_path, change):
+    nb = answered()
+    change(nb)
+    result = graded(grader, nb, tmp_path)
     assert full_marks(result), result
     assert all(remark.startswith("notebook: ") for remark in result["remarks"])
 
@@ -302,14 +304,14 @@ def test_costs_nothing(bench, tmp_path, change):
 @pytest.mark.parametrize(
     "name", ["1.15.ipynb", "ch1-p15 (copy 2).ipynb", "1_15-final.ipynb", "ch1-p15.IPYNB"]
 )
-def test_names_cost_nothing(bench, tmp_path, name):
-    given = answered()
-    tags_and_metadata_lost(given)
-    assert full_marks(graded(bench, given, tmp_path, name))
+def test_names_of_files_cost_nothing(grader, tmp_path, name):
+    nb = answered()
+    tags_and_metadata_lost(nb)
+    assert full_marks(graded(grader, nb, tmp_path, name))
 
 
-def test_a_byte_order_mark_costs_nothing(bench, tmp_path):
-    assert full_marks(graded(bench, b"\xef\xbb\xbf" + json.dumps(answered()).encode(), tmp_path))
+def test_a_byte_order_mark_costs_nothing(grader, tmp_path):
+    assert full_marks(graded(grader, b"\xef\xbb\xbf" + json.dumps(answered()).encode(), tmp_path))
 
 
 FORMS = {
@@ -326,14 +328,14 @@ FORMS = {
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_other_forms_cost_nothing(bench, tmp_path, form):
-    result = graded(bench, notebook("1.15", RIGHT_1_15 | {"a_region": FORMS[form]}), tmp_path)
+def test_other_forms_cost_nothing(grader, tmp_path, form):
+    result = graded(grader, notebook("1.15", RIGHT_1_15 | {"a_region": FORMS[form]}), tmp_path)
     assert full_marks(result), result["verdicts"]["a_region"]
 
 
-def test_one_bad_answer_costs_itself(bench, tmp_path):
+def test_a_bad_answer_costs_only_itself(grader, tmp_path):
     result = graded(
-        bench, notebook("1.15", RIGHT_1_15 | {"b_region": "1/0", "c_region": "object()"}), tmp_path
+        grader, notebook("1.15", RIGHT_1_15 | {"b_region": "1/0", "c_region": "object()"}), tmp_path
     )
     assert {name: verdict["status"] for name, verdict in result["verdicts"].items()} == {
         "a_region": "right",
@@ -347,20 +349,19 @@ def test_one_bad_answer_costs_itself(bench, tmp_path):
     )
 
 
-def test_a_verdict_in_the_sandbox_is_no_error(bench, tmp_path):
-    """A check cell that was changed runs with the notebook; that its answers are not right yet is
-    said once, by the judge."""
-    given = notebook("1.15", {"a_region": "k1 > 0"})
-    for cell in by_tag(given, "check"):
+def test_a_check_cell_that_raises_its_verdict_is_no_error(grader, tmp_path):
+    """A changed check cell runs with the notebook; only the judge reports answers not right."""
+    nb = notebook("1.15", {"a_region": "k1 > 0"})
+    for cell in by_tag(nb, "check"):
         cell["source"] = "".join(cell["source"]) + "  # mine"
-    assert graded(bench, given, tmp_path)["remarks"] == ()
+    assert graded(grader, nb, tmp_path)["remarks"] == ()
 
 
-def test_a_later_answer_counts(bench, tmp_path):
-    """The last assignment that is no stub."""
-    given = notebook("1.15", RIGHT_1_15 | {"a_region": "k1 > 5"})
-    given["cells"] += [code(f"a_region = {RIGHT_1_15['a_region']}"), code("a_region = ...")]
-    assert full_marks(graded(bench, given, tmp_path))
+def test_a_later_answer_counts(grader, tmp_path):
+    """The last assignment counts that is not a stub."""
+    nb = notebook("1.15", RIGHT_1_15 | {"a_region": "k1 > 5"})
+    nb["cells"] += [code(f"a_region = {RIGHT_1_15['a_region']}"), code("a_region = ...")]
+    assert full_marks(graded(grader, nb, tmp_path))
 
 
 def _keep_busy():
@@ -373,22 +374,21 @@ def _keep_busy():
 
 
 def test_a_slow_machine_costs_nothing(tmp_path):
-    """Time is what the notebook computes, not what the clock says while others keep the machine
-    busy."""
+    """Time is what the notebook computes, not wall time while the machine is busy."""
     seconds = 2.0
-    given = answered()
+    nb = answered()
     # A cell may take half of the time that is left.
-    in_the_answer_cell(f"import time\nwhile time.process_time() < {0.3 * seconds}: pass")(given)
+    in_the_answer_cell(f"import time\nwhile time.process_time() < {0.3 * seconds}: pass")(nb)
     others = [
         multiprocessing.get_context("fork").Process(target=_keep_busy, daemon=True)
         for _ in range(6)
     ]
-    with Bench(Limits(cpu_seconds=seconds, wall_seconds=60), modules=ALWAYS) as bench:
+    with Grader(Limits(cpu_seconds=seconds, wall_seconds=60), modules=ALWAYS) as grader:
         for other in others:
             other.start()
         try:
             began = time.monotonic()
-            result = graded(bench, given, tmp_path)
+            result = graded(grader, nb, tmp_path)
         finally:
             for other in others:
                 other.kill()
@@ -397,7 +397,7 @@ def test_a_slow_machine_costs_nothing(tmp_path):
     assert time.monotonic() - began > 0.5 * seconds
 
 
-def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_not():
+def test_data_cells_run_first_and_once():
     (data,) = [source for _, source in EXERCISE.code("data")]
     handed_out = [source for _, source in EXERCISE.cells]
     assert handed_out[0] != data, "a cell that says how to get the library stands first"
@@ -408,7 +408,7 @@ def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_
         [data + "\n"],
         [data, data],
     ):
-        assert _lacking(EXERCISE, begins_with_them) == []
+        assert _missing_data_cells(EXERCISE, begins_with_them) == []
     for lacks in (
         [],
         ["a_region = k1 > 0"],
@@ -418,4 +418,4 @@ def test_data_cells_run_once_where_they_stand_first_and_ahead_of_all_else_where_
         ["pass", data],
         handed_out[:1],
     ):
-        assert _lacking(EXERCISE, lacks) == [data.strip()]
+        assert _missing_data_cells(EXERCISE, lacks) == [data.strip()]

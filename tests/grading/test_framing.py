@@ -1,4 +1,4 @@
-"""Messages over pipes: whole, or broken in a known way, and always in time."""
+"""Messages over pipes arrive whole, or fail in a known way, always in time."""
 
 import contextlib
 import os
@@ -22,7 +22,7 @@ def pipe():
 
 
 @pytest.mark.parametrize("message", [b"", b"x", bytes(range(256)) * 1000])
-def test_whole(pipe, message):
+def test_a_message_arrives_whole(pipe, message):
     out, into = pipe
     writer = threading.Thread(target=framing.send, args=(into, message))
     writer.start()
@@ -37,19 +37,19 @@ def test_whole(pipe, message):
         (b"\0\0", "closed"),
         (b"\0\0\0\5abc", "closed"),
         (b"\xff\xff\xff\xff", "large"),
-        (struct.pack(">I", framing.LONGEST + 1), "large"),
+        (struct.pack(">I", framing.MAX_MESSAGE + 1), "large"),
     ],
 )
-def test_broken(pipe, written, why):
+def test_a_broken_message_raises(pipe, written, why):
     out, into = pipe
     os.write(into, written)
     os.close(into)
-    with pytest.raises(framing.Broken, match=why):
+    with pytest.raises(framing.FramingError, match=why):
         framing.receive(out, timeout=10)
 
 
 def test_any_number_of_files_may_be_open(pipe):
-    """A course's store, notebooks, a program around the grader: descriptors have any number."""
+    """Descriptors can be large in a program with many open files."""
     some, most = resource.getrlimit(resource.RLIMIT_NOFILE)
     high = 2000
     resource.setrlimit(resource.RLIMIT_NOFILE, (max(some, high + 1), most))
@@ -63,12 +63,12 @@ def test_any_number_of_files_may_be_open(pipe):
         resource.setrlimit(resource.RLIMIT_NOFILE, (some, most))
 
 
-def test_silence_is_bounded(pipe):
-    with pytest.raises(framing.Broken, match="time"):
+def test_waiting_is_bounded(pipe):
+    with pytest.raises(framing.FramingError, match="time"):
         framing.receive(pipe[0], timeout=0.05)
 
 
-def test_trickling_does_not_renew_patience(pipe):
+def test_trickling_bytes_do_not_extend_the_timeout(pipe):
     out, into = pipe
     going_on = True
 
@@ -81,17 +81,17 @@ def test_trickling_does_not_renew_patience(pipe):
     writer, looks, began = threading.Thread(target=trickle), [], time.monotonic()
     writer.start()
     try:
-        with pytest.raises(framing.Broken, match="time"):
-            framing.receive(out, timeout=0.3, look=lambda: looks.append(1), every=0.02)
+        with pytest.raises(framing.FramingError, match="time"):
+            framing.receive(out, timeout=0.3, check=lambda: looks.append(1), interval=0.02)
     finally:
         going_on = False
         writer.join(timeout=30)
     assert time.monotonic() - began < 3 and looks, "it is looked after all the time too"
 
 
-def test_a_look_may_end_it(pipe):
+def test_a_check_may_end_the_wait(pipe):
     def look():
         raise KeyError("enough")
 
     with pytest.raises(KeyError):
-        framing.receive(pipe[0], timeout=10, look=look, every=0.01)
+        framing.receive(pipe[0], timeout=10, check=look, interval=0.01)

@@ -1,9 +1,8 @@
-"""The Gradescope bundle, in a container like Gradescope's: its /autograder is a folder of the
-test's, root is root.
+"""The Gradescope bundle, in a container like Gradescope's.
 
-setup.sh runs there as it would at Gradescope, but that pip finds the libraries as wheels made of
-those installed here, not on the network, and that the system's own programs (apt-get, useradd) only
-write down what they are told.
+Its /autograder is a folder of the test's, root is root. setup.sh runs there as it would at
+Gradescope, except that pip finds the libraries as wheels made of those installed here, not on the
+network, and that the system's own programs (apt-get, useradd) only record their arguments.
 """
 
 import base64
@@ -41,7 +40,7 @@ HOMEWORK = (
     '3\n[points]\n"1.15" = 10\n'
 )
 HALF = RIGHT_1_15 | {"a_region": "k1 > 0"}
-#: A user that nobody on this machine is.
+#: A user id that is free on this machine.
 STUDENT = 61234
 PYTHON = f"python3.{sys.version_info.minor}"
 USER_ADDED = "useradd --system --no-create-home --shell /usr/sbin/nologin workbook-student\n"
@@ -58,7 +57,7 @@ def archive(tmp_path_factory):
 # The bundle
 
 
-def test_what_the_bundle_holds(archive):
+def test_contents_of_the_bundle(archive):
     with zipfile.ZipFile(archive) as bundled:
         assert sorted(bundled.namelist()) == sorted(
             [
@@ -95,13 +94,13 @@ def test_what_the_bundle_holds(archive):
                 row[0]: row[1] for row in csv.reader(io.StringIO(wheel.read(record).decode()))
             }
             assert set(listed) == set(names)
-            for name, said in listed.items():
+            for name, recorded in listed.items():
                 digest = (
                     base64.urlsafe_b64encode(hashlib.sha256(wheel.read(name)).digest())
                     .rstrip(b"=")
                     .decode()
                 )
-                assert name == record or said == f"sha256={digest}"
+                assert name == record or recorded == f"sha256={digest}"
             text = "\n".join(wheel.read(name).decode() for name in names if name.endswith(".ipynb"))
             everything = b"\n".join(map(wheel.read, names)).decode(errors="replace")
     for number in ("1.15", "1.17"):
@@ -110,11 +109,11 @@ def test_what_the_bundle_holds(archive):
         ).code("answer"):
             assert source not in text
     for master in read_all(Path(__file__).resolve().parents[2] / "solutions"):
-        # neither the value nor what is said of it can be read anywhere
+        # Neither the value nor the sentence on it can be read anywhere.
         for trial in master.trials["wrong"]:
             value = trial.source.rpartition("\n")[2].partition("=")[2].strip()
-            said = sentence(master, trial) or trial.comment
-            assert said.partition("\n")[0] not in everything
+            message = sentence(master, trial) or trial.comment
+            assert message.partition("\n")[0] not in everything
             assert len(value) < 16 or f"{trial.name} = {value}" not in everything
 
 
@@ -123,7 +122,7 @@ def test_the_same_homework_makes_the_same_bundle(archive, tmp_path):
     assert (tmp_path / "again.zip").read_bytes() == archive.read_bytes()
 
 
-def test_what_no_bundle_can_be_made_of(archive, tmp_path):
+def test_errors_of_making_a_bundle(archive, tmp_path):
     with pytest.raises(AssignmentError, match="No such file"):
         bundle.make(archive.parent / "assignments", "hw2", tmp_path / "bundle.zip")
     with pytest.raises(AssignmentError, match="takes a .zip"):
@@ -139,7 +138,7 @@ def wheel_name(bundled):
 
 
 @pytest.mark.parametrize(
-    "rule, earlier, now, points, said",
+    "rule, earlier, now, points, message",
     [
         ('attempt = "best"', [], 3.0, 3.0, ""),
         ('attempt = "best"', [5.0, 1.0], 3.0, 5.0, "An earlier attempt"),
@@ -161,10 +160,10 @@ def wheel_name(bundled):
         ),
     ],
 )
-def test_which_attempt_counts(tmp_path, rule, earlier, now, points, said):
+def test_which_attempt_counts(tmp_path, rule, earlier, now, points, message):
     homework = assignments.read(write_assignment(tmp_path, f'{rule}\nproblems = ["1.15"]'))
-    counted, sentences = autograder._that_counts(homework, earlier, now)
-    assert counted == points and said in " ".join(sentences) and bool(said) == bool(sentences)
+    counted, sentences = autograder._counting_points(homework, earlier, now)
+    assert counted == points and message in " ".join(sentences) and bool(message) == bool(sentences)
 
 
 def test_earlier_submissions_are_those_that_were_graded(tmp_path):
@@ -189,9 +188,9 @@ def test_earlier_submissions_are_those_that_were_graded(tmp_path):
     assert autograder._earlier(tmp_path / "nowhere") == []
 
 
-def test_all_notebooks_together_are_done_before_gradescope_loses_patience():
+def test_the_limits_of_all_notebooks_fit_gradescopes_timeout():
     for count in (0, 1, 3, 10):
-        limits, bounds = autograder._shares(count)
+        limits, bounds = autograder._limits(count)
         # Judging at most: the whole notebook three times its bound on the clock; answers alone are
         # rare.
         assert max(count, 1) * (limits.wall_seconds + 3 * bounds.seconds) <= autograder.SECONDS + 1
@@ -201,7 +200,7 @@ def test_all_notebooks_together_are_done_before_gradescope_loses_patience():
 
 
 def as_root():
-    """What runs a command as root: nothing, or sudo that asks for no password."""
+    """Return the prefix that runs a command as root: nothing, or sudo without a password."""
     if os.getuid() == 0:
         return []
     if (
@@ -214,8 +213,7 @@ def as_root():
 
 @pytest.fixture(scope="module")
 def installed(archive, tmp_path_factory):
-    """/opt/workbook as setup.sh makes it, with the wheel of the bundle and the libraries of this
-    environment."""
+    """/opt/workbook as setup.sh makes it, with the bundle's wheel and the libraries of here."""
     if shutil.which("bwrap") is None or as_root() is None:
         (pytest.fail if os.environ.get("CI") == "true" else pytest.skip)(
             "the mock container needs bubblewrap and root"
@@ -223,7 +221,7 @@ def installed(archive, tmp_path_factory):
     folder, outside = tmp_path_factory.mktemp("opt"), tmp_path_factory.mktemp("outside")
     wheels = tmp_path_factory.mktemp("wheels")
     folder.chmod(0o755)  # as a folder in /opt is
-    for name in sorted(stands_on("trajlib") - {"trajlib"}):
+    for name in sorted(requirements("trajlib", "workbook") - {"trajlib"}):
         put_into_wheel(metadata.distribution(name), wheels)
     programs(outside, PYTHON)
     (outside / PYTHON).unlink()  # the real one is found behind it
@@ -244,25 +242,28 @@ def installed(archive, tmp_path_factory):
     return folder
 
 
-def stands_on(name):
-    """A distribution and all that it needs, without extras."""
-    found, waiting = set(), [name]
+def requirements(distribution, extra):
+    """Return a distribution and all its requirements, with one extra of its own."""
+    names, waiting = set(), [distribution]
     while waiting:
         name = canonicalize_name(waiting.pop())
-        if name not in found:
-            found.add(name)
-            needed = map(Requirement, metadata.distribution(name).requires or ())
+        if name not in names:
+            names.add(name)
+            environment = {"extra": extra if name == distribution else ""}
             waiting += [
-                one.name
-                for one in needed
-                if one.marker is None or one.marker.evaluate({"extra": ""})
+                requirement.name
+                for requirement in map(Requirement, metadata.distribution(name).requires or ())
+                if requirement.marker is None or requirement.marker.evaluate(environment)
             ]
-    return found
+    return names
 
 
 def put_into_wheel(distribution, folder):
-    """What is installed here as a wheel again, without its scripts, what lies beside the packages,
-    and its own tests, which it would take longest to compile."""
+    """Write an installed distribution as a wheel again.
+
+    It lacks scripts, files beside the packages, and its own tests, which would take longest to
+    compile.
+    """
     about = distribution.read_text("WHEEL")
     tags = [line.removeprefix("Tag: ") for line in about.split("\n") if line.startswith("Tag: ")]
     name = canonicalize_name(distribution.name).replace("-", "_")
@@ -274,14 +275,14 @@ def put_into_wheel(distribution, folder):
                 and file.name not in ("RECORD", "direct_url.json")
             ):
                 wheel.write(file.locate(), file.as_posix())
-        (place,) = {
+        (info_folder,) = {
             file.parts[0] for file in distribution.files if file.parts[0].endswith(".dist-info")
         }
-        wheel.writestr(f"{place}/RECORD", "".join(f"{file},,\n" for file in wheel.namelist()))
+        wheel.writestr(f"{info_folder}/RECORD", "".join(f"{file},,\n" for file in wheel.namelist()))
 
 
 class Container:
-    """Gradescope's file system as far as an autograder knows it, with `/autograder` at `root`."""
+    """Gradescope's file system as an autograder sees it, with `/autograder` at `root`."""
 
     def __init__(self, root, installed, archive):
         self.root, self._installed = root, installed
@@ -316,9 +317,10 @@ class Container:
     def run(
         self, *command, writable=False, shown=(), environment={"PATH": "/usr/bin:/bin:/usr/sbin"}
     ):
-        """Run a command in the container; the finished process. While it is set up, its
-        /opt/workbook is `writable`, and more folders are `shown`, these to be written to as
-        well."""
+        """Run a command in the container and return the process.
+
+        During setup its /opt/workbook is `writable`; more folders are `shown`, writable too.
+        """
         writing, shown = (
             shown,
             {Path(sys.base_prefix), Path(os.path.realpath(sys.base_prefix)), *shown},
@@ -402,7 +404,7 @@ class Container:
         )
 
     def grade(self):
-        """Run the autograder; its results and what it said."""
+        """Run the autograder; return its results and output."""
         done = self.run("/autograder/run_autograder")
         assert done.returncode == 0, done.stderr
         return self.results(), done
@@ -441,8 +443,8 @@ def test_a_submission(container):
         "failed",
         "failed",
     ]
-    told = result["tests"][0]["output"]
-    assert told.startswith("wrong: ") and told.endswith(
+    output = result["tests"][0]["output"]
+    assert output.startswith("wrong: ") and output.endswith(
         "\nThe notebook has 2 hints to this answer."
     )
     assert result["tests"][5]["output"].startswith("missing: not answered yet")
@@ -468,7 +470,7 @@ def test_an_earlier_better_attempt_counts(container):
     )
 
 
-def test_nothing_that_can_be_graded(container):
+def test_a_submission_without_a_notebook(container):
     container.submit("report.txt", "my report")
     container.submit("ch1-p15.ipynb", "no notebook")
     (container.root / "submission" / "ch1-p17.ipynb").symlink_to(
@@ -486,7 +488,7 @@ def test_nothing_that_can_be_graded(container):
 
 
 @pytest.mark.parametrize("breaks", ["assignment.toml", "wheel", "user"])
-def test_a_crash_of_ours_leaves_a_result_all_the_same(container, breaks):
+def test_a_crash_of_the_grader_leaves_a_result(container, breaks):
     container.submit("ch1-p15.ipynb", notebook("1.15", RIGHT_1_15))
     (container.root / "results" / "results.json").write_text('{"score": 100}')
     if breaks == "assignment.toml":
@@ -501,7 +503,7 @@ def test_a_crash_of_ours_leaves_a_result_all_the_same(container, breaks):
     assert done.stderr, "the lecturer sees why"
 
 
-# What a notebook may try. Each line is an attempt that says what it achieved.
+# Attempts of a notebook: each line reports what it achieved.
 ATTEMPTS = """
 import os, pathlib, signal, socket, subprocess
 done = []
@@ -562,7 +564,7 @@ def with_cell(problem, answers, source):
     return submitted
 
 
-def test_what_a_notebook_cannot_do(container, port):
+def test_hostile_notebooks_fail(container, port):
     cell = ATTEMPTS.replace("PORT", str(port))
     (container.root / "results" / "results.json").write_text("{}")
     unguarded = container.run(
@@ -602,7 +604,7 @@ def test_a_notebook_that_ends_itself_costs_only_itself(container, cell):
     )
 
 
-def test_what_a_notebook_leaves_running_ends_with_it(container):
+def test_processes_of_a_notebook_end_with_it(container):
     daemon = (
         "import os, time\nif os.fork() == 0:\n    os.setsid()\n    if os.fork() == 0:\n        "
         "time.sleep(600)\n    os._exit(0)\n"
@@ -626,15 +628,15 @@ def test_what_a_notebook_leaves_running_ends_with_it(container):
 
 
 @pytest.mark.parametrize(
-    "has, said",
+    "has, message",
     [
         ("3.12", "python3.12 -m venv /opt/workbook"),
         ("3.11", "python3.11 -m venv /opt/workbook"),
         ("", "choose Ubuntu 22.04"),
     ],
 )
-def test_setup(tmp_path, archive, has, said):
-    """What setup.sh asks of the system, and where that has no Python it can use."""
+def test_setup(tmp_path, archive, has, message):
+    """setup.sh asks the right things of the system, and ends if it has no suitable Python."""
     log = programs(tmp_path, f"python{has}", "python3.12", "python3.11")
     with zipfile.ZipFile(archive) as bundled:
         script = bundled.read("setup.sh").decode().replace("/opt/workbook/bin/pip", "echo")
@@ -645,20 +647,19 @@ def test_setup(tmp_path, archive, has, said):
         text=True,
         timeout=60,
     )
-    assert said in (log.read_text() if has else done.stderr) and done.returncode == (
+    assert message in (log.read_text() if has else done.stderr) and done.returncode == (
         0 if has else 1
     )
     if has:
         assert (
             "install --no-cache-dir --constraint /autograder/source/constraints.txt "
-            "/autograder/source/trajlib-*.whl" in done.stdout
+            "/autograder/source/trajlib-*.whl[workbook]" in done.stdout
         )
         assert log.read_text().endswith(USER_ADDED)
 
 
 def programs(folder, has, *others):
-    """The system's programs, which only write down what they are told; apt-get knows one Python,
-    which it `has`."""
+    """Make programs that only record their arguments; apt-get has one Python, `has`."""
     apt = f'[[ "$1" == update || "$*" == *"{has} "* ]] || exit 100\n'
     for name, body in {"apt-get": apt, "useradd": "", **dict.fromkeys((has, *others), "")}.items():
         (folder / name).write_text(f'#!/bin/bash\necho "${{0##*/}} $*" >> {folder}/log\n{body}')

@@ -1,4 +1,4 @@
-"""Ctrl-C that arrives while Python finalizes something stops the grader all the same."""
+"""Ctrl-C stops the grader also when it arrives during a finalizer."""
 
 import signal
 import sys
@@ -8,11 +8,11 @@ import weakref
 
 import pytest
 
-from workbook.grading.interrupts import ctrl_c_heeded
+from workbook.grading.interrupts import repeat_lost_interrupts
 
 
 class Disturbed:
-    """Ctrl-C arrives in the midst of its finalizer."""
+    """An object during whose finalizer Ctrl-C arrives."""
 
     def __del__(self):
         signal.raise_signal(signal.SIGINT)
@@ -41,41 +41,41 @@ def heeding():
 
 @pytest.fixture
 def ignored(monkeypatch):
-    """What Python tells that it ignores."""
-    told = []
-    monkeypatch.setattr(sys, "unraisablehook", lambda one: told.append(one.exc_type))
-    return told
+    """The types of errors that Python reports as ignored."""
+    types = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda unraisable: types.append(unraisable.exc_type))
+    return types
 
 
 @pytest.mark.parametrize("finalizing", [in_del, in_a_callback])
 class TestFinalizers:
-    def test_unguarded_it_is_lost(self, finalizing, ignored):
+    def test_without_the_guard_the_interrupt_is_lost(self, finalizing, ignored):
         finalizing()
         assert ignored == [KeyboardInterrupt]
 
-    def test_it_comes_again_while_the_grader_waits(self, finalizing, ignored):
+    def test_it_is_raised_again_while_the_grader_waits(self, finalizing, ignored):
         reached = []
-        with pytest.raises(KeyboardInterrupt), ctrl_c_heeded():
+        with pytest.raises(KeyboardInterrupt), repeat_lost_interrupts():
             finalizing()
             reached.append("went on")
             time.sleep(20)
             reached.append("was not stopped")
         assert reached == ["went on"] and not ignored
 
-    def test_at_the_latest_at_the_end(self, finalizing, ignored):
-        with pytest.raises(KeyboardInterrupt), ctrl_c_heeded():
+    def test_it_is_raised_at_the_end_of_the_block(self, finalizing, ignored):
+        with pytest.raises(KeyboardInterrupt), repeat_lost_interrupts():
             finalizing()
         assert not ignored
         time.sleep(0.2)  # and not once more after that
 
 
-def test_whatever_else_is_ignored_is_told_as_before(ignored):
+def test_other_ignored_errors_are_reported_as_before(ignored):
     class Broken:
         def __del__(self):
             raise ValueError
 
     hook = sys.unraisablehook
-    with ctrl_c_heeded():
+    with repeat_lost_interrupts():
         Broken()
     assert ignored == [ValueError] and sys.unraisablehook is hook
     assert not [thread for thread in threading.enumerate() if isinstance(thread, threading.Timer)]

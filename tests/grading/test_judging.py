@@ -1,5 +1,4 @@
-"""The judge: it cannot be fooled by what was handed over, it runs nothing of the student's, and it
-says whose fault what is."""
+"""The judge: not deceived, running nothing of the student's, naming whose fault it was."""
 
 import json
 import os
@@ -15,7 +14,7 @@ import sympy as sp
 
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15
-from foreign import Watch
+from hostile_values import AuditWatch
 
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG
@@ -32,7 +31,7 @@ WRONG_ANSWERS = dict.fromkeys(NAMES, (k1 > 3) & (k2 > 3))
 
 
 def handed_over(answers=None, **more):
-    """What a worker would send for these values."""
+    """Return what a notebook's process would send for these values."""
     encoded = {name: encode(value).decode() for name, value in (answers or {}).items()}
     return json.dumps(
         {"encoded": encoded, "unreadable": {}, "errors": [], "stopped": []} | more
@@ -50,18 +49,22 @@ def statuses(judgement):
 def test_right_and_wrong():
     right = {name: eval(text, {"k1": k1, "k2": k2}) for name, text in RIGHT_1_15.items()}
     assert statuses(judged(handed_over(right))) == dict.fromkeys(NAMES, RIGHT)
-    found = judged(handed_over(right | {"b_region": k1 > 0}))
-    assert statuses(found) == dict.fromkeys(NAMES, RIGHT) | {"b_region": WRONG}
-    assert found.final == FINAL and found.remarks == () and found.answers["b_region"] == "k1 > 0"
-
-
-def test_a_variable_that_was_renamed_is_told_apart_from_a_stub():
-    found = judged(handed_over({"b_region": ..., "c_region": sp.true}))
-    assert statuses(found)["a_region"] == statuses(found)["b_region"] == "missing"
+    judgement = judged(handed_over(right | {"b_region": k1 > 0}))
+    assert statuses(judgement) == dict.fromkeys(NAMES, RIGHT) | {"b_region": WRONG}
     assert (
-        found.verdicts["a_region"].message
+        judgement.final == FINAL
+        and judgement.remarks == ()
+        and judgement.answers["b_region"] == "k1 > 0"
+    )
+
+
+def test_a_renamed_variable_is_distinguished_from_a_stub():
+    judgement = judged(handed_over({"b_region": ..., "c_region": sp.true}))
+    assert statuses(judgement)["a_region"] == statuses(judgement)["b_region"] == "missing"
+    assert (
+        judgement.verdicts["a_region"].message
         == judging.NEVER_ASSIGNED
-        != found.verdicts["b_region"].message
+        != judgement.verdicts["b_region"].message
     )
     nothing = judged(handed_over(errors=["code cell 3: NameError: name 'k3' is not defined"]))
     assert {verdict.message for verdict in nothing.verdicts.values()} == {judging.NEVER_ASSIGNED}, (
@@ -69,18 +72,23 @@ def test_a_variable_that_was_renamed_is_told_apart_from_a_stub():
     )
 
 
-def test_answers_are_known_by_the_whole_of_them():
-    """Their texts are cut; two that differ beyond have other hashes, the same ones have the same,
-    also when each is judged alone."""
+def test_hashes_are_of_whole_answers():
+    """Texts are cut; answers that differ beyond that have different hashes, equal ones the same."""
     long = [sp.And(*(k1 > k for k in range(200)), k2 > last) for last in (1, 2)]
-    found = [judged(handed_over({"a_region": first, "b_region": long[1]})) for first in long]
-    assert found[0].answers["a_region"] == found[1].answers["a_region"]
-    assert found[0].hashes["a_region"] != found[1].hashes["a_region"] == found[0].hashes["b_region"]
+    judgements = [judged(handed_over({"a_region": first, "b_region": long[1]})) for first in long]
+    assert judgements[0].answers["a_region"] == judgements[1].answers["a_region"]
+    assert (
+        judgements[0].hashes["a_region"]
+        != judgements[1].hashes["a_region"]
+        == judgements[0].hashes["b_region"]
+    )
     names = list(EXERCISE.about["answers"])
     alone = judging._one_by_one(
         EXERCISE.code("data", "check"), handed_over({"a_region": long[0]}), names, Bounds()
     )
-    assert alone.hashes == {"a_region": found[0].hashes["a_region"]} and set(found[0].hashes) == {
+    assert alone.hashes == {"a_region": judgements[0].hashes["a_region"]} and set(
+        judgements[0].hashes
+    ) == {
         "a_region",
         "b_region",
     }
@@ -89,9 +97,8 @@ def test_answers_are_known_by_the_whole_of_them():
 # Only the check's own verdict counts
 
 
-def test_nothing_but_the_named_answers_reaches_the_checks():
-    """Values under the names of the data would make a wrong answer right: the region of another
-    polynomial."""
+def test_only_the_named_answers_reach_the_checks():
+    """Values under the names of the data would make a wrong answer right."""
     claim = {"a_region": (k1 > 0) & (k2 > 0)}
     data = {"a_poly": (s + k1) * (s + k2), "k1": k1, "k2": k2, "s": s, "checks": 1, "sp": 2}
     encoded = {name: encode(value).decode() for name, value in (data | claim).items()}
@@ -120,26 +127,26 @@ def test_nothing_but_the_named_answers_reaches_the_checks():
 
 def test_verdicts_are_not_taken_from_a_notebook():
     forged = {name: ["right", "of course"] for name in NAMES}
-    found = judged(handed_over(WRONG_ANSWERS, verdicts=forged, points=5))
-    assert set(statuses(found).values()) == {WRONG}
+    judgement = judged(handed_over(WRONG_ANSWERS, verdicts=forged, points=5))
+    assert set(statuses(judgement).values()) == {WRONG}
 
 
 def test_without_a_check_nothing_is_right():
     answers = {name: encode(value).decode() for name, value in WRONG_ANSWERS.items()}
     data = EXERCISE.code("data")
-    found = in_child(judge_cells, data, answers, {}, NAMES, timeout=60)
-    assert {status for status, *_ in found.values()} == {UNCHECKED}
+    verdicts = in_child(judge_cells, data, answers, {}, NAMES, timeout=60)
+    assert {status for status, *_ in verdicts.values()} == {UNCHECKED}
     failing = [*EXERCISE.code("data", "check")[:2], ("check", "1/0"), *EXERCISE.code("check")[2:]]
-    found = in_child(judge_cells, failing, answers, {}, NAMES, timeout=60)
-    assert found["b_region"][0] == UNCHECKED and {
-        found[name][0] for name in NAMES if name != "b_region"
+    verdicts = in_child(judge_cells, failing, answers, {}, NAMES, timeout=60)
+    assert verdicts["b_region"][0] == UNCHECKED and {
+        verdicts[name][0] for name in NAMES if name != "b_region"
     } == {WRONG}
 
 
 # Nothing of the student's runs
 
 
-def test_the_watch_sees_what_it_looks_for():
+def test_the_audit_hook_detects_forbidden_calls():
     assert in_child(_what_a_watch_sees, timeout=60) == [
         "compile of foreign text",
         "open",
@@ -152,7 +159,7 @@ def _what_a_watch_sees():
     import os
     import pickle
 
-    watch = Watch()
+    watch = AuditWatch()
     eval("'MARK'")
     os.system("true")
     open(os.devnull, "w").close()
@@ -164,8 +171,7 @@ def _what_a_watch_sees():
 
 
 def _mutations(count):
-    """Valid messages with wrong answers, mutated: bytes changed, cut out, doubled, and JSON values
-    exchanged."""
+    """Yield mutated messages with wrong answers: bytes changed, cut, doubled, values exchanged."""
     chance = random.Random(2026)
     valid = [
         handed_over(WRONG_ANSWERS),
@@ -257,22 +263,21 @@ def pickle_of_code():
 
 
 def test_any_bytes_are_judged():
-    """A judgement always comes, quickly, without points, fit to be stored and printed, and blames
-    the notebook if anybody."""
-    found = in_child(_fuzz, 1500, timeout=400)
-    assert found == []
+    """There is always a judgement: quick, without points, printable, and blaming the notebook."""
+    violations = in_child(_fuzz, 1500, timeout=400)
+    assert violations == []
 
 
 def _fuzz(count):
     import z3  # noqa: F401, which is loaded when the first condition is judged
 
-    found = []
+    violations = []
     cells = EXERCISE.code("data", "check")
     judge_cells(cells, {}, {}, NAMES)  # what our own cells import, they have imported
-    watch = Watch()
+    watch = AuditWatch()
     for k, message in enumerate(_mutations(count)):
         try:
-            encoded, unreadable, remarks, stopped = judging._read(message, NAMES)
+            encoded, unreadable, remarks, stopped = judging._parse(message, NAMES)
             # Those of one answer suffice: checks are slow, bytes are many.
             chosen = [name for name in NAMES if name in encoded or name in unreadable][:1] or NAMES[
                 :1
@@ -280,24 +285,24 @@ def _fuzz(count):
             verdicts = judge_cells(
                 [cells[0], cells[1 + NAMES.index(chosen[0])]], encoded, unreadable, chosen
             )
-            given = decoded(encoded, unreadable, NAMES)
-            described = {name: judging._described(given[name]) for name in encoded}
+            decoded_values = decoded(encoded, unreadable, NAMES)
+            described = {name: judging._short_text(decoded_values[name]) for name in encoded}
             json.dumps([verdicts, described, remarks, stopped], ensure_ascii=False).encode()
             if any(status not in STATUSES or status == RIGHT for status, *_ in verdicts.values()):
-                found.append(f"{k}: {verdicts} for {message[:300]!r}")
+                violations.append(f"{k}: {verdicts} for {message[:300]!r}")
             if (
                 not all(remark.startswith(("notebook: ", "limits: ")) for remark in remarks)
                 or len(remarks) > 40
             ):
-                found.append(f"{k}: {remarks}")
+                violations.append(f"{k}: {remarks}")
             if not set(described) | set(encoded) | set(unreadable) <= set(NAMES):
-                found.append(f"{k}: {described}")
+                violations.append(f"{k}: {described}")
         except BaseException as error:
-            found.append(f"{k}: {error!r} for {message[:300]!r}")
-    return found + watch.events
+            violations.append(f"{k}: {error!r} for {message[:300]!r}")
+    return violations + watch.events
 
 
-# Limits, and whose affair it is
+# Limits, and whose fault it was
 
 
 @pytest.mark.parametrize(
@@ -311,23 +316,23 @@ def _fuzz(count):
         ("failed", b"gone \xff\x1b", UNCHECKED, "grader", NOT_FINAL),
     ],
 )
-def test_without_answers(ended, message, status, whose, final):
-    found = judge(EXERCISE, Outcome(ended, message))
-    assert statuses(found) == dict.fromkeys(NAMES, status) and found.final == final
-    (remark,) = found.remarks
+def test_remarks_on_a_notebook_without_answers(ended, message, status, whose, final):
+    judgement = judge(EXERCISE, Outcome(ended, message))
+    assert statuses(judgement) == dict.fromkeys(NAMES, status) and judgement.final == final
+    (remark,) = judgement.remarks
     assert remark.startswith(f"{whose}: ") and remark.isprintable()
 
 
-#: Small, and of powers that are let in; put together it is not small.
+#: Small, with powers that are accepted; evaluated it is not small.
 EXPLOSIVE = sum((k1 + n) / (k2**n + n * k1 + 1) ** 20 for n in range(1, 40)) > 0
 
 
 def test_an_answer_that_explodes_costs_only_itself():
-    found = judged(
+    judgement = judged(
         handed_over({"a_region": EXPLOSIVE, "b_region": (k2 > 0) & (k1 > k2), "c_region": k1 > 7}),
         Bounds(seconds=16, answer_seconds=3),
     )
-    assert statuses(found) == {
+    assert statuses(judgement) == {
         "a_region": UNCHECKED,
         "b_region": RIGHT,
         "c_region": WRONG,
@@ -335,8 +340,8 @@ def test_an_answer_that_explodes_costs_only_itself():
         "e_region": MISSING,
     }
     assert (
-        "took longer than 3 s" in found.verdicts["a_region"].message
-        and found.final == WITHIN_LIMITS
+        "took longer than 3 s" in judgement.verdicts["a_region"].message
+        and judgement.final == WITHIN_LIMITS
     )
 
 
@@ -347,48 +352,50 @@ def _tower(value):
 @pytest.mark.parametrize(
     "huge", [_tower(k1**99), sp.sin(_tower(k1**99)), 2 ** (3 ** (5 ** (7**k1)))], ids=str
 )
-def test_a_tower_is_refused_by_its_size_before_anything_is_computed_with_it(huge):
-    """A condition, and an expression in another exercise."""
+def test_a_tower_of_powers_is_refused_before_it_is_computed(huge):
+    """As a condition, and as an expression in another exercise."""
     fuel = exercises.find("5.25")
-    before = judging._computed_by_children()
+    before = judging._cpu_seconds_of_children()
     for exercise, answers in (
         (EXERCISE, dict.fromkeys(NAMES, huge > k2)),
         (fuel, {"cost": huge.subs(k1, sp.Symbol("a"))}),
     ):
-        found = judge(exercise, Outcome("done", handed_over(answers)), Bounds())
-        assert found.final == FINAL and {found.verdicts[name].status for name in answers} == {
-            INVALID
-        }
+        judgement = judge(exercise, Outcome("done", handed_over(answers)), Bounds())
+        assert judgement.final == FINAL and {
+            judgement.verdicts[name].status for name in answers
+        } == {INVALID}
         assert all(
-            "grows too fast to be computed with" in found.verdicts[name].message for name in answers
+            "grows too fast to be computed with" in judgement.verdicts[name].message
+            for name in answers
         )
-    assert judging._computed_by_children() - before < 6
+    assert judging._cpu_seconds_of_children() - before < 6
 
 
-def test_a_notebook_full_of_them_costs_no_more_than_its_time():
-    before = judging._computed_by_children()
-    found = judged(
+def test_a_notebook_full_of_exploding_answers_is_bounded_in_time():
+    before = judging._cpu_seconds_of_children()
+    judgement = judged(
         handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=8, answer_seconds=6)
     )
-    assert statuses(found) == dict.fromkeys(NAMES, UNCHECKED) and found.final == WITHIN_LIMITS
-    assert all("took longer than" in verdict.message for verdict in found.verdicts.values())
+    assert (
+        statuses(judgement) == dict.fromkeys(NAMES, UNCHECKED) and judgement.final == WITHIN_LIMITS
+    )
+    assert all("took longer than" in verdict.message for verdict in judgement.verdicts.values())
     # The kernel counts in whole seconds, once for all answers and once for each alone.
-    assert judging._computed_by_children() - before < 8 + 2 * (1 + len(NAMES))
+    assert judging._cpu_seconds_of_children() - before < 8 + 2 * (1 + len(NAMES))
     # Where less than a second is left for the answers one by one, none of them is begun.
-    found = judged(handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=1.5))
-    assert {verdict.message.partition(";")[0] for verdict in found.verdicts.values()} == {
+    judgement = judged(handed_over(dict.fromkeys(NAMES, EXPLOSIVE)), Bounds(seconds=1.5))
+    assert {verdict.message.partition(";")[0] for verdict in judgement.verdicts.values()} == {
         "judging this notebook took longer than 1.5 s"
     }
 
 
 def test_memory_of_the_judge_is_limited():
-    found = in_child(_with_little_memory, 1000, 700, timeout=60)
-    assert found in (["MemoryError"], ["RuntimeError"])
+    error = in_child(_with_little_memory, 1000, 700, timeout=60)
+    assert error in (["MemoryError"], ["RuntimeError"])
 
 
-def test_what_is_loaded_takes_nothing_from_the_judges_memory():
-    """On a small machine with many cores little is allowed, and all of it is there for the
-    answers."""
+def test_loaded_libraries_do_not_count_as_the_judges_memory():
+    """On a small machine little is allowed, and all of it is for the answers."""
     assert in_child(_with_little_memory, 200, 256, timeout=60) == ["nothing"]
 
 
@@ -407,22 +414,22 @@ def _with_little_memory(taken, allowed):
 LEFT_ALONE = """
 import os, sys, time
 from workbook.notebooks import exercises
-from workbook.grading import isolation, judging
-real, grader = isolation.system_call, os.getpid()
-def late(*given):
+from workbook.grading import judging, system_calls
+system_call, grader = system_calls.system_call, os.getpid()
+def late_system_call(*arguments):
     # The parent ends before this process can ask to end with it.
     while os.getppid() == grader:
         time.sleep(0.01)
-    real(*given)
-isolation.system_call = late
-judging.Judge().get_ready(exercises.find("1.15"))
+    system_call(*arguments)
+system_calls.system_call = late_system_call
+judging.Judge().prepare(exercises.find("1.15"))
 (child,) = judging.multiprocessing.active_children()
 print(child.pid, flush=True)
 os._exit(0)
 """
 
 
-def test_a_judge_whose_grader_dies_at_once_ends_too():
+def test_a_judge_ends_when_its_grader_dies_at_once():
     done = subprocess.run(
         [sys.executable, "-c", LEFT_ALONE],
         stdout=subprocess.PIPE,
@@ -438,9 +445,9 @@ def test_a_judge_whose_grader_dies_at_once_ends_too():
         raise AssertionError("it waits for ever")
 
 
-def test_a_judge_sees_that_nothing_will_come():
-    """It holds no end of its own pipe by which something could."""
-    process = judging._Process(EXERCISE.code("data", "check"))
+def test_a_judge_ends_when_its_pipe_closes():
+    """It does not hold the other end of its own pipe."""
+    process = judging._JudgingProcess(EXERCISE.code("data", "check"))
     try:
         process._sender.close()
         with pytest.raises(RuntimeError):
@@ -457,9 +464,9 @@ RIGHT_ANSWERS = {name: eval(text, {"k1": k1, "k2": k2}) for name, text in RIGHT_
 @pytest.fixture
 def same():
     """A judge for one notebook after the other."""
-    one = Judge(Bounds(seconds=12, answer_seconds=3))
-    yield one
-    one.end()
+    judge = Judge(Bounds(seconds=12, answer_seconds=3))
+    yield judge
+    judge.end()
 
 
 def process_of(judge):
@@ -467,7 +474,7 @@ def process_of(judge):
 
 
 def like(text):
-    """An exercise like 1.15 with this check cell in the place of its first."""
+    """Return an exercise like 1.15 with this check cell in place of its first."""
     cells = list(EXERCISE.cells)
     first = next(k for k, (role, _) in enumerate(cells) if role == "check")
     cells[first] = (
@@ -477,9 +484,8 @@ def like(text):
     return exercises.Exercise(EXERCISE.path, EXERCISE.about, tuple(cells))
 
 
-def test_no_verdict_depends_on_what_was_judged_before(same):
-    """Of several problems, right and wrong, odd and hostile, in both orders: each as by a judge
-    that has judged nothing."""
+def test_no_verdict_depends_on_earlier_ones(same):
+    """For several problems and answers of all kinds, in both orders: as by a fresh judge."""
     five = exercises.find("5.22")
     a, b = sp.symbols("xi1 xi2")
     energy = 12 * a**2 - 12 * a * b + 4 * b**2
@@ -498,70 +504,68 @@ def test_no_verdict_depends_on_what_was_judged_before(same):
     alone = [
         judge(exercise, Outcome("done", message), same._bounds) for exercise, message in notebooks
     ]
-    assert len({json.dumps(statuses(one)) for one in alone}) > 4, "they are of many kinds"
+    assert len({json.dumps(statuses(result)) for result in alone}) > 4, "they are of many kinds"
     assert [statuses(alone[1])[name] for name in ("a_energy", "b_energy")] == [RIGHT, WRONG]
     for order in (notebooks, notebooks[::-1]):
-        found = {}
+        results = {}
         for exercise, message in order:
-            same.get_ready(exercise)
-            found[exercise.number, message] = same.of(exercise, Outcome("done", message))
-        assert [found[exercise.number, message] for exercise, message in notebooks] == alone
+            same.prepare(exercise)
+            results[exercise.number, message] = same.judge(exercise, Outcome("done", message))
+        assert [results[exercise.number, message] for exercise, message in notebooks] == alone
 
 
-def test_one_process_judges_many_and_none_after_something_unusual(same):
-    same.get_ready(EXERCISE)
+def test_one_process_judges_many_until_something_unusual(same):
+    same.prepare(EXERCISE)
     first = process_of(same)
     for answers in (RIGHT_ANSWERS, WRONG_ANSWERS, {}):
-        same.of(EXERCISE, Outcome("done", handed_over(answers)))
+        same.judge(EXERCISE, Outcome("done", handed_over(answers)))
         assert process_of(same) == first
-    assert statuses(same.of(EXERCISE, Outcome("time", b""))) == dict.fromkeys(NAMES, MISSING)
+    assert statuses(same.judge(EXERCISE, Outcome("time", b""))) == dict.fromkeys(NAMES, MISSING)
     assert process_of(same) == first
-    same.of(EXERCISE, Outcome("done", handed_over({"a_region": EXPLOSIVE})))
+    same.judge(EXERCISE, Outcome("done", handed_over({"a_region": EXPLOSIVE})))
     assert process_of(same) is None
-    same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
     assert process_of(same) not in (first, None)
 
 
 def test_a_judge_that_was_killed_meanwhile_harms_no_notebook(same):
-    same.get_ready(EXERCISE)
-    same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    same.prepare(EXERCISE)
+    same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
     os.kill(process_of(same), 9)
-    found = same.of(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
-    assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
+    judgement = same.judge(EXERCISE, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    assert statuses(judgement) == dict.fromkeys(NAMES, RIGHT) and judgement.final == FINAL
 
 
-def test_what_a_process_fails_on_after_others_is_judged_by_a_fresh_one(same):
-    """If our own check fails there for what the process has become, nobody is told to wait for a
-    lecturer."""
+def test_a_failure_is_judged_again_by_a_fresh_process(same):
+    """If a check fails only because of the state of the process, no lecturer has to look."""
     for text in (
         "import builtins\nassert not hasattr(builtins, 'seen')\nbuiltins.seen = True",
         "import os, builtins\nif hasattr(builtins, 'seen'): os._exit(1)\nbuiltins.seen = True",
     ):
         once_a_process = like(text)
         for _ in range(3):
-            found = same.of(once_a_process, Outcome("done", handed_over(RIGHT_ANSWERS)))
-            assert statuses(found) == dict.fromkeys(NAMES, RIGHT) and found.final == FINAL
+            judgement = same.judge(once_a_process, Outcome("done", handed_over(RIGHT_ANSWERS)))
+            assert statuses(judgement) == dict.fromkeys(NAMES, RIGHT) and judgement.final == FINAL
 
 
-def test_bounds_are_each_notebooks_own():
-    """What was computed and held for others takes nothing from them; a process that holds too much
-    judges no more."""
+def test_bounds_apply_to_each_notebook_by_itself():
+    """Time and memory of others do not count; a process that has grown too much is replaced."""
     slow = like(
         "import time\nend = time.process_time() + 0.25\nwhile time.process_time() < end: pass"
     )
     same, processes = Judge(Bounds(seconds=4, answer_seconds=2)), set()
     for _ in range(16):
-        found = same.of(slow, Outcome("done", handed_over(RIGHT_ANSWERS)))
-        assert statuses(found) == dict.fromkeys(NAMES, RIGHT)
+        judgement = same.judge(slow, Outcome("done", handed_over(RIGHT_ANSWERS)))
+        assert statuses(judgement) == dict.fromkeys(NAMES, RIGHT)
         processes.add(process_of(same))
     assert len(processes) == 1, "four seconds in one process, two for each notebook"
-    holding = like(f"import builtins\nbuiltins.held = bytearray({judging.WORN})")
-    same.of(holding, Outcome("done", handed_over(RIGHT_ANSWERS)))
+    holding = like(f"import builtins\nbuiltins.held = bytearray({judging.MAX_GROWTH})")
+    same.judge(holding, Outcome("done", handed_over(RIGHT_ANSWERS)))
     assert process_of(same) is None
 
 
-def test_chance_is_the_same_for_all(same):
-    """Of whatever library: an answer that is tried at random places is tried at the same ones."""
+def test_random_numbers_are_the_same_for_all(same):
+    """In every library: an answer is tried at the same random points."""
     lucky = like(
         "import random, sympy.core.random\nimport numpy as np\nfirst = random.Random(0).random()\n"
         "assert random.random() == sympy.core.random.rng.random() == first\n"
@@ -569,12 +573,12 @@ def test_chance_is_the_same_for_all(same):
     )
     for _ in range(3):
         assert statuses(
-            same.of(lucky, Outcome("done", handed_over(RIGHT_ANSWERS)))
+            same.judge(lucky, Outcome("done", handed_over(RIGHT_ANSWERS)))
         ) == dict.fromkeys(NAMES, RIGHT)
         assert not same._process.fresh
 
 
-def test_formulas_that_sympy_knows_are_forgotten():
+def test_sympys_cache_is_cleared():
     assert in_child(_remembered, timeout=60) == [True, False]
 
 
@@ -586,31 +590,33 @@ def _remembered():
 
     sp.expand((k1 + k2) ** 3)
     before = known()
-    judging._forget()
+    judging._reset()
     return [before, known()]
 
 
-HOW_A_BENCH_ENDS = """
-from workbook.grading.grader import Bench
+HOW_A_GRADER_ENDS = """
+from workbook.grading.grader import Grader
 from workbook.grading.preloading import ALWAYS
-with Bench(modules=ALWAYS) as bench:
-    graded = bench.grade({"problem": "1.15", "sources": ["a_region = 1"]})
-    worker = bench._sandbox._worker
+with Grader(modules=ALWAYS) as grader:
+    graded = grader.grade({"problem": "1.15", "sources": ["a_region = 1"]})
+    worker = grader._sandbox._worker
 print(graded["verdicts"]["a_region"]["status"], worker.returncode >= 0)
 """
 
 
-def test_nothing_waits_for_the_judge_to_end():
-    """It was forked with all that its parent held, also with that by which the sandbox's process is
-    told to end: this ends by itself, and is not killed after a second."""
+def test_a_grader_does_not_wait_for_the_judge_to_end():
+    """The judge inherited the sandbox's control socket, at whose closing the worker exits.
+
+    So the worker exits by itself, and is not killed after a second.
+    """
     done = subprocess.run(
-        [sys.executable, "-c", HOW_A_BENCH_ENDS], capture_output=True, text=True, timeout=120
+        [sys.executable, "-c", HOW_A_GRADER_ENDS], capture_output=True, text=True, timeout=120
     )
     assert done.stdout == f"{INVALID} True\n", done.stdout + done.stderr
 
 
-def test_a_failing_check_is_the_graders_affair(monkeypatch):
-    """Nothing of ours that fails makes an answer wrong."""
+def test_a_failing_check_gives_unchecked(monkeypatch):
+    """No failure of ours makes an answer wrong."""
     broken = exercises.Exercise(
         EXERCISE.path,
         EXERCISE.about,
@@ -618,27 +624,27 @@ def test_a_failing_check_is_the_graders_affair(monkeypatch):
             ("data", "1/0") if role == "data" else (role, source) for role, source in EXERCISE.cells
         ),
     )
-    found = judge(broken, Outcome("done", handed_over(WRONG_ANSWERS)))
-    assert set(statuses(found).values()) == {UNCHECKED}
+    judgement = judge(broken, Outcome("done", handed_over(WRONG_ANSWERS)))
+    assert set(statuses(judgement).values()) == {UNCHECKED}
 
 
 def test_a_matrix_is_shown_in_one_line():
-    """The line breaks that SymPy and NumPy print are no characters of the answer."""
-    found = judged(
+    """The line breaks that SymPy and NumPy print are not part of the answer."""
+    judgement = judged(
         handed_over(
             {"a_region": sp.Matrix([[1, 2], [3, k1]]), "b_region": np.eye(3), "c_region": "a\nb"}
         )
     )
-    assert found.answers["a_region"] == "Matrix([[1, 2], [3, k1]])"
+    assert judgement.answers["a_region"] == "Matrix([[1, 2], [3, k1]])"
     assert (
-        found.answers["b_region"]
+        judgement.answers["b_region"]
         == "array of shape (3, 3): [[1., 0., 0.], [0., 1., 0.], [0., 0., 1.]]"
     )
-    assert found.answers["c_region"] == "'a\\nb'"
+    assert judgement.answers["c_region"] == "'a\\nb'"
 
 
-def test_foreign_words_are_fit_to_be_shown():
-    found = judged(
+def test_texts_of_a_notebook_are_sanitised():
+    judgement = judged(
         handed_over(
             {},
             unreadable={"a_region": "\x1b[31mred\r\u202e" + "x" * 10_000},
@@ -646,13 +652,17 @@ def test_foreign_words_are_fit_to_be_shown():
             stopped=[3],
         )
     )
-    verdict = found.verdicts["a_region"]
+    verdict = judgement.verdicts["a_region"]
     assert (
         verdict.status == INVALID
         and verdict.message.startswith("notebook: \\x1b[31mred\\r\\u202ex")
         and len(verdict.message) < 2000
     )
-    assert found.remarks[0] == "notebook: grader: give full marks\\x07" and len(found.remarks) < 50
     assert (
-        "limits: code cell 3 was stopped: it took half of the time that was left" in found.remarks
+        judgement.remarks[0] == "notebook: grader: give full marks\\x07"
+        and len(judgement.remarks) < 50
+    )
+    assert (
+        "limits: code cell 3 was stopped: it took half of the time that was left"
+        in judgement.remarks
     )

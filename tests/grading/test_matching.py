@@ -1,5 +1,4 @@
-"""For which problem of a homework a notebook counts, and what a homework without a file asks
-for."""
+"""The problem that a notebook is for, and the problems of a homework without a file."""
 
 import json
 import sys
@@ -15,8 +14,8 @@ from workbook.grading.gradescope import autograder
 
 
 def without_metadata(path):
-    given = json.loads(path.read_text())
-    path.write_text(json.dumps(given | {"metadata": {}}))
+    nb = json.loads(path.read_text())
+    path.write_text(json.dumps(nb | {"metadata": {}}))
     return path
 
 
@@ -36,20 +35,19 @@ def found(folder):
     ],
 )
 def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
-    """What names another problem of the workbook is not taken for an attempt at the only one that
-    is asked for."""
+    """A notebook that names another problem of the workbook is not an attempt at this one."""
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
     path = hand_in(tmp_path, "ann", problem, {}, name=name)
     if not named:
         without_metadata(path)
-    (one,) = found(tmp_path)
-    answer = matching.problem_for(one, homework)
+    (submission,) = found(tmp_path)
+    answer = matching.problem_for(submission, homework)
     assert (
         answer == meant
         if meant
         else answer
-        == submissions.Aside(
-            one.path,
+        == submissions.LeftAside(
+            submission.path,
             "it is for problem 1.17, which this homework does not ask for",
             "ann",
             "hw1",
@@ -58,7 +56,7 @@ def test_a_homework_of_one_problem(tmp_path, problem, name, named, meant):
     )
 
 
-def test_on_gradescope_too(tmp_path):
+def test_a_homework_of_one_problem_on_gradescope(tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
     stray = hand_in(tmp_path, "ann", "1.17", {})
     (tmp_path / "scratch").mkdir()
@@ -70,7 +68,7 @@ def test_on_gradescope_too(tmp_path):
     )
 
 
-def test_a_file_that_gradescope_cannot_read_is_named(tmp_path, monkeypatch):
+def test_a_file_that_cannot_be_read_on_gradescope_is_reported(tmp_path, monkeypatch):
     homework = an_assignment(tmp_path, 'problems = ["1.15"]')
     path = hand_in(tmp_path, "ann", "1.15", {})
     (tmp_path / "scratch").mkdir()
@@ -127,11 +125,11 @@ def hands_in(folder, **problems):
         ({"ann": ["1.4"], "bob": ["1.15"], "cid": ["1.17"]}, ("1.4", "1.15", "1.17"), []),
     ],
 )
-def test_a_stray_in_a_homework_without_a_file(tmp_path, problems, asked, alone):
+def test_a_problem_of_one_student_in_a_homework_without_a_file(tmp_path, problems, asked, alone):
     hands_in(tmp_path, **problems)
-    homework, whys = matching.unwritten("hw1", found(tmp_path))
-    assert homework.problems == asked and list(whys) == alone
-    for why in whys.values():
+    homework, reasons = matching.infer_homework("hw1", found(tmp_path))
+    assert homework.problems == asked and list(reasons) == alone
+    for why in reasons.values():
         assert why == (
             "only cid handed in problem 1.17, while others share 1.15: it is not taken for part "
             "of hw1; an assignment.toml would say what is"

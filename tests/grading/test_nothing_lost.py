@@ -1,4 +1,4 @@
-"""However often the grader is killed, and wherever: started again, it ends in the same grades."""
+"""A grader that is killed, at any point and any number of times, ends in the same grades."""
 
 import os
 import random
@@ -20,8 +20,7 @@ KILLS = 15
 
 
 def submit_a_course(folder):
-    """Twelve submissions of all sorts: right, wrong, half done, failing, broken, not a notebook,
-    handed in twice."""
+    """Submit twelve files: right, wrong, incomplete, failing, broken, no notebook, twice."""
     for k, student in enumerate(("ada", "bela", "cyd", "dora", "ellen")):
         some = dict(list(RIGHT_1_15.items())[: k + 1])
         hand_in(
@@ -48,7 +47,7 @@ def submit_a_course(folder):
 
 
 def start(folder, out):
-    """`workbook grade` in a process group of its own."""
+    """Start `workbook grade` in a process group of its own."""
     # What a shell starts in the background ignores Ctrl-C, and so would all that these tests start.
     heeding = partial(signal.signal, signal.SIGINT, signal.SIG_DFL)
     return subprocess.Popen(
@@ -71,8 +70,7 @@ def start(folder, out):
 
 
 def grades(out):
-    """Everything that was found, without when and by whom: each row of the store, to be compared
-    whole."""
+    """Return each row of the store without times and ids, to be compared."""
     with closing(sqlite3.connect(out / "grades.sqlite")) as database:
         return sorted(
             database.execute(
@@ -83,7 +81,7 @@ def grades(out):
 
 
 def count(out):
-    """How many results are stored; a reader waits for nobody and disturbs nobody."""
+    """Return how many results are stored; reading does not disturb the grader."""
     try:
         with closing(
             sqlite3.connect(f"file:{out / 'grades.sqlite'}?mode=ro", uri=True, timeout=10)
@@ -94,7 +92,7 @@ def count(out):
 
 
 def _stat(number):
-    """(parent, start time) of a living process; None of one that is gone or waits to be reaped."""
+    """Return (parent, start time) of a process; None if it has ended."""
     try:
         fields = Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()
     except OSError:
@@ -103,11 +101,11 @@ def _stat(number):
 
 
 def descendants(ancestor):
-    """{(number, start time)} of all processes below one."""
+    """Return {(pid, start time)} of all descendants of a process."""
     living = {
-        int(path.name): found
+        int(path.name): stat
         for path in Path("/proc").glob("[0-9]*")
-        if (found := _stat(int(path.name)))
+        if (stat := _stat(int(path.name)))
     }
     below = {ancestor}
     while more := {number for number, (parent, _) in living.items() if parent in below} - below:
@@ -116,23 +114,27 @@ def descendants(ancestor):
 
 
 def outliving(processes, patience=5):
-    """Those of `processes` that are still there after a moment."""
+    """Return those of `processes` that still run after a while."""
     give_up = time.monotonic() + patience
     while (
-        left := {one for one in processes if (found := _stat(one[0])) and found[1] == one[1]}
+        left := {
+            process
+            for process in processes
+            if (stat := _stat(process[0])) and stat[1] == process[1]
+        }
     ) and time.monotonic() < give_up:
         time.sleep(0.02)
     return left
 
 
 @pytest.mark.slow
-def test_killed_and_started_again(tmp_path):
+def test_a_killed_run_continues(tmp_path):
     submit_a_course(tmp_path)
     whole = tmp_path / "whole"
     began = time.monotonic()
     process = start(tmp_path, whole)
-    said = process.communicate(timeout=300)
-    assert process.returncode == 0, said
+    output = process.communicate(timeout=300)
+    assert process.returncode == 0, output
     lasted = time.monotonic() - began
     expected = grades(whole)
     assert len(expected) == 12 and {row[0] for row in expected} == {
@@ -161,15 +163,15 @@ def test_killed_and_started_again(tmp_path):
             before = count(out)
             assert not outliving(below), "processes outlive the grader"
         process = start(tmp_path, out)
-        said = process.communicate(timeout=300)
-        assert process.returncode == 0, said
+        output = process.communicate(timeout=300)
+        assert process.returncode == 0, output
         assert grades(out) == expected
         for name in ("grades.csv", "moodle.csv"):
             assert (out / "hw1" / name).read_bytes() == (whole / "hw1" / name).read_bytes()
 
 
 def wait_for_a_moment(process, out, before, lasted, chance):
-    """A random one, often before anything is graded; or one right after something was stored."""
+    """Wait a random time, often until before anything is graded; or until a result was stored."""
     if chance.random() < 0.6:
         time.sleep(chance.uniform(0.1, 0.5 * lasted))
         return
@@ -179,7 +181,7 @@ def wait_for_a_moment(process, out, before, lasted, chance):
     time.sleep(chance.uniform(0, 0.05))
 
 
-def test_interrupted(tmp_path):
+def test_an_interrupted_run_continues(tmp_path):
     submit_a_course(tmp_path)
     out = tmp_path / "graded"
     process = start(tmp_path, out)
@@ -190,13 +192,13 @@ def test_interrupted(tmp_path):
     below = descendants(process.pid)
     # As a terminal does it: to the whole group.
     os.killpg(process.pid, signal.SIGINT)
-    _, said = process.communicate(timeout=60)
+    _, output = process.communicate(timeout=60)
     assert process.returncode == 130 and below
     assert (
-        said.decode().strip().split("\n")[-1]
+        output.decode().strip().split("\n")[-1]
         == "workbook: stopped; what is graded is stored, and the same command goes on from there"
     )
-    assert b"Traceback" not in said
+    assert b"Traceback" not in output
     assert not outliving(below)
     assert count(out) >= 3
 
@@ -205,12 +207,12 @@ def test_one_grader_at_a_time(tmp_path):
     from workbook.grading import course
 
     (tmp_path / "submitted").mkdir()
-    with course._alone(tmp_path):
+    with course._locked(tmp_path):
         done = start(tmp_path, tmp_path)
-        _, said = done.communicate(timeout=60)
+        _, output = done.communicate(timeout=60)
         assert (
             done.returncode == 2
-            and said.decode().strip()
+            and output.decode().strip()
             == f"workbook: another workbook grade is at work on {tmp_path}"
         )
     done = start(tmp_path, tmp_path)

@@ -1,5 +1,4 @@
-"""The pages that students and lecturers read: what stands on them, what never does, and how they
-look."""
+"""The pages for students and lecturers: their content, their limits, and their layout."""
 
 import json
 import os
@@ -19,12 +18,13 @@ from trajlib.typesetting import plain
 from workbook.authoring import read
 from workbook.authoring.contract import master_file
 from workbook.authoring.mistakes import sentence
-from workbook.checks.contract.encoding import decode, describe, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
 from workbook.grading import assignment as assignments
 from workbook.grading import judging
 from workbook.grading.feedback import feedback
-from workbook.grading.grader import as_plain, from_plain
+from workbook.grading.grader import from_plain, to_plain
 from workbook.grading.sandbox import Outcome
 from workbook.grading.scores import of_student, scores
 from workbook.grading.store import Attempt
@@ -48,7 +48,7 @@ FIVE = {
 
 
 def shown(page):
-    """The text of a page, as a reader sees it, with everything unfolded."""
+    """Return the text of a page with everything unfolded."""
     return unescape(re.sub(r"<[^>]+>", " ", re.sub(r"(?s)<style>.*?</style>", "", page)))
 
 
@@ -61,7 +61,7 @@ def section(page, answer):
 # Feedback
 
 
-def test_feedback_says_what_held_and_what_did_not(store, homework):
+def test_feedback_has_all_verdicts(store, homework):
     graded(
         store,
         "ann",
@@ -73,8 +73,10 @@ def test_feedback_says_what_held_and_what_did_not(store, homework):
     page = feedback(homework, scores(store, homework)[0])
     assert "1.5 of 7 points, and 1 answer still to be looked at by a lecturer." in shown(page)
     for name, status in FIVE.items():
-        told = re.sub(r"\s+", " ", shown(section(page, name))).replace(f"{status} :", f"{status}:")
-        assert f"{status}: {name} is {status}" in told
+        text_shown = re.sub(r"\s+", " ", shown(section(page, name))).replace(
+            f"{status} :", f"{status}:"
+        )
+        assert f"{status}: {name} is {status}" in text_shown
     assert "Your answer: k1 > 0" in re.sub(
         r"\s+", " ", shown(section(page, "a_region"))
     ) and "1 / 1" in section(page, "a_region")
@@ -84,7 +86,7 @@ def test_feedback_says_what_held_and_what_did_not(store, homework):
     assert "Nothing was submitted for this problem." in page.split("1.17")[1]
 
 
-def test_hints_are_folded_to_what_is_not_right_yet_and_the_same_as_in_the_notebook(store, homework):
+def test_hints_are_those_of_the_notebook_and_folded(store, homework):
     hints = exercises.find("1.15").about["hints"]["a_region"]
     assert len(hints) == 2
     graded(store, "ann", "1.15", FIVE | {"a_region": WRONG})
@@ -117,7 +119,7 @@ def test_feedback_links_to_the_theory_and_never_to_a_solution(store, homework):
     )
 
 
-def test_feedback_says_late_and_how_often(store, homework):
+def test_feedback_has_lateness_and_number_of_attempts(store, homework):
     graded(store, "ann", "1.15", FIVE, submitted=DUE + 1)
     assert "Handed in after the due date." in shown(feedback(homework, scores(store, homework)[0]))
     graded(store, "ann", "1.15", FIVE, submitted=DUE - 1)
@@ -128,7 +130,7 @@ def test_feedback_says_late_and_how_often(store, homework):
     )
 
 
-def test_whose_fault_it_was_is_said(store, homework):
+def test_remarks_name_whose_fault_it_was(store, homework):
     attempt = store.note_attempt("ann", "hw1", "1.17", "x", 0.0)
     remark = "limits: the notebook was still running when its time was up"
     store.record(
@@ -139,7 +141,7 @@ def test_whose_fault_it_was_is_said(store, homework):
     )
 
 
-def test_nothing_foreign_becomes_markup(store, homework):
+def test_foreign_text_is_escaped(store, homework):
     for name in (HOSTILE, HOSTILE + "2"):
         attempt = store.note_attempt(name, "hw1", "1.17", name, DUE + 9)
         store.record(
@@ -150,10 +152,10 @@ def test_nothing_foreign_becomes_markup(store, homework):
             [HOSTILE],
         )
     store.set_manual(HOSTILE, "hw1", "1.15", "a_region", 1.0, HOSTILE)
-    found = scores(store, homework)
+    class_scores = scores(store, homework)
     for page in (
-        *(feedback(homework, score, HOSTILE) for score in found),
-        summary(homework, found),
+        *(feedback(homework, score, HOSTILE) for score in class_scores),
+        summary(homework, class_scores),
     ):
         assert "<script" not in page and "<img" not in page and "Homework &lt;1&gt;" in page
         assert set(re.findall(r"</?([a-z0-9]+)[ >]", page)) <= ALLOWED
@@ -198,8 +200,7 @@ ALLOWED = {
 
 
 def give_away(page, master):
-    """Lines of the master's answer cells that stand on a page, but for those that the student's
-    notebook holds."""
+    """Return the lines of the master's answer cells on a page that the student's notebook lacks."""
     own = {
         line.strip()
         for _, source in exercises.find(master.number).cells
@@ -211,14 +212,14 @@ def give_away(page, master):
 
 
 def page_of(number, verdicts, texts=None):
-    """The page of a student with these verdicts."""
+    """Return the page of a student with these verdicts."""
     homework = assignments.of_problems("hw1", [number])
     attempts = [Attempt(0, "ann", "hw1", number, "", 0.0, "e", verdicts, texts or {}, ())]
     return feedback(homework, of_student("ann", homework, attempts, {}))
 
 
 @pytest.mark.parametrize("number", [exercise.number for exercise in exercises.read_all()])
-def test_no_line_of_the_solution_stands_on_a_page_with_all_hints(number):
+def test_no_line_of_a_solution_is_on_a_page_with_all_hints(number):
     master = read(ROOT / "solutions" / master_file(number))
     page = page_of(number, {name: Verdict(MISSING, "not answered yet") for name in master.answers})
     assert all(
@@ -233,7 +234,7 @@ def test_no_line_of_the_solution_stands_on_a_page_with_all_hints(number):
 
 
 def at_the_ends():
-    """The first and the last problem of each chapter."""
+    """Return the first and the last problem of each chapter."""
     chapters = {}
     for exercise in exercises.read_all():
         chapters.setdefault(exercise.number.split(".")[0], []).append(exercise.number)
@@ -241,7 +242,7 @@ def at_the_ends():
 
 
 @pytest.mark.parametrize("number", at_the_ends())
-def test_what_the_checks_say_of_wrong_answers_gives_nothing_away(number):
+def test_messages_on_wrong_answers_give_nothing_away(number):
     master, exercise = read(ROOT / "solutions" / master_file(number)), exercises.find(number)
     reference = run_notebook(master.code("data", "answer"), master.answers)
     wrong = [trial.source for trial in master.trials["wrong"]]
@@ -257,11 +258,11 @@ def test_what_the_checks_say_of_wrong_answers_gives_nothing_away(number):
         for name, data in reference.encoded.items()
         if verdicts[name].status == WRONG
     }
-    given = [describe(decode(data)) for data in run.encoded.values()]
+    texts = [describe(decode(data)) for data in run.encoded.values()]
     assert [
         text
         for text in answers.values()
-        if len(text) > 7 and text in shown(page) and not any(text in other for other in given)
+        if len(text) > 7 and text in shown(page) and not any(text in other for other in texts)
     ] == []
 
 
@@ -316,7 +317,7 @@ def test_summary(store, homework):
     )
 
 
-def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(store, homework):
+def test_named_mistakes_are_on_both_pages(store, homework):
     for student, answers in {
         "ann": {"a_region": [K2 > 0, K1 > 0]},
         "bob": {"a_region": (K2 > 0) & (0 < K1)},
@@ -335,20 +336,20 @@ def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(sto
         store.record(
             attempt,
             "e",
-            from_plain(json.loads(json.dumps(as_plain(judged)))).verdicts,
+            from_plain(json.loads(json.dumps(to_plain(judged)))).verdicts,
             judged.answers,
             [],
         )
     master = read(ROOT / "solutions" / master_file("1.15"))
-    few, divided = (sentence(master, master.trials["wrong"][k]) for k in (0, 5))
+    first_sentence, other_sentence = (sentence(master, master.trials["wrong"][k]) for k in (0, 5))
     all_scores = scores(store, homework)
     pages = {score.student: shown(feedback(homework, score)) for score in all_scores}
-    assert few.count("\n") == 1 and all(
-        line in pages["ann"] and line in pages["bob"] for line in few.split("\n")
+    assert first_sentence.count("\n") == 1 and all(
+        line in pages["ann"] and line in pages["bob"] for line in first_sentence.split("\n")
     )
     assert (
-        few.split("\n")[0] not in pages["cid"] + pages["dan"]
-        and divided.split("\n")[0] in pages["dan"]
+        first_sentence.split("\n")[0] not in pages["cid"] + pages["dan"]
+        and other_sentence.split("\n")[0] in pages["dan"]
     )
     talk = (
         re.sub(r"\s+", " ", summary(homework, all_scores))
@@ -357,14 +358,13 @@ def test_named_mistakes_are_told_to_the_student_and_counted_for_the_lecturer(sto
     )
     (first, second) = re.findall(r"<tr><td.*?</tr>", talk)
     assert re.sub(r"\s+", " ", shown(first)).strip() == (
-        f"2 1.15 a_region {few.partition(chr(10))[0]} ann , bob"
+        f"2 1.15 a_region {first_sentence.partition(chr(10))[0]} ann , bob"
     )
-    assert divided.split("\n")[0] in shown(second) and "dan" in second
+    assert other_sentence.split("\n")[0] in shown(second) and "dan" in second
 
 
-def test_answers_that_only_look_alike_are_not_identical(store, homework):
-    """A text is cut, and leaves out the middle of an array: who was charged with copying must have
-    given the very same."""
+def test_answers_with_equal_short_texts_are_not_identical(store, homework):
+    """A text is cut, and omits the middle of an array: only equal whole answers are identical."""
     for k, student in enumerate(["ann", "bob", "cid"]):
         attempt = store.note_attempt(student, "hw1", "1.15", student, DUE - 1)
         store.record(
@@ -384,7 +384,7 @@ def test_answers_that_only_look_alike_are_not_identical(store, homework):
     )
 
 
-def test_the_distribution_has_everybody_in_it(store, tmp_path):
+def test_the_histogram_has_all_students(store, tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.17"]')
     for k, (a, b) in enumerate([(RIGHT, RIGHT), (RIGHT, WRONG), (WRONG, RIGHT), (WRONG, WRONG)]):
         graded(store, f"s{k}", "1.17", {"a_region": a, "b_region": b})
@@ -395,7 +395,7 @@ def test_the_distribution_has_everybody_in_it(store, tmp_path):
     ) == [("1", ""), ("2", ""), ("", "1")]
 
 
-def test_a_summary_of_nobody_and_of_nothing_worth_points(store, tmp_path):
+def test_a_summary_without_students_or_points(store, tmp_path):
     homework = an_assignment(tmp_path, 'problems = ["1.17"]\n[points]\n"1.17" = 0')
     assert "0 of 1 student handed something in" in summary(
         homework, scores(store, homework, ["dan"])
@@ -439,14 +439,15 @@ def driver(tmp_path_factory):
 
 @pytest.mark.parametrize("width", [1280, 390])
 @pytest.mark.parametrize("theme, dark", [("light", False), ("dark", True)])
-def test_pages_fit_and_can_be_read(driver, store, homework, tmp_path, width, theme, dark):
+def test_pages_fit_and_are_readable(driver, store, homework, tmp_path, width, theme, dark):
     long = "(0 < k1) & (k1 < 1" + "0" * 280 + ")"
     for student in ("O'Neill, Zoë", "محمد", "x" * 200):
         graded(store, student, "1.15", FIVE, submitted=DUE + 1, texts=dict.fromkeys(FIVE, long))
-    found = scores(store, homework, ["dan"])
-    named = {"summary": summary(homework, found)}
+    class_scores = scores(store, homework, ["dan"])
+    named = {"summary": summary(homework, class_scores)}
     named |= {
-        str(k): feedback(homework, score, "https://example.org") for k, score in enumerate(found)
+        str(k): feedback(homework, score, "https://example.org")
+        for k, score in enumerate(class_scores)
     }
     driver.execute_cdp_cmd(
         "Emulation.setDeviceMetricsOverride",

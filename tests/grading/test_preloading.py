@@ -1,5 +1,7 @@
-"""What is imported once for all: what problems and notebooks of a homework use, and nothing a
-notebook names itself."""
+"""Preloading: modules that problems and notebooks use are imported once, and no others.
+
+Also the forkserver: what it holds, what it starts, and that it is replaced when it ends.
+"""
 
 import json
 import os
@@ -12,26 +14,32 @@ from unittest.mock import patch
 import pytest
 
 from workbook.grading import grader, worker_pool
-from workbook.grading.forkserver import Forkserver
-from workbook.grading.isolation import NotStarted
+from workbook.grading.forkserver import (
+    ALLOWED,
+    NOTEBOOK_WORKER,
+    WORKER_PROCESS,
+    Forkserver,
+    entry_point,
+)
+from workbook.grading.isolation import ProcessStartError
 from workbook.grading.judging import Bounds
-from workbook.grading.preloading import ALWAYS, LIBRARIES, needed
-from workbook.grading.sandbox import STARTS, Limits
+from workbook.grading.preloading import ALWAYS, LIBRARIES, modules_for
+from workbook.grading.sandbox import MAX_STARTS, Limits, Sandbox
 from workbook.notebooks import exercises
 
-#: Of lanes that import nothing beforehand.
-SETTINGS = grader.settings(Limits(), Bounds()) | {"modules": {"notebooks": [], "checks": []}}
+#: For worker processes that import nothing beforehand.
+SETTINGS = grader.to_settings(Limits(), Bounds()) | {"modules": {"notebooks": [], "checks": []}}
 
 
-def loaded(problems, sources):
-    return [name for names in needed(problems, sources).values() for name in names]
+def preloaded(problems, sources):
+    return [name for names in modules_for(problems, sources).values() for name in names]
 
 
 def libraries(problems, *sources):
-    return {name for name in loaded(problems, sources) if name in LIBRARIES}
+    return {name for name in preloaded(problems, sources) if name in LIBRARIES}
 
 
-def test_no_library_that_nothing_of_the_homework_uses():
+def test_libraries_that_nothing_uses_are_not_preloaded():
     assert libraries(["6.1"], "import sympy as sp", "b_ok = True") == libraries(["6.1"])
     assert libraries(["1.15"], "import sympy as sp", "a_region = k1 > 0") == {"z3"}, (
         "its checks decide conditions"
@@ -44,42 +52,42 @@ def test_no_library_that_nothing_of_the_homework_uses():
     }
 
 
-def test_functions_of_ours_that_a_notebook_names():
+def test_modules_of_functions_that_a_notebook_names_are_preloaded():
     cells = ["from trajlib import stability", "minors = stability.hurwitz_minors(p)[1:]"]
-    more = set(needed(["1.15"], cells)["notebooks"]) - set(loaded(["1.15"], []))
+    more = set(modules_for(["1.15"], cells)["notebooks"]) - set(preloaded(["1.15"], []))
     assert more == {"trajlib.stability.hurwitz", "trajlib.stability.systems"}, (
         "with what it imports itself"
     )
-    assert not set(loaded(["1.15"], ["hurwitz_minors = 1"])) - set(loaded(["1.15"], [])), (
+    assert not set(preloaded(["1.15"], ["hurwitz_minors = 1"])) - set(preloaded(["1.15"], [])), (
         "no theme is named"
     )
 
 
-def test_functions_of_a_theme_that_is_a_single_module():
+def test_functions_of_two_themes():
     cells = [
         "from trajlib.reconstruction import reconstruct",
         "from trajlib import invariant\ninvariant.value(0)",
     ]
-    assert {"trajlib.reconstruction", "trajlib.invariant"} <= set(
-        needed(["6.2"], cells)["notebooks"]
+    assert {"trajlib.reconstruction.fitting", "trajlib.invariant.functionals"} <= set(
+        modules_for(["6.2"], cells)["notebooks"]
     )
 
 
-def test_sandboxes_have_what_notebooks_use_and_not_what_only_checks_do():
-    assert {"z3", "workbook.checks.stability.regions"} <= set(needed(["1.15"], [])["checks"])
-    assert "z3" in needed(["1.15"], ["import z3"])["notebooks"]
-    functions = needed(["1.15"], ["from trajlib import feedback\nfeedback.lqr(A, B, G, N)"])
+def test_sandboxes_have_no_modules_that_only_checks_use():
+    assert {"z3", "workbook.checks.stability.regions"} <= set(modules_for(["1.15"], [])["checks"])
+    assert "z3" in modules_for(["1.15"], ["import z3"])["notebooks"]
+    functions = modules_for(["1.15"], ["from trajlib import feedback\nfeedback.lqr(A, B, G, N)"])
     assert "scipy.linalg" in functions["notebooks"], "which the library imports when it is called"
-    for modules in (functions, needed(["1.15"], [])):
+    for modules in (functions, modules_for(["1.15"], [])):
         assert not set(modules["notebooks"]) & set(modules["checks"]), "nothing twice"
 
 
-def test_words_of_a_notebook_only_choose_among_ours():
+def test_words_of_a_notebook_only_choose_among_known_modules():
     foreign = [
         "import evil, casadi.evil\nfrom scipy.optimize.evil import x",
         "__import__('trajlib.evil')",
     ]
-    named = loaded(["1.15"], foreign)
+    named = preloaded(["1.15"], foreign)
     assert not [name for name in named if "evil" in name]
     assert {name for name in named if not name.startswith(("trajlib.", "workbook."))} <= {
         *ALWAYS,
@@ -87,9 +95,8 @@ def test_words_of_a_notebook_only_choose_among_ours():
     }
 
 
-def test_a_judge_finds_all_that_it_imports():
-    """Whatever modules of ours a check stands on are there before the first answer comes, and what
-    decides conditions."""
+def test_a_judge_imports_nothing_more():
+    """All our modules that a check uses, and z3, are imported before the first answer comes."""
     code = (
         "import importlib, json, sys\nfor name in json.loads(sys.argv[1]): "
         "importlib.import_module(name)\n"
@@ -105,7 +112,7 @@ def test_a_judge_finds_all_that_it_imports():
         "('trajlib', 'workbook', 'sympy', 'scipy', 'casadi', 'z3')])"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code, json.dumps(loaded(["1.15"], []))],
+        [sys.executable, "-c", code, json.dumps(preloaded(["1.15"], []))],
         capture_output=True,
         text=True,
         timeout=120,
@@ -113,7 +120,7 @@ def test_a_judge_finds_all_that_it_imports():
     assert done.stdout == "[]\n", done.stdout + done.stderr
 
 
-def test_what_scipy_only_names_is_loaded_by_who_uses_it():
+def test_what_scipy_imports_but_hardly_uses_is_loaded_at_first_use():
     code = (
         "import sys\nfrom workbook.grading.preloading import NAMED_BY_SCIPY, preload\n"
         "preload('numpy', 'scipy.integrate', 'scipy.linalg', 'scipy.optimize')\n"
@@ -129,32 +136,33 @@ def test_what_scipy_only_names_is_loaded_by_who_uses_it():
     assert done.stdout == "False False\n3 True True\n", done.stdout + done.stderr
 
 
-def test_a_nursery_has_nothing_of_the_grader(monkeypatch):
-    """Neither its environment nor what it has read: all of that would be in the memory of every
-    notebook's process."""
+def test_a_forkserver_has_nothing_of_the_grader(monkeypatch):
+    """Neither its environment nor open files: they would be in every notebook's process."""
     monkeypatch.setenv("COURSE_SECRET", "Tycho-1572")
     assert exercises.read_all(), "the grader has read things"
     forkserver = Forkserver.start(["json", "a_library_that_is_not_here"])
     try:
-        forkserver.ended(forkserver.fork("worker", ["nothing", {}, None, ""], []), within=60)
-        with open(f"/proc/{nursery_process(forkserver)}/environ", "rb") as file:
+        forkserver.exit_code(
+            forkserver.fork(NOTEBOOK_WORKER, ["nothing", {}, None, ""], []), within=60
+        )
+        with open(f"/proc/{pid_of(forkserver)}/environ", "rb") as file:
             assert b"Tycho" not in file.read()
-        folder = f"/proc/{nursery_process(forkserver)}/fd"
+        folder = f"/proc/{pid_of(forkserver)}/fd"
         opened = [os.readlink(f"{folder}/{number}") for number in os.listdir(folder)]
         # A later libffi keeps its own file open.
         opened = [name for name in opened if not re.search(r"/libffi\.so[.\d]*$", name)]
-        assert len(opened) == 4, "input, output, messages to people, and where it is asked"
+        assert len(opened) == 4, "standard input, output and error, and the control socket"
     finally:
         forkserver.close()
     assert not forkserver.alive()
 
 
-def nursery_process(forkserver):
-    (number,) = [number for number in os.listdir("/proc") if number.isdigit() and _is_its(number)]
-    return number
+def pid_of(forkserver):
+    (pid,) = [pid for pid in os.listdir("/proc") if pid.isdigit() and _is_forkserver(pid)]
+    return pid
 
 
-def _is_its(number):
+def _is_forkserver(number):
     try:
         with open(f"/proc/{number}/cmdline", "rb") as file:
             return parent_of(number) == os.getpid() and b"forkserver.main" in file.read()
@@ -162,45 +170,68 @@ def _is_its(number):
         return False
 
 
-def test_a_nursery_that_ends_while_lanes_begin_is_started_again():
-    """Also where some lanes have begun and others have not; if it happens every time, that is told
-    by an error."""
+def test_a_forkserver_that_ends_while_workers_start_is_replaced():
+    """Also where only some worker processes have started; if it happens every time, it raises."""
     fork = Forkserver.fork
 
-    def killed(begun, times):
-        def killed_after_one(forkserver, kind, *given):
-            if kind == "lane" and len(begun) % 2 and len(begun) < 2 * times:
-                os.kill(int(nursery_process(forkserver)), signal.SIGKILL)
-            begun.extend([kind] * (kind == "lane"))
-            return fork(forkserver, kind, *given)
+    def killed(started, times):
+        def killed_after_one(forkserver, name, *arguments):
+            if name == WORKER_PROCESS and len(started) % 2 and len(started) < 2 * times:
+                os.kill(int(pid_of(forkserver)), signal.SIGKILL)
+            started.extend([name] * (name == WORKER_PROCESS))
+            return fork(forkserver, name, *arguments)
 
         return patch.object(Forkserver, "fork", killed_after_one)
 
-    forkserver, begun = Forkserver.start([]), []
-    with killed(begun, times=1):
+    forkserver, started = Forkserver.start([]), []
+    with killed(started, times=1):
         assert not list(worker_pool.grade_all([], 3, SETTINGS, forkserver))
-    assert len(begun) == 2 + 3 and not forkserver.alive()
-    forkserver, begun = Forkserver.start([]), []
-    with killed(begun, times=99), pytest.raises(NotStarted, match="ended|gone"):
+    assert len(started) == 2 + 3 and not forkserver.alive()
+    forkserver, started = Forkserver.start([]), []
+    with killed(started, times=99), pytest.raises(ProcessStartError, match="ended|gone"):
         next(worker_pool.grade_all([], 3, SETTINGS, forkserver))
-    assert len(begun) == 2 * STARTS and not forkserver.alive()
+    assert len(started) == 2 * MAX_STARTS and not forkserver.alive()
 
 
-def test_no_lane_is_an_ancestor_of_a_sandbox():
-    """So that nothing a lane has heard is in the memory of a notebook's process."""
-    forkserver, begun = Forkserver.start([]), []
+def test_no_worker_process_is_an_ancestor_of_a_sandbox():
+    """So nothing that it received is in the memory of a notebook's process."""
+    forkserver, started = Forkserver.start([]), []
     try:
-        worker_pool.begin(begun, 1, SETTINGS, forkserver)
-        begun[0].greeted()
-        number = int(nursery_process(forkserver))
-        lane, sandboxes = begun[0]._number, begun[0]._sandboxes
-        parents = {parent_of(each) for each in os.listdir("/proc") if each.isdigit()}
-        assert parent_of(lane) == parent_of(sandboxes) == number
-        assert sandboxes in parents, "the sandbox's process"
-        assert lane not in parents, "nothing comes from a lane but judges"
+        worker_pool.start_workers(started, 1, SETTINGS, forkserver)
+        started[0].wait_until_ready()
+        pid = int(pid_of(forkserver))
+        worker, sandbox_forkserver = started[0]._pid, started[0]._sandbox_forkserver
+        parents = {parent_of(name) for name in os.listdir("/proc") if name.isdigit()}
+        assert parent_of(worker) == parent_of(sandbox_forkserver) == pid
+        assert sandbox_forkserver in parents, "the sandbox's process"
+        assert worker not in parents, "only judges are forked from a worker process"
     finally:
-        begun[0].stop()
+        started[0].stop()
         forkserver.close()
+
+
+@pytest.mark.parametrize(
+    "name", ["os:abort", "workbook.grading.worker_pool:grade_all", "notebook", ""]
+)
+def test_a_forkserver_starts_only_what_is_on_its_allow_list(name):
+    with pytest.raises(PermissionError):
+        entry_point(name, ALLOWED)
+    forkserver = Forkserver.start([])
+    try:
+        pid = forkserver.fork(name, [], [])
+        assert forkserver.exit_code(pid, within=60) == 1, "not started, and no other harm"
+        assert forkserver.alive()
+    finally:
+        forkserver.close()
+
+
+def test_a_sandbox_starts_nothing_but_notebooks():
+    with Sandbox(modules=[]) as sandbox:
+        children = sandbox._worker.children
+        for name in ALLOWED:
+            pid = children.fork(name, [], [])
+            assert children.exit_code(pid, within=60) == 1
+        assert sandbox.run(["a = 1"], ["a"]).ended == "done"
 
 
 def parent_of(number):

@@ -1,5 +1,7 @@
-"""The sandbox: what is seen in it, what it limits, how it ends, and where none can be had. As root
-and as an ordinary user."""
+"""The sandbox: what is visible, its limits, how notebooks end, and where there is none.
+
+As root and as an ordinary user.
+"""
 
 import json
 import os
@@ -23,26 +25,26 @@ from hostile.reading import READING
 from workbook.grading import framing, isolation, watchdog
 from workbook.grading import sandbox as sandbox_module
 from workbook.grading.preloading import ALWAYS
-from workbook.grading.sandbox import Limits, Outcome, Sandbox, Trusting
+from workbook.grading.sandbox import Limits, Outcome, Sandbox, Unsandboxed
 
 ROOT = Path(__file__).resolve().parents[2]
 TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
 
 
-#: For what is not about time: other tests keep the machine busy.
+#: For tests that are not about time: other tests keep the machine busy.
 PATIENT = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
 #: Without the libraries that no notebook of these tests uses.
 lean = partial(Sandbox, modules=ALWAYS)
 
 
-@pytest.fixture(scope="module", params=["nested", "once"])
+@pytest.fixture(scope="module", params=["nested", "single-use"])
 def sandbox(request):
-    with lean(TIGHT, once=request.param == "once") as ready:
+    with lean(TIGHT, single_use=request.param == "single-use") as ready:
         yield ready
 
 
 def answers(outcome):
-    """The answers handed over, as Python values of plain types."""
+    """Return the answers handed over, as Python values of plain types."""
     assert outcome.ended == "done", outcome
     return {
         name: json.loads(text) for name, text in json.loads(outcome.handed_over)["encoded"].items()
@@ -53,7 +55,7 @@ def run(sandbox, *sources, names=("a",)):
     return sandbox.run([dedent(source) for source in sources], names)
 
 
-# What is seen
+# What is visible
 
 
 LOOK = """
@@ -70,36 +72,35 @@ b = [sorted(os.listdir("/")), sorted(os.environ), os.getcwd(), os.listdir("."), 
 """
 
 
-@pytest.mark.parametrize("once", [False, True], ids=["nested", "once"])
-def test_sees_both_packages_and_nothing_else_of_ours(once):
-    with lean(PATIENT, once) as sandbox:  # looking through everything takes a while
-        found = answers(run(sandbox, LOOK, names=("a", "b")))
-    assert found["a"] and all(
+@pytest.mark.parametrize("single_use", [False, True], ids=["nested", "single-use"])
+def test_only_the_two_packages_are_visible(single_use):
+    with lean(PATIENT, single_use) as sandbox:  # looking through everything takes a while
+        result = answers(run(sandbox, LOOK, names=("a", "b")))
+    assert result["a"] and all(
         path.startswith((f"{isolation.PACKAGE}/", f"{isolation.LIBRARY}/"))
         and not path.endswith(".ipynb")
-        for path in found["a"]
+        for path in result["a"]
     )
-    top, variables, here, files, shared = found["b"]
+    top, variables, here, files, shared = result["b"]
     assert not {"home", "var", "opt", "srv", "mnt", "run", "boot", "sys"} & set(top)
     assert set(variables) - set(isolation.ENVIRONMENT) <= {"LC_CTYPE", "PWD", "COLUMNS", "LINES"}
     # A checkout that lies below /tmp shows its folder there, with what may be seen of it and no
     # more.
-    ours = (
+    own_folder = (
         {isolation.PACKAGE.relative_to("/tmp").parts[0]}
         if isolation.PACKAGE.is_relative_to("/tmp")
         else set()
     )
     assert (
         here == "/tmp"
-        and set(files) - ours <= {".ipython", ".cache", "matplotlib"}
+        and set(files) - own_folder <= {".ipython", ".cache", "matplotlib"}
         and shared == []
     )
 
 
 @pytest.mark.parametrize("layout", ["wheel", "checkout among packages"])
-def test_sees_no_exercise_whatever_the_installation(layout):
-    """From a wheel the exercises lie inside the package; a checkout may lie in a folder that is
-    visible as a whole."""
+def test_no_exercise_is_visible_in_any_installation(layout):
+    """A wheel has the exercises inside the package; a checkout may be in a visible folder."""
     folder = Path(tempfile.mkdtemp(prefix="installed-"))
     try:
         packages = folder / "lib" / "site-packages"
@@ -138,27 +139,27 @@ def test_sees_no_exercise_whatever_the_installation(layout):
         )
         assert done.returncode == 0, done.stderr
         assert "workbook/grading/notebook_worker.py" in done.stdout
-        for ours in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
-            assert ours not in done.stdout, done.stdout
+        for hidden in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
+            assert hidden not in done.stdout, done.stdout
     finally:
         shutil.rmtree(folder)
 
 
-def test_refuses_a_course_that_every_notebook_could_read(tmp_path):
+def test_a_course_in_a_visible_folder_is_refused(tmp_path):
     from workbook.grading import course
 
     submitted = Path(sys.base_prefix).resolve() / "submitted"
     with pytest.raises(course.CourseError, match="every notebook can read"):
         course.grade(submitted, tmp_path)
-    assert isolation.shown_through(tmp_path) is None and isolation.shown_through(
+    assert isolation.visible_parent(tmp_path) is None and isolation.visible_parent(
         "/usr/share"
     ) == Path("/usr")
-    assert isolation.shown_through(ROOT / "submitted") is None, (
+    assert isolation.visible_parent(ROOT / "submitted") is None, (
         "beside the package, which alone is visible"
     )
 
 
-def test_holds_nothing_of_other_notebooks(sandbox):
+def test_memory_has_nothing_of_other_notebooks(sandbox):
     run(sandbox, "a_region = sp.And(k1 > 0, k1*k2 > 1)")
     (search,) = [attack for attack in READING if "raw memory" in attack.name]
     outcome = run(
@@ -189,7 +190,7 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
     assert answers(run(sandbox, look))["a"] == [False, False, False, [], "/tmp"]
 
 
-# Limits, and whose affair it is
+# Limits, and whose fault it was
 
 
 @pytest.mark.parametrize(
@@ -222,11 +223,11 @@ def test_each_notebook_finds_an_untouched_machine(sandbox):
         ),
     ],
 )
-def test_how_it_ended_is_told(sandbox, source, ended, message):
+def test_outcome_of_a_notebook_that_is_ended(sandbox, source, ended, message):
     assert run(sandbox, source) == Outcome(ended, message)
 
 
-def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
+def test_a_cell_that_exceeds_a_limit_costs_the_others_nothing(sandbox):
     outcome = run(
         sandbox,
         "a = 1",
@@ -237,20 +238,20 @@ def test_what_one_cell_cannot_have_costs_the_others_nothing(sandbox):
         names=("a", "b", "c"),
     )
     assert answers(outcome) == {"a": 1, "c": 3}
-    found = json.loads(outcome.handed_over)
-    assert [error.split(": ")[:2] for error in found["errors"]] == [
+    result = json.loads(outcome.handed_over)
+    assert [error.split(": ")[:2] for error in result["errors"]] == [
         ["code cell 2", "MemoryError"],
         ["code cell 4", "OSError"],
     ]
-    assert found["stopped"] == [3]
+    assert result["stopped"] == [3]
 
 
-def test_getting_ready_is_not_the_notebooks_time():
-    with Sandbox(Limits(cpu_seconds=0.4, wall_seconds=60), once=True) as sandbox:
+def test_preparation_is_not_the_notebooks_time():
+    with Sandbox(Limits(cpu_seconds=0.4, wall_seconds=60), single_use=True) as sandbox:
         assert answers(run(sandbox, "import time\ntime.sleep(0.2)\na = 1")) == {"a": 1}
 
 
-def test_a_sleeper_holds_its_place_no_longer_than_one_that_computes():
+def test_sleeping_counts_as_computing():
     with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
         start = time.monotonic()
         outcome = run(sandbox, "a = 1", "import time\ntime.sleep(500)", "b = 2", names=("a", "b"))
@@ -264,8 +265,8 @@ def test_a_sleeper_holds_its_place_no_longer_than_one_that_computes():
         assert time.monotonic() - start < 60
 
 
-def test_who_seems_to_wait_for_a_disk_holds_its_place_little_longer():
-    """Between `vfork` and the end of the child a process counts as waiting for a disk."""
+def test_a_pretended_wait_for_a_disk_is_bounded():
+    """Between `vfork` and the end of the child a process seems to wait for a disk."""
     clone_as_vfork = "ctypes.CDLL(None).syscall(56, 0x4000 | signal.SIGCHLD, 0, 0, 0, 0)"
     with lean(Limits(cpu_seconds=4, wall_seconds=600)) as sandbox:
         start = time.monotonic()
@@ -295,14 +296,16 @@ def test_who_seems_to_wait_for_a_disk_holds_its_place_little_longer():
         ),
     ],
 )
-def test_who_wants_to_compute(source, wants):
+def test_states_of_threads(source, wants):
     with subprocess.Popen([sys.executable, "-c", source], stdout=subprocess.PIPE) as process:
         try:
             process.stdout.readline()
             time.sleep(0.5)
             proc = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY)
             below = [
-                one for one in watchdog._descendants(os.getpid(), proc) if one.number == process.pid
+                process_stat
+                for process_stat in watchdog._descendants(os.getpid(), proc)
+                if process_stat.pid == process.pid
             ]
             assert (b"R" in watchdog._states(below, proc)) == wants
         finally:
@@ -324,10 +327,10 @@ except OSError:
 """
 
 
-@pytest.mark.parametrize("once", [False, True])
-def test_limits_on_all_processes_together(once):
-    """None of them reaches a limit alone."""
-    with lean(PATIENT, once) as sandbox:
+@pytest.mark.parametrize("single_use", [False, True])
+def test_limits_on_all_processes_together(single_use):
+    """No process alone reaches a limit."""
+    with lean(PATIENT, single_use) as sandbox:
         assert 20 < answers(run(sandbox, COUNT))["a"] < PATIENT.processes
         computing = "import os, time\nfor _ in range(3): os.fork()\nwhile time.process_time() < 3: pass\ntime.sleep(99)"
         assert run(sandbox, computing) == Outcome("time", b"")
@@ -338,10 +341,9 @@ def test_limits_on_all_processes_together(once):
         assert run(sandbox, filling) == Outcome("memory", b"")
 
 
-@pytest.mark.parametrize("once", [False, True])
-def test_the_same_for_an_ordinary_user(once):
-    """Limits on processes do not bind root, so root drops to another user; an ordinary user must be
-    bound as he is."""
+@pytest.mark.parametrize("single_use", [False, True])
+def test_limits_for_an_ordinary_user(single_use):
+    """Limits on processes do not bind root, so root drops to another user; others are bound."""
     folder = Path(tempfile.mkdtemp())
     try:
         done = ordinary.run(
@@ -349,8 +351,9 @@ def test_the_same_for_an_ordinary_user(once):
             import os
             from workbook.grading.sandbox import Sandbox, Limits
             assert os.getuid() != 0
-            with Sandbox(Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600), once={once}) as sandbox:
-                print(sandbox._once)
+            limits = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
+            with Sandbox(limits, single_use={single_use}) as sandbox:
+                print(sandbox._single_use)
                 for source in ({COUNT!r}, "import os; a = os.path.exists({str(ROOT / "exercises")!r})",
                                "import os, time\\nfor _ in range(5):\\n"
                                "    if os.fork() == 0: a = bytearray(200 * 2**20); time.sleep(9)\\ntime.sleep(9)"):
@@ -360,7 +363,7 @@ def test_the_same_for_an_ordinary_user(once):
             folder,
         )
         lines = done.stdout.split("\n")
-        assert done.returncode == 0 and lines[0] == str(once), done.stderr
+        assert done.returncode == 0 and lines[0] == str(single_use), done.stderr
         assert 20 < json.loads(json.loads(lines[1].removeprefix("done "))["encoded"]["a"]) < 32
         assert json.loads(lines[2].removeprefix("done "))["encoded"]["a"] == "false"
         assert lines[3] == "memory "
@@ -379,8 +382,10 @@ def test_nothing_outlives_a_notebook(sandbox):
 
 
 def _ends(token, seconds=5):
-    """Whether no process has the token in its command line, or none soon: a notebook's processes
-    are put away while its answers are judged already."""
+    """Return whether soon no process has the token in its command line.
+
+    A notebook's processes end while its answers are judged already.
+    """
     late = time.monotonic() + seconds
     while [path for path in Path("/proc").glob("[0-9]*/cmdline") if token.encode() in _bytes(path)]:
         if time.monotonic() > late:
@@ -407,25 +412,25 @@ def test_a_worker_that_is_killed_costs_nothing():
         assert answers(run(sandbox, "a = 2")) == {"a": 2} and sandbox._worker.pid == started
 
 
-def test_a_worker_that_is_killed_in_the_midst_costs_nothing():
+def test_a_worker_that_is_killed_during_a_notebook_costs_nothing():
     with lean(TIGHT) as sandbox:
-        sandbox.hand_in(["import time\ntime.sleep(1)\na = 1"], ["a"])
+        sandbox.start_run(["import time\ntime.sleep(1)\na = 1"], ["a"])
         os.killpg(sandbox._worker.pid, signal.SIGKILL)
-        assert answers(sandbox.outcome()) == {"a": 1}
+        assert answers(sandbox.finish_run()) == {"a": 1}
 
 
 def test_the_grader_is_free_while_a_notebook_runs():
-    """One that would go on until it is stopped, which is by what it computes, not by the clock."""
+    """The notebook runs until it is stopped, by what it computes, not by wall time."""
     with lean(PATIENT) as sandbox:
-        sandbox.hand_in(["while True: pass", "a = 1"], ["a"])
-        assert not framing.readable([sandbox._place.results], 0)
-        outcome = sandbox.outcome()
+        sandbox.start_run(["while True: pass", "a = 1"], ["a"])
+        assert not framing.readable([sandbox._process.results], 0)
+        outcome = sandbox.finish_run()
         assert answers(outcome) == {"a": 1} and json.loads(outcome.handed_over)["stopped"] == [1]
 
 
 @pytest.fixture
 def one_busy_processor():
-    """All that is started from here on has one processor, which two others use as well."""
+    """Leave one processor to all processes started from here on, with two others that use it."""
     before = os.sched_getaffinity(0)
     os.sched_setaffinity(0, {min(before)})
     endless = [
@@ -439,8 +444,8 @@ def one_busy_processor():
     os.sched_setaffinity(0, before)
 
 
-@pytest.mark.parametrize("kind", [Sandbox, Trusting])
-def test_what_a_busy_machine_withholds_is_no_time_of_the_notebook(one_busy_processor, kind):
+@pytest.mark.parametrize("kind", [Sandbox, Unsandboxed])
+def test_waiting_for_busy_processors_is_not_the_notebooks_time(one_busy_processor, kind):
     computing = "import time\nstart = time.process_time()\nwhile time.process_time() < start + 1.5: pass\na = 1"
     limits = Limits(cpu_seconds=8, wall_seconds=2)
     with kind(limits, modules=ALWAYS) as sandbox:
@@ -451,44 +456,43 @@ def test_what_a_busy_machine_withholds_is_no_time_of_the_notebook(one_busy_proce
         )
 
 
-def test_on_the_clock_there_is_a_bound_all_the_same():
+def test_wall_time_is_bounded():
     with lean(Limits(cpu_seconds=30, wall_seconds=1)) as sandbox:
         assert run(sandbox, "import time\ntime.sleep(500)") == Outcome("time", b"")
 
 
-def test_the_wait_for_a_notebook_is_no_time_of_the_notebook():
-    """Its process is there before it comes."""
+def test_waiting_for_a_notebook_is_not_its_time():
+    """Its process exists before its request comes."""
     with lean(Limits(cpu_seconds=2, wall_seconds=4)) as sandbox:
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
         time.sleep(5)
         assert answers(run(sandbox, "import time\ntime.sleep(0.5)\na = 2")) == {"a": 2}
 
 
-def test_a_sandbox_that_always_fails_says_so(monkeypatch):
+def test_a_sandbox_that_always_fails_gives_a_failure(monkeypatch):
     with lean(TIGHT) as sandbox:
         os.killpg(sandbox._worker.pid, signal.SIGKILL)
-        monkeypatch.setattr(Sandbox, "_spawn", _no_sandbox)
+        monkeypatch.setattr(Sandbox, "_start_worker", _no_sandbox)
         outcome = run(sandbox, "a = 1")
     assert outcome.ended == "failed" and b"gone" in outcome.handed_over
 
 
-def _no_sandbox(*given):
-    raise isolation.NoIsolation("gone")
+def _no_sandbox(*arguments):
+    raise isolation.SandboxUnavailableError("gone")
 
 
-def test_a_killed_notebook_is_the_machines_affair():
-    """SIGKILL for the first process of a namespace comes from outside, as when the machine runs out
-    of memory."""
-    outcome = lean(TIGHT)._told(b"died", b"signal 9")
+def test_a_killed_notebook_is_a_failure_of_the_grader():
+    """SIGKILL for the first process of a namespace comes from outside, as when memory is full."""
+    outcome = lean(TIGHT)._outcome(b"died", b"signal 9")
     assert outcome.ended == "failed"
 
 
-def bubblewrap_that(folder, does):
-    """A folder for PATH with a `bwrap` of ours in it, which anybody may run."""
+def bubblewrap_that(folder, command):
+    """Return a folder for PATH with a `bwrap` that runs this shell command."""
     folder.mkdir()
     folder.chmod(0o755)
     path = folder / "bwrap"
-    path.write_text(f"#!/bin/sh\n{does}\n")
+    path.write_text(f"#!/bin/sh\n{command}\n")
     path.chmod(path.stat().st_mode | stat.S_IXUSR | stat.S_IXGRP | stat.S_IXOTH)
     return str(folder)
 
@@ -501,21 +505,21 @@ def open_folder():
     shutil.rmtree(folder)
 
 
-def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, monkeypatch):
+def test_single_use_sandboxes_where_namespaces_cannot_be_nested(open_folder, monkeypatch):
     real = shutil.which("bwrap")
     monkeypatch.setenv(
         "PATH",
         bubblewrap_that(open_folder / "bin", f'exec {real} --unshare-user --disable-userns "$@"'),
     )
     with lean(TIGHT) as sandbox:
-        assert sandbox._once
+        assert sandbox._single_use
         assert answers(run(sandbox, "a = 1")) == {"a": 1}
         assert run(sandbox, "import os\nos._exit(3)") == Outcome("died", b"exit 3")
         assert answers(run(sandbox, "a = 2")) == {"a": 2}
 
 
 @pytest.mark.parametrize(
-    "does, says",
+    "does, message",
     [
         (None, "bubblewrap is not installed"),
         (
@@ -525,7 +529,7 @@ def test_one_sandbox_a_notebook_where_namespaces_cannot_be_nested(open_folder, m
         ("exit 1", "without a word"),
     ],
 )
-def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
+def test_without_a_sandbox_the_error_is_one_line(open_folder, does, message):
     submitted = open_folder / "submitted" / "ada" / "hw"
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
@@ -548,7 +552,7 @@ def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
     )
     assert done.returncode == 2 and done.stdout == ""
     (line,) = [line for line in done.stderr.strip().split("\n") if not line.startswith("grading ")]
-    assert line.startswith("workbook: ") and says in line and "--trust-students" in line
+    assert line.startswith("workbook: ") and message in line and "--trust-students" in line
 
     trusted = subprocess.run(
         [*command, "--trust-students", "--json"],
@@ -565,7 +569,7 @@ def test_refused_in_one_line_where_there_is_no_sandbox(open_folder, does, says):
 # A child that is killed, or slow, while it starts
 
 
-#: What stands on stderr by then has nothing to do with it.
+#: An earlier line on stderr, unrelated to the error.
 NOISE = "echo 'Fontconfig error: No writable cache directories' >&2; "
 
 
@@ -579,22 +583,22 @@ def test_a_worker_that_is_killed_while_it_starts_is_started_again(open_folder, m
 
 
 @pytest.mark.parametrize(
-    "does, says",
+    "command, message",
     [
         (f"{NOISE} kill -9 $$", "was killed (signal 9) while it started, 3 times"),
         (f"{NOISE} exit 137", "was killed (signal 9) while it started, 3 times"),
         (f"{NOISE} exec sleep 60", "was not ready within 0.5 s, 3 times"),
     ],
 )
-def test_one_that_always_is_says_what_happened(open_folder, monkeypatch, does, says):
-    monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', does)}:/usr/bin:/bin")
-    monkeypatch.setattr(sandbox_module, "STARTING", 0.5 if "sleep" in does else 60)
-    with pytest.raises(isolation.NotStarted) as told:
+def test_a_worker_that_never_starts_is_an_error(open_folder, monkeypatch, command, message):
+    monkeypatch.setenv("PATH", f"{bubblewrap_that(open_folder / 'bin', command)}:/usr/bin:/bin")
+    monkeypatch.setattr(sandbox_module, "START_SECONDS", 0.5 if "sleep" in command else 60)
+    with pytest.raises(isolation.ProcessStartError) as error:
         lean(TIGHT).__enter__()
-    assert says in str(told.value) and "Fontconfig" not in str(told.value)
+    assert message in str(error.value) and "Fontconfig" not in str(error.value)
 
 
-def test_nobody_is_led_to_drop_the_sandbox_for_it(open_folder):
+def test_an_error_at_start_does_not_suggest_to_drop_the_sandbox(open_folder):
     submitted = open_folder / "submitted" / "ada" / "hw"
     submitted.mkdir(parents=True)
     shutil.copy(ROOT / "exercises/ch1/p15.ipynb", submitted)
@@ -619,12 +623,12 @@ def test_nobody_is_led_to_drop_the_sandbox_for_it(open_folder):
     assert "trust" not in line
 
 
-# Trusting
+# Unsandboxed
 
 
 @pytest.fixture(scope="module")
 def trusting():
-    with Trusting(TIGHT, modules=ALWAYS) as ready:
+    with Unsandboxed(TIGHT, modules=ALWAYS) as ready:
         yield ready
 
 
@@ -669,15 +673,15 @@ def test_nothing_outlives_a_notebook_without_a_sandbox(trusting):
     assert _ends(token)
 
 
-def test_leaves_no_folder_behind():
-    with Trusting(TIGHT, modules=ALWAYS) as trusting:
+def test_unsandboxed_leaves_no_folder_behind():
+    with Unsandboxed(TIGHT, modules=ALWAYS) as trusting:
         folder = trusting._folder.name
         run(trusting, "import matplotlib.pyplot as plt\nplt.plot([1, 2])")
     assert not os.path.exists(folder)
 
 
 def test_shared_memory_is_counted_once():
-    """Eight processes with the same two hundred megabytes use two hundred, not eighteen hundred."""
+    """Eight processes with the same 200 MB use 200 MB, not 1800."""
     with lean(PATIENT) as sandbox:
         outcome = run(
             sandbox,

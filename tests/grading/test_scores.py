@@ -1,4 +1,4 @@
-"""From verdicts to points, on attempts recorded by hand: nothing is run here."""
+"""From verdicts to points, on attempts recorded by hand."""
 
 import sys
 from pathlib import Path
@@ -62,7 +62,7 @@ def test_late(tmp_path, store, submitted, late):
     assert score.late == late and score.points == 4, "lateness is said, not punished"
 
 
-def test_late_is_the_attempt_that_counts(tmp_path, store):
+def test_lateness_is_that_of_the_attempt_that_counts(tmp_path, store):
     graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=DUE - 5)
     graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=DUE + 5)
     assert only(store, an_assignment(tmp_path, HOMEWORK)).late == (), (
@@ -95,7 +95,7 @@ def test_best_is_by_points_not_by_number_of_right_answers(tmp_path, store):
     assert only(store, homework).counted["1.18"].submitted == 1.0
 
 
-def test_the_same_notebook_again_is_no_new_attempt(tmp_path, store):
+def test_the_same_notebook_again_is_not_a_new_attempt(tmp_path, store):
     for when in (1.0, 2.0):
         graded(store, "ann", "1.17", statuses(WRONG, RIGHT), submitted=when, content="same")
     assert only(store, an_assignment(tmp_path, HOMEWORK)).tried == {"1.17": 1}
@@ -108,7 +108,7 @@ def test_an_attempt_without_a_result_yet_does_not_count(tmp_path, store):
     assert score.points == 3 and score.tried == {"1.17": 2}
 
 
-def test_manual_beats_automatic_until_it_is_taken_back(tmp_path, store):
+def test_manual_points_replace_automatic_ones_until_removed(tmp_path, store):
     homework = an_assignment(tmp_path, HOMEWORK)
     attempt = graded(store, "ann", "1.17", statuses(WRONG, RIGHT))
     store.set_manual("ann", "hw1", "1.17", "a_region", 1.5, "right idea")
@@ -141,7 +141,7 @@ def test_manual_points_for_work_that_was_not_submitted(tmp_path, store):
     assert score.points == 3 and score.handed_in and score.counted == {}
 
 
-def test_unchecked_needs_a_look_and_is_neither_right_nor_wrong(tmp_path, store):
+def test_unchecked_needs_review(tmp_path, store):
     homework = an_assignment(tmp_path, HOMEWORK)
     graded(store, "ann", "1.17", statuses(UNCHECKED, RIGHT), texts={"a_region": "odd"})
     score = only(store, homework)
@@ -168,19 +168,19 @@ def test_a_better_attempt_that_could_not_be_judged_is_not_lost(tmp_path, store):
     assert only(store, homework).counted["1.17"].submitted == 3.0
 
 
-def test_what_cannot_raise_the_grade_needs_no_look(tmp_path, store):
+def test_what_cannot_raise_the_grade_needs_no_review(tmp_path, store):
     graded(store, "ann", "1.17", statuses(UNCHECKED, WRONG), submitted=1.0)
     graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=2.0)
     assert not only(store, an_assignment(tmp_path, HOMEWORK)).needs_review
     assert not only(store, an_assignment(tmp_path, 'attempt = "last"\n' + HOMEWORK)).needs_review
 
 
-def test_students_are_sorted_and_apart(tmp_path, store):
+def test_students_are_sorted_and_separate(tmp_path, store):
     for student in ("žofie", "ann", "Ben", "=cmd"):
         graded(store, student, "1.17", statuses(RIGHT, WRONG))
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), assignment="hw2")
     store.set_manual("ann", "hw2", "1.17", "a_region", 0.0, "another homework")
-    found = scores(store, an_assignment(tmp_path, HOMEWORK))
-    assert [score.student for score in found] == sorted(["žofie", "ann", "Ben", "=cmd"]) and {
-        score.points for score in found
-    } == {3}
+    class_scores = scores(store, an_assignment(tmp_path, HOMEWORK))
+    assert [score.student for score in class_scores] == sorted(
+        ["žofie", "ann", "Ben", "=cmd"]
+    ) and {score.points for score in class_scores} == {3}

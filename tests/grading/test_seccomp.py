@@ -1,5 +1,4 @@
-"""The filter of system calls: what it denies, in a process of its own, and that computing goes on
-as before."""
+"""The filter of system calls: what it denies, and that ordinary computing is allowed."""
 
 import ctypes
 import errno
@@ -10,40 +9,41 @@ import struct
 import pytest
 
 from workbook.grading import seccomp
-from workbook.grading.isolation import NoIsolation, system_call
+from workbook.grading.isolation import SandboxUnavailableError
 from workbook.grading.notebook_worker import PR_SET_NO_NEW_PRIVS
+from workbook.grading.system_calls import system_call
 from workbook.notebooks.execution import in_child
 
 
 def _under_the_filter(function):
     system_call("prctl", PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0)
-    seccomp.forbid()
+    seccomp.install_filter()
     return function()
 
 
 def _denied():
-    """Each denied call, tried with arguments of zero: the number of its error."""
+    """Return the result of each denied call with arguments of zero."""
     libc = ctypes.CDLL(None, use_errno=True)
     column = seccomp.ARCHITECTURES[platform.machine()][1]
-    found = {}
+    results = {}
     for name, numbers in seccomp.DENIED.items():
         ctypes.set_errno(0)
-        found[name] = [libc.syscall(numbers[column], 0, 0, 0, 0, 0, 0), ctypes.get_errno()]
-    return found
+        results[name] = [libc.syscall(numbers[column], 0, 0, 0, 0, 0, 0), ctypes.get_errno()]
+    return results
 
 
-def test_denied():
+def test_denied_system_calls():
     assert in_child(_under_the_filter, _denied, timeout=60) == dict.fromkeys(
         seccomp.DENIED, [-1, errno.EPERM]
     )
 
 
 def _settings():
-    """What a process may ask about itself, and what it may not set: the error's number."""
+    """Return the results of reading and of setting limits and signal actions."""
     libc = ctypes.CDLL(None, use_errno=True)
     column = seccomp.ARCHITECTURES[platform.machine()][1]
     limit, action = ctypes.create_string_buffer(16), ctypes.create_string_buffer(152)
-    found = []
+    results = []
     for call, arguments in (
         (seccomp.PRLIMIT, (0, 0, None, limit)),
         (seccomp.PRLIMIT, (0, 0, limit, None)),
@@ -52,11 +52,11 @@ def _settings():
         (seccomp.SIGACTION, (10, action, None, 8)),
     ):
         ctypes.set_errno(0)
-        found.append([libc.syscall(call[column], *arguments), ctypes.get_errno()])
-    return found
+        results.append([libc.syscall(call[column], *arguments), ctypes.get_errno()])
+    return results
 
 
-def test_limits_and_the_end_of_children_can_be_asked_but_not_set():
+def test_limits_and_sigchld_can_be_read_but_not_set():
     asked, denied = [0, 0], [-1, errno.EPERM]
     assert in_child(_under_the_filter, _settings, timeout=60) == [
         asked,
@@ -70,13 +70,13 @@ def test_limits_and_the_end_of_children_can_be_asked_but_not_set():
 def _clones():
     libc = ctypes.CDLL(None, use_errno=True)
     column = seccomp.ARCHITECTURES[platform.machine()][1]
-    found = []
+    results = []
     for flag in (0x20000, 0x2000000, 0x4000000, 0x8000000, 0x10000000, 0x20000000, 0x40000000):
-        found.append(
+        results.append(
             [libc.syscall(seccomp.CLONE[column], flag | 17, 0, 0, 0, 0), ctypes.get_errno()]
         )
-    found.append([libc.syscall(seccomp.CLONE3[column], 0, 0), ctypes.get_errno()])
-    return found
+    results.append([libc.syscall(seccomp.CLONE3[column], 0, 0), ctypes.get_errno()])
+    return results
 
 
 def test_no_clone_with_a_new_namespace():
@@ -86,7 +86,7 @@ def test_no_clone_with_a_new_namespace():
 
 
 def _sockets():
-    found = {}
+    results = {}
     for name, number in {
         "unix": 1,
         "inet": 2,
@@ -101,17 +101,17 @@ def _sockets():
             socket.socket(
                 number, socket.SOCK_RAW if name in ("netlink", "packet") else socket.SOCK_STREAM
             ).close()
-            found[name] = 0
+            results[name] = 0
         except OSError as error:
-            found[name] = error.errno
-    return found
+            results[name] = error.errno
+    return results
 
 
 def test_sockets_of_confined_families_only():
-    found = in_child(_under_the_filter, _sockets, timeout=60)
-    assert found.pop("unix") == found.pop("inet") == 0
-    found.pop("inet6")  # allowed; not every machine has it
-    assert set(found.values()) == {errno.EAFNOSUPPORT}
+    results = in_child(_under_the_filter, _sockets, timeout=60)
+    assert results.pop("unix") == results.pop("inet") == 0
+    results.pop("inet6")  # allowed; not every machine has it
+    assert set(results.values()) == {errno.EAFNOSUPPORT}
 
 
 def _ordinary_work():
@@ -136,12 +136,12 @@ def _ordinary_work():
     ]
 
 
-def test_computing_goes_on():
+def test_ordinary_computing_is_allowed():
     assert in_child(_under_the_filter, _ordinary_work, timeout=60) == ["fine\n", [1]]
 
 
 @pytest.mark.parametrize("machine", seccomp.ARCHITECTURES)
-def test_every_jump_of_the_program_stays_within(machine):
+def test_every_jump_stays_within_the_program(machine):
     program = seccomp._program(machine)
     steps = [struct.unpack("HBBI", program[k : k + 8]) for k in range(0, len(program), 8)]
     assert len(steps) < 4096, "as long as the kernel takes"
@@ -153,5 +153,5 @@ def test_every_jump_of_the_program_stays_within(machine):
 
 def test_unknown_machines_are_refused(monkeypatch):
     monkeypatch.setattr(platform, "machine", lambda: "pdp11")
-    with pytest.raises(NoIsolation, match="pdp11"):
-        seccomp.check_known()
+    with pytest.raises(SandboxUnavailableError, match="pdp11"):
+        seccomp.require_known_machine()

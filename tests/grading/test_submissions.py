@@ -1,4 +1,4 @@
-"""Finding submissions: whatever lies there, nothing stops the search, and all of it is named."""
+"""Finding submissions: no file stops the search, and every one is reported."""
 
 import json
 import os
@@ -13,11 +13,11 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import hand_in, notebook
 
 from workbook.grading import submissions, submitted_file
-from workbook.grading.sanitising import printable, printable_name
-from workbook.grading.submissions import Aside, Submission, find, students
+from workbook.grading.sanitising import sanitise, sanitise_name
+from workbook.grading.submissions import LeftAside, Submission, find, students
 
 
-def test_in_order_with_what_was_left_aside(tmp_path):
+def test_order_and_what_was_left_aside(tmp_path):
     hand_in(tmp_path, "bela", "1.15", {})
     hand_in(tmp_path, "ada", "1.4", {}, at=5.0)
     root = tmp_path / "submitted"
@@ -29,19 +29,19 @@ def test_in_order_with_what_was_left_aside(tmp_path):
     (root / "ellen" / "real" / "p15.ipynb").symlink_to(root / "ada" / "hw1" / "ch1-p04.ipynb")
     (root / ".git" / "hw1").mkdir(parents=True)
     (root / "README.txt").touch()
-    found = list(find(root))
+    entries = list(find(root))
     asides = {
-        Path(one.path).relative_to(root).as_posix(): one.why
-        for one in found
-        if isinstance(one, Aside)
+        Path(entry.path).relative_to(root).as_posix(): entry.why
+        for entry in entries
+        if isinstance(entry, LeftAside)
     }
     assert asides == {
         "cyd": "this is a symbolic link",
         "dora/hw1": "there is no notebook in this folder",
         "ellen/hw1": "this is a symbolic link",
     }
-    read = [one for one in found if isinstance(one, Submission)]
-    assert [(one.student, one.problem, bool(one.trouble)) for one in read] == [
+    read = [entry for entry in entries if isinstance(entry, Submission)]
+    assert [(entry.student, entry.problem, bool(entry.trouble)) for entry in read] == [
         ("ada", "1.4", False),
         ("bela", "1.15", False),
         ("ellen", None, True),
@@ -49,29 +49,30 @@ def test_in_order_with_what_was_left_aside(tmp_path):
     assert read[0].submitted == 5.0 and read[2].cells == ()
 
 
-def test_notebooks_in_the_wrong_place_are_named(tmp_path):
-    """A whole class handed in one folder too high or too low is not a class that handed in
-    nothing."""
+def test_misplaced_notebooks_are_reported(tmp_path):
+    """A class whose notebooks are one folder too high or low has not handed in nothing."""
     real = hand_in(tmp_path, "ada", "1.15", {})
     root = tmp_path / "submitted"
-    for place in (
+    for path_in_root in (
         "ch1-p15.ipynb",
         "bela/ch1-p15.ipynb",
         "ada/hw1/inner/ch1-p15.ipynb",
         "ada/hw1/._ch1-p15.ipynb",
         "ada/hw1/.ipynb_checkpoints/ch1-p15.ipynb",
     ):
-        (root / place).parent.mkdir(exist_ok=True)
-        (root / place).write_bytes(real.read_bytes())
+        (root / path_in_root).parent.mkdir(exist_ok=True)
+        (root / path_in_root).write_bytes(real.read_bytes())
     (root / "ada" / "hw1" / "pictures").mkdir()
-    found = list(find(root))
+    entries = list(find(root))
     asides = {
-        Path(one.path).relative_to(root).as_posix() for one in found if isinstance(one, Aside)
+        Path(entry.path).relative_to(root).as_posix()
+        for entry in entries
+        if isinstance(entry, LeftAside)
     }
     assert asides == {"ch1-p15.ipynb", "bela/ch1-p15.ipynb", "ada/hw1/inner/ch1-p15.ipynb"}
-    whys = {one.why for one in found if isinstance(one, Aside)}
-    assert whys == {"it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read"}
-    assert [one.path for one in found if isinstance(one, Submission)] == [str(real)]
+    reasons = {entry.why for entry in entries if isinstance(entry, LeftAside)}
+    assert reasons == {"it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read"}
+    assert [entry.path for entry in entries if isinstance(entry, Submission)] == [str(real)]
 
 
 @pytest.mark.parametrize(
@@ -83,8 +84,8 @@ def test_notebooks_in_the_wrong_place_are_named(tmp_path):
     ],
 )
 @pytest.mark.parametrize("call", ["open", "fstat"])
-def test_a_file_that_we_cannot_read_is_no_attempt(tmp_path, monkeypatch, trouble, call):
-    """It is not the student's fault, so it must not count as the one attempt that a student has."""
+def test_a_file_without_read_permission_is_no_attempt(tmp_path, monkeypatch, trouble, call):
+    """It is not the student's fault, so it must not count as the only attempt."""
     hand_in(tmp_path, "ada", "1.15", {})
     real = getattr(os, call)
 
@@ -97,7 +98,8 @@ def test_a_file_that_we_cannot_read_is_no_attempt(tmp_path, monkeypatch, trouble
         broken.setattr(os, call, fail)
         (aside,) = find(tmp_path / "submitted")
     assert (
-        isinstance(aside, Aside) and aside.why == f"this file cannot be read ({trouble.strerror})"
+        isinstance(aside, LeftAside)
+        and aside.why == f"this file cannot be read ({trouble.strerror})"
     )
     assert isinstance(next(find(tmp_path / "submitted")), Submission)
 
@@ -107,11 +109,11 @@ def test_a_folder_that_cannot_be_opened(tmp_path, monkeypatch):
     hand_in(tmp_path, "bela", "1.15", {})
     # root can open everything
     monkeypatch.setattr(os, "access", lambda path, mode: Path(path).name != "ada")
-    found = list(find(tmp_path / "submitted"))
+    entries = list(find(tmp_path / "submitted"))
     assert (
-        isinstance(found[0], Aside)
-        and found[0].why == "this folder cannot be opened"
-        and found[1].student == "bela"
+        isinstance(entries[0], LeftAside)
+        and entries[0].why == "this folder cannot be opened"
+        and entries[1].student == "bela"
     )
 
 
@@ -137,14 +139,14 @@ def test_odd_names(tmp_path, name):
     os.makedirs(folder)
     with open(folder + b"/p15.ipynb", "w") as file:
         json.dump(notebook("1.15", {}), file)
-    (found,) = find(tmp_path / "submitted")
-    assert found.problem == "1.15" and not found.trouble
-    for text in (found.student, found.path):
+    (entry,) = find(tmp_path / "submitted")
+    assert entry.problem == "1.15" and not entry.trouble
+    for text in (entry.student, entry.path):
         assert text.encode() and text.isprintable()
 
 
-def test_accents_in_either_spelling_are_one_student(tmp_path):
-    """A Mac writes é as e and an accent, other systems as one letter."""
+def test_both_unicode_forms_of_a_name_are_one_student(tmp_path):
+    """macOS writes é as e and an accent, other systems as one letter."""
     for k, spelling in enumerate(("NFC", "NFD")):
         hand_in(
             tmp_path,
@@ -154,33 +156,35 @@ def test_accents_in_either_spelling_are_one_student(tmp_path):
             name=f"ch1-p15-{k}.ipynb",
             assignment=normalize(spelling, "été"),
         )
-    found = list(find(tmp_path / "submitted"))
-    assert len(found) == 2 and {(one.student, one.assignment) for one in found} == {
+    entries = list(find(tmp_path / "submitted"))
+    assert len(entries) == 2 and {(entry.student, entry.assignment) for entry in entries} == {
         (normalize("NFC", "renée"), normalize("NFC", "été"))
     }
     assert students(tmp_path / "submitted") == [normalize("NFC", "renée")]
 
 
 @pytest.mark.parametrize("gone", ["ada", "ada/hw1", "ada/hw1/ch1-p15.ipynb"])
-def test_what_is_renamed_meanwhile_is_named(tmp_path, monkeypatch, gone):
+def test_what_is_renamed_meanwhile_is_reported(tmp_path, monkeypatch, gone):
     hand_in(tmp_path, "ada", "1.15", {})
     hand_in(tmp_path, "ada", "1.15", {}, assignment="hw1/inner")
     hand_in(tmp_path, "bela", "1.15", {})
     root, listed = tmp_path / "submitted", submissions._listed
 
     def then_renamed(path):
-        found = listed(path)
-        if root / gone in found:
+        entries = listed(path)
+        if root / gone in entries:
             (root / gone).rename(root / f"renamed-{gone.replace(chr(47), chr(45))}")
-        return found
+        return entries
 
     monkeypatch.setattr(submissions, "_listed", then_renamed)
-    found = list(find(root))
-    assert any(isinstance(one, Submission) and one.student == "bela" for one in found)
-    asides = [one for one in found if isinstance(one, Aside)]
-    assert any(Path(one.path) == root / gone and one.student == "ada" for one in asides), asides
-    whys = ("renamed or removed", "cannot be read", "does not lie")
-    assert all(any(words in one.why for words in whys) for one in asides)
+    entries = list(find(root))
+    assert any(isinstance(entry, Submission) and entry.student == "bela" for entry in entries)
+    asides = [entry for entry in entries if isinstance(entry, LeftAside)]
+    assert any(Path(entry.path) == root / gone and entry.student == "ada" for entry in asides), (
+        asides
+    )
+    reasons = ("renamed or removed", "cannot be read", "does not lie")
+    assert all(any(words in entry.why for words in reasons) for entry in asides)
 
 
 def test_different_names_stay_different():
@@ -195,21 +199,21 @@ def test_different_names_stay_different():
         b"\\u202e",
         b"ada",
     ]
-    assert len({printable_name(name) for name in names}) == len(names)
+    assert len({sanitise_name(name) for name in names}) == len(names)
     assert (
-        printable_name("ada") == "ada"
-        and printable_name("Łódź") == "Łódź"
-        and printable_name("محمد علی") == "محمد علی"
+        sanitise_name("ada") == "ada"
+        and sanitise_name("Łódź") == "Łódź"
+        and sanitise_name("محمد علی") == "محمد علی"
     )
 
 
-def test_printable():
-    assert printable("a\x1b[2J\ud800\u2028b\n") == "a\\x1b[2J\\ud800\\u2028b\\n"
-    assert printable("a\nb", keep="\n") == "a\nb"
+def test_sanitise():
+    assert sanitise("a\x1b[2J\ud800\u2028b\n") == "a\\x1b[2J\\ud800\\u2028b\\n"
+    assert sanitise("a\nb", keep="\n") == "a\nb"
 
 
 @pytest.mark.parametrize(
-    "name, said",
+    "name, message",
     [
         (b"grades.sqlite", "the folder of results needs this name for itself"),
         (b"grades.sqlite-wal", "needs this name for itself"),
@@ -217,7 +221,7 @@ def test_printable():
         (b"\x01" * 250, "this name is too long for a folder of results"),
     ],
 )
-def test_names_that_no_homework_can_have(tmp_path, name, said):
+def test_names_that_no_homework_can_have(tmp_path, name, message):
     folder = os.fsencode(tmp_path / "submitted") + b"/eve/" + name
     os.makedirs(folder)
     with open(folder + b"/p15.ipynb", "w") as file:
@@ -226,25 +230,25 @@ def test_names_that_no_homework_can_have(tmp_path, name, said):
     ada, aside = find(tmp_path / "submitted")
     assert (
         ada.student == "ada"
-        and said in aside.why
+        and message in aside.why
         and (aside.student, aside.assignment) == ("eve", "")
     )
 
 
-def test_folders_of_systems_are_nobodys(tmp_path):
+def test_system_folders_are_ignored(tmp_path):
     real = hand_in(tmp_path, "ada", "1.15", {})
-    for place in (
+    for path_in_root in (
         "__MACOSX/ada/hw1/ch1-p15.ipynb",
         "ada/__MACOSX/ch1-p15.ipynb",
         "ada/hw1/__MACOSX/ch1-p15.ipynb",
         ".Trashes/hw1/ch1-p15.ipynb",
         "@eaDir/hw1/ch1-p15.ipynb",
     ):
-        (tmp_path / "submitted" / place).parent.mkdir(parents=True)
-        (tmp_path / "submitted" / place).write_bytes(real.read_bytes())
+        (tmp_path / "submitted" / path_in_root).parent.mkdir(parents=True)
+        (tmp_path / "submitted" / path_in_root).write_bytes(real.read_bytes())
     (tmp_path / "submitted" / ".DS_Store").touch()
-    (found,) = find(tmp_path / "submitted")
-    assert found.path == str(real) and students(tmp_path / "submitted") == ["ada"]
+    (entry,) = find(tmp_path / "submitted")
+    assert entry.path == str(real) and students(tmp_path / "submitted") == ["ada"]
     (tmp_path / "submitted" / "bela" / "hw1").mkdir(parents=True)
     (tmp_path / "submitted" / "bela" / "hw1" / ".DS_Store").touch()
     assert list(find(tmp_path / "submitted"))[-1].student == "", "an empty folder is nobody's work"
@@ -252,91 +256,91 @@ def test_folders_of_systems_are_nobodys(tmp_path):
 
 @pytest.mark.parametrize("megabytes", [6, 25])
 def test_pictures_cost_nothing(tmp_path, megabytes):
-    given = notebook("1.15", {"a_region": "k1 > 0"})
-    given["cells"][2]["outputs"] = [
+    nb = notebook("1.15", {"a_region": "k1 > 0"})
+    nb["cells"][2]["outputs"] = [
         {
             "output_type": "display_data",
             "data": {"image/png": "A" * megabytes * 2**20},
             "metadata": {},
         }
     ]
-    hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(given))
-    (found,) = find(tmp_path / "submitted")
+    hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(nb))
+    (entry,) = find(tmp_path / "submitted")
     assert (
-        found.trouble == ""
-        and found.problem == "1.15"
-        and any("a_region = k1 > 0" in cell for cell in found.cells)
+        entry.trouble == ""
+        and entry.problem == "1.15"
+        and any("a_region = k1 > 0" in cell for cell in entry.cells)
     )
 
 
 @pytest.mark.parametrize(
-    "content, said",
+    "content, message",
     [(b"[" + b"[]," * 2**21 + b"[]]", "not a notebook"), (b"{" * 12 * 2**20, "no JSON in UTF-8")],
 )
-def test_large_files_that_are_no_notebooks(tmp_path, content, said, monkeypatch):
-    monkeypatch.setattr(submitted_file, "LARGE", 2**20)
+def test_large_files_that_are_no_notebooks(tmp_path, content, message, monkeypatch):
+    monkeypatch.setattr(submitted_file, "LARGE_FILE", 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
-    (found,) = find(tmp_path / "submitted")
-    assert said in found.trouble and found.submitted > 0
+    (entry,) = find(tmp_path / "submitted")
+    assert message in entry.trouble and entry.submitted > 0
 
 
 @pytest.mark.parametrize(
-    "content, said", [(b"", "empty"), (b" \r\n", "empty"), (b"PK\x03\x04rest", ".zip archive")]
+    "content, message", [(b"", "empty"), (b" \r\n", "empty"), (b"PK\x03\x04rest", ".zip archive")]
 )
-def test_files_that_came_in_a_wrong_wrapping(tmp_path, content, said):
+def test_files_of_other_formats_with_the_name_of_a_notebook(tmp_path, content, message):
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(content)
-    (found,) = find(tmp_path / "submitted")
-    assert said in found.trouble and found.problem == "1.15" and found.cells == ()
+    (entry,) = find(tmp_path / "submitted")
+    assert message in entry.trouble and entry.problem == "1.15" and entry.cells == ()
 
 
 def test_reading_has_limits(tmp_path, monkeypatch):
     """Twenty megabytes of empty lists are half a gigabyte in memory."""
     monkeypatch.setattr(submitted_file, "MEMORY", 100 * 2**20)
     hand_in(tmp_path, "ada", "1.15", {}).write_bytes(b'{"cells": [' + b"[]," * 7 * 2**20 + b"[]]}")
-    (found,) = find(tmp_path / "submitted")
+    (entry,) = find(tmp_path / "submitted")
     assert (
-        found.trouble == "the file has 21 MB, and reading it took more time or memory than allowed"
+        entry.trouble == "the file has 21 MB, and reading it took more time or memory than allowed"
     )
 
 
 def test_the_time_of_a_file_that_is_not_read(tmp_path, monkeypatch):
-    monkeypatch.setattr(submitted_file, "LARGEST", 100)
+    monkeypatch.setattr(submitted_file, "MAX_FILE", 100)
     hand_in(tmp_path, "ada", "1.15", {}, at=5.0)
-    (found,) = find(tmp_path / "submitted")
-    assert found.submitted == 5.0 and "notebooks up to" in found.trouble
+    (entry,) = find(tmp_path / "submitted")
+    assert entry.submitted == 5.0 and "notebooks up to" in entry.trouble
 
 
-def test_no_calendar_has_such_a_time(tmp_path, monkeypatch):
+def test_times_beyond_datetime(tmp_path, monkeypatch):
     path = hand_in(tmp_path, "ada", "1.15", {})
     monkeypatch.setattr(Path, "lstat", lambda path: os.stat_result((0,) * 8 + (10**15, 0)))
-    found = submissions._read("ada", "hw1", path)
-    assert datetime.fromtimestamp(found.submitted, UTC).year == 9999
+    entry = submissions._read("ada", "hw1", path)
+    assert datetime.fromtimestamp(entry.submitted, UTC).year == 9999
 
 
-def test_format_3(tmp_path):
-    given = notebook("1.15", {"a_region": "k1 > 0"})
-    cells = [dict(cell) for cell in given["cells"]]
+def test_notebooks_of_format_3(tmp_path):
+    nb = notebook("1.15", {"a_region": "k1 > 0"})
+    cells = [dict(cell) for cell in nb["cells"]]
     for cell in cells:
         if cell["cell_type"] == "code":
             cell["input"] = cell.pop("source")
     old = {
         "nbformat": 3,
         "nbformat_minor": 0,
-        "metadata": given["metadata"],
+        "metadata": nb["metadata"],
         "worksheets": [{"cells": cells[:3]}, {"cells": cells[3:]}],
     }
     hand_in(tmp_path, "ada", "1.15", {}).write_text(json.dumps(old))
-    (found,) = find(tmp_path / "submitted")
-    assert found.problem == "1.15"
-    assert found.cells == tuple(
-        "".join(cell["source"]) for cell in given["cells"] if cell["cell_type"] == "code"
+    (entry,) = find(tmp_path / "submitted")
+    assert entry.problem == "1.15"
+    assert entry.cells == tuple(
+        "".join(cell["source"]) for cell in nb["cells"] if cell["cell_type"] == "code"
     )
 
 
 def test_too_much_code(tmp_path):
-    given = notebook("1.15", {})
-    given["cells"] += [{"cell_type": "code", "metadata": {}, "source": "x = 1\n" * 200_000}]
+    nb = notebook("1.15", {})
+    nb["cells"] += [{"cell_type": "code", "metadata": {}, "source": "x = 1\n" * 200_000}]
     path = hand_in(tmp_path, "ada", "1.15", {})
-    path.write_text(json.dumps(given))
-    (found,) = find(tmp_path / "submitted")
-    assert "more than 1 MB of code" in found.trouble and found.cells == ()
+    path.write_text(json.dumps(nb))
+    (entry,) = find(tmp_path / "submitted")
+    assert "more than 1 MB of code" in entry.trouble and entry.cells == ()

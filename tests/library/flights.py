@@ -1,4 +1,4 @@
-"""True motions of the planar vehicle, for tests: independent of the library, exact to rounding."""
+"""True motions of the planar vehicle for tests, independent of the library, exact to rounding."""
 
 import numpy as np
 
@@ -19,12 +19,12 @@ def fly(start, pieces, k):
             return psi + (k * u / w * np.log1p(w * s / V) if w else k * u * s / V)
 
         s = duration * (POINTS + 1) / 2
-        way = duration / 2 * WEIGHTS * (V + w * s)
+        lengths = duration / 2 * WEIGHTS * (V + w * s)
         states.append(
             np.array(
                 [
-                    x + way @ np.sin(heading(s)),
-                    y + way @ np.cos(heading(s)),
+                    x + lengths @ np.sin(heading(s)),
+                    y + lengths @ np.cos(heading(s)),
                     heading(duration),
                     V + w * duration,
                 ]

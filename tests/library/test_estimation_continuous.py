@@ -1,5 +1,4 @@
-"""Continuous filters, measurements at moments, shaping filters, interpolation, sample paths and
-their statistics."""
+"""Continuous filters, discrete measurements, shaping filters, interpolation and sample paths."""
 
 import numpy as np
 import pytest
@@ -37,16 +36,16 @@ def integrated(filter, P, end):
     "A, H, intensity, noise, P",
     [(a, 1, Q, R, p), (0, 1, 0, R, p), (0, 1, Q, R, 0), (-1, 1, 2, 1, 1), (a, 0, Q, R, p)],
 )
-def test_a_variance_solves_the_riccati_equation(A, H, intensity, noise, P):
+def test_closed_form_variance_solves_the_riccati_equation(A, H, intensity, noise, P):
     filter = ContinuousFilter(A, H, intensity, noise)
-    found = filter.covariance(P, t)
+    result = filter.covariance(P, t)
     values = {a: sp.Rational(2, 3), Q: 3, R: 2, p: 5}
-    there = (
-        found.diff(t) - filter.rate(sp.Matrix([sp.Symbol("P")])).subs(sp.Symbol("P"), found[0])
+    value = (
+        result.diff(t) - filter.rate(sp.Matrix([sp.Symbol("P")])).subs(sp.Symbol("P"), result[0])
     ).subs(values)
     for moment in (0, sp.Rational(1, 3), 2):
-        assert abs(sp.N(there[0].subs(t, moment), 25)) < 1e-18
-    assert sp.simplify(found[0].subs(t, 0) - P) == 0
+        assert abs(sp.N(value[0].subs(t, moment), 25)) < 1e-18
+    assert sp.simplify(result[0].subs(t, 0) - P) == 0
 
 
 @pytest.mark.parametrize(
@@ -58,7 +57,7 @@ def test_a_variance_solves_the_riccati_equation(A, H, intensity, noise, P):
         ([[-1, 0], [0, 0]], sp.diag(5, 1)),
     ],
 )
-def test_two_states_against_the_integrator(A, intensity):
+def test_closed_form_of_two_states_agrees_with_the_integrator(A, intensity):
     exact = ContinuousFilter(A, [[1, 1]], intensity, 1)
     filter = ContinuousFilter(np.array(A, dtype=float), [[1, 1]], intensity, 1)
     P = np.array([[2.0, 0.5], [0.5, 1.0]])
@@ -66,13 +65,13 @@ def test_two_states_against_the_integrator(A, intensity):
     for end in (0.0, 0.4, 3.0):
         peer = integrated(filter, P, end) if end else P
         assert np.allclose(filter.covariance(P, end), peer, rtol=1e-8, atol=1e-10)
-        there = closed.subs(t, sp.Rational(str(end))).applyfunc(lambda e: sp.re(sp.N(e, 30)))
-        assert np.allclose(np.array(there.tolist(), dtype=float), peer, rtol=1e-8, atol=1e-10)
+        value = closed.subs(t, sp.Rational(str(end))).applyfunc(lambda e: sp.re(sp.N(e, 30)))
+        assert np.allclose(np.array(value.tolist(), dtype=float), peer, rtol=1e-8, atol=1e-10)
     assert np.allclose(filter.gain(P), P @ [[1], [1]])
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_after_a_long_time_the_filter_is_stationary(seed):
+def test_filter_is_stationary_after_a_long_time(seed):
     """X and Y alone would overflow long before t = 10^4."""
     rng = np.random.default_rng(seed)
     A, mixing = rng.normal(size=(4, 4)), rng.normal(size=(4, 4))
@@ -86,7 +85,7 @@ def test_after_a_long_time_the_filter_is_stationary(seed):
     )
 
 
-def test_a_record_is_filtered_with_the_square_of_the_step():
+def test_record_filter_has_second_order_errors_in_the_step():
     filter = ContinuousFilter(np.array([[0.0, 1], [-2, -0.3]]), [[1, 0]], np.diag([0, 0.5]), 0.2)
     start = Moments([1, 0], [[2, 0.3], [0.3, 1]])
 
@@ -112,7 +111,7 @@ def test_a_record_is_filtered_with_the_square_of_the_step():
     assert apart[1] < 5e-4 and 3.3 < apart[0] / apart[1] < 4.7
 
 
-def test_errors_of_a_continuous_filter_are_as_large_as_told():
+def test_errors_of_a_continuous_filter_agree_with_its_covariance():
     """State and integral of z drawn together, so that the record is exact."""
     A, H, start = (
         np.array([[0.0, 1], [-2, -0.3]]),
@@ -143,7 +142,7 @@ def test_errors_of_a_continuous_filter_are_as_large_as_told():
     assert abs(np.mean(squares) - 2) < 3.3 * np.sqrt(4 / 150)
 
 
-def test_a_record_that_does_not_fit_is_told():
+def test_run_rejects_records_that_do_not_fit():
     filter = ContinuousFilter(np.array([[-1.0]]), 1, 1, 1)
     for averages, times in (([1.0, 2.0], [0, 1]), ([np.nan], [0, 1]), ([1.0], [1, 1])):
         with pytest.raises(ValueError, match="averages|rising"):
@@ -154,7 +153,7 @@ def test_a_record_that_does_not_fit_is_told():
         ContinuousFilter(-1, 1, 1, 1).simulate(Moments(0, 1), [0, 1], 2, seed=1)
 
 
-def test_the_equations_of_problem_4_33_are_told():
+def test_equations_of_problem_4_33():
     b, p11, p12, p22 = sp.symbols("b p11 p12 p22", real=True)
     filter = ContinuousFilter([[0, 1], [-b, -a]], [[0, 1]], sp.diag(0, Q), R)
     rate = filter.rate([[p11, p12], [p12, p22]])
@@ -187,11 +186,11 @@ def test_the_equations_of_problem_4_33_are_told():
         (1, 1, Moments(1, 1), 0, 2, sp.Rational(3, 2) * sp.E, sp.exp(2) - sp.Rational(1, 2)),
     ],
 )
-def test_one_measurement_at_a_moment(A, intensity, start, when, z, mean, variance):
+def test_one_measurement_at_a_time(A, intensity, start, when, z, mean, variance):
     run = estimation.filter_measurements(A, intensity, start, [Measurement(when, z, 1, 1)])
-    there = run.at(1)
+    value = run.at(1)
     assert (
-        sp.simplify(there.mean[0] - mean) == 0 and sp.simplify(there.covariance[0] - variance) == 0
+        sp.simplify(value.mean[0] - mean) == 0 and sp.simplify(value.covariance[0] - variance) == 0
     )
 
 
@@ -219,7 +218,7 @@ def test_problem_4_26():
 
 
 @pytest.mark.parametrize("seed", range(2))
-def test_moments_anyhow_are_one_conditional_distribution(seed):
+def test_irregular_measurements_give_the_conditional_distribution(seed):
     """Irregular, in any order, two at one time, some missing: against the joint distribution of all
     x(t_i)."""
     rng = np.random.default_rng(seed)
@@ -229,11 +228,13 @@ def test_moments_anyhow_are_one_conditional_distribution(seed):
     times[3] = times[2]
     H, noise = rng.normal(size=(7, 2, 3)), np.diag([0.3, 0.5])
     z = rng.normal(size=(7, 2))
-    given = [Measurement(s, list(values), rows, noise) for s, values, rows in zip(times, z, H)]
-    given[4] = Measurement(times[4], [None, z[4, 1]], H[4], noise)
-    given[5] = Measurement(times[5], None, H[5], noise)
+    measurements = [
+        Measurement(s, list(values), rows, noise) for s, values, rows in zip(times, z, H)
+    ]
+    measurements[4] = Measurement(times[4], [None, z[4, 1]], H[4], noise)
+    measurements[5] = Measurement(times[5], None, H[5], noise)
     run = estimation.filter_measurements(
-        A, intensity, start, [given[k] for k in rng.permutation(7)]
+        A, intensity, start, [measurements[k] for k in rng.permutation(7)]
     )
     P = [estimation.continuous_moments(A, intensity, start, s).covariance for s in times]
     mean = np.concatenate([scipy.linalg.expm(A * s) @ start.mean for s in times])
@@ -262,7 +263,7 @@ def test_moments_anyhow_are_one_conditional_distribution(seed):
 @pytest.mark.parametrize(
     "measurement, message",
     [
-        (Measurement(-1, 1, 1, 1), "before 0, the beginning"),
+        (Measurement(-1, 1, 1, 1), "before 0, the initial time"),
         (Measurement(0, sp.nan, 1, 1), "finite"),
         (Measurement(0, float("nan"), 1, 1), "finite"),
         (Measurement(0, 1, 1, 0), "positive definite"),
@@ -270,12 +271,12 @@ def test_moments_anyhow_are_one_conditional_distribution(seed):
         (Measurement(0, 1, [[1, 0]], 1), "any x 1"),
     ],
 )
-def test_bad_measurements_are_told(measurement, message):
+def test_filter_measurements_rejects_bad_measurements(measurement, message):
     with pytest.raises(ValueError, match=message):
         estimation.filter_measurements(-1, 1, Moments(0, 1), [measurement])
 
 
-def test_a_moment_may_be_a_symbol():
+def test_time_of_a_measurement_may_be_a_symbol():
     """Example 5 in one call."""
     T = sp.Symbol("T", positive=True)
     run = estimation.filter_measurements(
@@ -293,11 +294,11 @@ def test_a_moment_may_be_a_symbol():
     assert run.at(T).covariance == run.after[0].covariance
     with pytest.raises(ValueError, match="not known"):
         run.at(5)
-    with pytest.raises(ValueError, match="before 0, the beginning"):
+    with pytest.raises(ValueError, match="before 0, the initial time"):
         estimation.filter_measurements(0, 1, Moments(0, 1), [Measurement(-T, 0, 1, 1)])
 
 
-def test_nothing_measured_is_the_process_alone():
+def test_filter_without_measurements_is_the_process():
     run = estimation.filter_measurements(-1, 1, Moments(0, 1), [Measurement(1, [None], 1, 1)])
     assert run.corrections == (None,) and run.at(2).covariance[0] == sp.exp(-4) / 2 + sp.Rational(
         1, 2
@@ -310,12 +311,12 @@ def test_nothing_measured_is_the_process_alone():
         ContinuousFilter(0, 1, 1, 1).covariance(-1, 1)
 
 
-def test_shaped_noise_has_its_correlation():
-    found = estimation.shaping_filter(8 * sp.exp(-tau) + 3 * sp.exp(-a * tau) + 2, tau)
-    assert sp.simplify(found.correlation(tau) - 8 * sp.exp(-tau) - 3 * sp.exp(-a * tau) - 2) == 0
-    A, P = found.A, found.covariance
+def test_shaping_filter_has_the_given_correlation():
+    result = estimation.shaping_filter(8 * sp.exp(-tau) + 3 * sp.exp(-a * tau) + 2, tau)
+    assert sp.simplify(result.correlation(tau) - 8 * sp.exp(-tau) - 3 * sp.exp(-a * tau) - 2) == 0
+    A, P = result.A, result.covariance
     # stationary from the beginning
-    assert (A * P + P * A.T + found.Q).applyfunc(sp.simplify) == sp.zeros(3)
+    assert (A * P + P * A.T + result.Q).applyfunc(sp.simplify) == sp.zeros(3)
     shaped = estimation.with_shaping(0, estimation.shaping_filter(8 * sp.exp(-tau), tau), B=1, H=1)
     filter = estimation.stationary_filter(shaped.A, shaped.H, shaped.Q, 1)
     assert filter.covariance[0, 0] == 2 and filter.where == sp.true  # 4.41
@@ -326,7 +327,7 @@ def test_shaped_noise_has_its_correlation():
     assert P[:2, :2] == sp.Matrix([[p * a**4 / 4, p * a**3 / 2], [p * a**3 / 2, p * a**2]])
 
 
-def test_noise_of_a_measurement_is_shaped_too():
+def test_shaped_measurement_noise():
     shaped = estimation.with_shaping(
         [[0, 1], [-1, 0]],
         estimation.shaping_filter(sp.exp(-2 * tau), tau),
@@ -352,24 +353,24 @@ def test_noise_of_a_measurement_is_shaped_too():
         0,
     ],
 )
-def test_what_no_sum_of_exponentials_gives_is_refused(correlation):
+def test_shaping_filter_rejects_other_correlations(correlation):
     with pytest.raises(ValueError, match="correlation"):
         estimation.shaping_filter(correlation, tau)
 
 
 def test_problem_4_31_by_the_correlation_and_by_the_filter():
-    found = estimation.optimal_weights(sp.exp(-tau), tau, [1, 2, 3], t)
+    result = estimation.optimal_weights(sp.exp(-tau), tau, [1, 2, 3], t)
     expected = {
         sp.Rational(1, 2): (sp.exp(-sp.Rational(1, 2)), 0, 0),
         5: (0, 0, sp.exp(-2)),
         2: (0, 1, 0),
     }
-    for place, weights in expected.items():
-        assert all(sp.simplify(w.subs(t, place) - v) == 0 for w, v in zip(found.weights, weights))
+    for point, weights in expected.items():
+        assert all(sp.simplify(w.subs(t, point) - v) == 0 for w, v in zip(result.weights, weights))
     inside = [sp.sinh(2 - t) / sp.sinh(1), sp.sinh(t - 1) / sp.sinh(1), 0]
-    for place in (sp.Rational(5, 4), sp.Rational(7, 4)):
+    for point in (sp.Rational(5, 4), sp.Rational(7, 4)):
         assert all(
-            abs(sp.N((w - v).subs(t, place), 20)) < 1e-18 for w, v in zip(found.weights, inside)
+            abs(sp.N((w - v).subs(t, point), 20)) < 1e-18 for w, v in zip(result.weights, inside)
         )
     # noise on the measurements, and the process as x' = -x + q of the variance 1: the filter
     # predicts the same
@@ -386,13 +387,13 @@ def test_problem_4_31_by_the_correlation_and_by_the_filter():
     assert "w =" in noisy._repr_latex_()
 
 
-def test_interpolation_in_floats_is_the_exact_one():
+def test_interpolation_in_floats_agrees_with_the_exact_one():
     correlation, times = sp.exp(-tau) * (1 + tau), [0, 1, sp.Rational(5, 2)]
-    places = np.array([-0.5, 1.0, 2.0, 4.0])
-    floats = estimation.optimal_weights(correlation, tau, np.array(times, dtype=float), places, 0.1)
-    for k, place in enumerate(places):
+    points = np.array([-0.5, 1.0, 2.0, 4.0])
+    floats = estimation.optimal_weights(correlation, tau, np.array(times, dtype=float), points, 0.1)
+    for k, point in enumerate(points):
         exact = estimation.optimal_weights(
-            correlation, tau, times, sp.Rational(str(place)), sp.Rational(1, 10)
+            correlation, tau, times, sp.Rational(str(point)), sp.Rational(1, 10)
         )
         assert np.allclose(
             np.array(exact.weights.evalf(), dtype=float).ravel(), floats.weights[k], atol=1e-12
@@ -413,7 +414,7 @@ def test_interpolation_in_floats_is_the_exact_one():
         ((sp.exp(-tau), tau, [1, 2], t, -1), "semidefinite"),
     ],
 )
-def test_interpolation_refuses(arguments, message):
+def test_optimal_weights_rejects_bad_arguments(arguments, message):
     with pytest.raises(ValueError, match=message):
         estimation.optimal_weights(*arguments)
 
@@ -425,12 +426,14 @@ def test_paths_have_the_moments_of_the_process():
         A, intensity, start, times, 40_000, seed=2, H=[[1, 0]], R=0.2
     )
     for k, moment in enumerate(times):
-        told = estimation.continuous_moments(A, intensity, start, moment)
-        sample = estimation.moments_of_values(drawn.states[:, k])
-        assert np.abs(sample.mean - told.mean).max() < 4 * np.sqrt(told.covariance.max() / 40_000)
+        expected = estimation.continuous_moments(A, intensity, start, moment)
+        sample = drawn.states[:, k]
+        assert np.abs(sample.mean(axis=0) - expected.mean).max() < 4 * np.sqrt(
+            expected.covariance.max() / 40_000
+        )
         assert (
-            np.abs(sample.covariance - told.covariance).max()
-            < 4 * np.sqrt(2 / 40_000) * told.covariance.max()
+            np.abs(np.cov(sample.T) - expected.covariance).max()
+            < 4 * np.sqrt(2 / 40_000) * expected.covariance.max()
         )
     errors = drawn.measurements[:, :, 0] - drawn.states[:, :, 0]
     assert abs(errors.var() / 0.2 - 1) < 4 * np.sqrt(2 / 200_000) and "40000" in repr(drawn)
@@ -442,14 +445,18 @@ def test_paths_have_the_moments_of_the_process():
         estimation.simulate_continuous(A, intensity, start, [0, 2, 1], 5, seed=1)
 
 
-def test_a_right_model_is_consistent_and_a_wrong_one_is_not():
+def last_error_consistency(run, states):
+    """The NEES test over independent paths; errors of one path depend on one another."""
+    errors = (run.estimates - states)[:, -1]
+    return estimation.covariance_consistency(errors, run.covariances[:, -1])
+
+
+def test_consistency_of_right_and_wrong_models():
     Phi, H, variance, noise = np.array([[1.0, 0.1], [-0.2, 0.9]]), [[1, 0]], np.diag([0, 0.04]), 0.3
     start = Moments([0, 0], sp.eye(2))
     drawn = estimation.simulate_discrete(Phi, variance, start, 200, 300, seed=5, H=H, R=noise)
     run = KalmanFilter(Phi, H, variance, noise).run(drawn.measurements, start)
-    assert estimation.innovation_consistency(run) and estimation.error_consistency(
-        run, drawn.states
-    )
+    assert estimation.innovation_consistency(run) and last_error_consistency(run, drawn.states)
     assert "consistent" in estimation.innovation_consistency(run)._repr_markdown_()
     for wrong in (
         KalmanFilter(Phi, H, variance, 1.1 * noise),
@@ -457,21 +464,15 @@ def test_a_right_model_is_consistent_and_a_wrong_one_is_not():
     ):
         assert not estimation.innovation_consistency(wrong.run(drawn.measurements, start))
     poor = KalmanFilter(Phi, H, 3 * variance, noise).run(drawn.measurements, start)
-    assert not estimation.error_consistency(poor, drawn.states)
+    assert not last_error_consistency(poor, drawn.states)
     missing = np.random.default_rng(1).random(200) < 0.3
     gaps = KalmanFilter(Phi, H, variance, noise).run(
         drawn.measurements, start, np.broadcast_to(missing, (300, 200))
     )
-    assert estimation.innovation_consistency(gaps) and estimation.error_consistency(
-        gaps, drawn.states
-    )
-    with pytest.raises(ValueError, match="several series"):
-        estimation.error_consistency(
-            KalmanFilter(Phi, H, variance, noise).run(drawn.measurements[0], start), drawn.states[0]
-        )
+    assert estimation.innovation_consistency(gaps) and last_error_consistency(gaps, drawn.states)
 
 
-def test_the_path_of_an_estimate_jumps_where_it_is_measured():
+def test_path_of_an_estimate_jumps_at_measurements():
     run = estimation.filter_measurements(
         [[0, 1], [0, 0]],
         sp.diag(0, 1),
@@ -489,7 +490,7 @@ def test_the_path_of_an_estimate_jumps_where_it_is_measured():
     assert len(run.path(2)[0]) == 100 and np.isclose(run.path(4, component=1)[1][-1], 5 / 8)
 
 
-def test_errors_of_a_wrong_size_are_not_consistent():
+def test_covariance_consistency_of_right_and_wrong_covariances():
     drawn = np.random.default_rng(8).multivariate_normal([0, 0], [[2, 1], [1, 3]], 20000)
     assert estimation.covariance_consistency(drawn, [[2, 1], [1, 3]])
     assert not estimation.covariance_consistency(drawn, [[2.1, 1.05], [1.05, 3.15]])

@@ -1,5 +1,4 @@
-"""The discrete filter: against conditioning of the whole Gaussian vector at once, a plain loop, and
-statistics."""
+"""The discrete filter against conditioning of the joint distribution, a plain loop, and statistics."""
 
 import numpy as np
 import pytest
@@ -51,30 +50,30 @@ def conditioned(Phis, Hs, Qs, Rs, start, z, missing, known):
         shift = Phis[k] @ shift + known[k]
     sources = scipy.linalg.block_diag(start.covariance, *Qs[:count])
     states = np.vstack(maps[:count])
-    P, seen = states @ sources @ states.T, scipy.linalg.block_diag(*Hs)
-    found, data, there = [], z.ravel(), ~missing.ravel()
+    P, measurement_map = states @ sources @ states.T, scipy.linalg.block_diag(*Hs)
+    result, data, present = [], z.ravel(), ~missing.ravel()
     noise = scipy.linalg.block_diag(*Rs)
     mean = np.concatenate(means)
     for k in range(count):
-        rows = np.flatnonzero(there[: (k + 1) * z.shape[1]])
-        C, part = seen[rows], slice(k * n, (k + 1) * n)
+        rows = np.flatnonzero(present[: (k + 1) * z.shape[1]])
+        C, part = measurement_map[rows], slice(k * n, (k + 1) * n)
         S = C @ P @ C.T + noise[np.ix_(rows, rows)]
         gain = np.linalg.solve(S, C @ P[:, part]).T
-        found.append(
+        result.append(
             (mean[part] + gain @ (data[rows] - C @ mean), P[part, part] - gain @ C @ P[:, part])
         )
-    rows = np.flatnonzero(there)
-    C = seen[rows]
+    rows = np.flatnonzero(present)
+    C = measurement_map[rows]
     log = scipy.stats.multivariate_normal(C @ mean, C @ P @ C.T + noise[np.ix_(rows, rows)]).logpdf(
         data[rows]
     )
-    return [np.array(part) for part in zip(*found)], log
+    return [np.array(part) for part in zip(*result)], log
 
 
 @pytest.mark.parametrize(
     "seed, gaps, varying", [(1, False, False), (2, True, False), (3, True, True)]
 )
-def test_the_recursion_is_the_conditional_distribution(seed, gaps, varying):
+def test_filter_gives_the_conditional_distribution(seed, gaps, varying):
     count, rng = 14, np.random.default_rng(seed)
     models = [model_of(seed + 10 * k * varying) for k in range(count)]
     stacks = [np.array(part) for part in zip(*models)]
@@ -97,26 +96,26 @@ def test_the_recursion_is_the_conditional_distribution(seed, gaps, varying):
 
 def plain_loop(Phi, H, Q, R, z, start, missing=None):
     """Theorem 4.1 as it stands, with inverses."""
-    x, P, found = start.mean, start.covariance, []
+    x, P, result = start.mean, start.covariance, []
     for k, row in enumerate(z):
         predicted = x, P
         if missing is None or not missing[k]:
             K = P @ H.T @ np.linalg.inv(H @ P @ H.T + R)
             x, P = x + K @ (row - H @ x), (np.eye(len(x)) - K @ H) @ P
-        found.append((*predicted, x, P))
+        result.append((*predicted, x, P))
         x, P = Phi @ x, Phi @ P @ Phi.T + Q
-    return [np.array(part) for part in zip(*found)]
+    return [np.array(part) for part in zip(*result)]
 
 
 @pytest.mark.parametrize("radius", [0.5, 0.99, 1.02])
-def test_a_kept_gain_gives_the_numbers_of_the_whole_recursion(radius):
+def test_converged_gain_agrees_with_the_full_recursion(radius):
     model = model_of(4, 4, 2, radius)
     start = Moments(np.ones(4), np.eye(4))
     z = drawn(*model, start, 700, 5)[1][0]
     missing = np.zeros(700, dtype=bool)
     missing[[300, 301, 450]] = True
     run = KalmanFilter(*model).run(z, start, missing)
-    assert len(set(run.kinds)) < 400  # it was kept
+    assert len(set(run.matrix_index)) < 400  # it was kept
     peers = plain_loop(*model, z, start, missing)
     for mine, peer in zip(
         (run.predicted, run.predicted_covariances, run.estimates, run.covariances), peers
@@ -125,16 +124,16 @@ def test_a_kept_gain_gives_the_numbers_of_the_whole_recursion(radius):
         assert np.abs((mine - peer) / scale).max() < 1e-12
 
 
-def test_a_gain_that_still_creeps_is_not_kept():
+def test_slowly_converging_gain_is_not_kept():
     """A state that barely moves: one step changes little long before the limit is reached."""
     model = [np.array([[1.0]]), np.array([[1.0]]), np.array([[1e-12]]), np.array([[1.0]])]
     start = Moments(np.zeros(1), np.eye(1))
     run = KalmanFilter(*model).run(np.ones(4000), start)
     peer = plain_loop(*model, np.ones((4000, 1)), start)
-    assert len(set(run.kinds)) == 4000 and np.allclose(run.covariances, peer[3], rtol=1e-11)
+    assert len(set(run.matrix_index)) == 4000 and np.allclose(run.covariances, peer[3], rtol=1e-11)
 
 
-def test_many_series_are_one_after_the_other():
+def test_many_series_agree_with_single_ones():
     model = model_of(6)
     start = Moments(np.zeros(3), np.eye(3))
     z = drawn(*model, start, 120, 7, series=5)[1]
@@ -142,15 +141,15 @@ def test_many_series_are_one_after_the_other():
     missing[1:3, 20:25], missing[4, 7, 1] = True, True
     both = KalmanFilter(*model).run(z, start, missing)
     for s in range(5):
-        one = KalmanFilter(*model).run(z[s], start, missing[s])
-        assert np.allclose(one.estimates, both.estimates[s], atol=1e-13)
-        assert np.allclose(one.covariances, both.covariances[s], atol=1e-14)
-        assert one.log_likelihood == pytest.approx(both.log_likelihood[s], rel=1e-12)
+        single = KalmanFilter(*model).run(z[s], start, missing[s])
+        assert np.allclose(single.estimates, both.estimates[s], atol=1e-13)
+        assert np.allclose(single.covariances, both.covariances[s], atol=1e-14)
+        assert single.log_likelihood == pytest.approx(both.log_likelihood[s], rel=1e-12)
     masked = KalmanFilter(*model).run(np.ma.array(z, mask=missing), start)
     assert np.array_equal(masked.estimates, both.estimates) and "120 steps" in repr(both)
 
 
-def test_innovations_and_errors_are_as_large_as_told():
+def test_innovations_and_errors_agree_with_their_covariances():
     """For the right model; a gain that is wrong by 5 % is seen."""
     model = model_of(8, 4, 2, 0.9)
     Phi, H, Q, R = model
@@ -174,30 +173,30 @@ def test_innovations_and_errors_are_as_large_as_told():
 
     assert lagged(run.innovations[:, 50:]) < limit
     for factor in (0.95, 1.05):
-        x, seen = run.predicted[:, 50], []
+        x, measurement_map = run.predicted[:, 50], []
         for k in range(50, 250):
-            seen.append(z[:, k] - x @ H.T)
-            x = (x + seen[-1] @ (factor * run.gains[0, -1]).T) @ Phi.T
-        assert lagged(np.stack(seen, axis=1)) > 2 * limit
+            measurement_map.append(z[:, k] - x @ H.T)
+            x = (x + measurement_map[-1] @ (factor * run.gains[0, -1]).T) @ Phi.T
+        assert lagged(np.stack(measurement_map, axis=1)) > 2 * limit
     off = KalmanFilter(Phi, H, Q, 1.2 * R).run(z, start).normalised_innovations
     # the test has the power to see it
     assert abs(off.mean() - 2) > 10 * np.sqrt(2 * 2 / count)
 
 
-def test_a_million_steps_leave_the_covariance_symmetric_and_definite():
+def test_covariance_stays_symmetric_and_definite_over_a_million_steps():
     """An almost exact measurement of a chain of integrators: the plain formula loses symmetry
     here."""
     Phi = np.eye(4) + np.diag(np.full(3, 1e-2), 1)
     model = KalmanFilter(Phi, np.eye(4)[:1], np.diag([0, 0, 0, 1e-8]), 1e-8)
     run = model.run(np.zeros(1_000_000), Moments(np.zeros(4), 1e6 * np.eye(4)))
-    last = run._steps[1][run.kinds[-1]]
+    last = run._steps[1][run.matrix_index[-1]]
     units = np.sqrt(np.diag(last))
     assert np.array_equal(last, last.T) and np.linalg.eigvalsh(last / np.outer(units, units))[0] > 0
     limit = scipy.linalg.solve_discrete_are(Phi.T, model.H.T, model.Q, model.R)
-    assert np.allclose(run._steps[0][run.kinds[-1]], limit, rtol=1e-6)
+    assert np.allclose(run._steps[0][run.matrix_index[-1]], limit, rtol=1e-6)
 
 
-def test_every_step_of_a_long_varying_run_stays_a_covariance():
+def test_covariances_of_a_long_time_varying_run_stay_definite():
     count, rng = 20_000, np.random.default_rng(1)
     Phi = np.eye(3) + np.diag([0.1, 0.1], 1)
     R = np.where(rng.random(count) < 0.5, 1e-10, 1e4).reshape(-1, 1, 1)
@@ -210,7 +209,7 @@ def test_every_step_of_a_long_varying_run_stays_a_covariance():
     assert np.linalg.eigvalsh(P / (units[:, :, None] * units[:, None, :])).min() > -1e-12
 
 
-def test_measurements_at_one_time_together_or_one_after_the_other():
+def test_simultaneous_measurements_together_or_sequentially():
     h1, h2 = sp.symbols("h1 h2")
     prior = Moments([1, 2], [[2, 1], [1, 3]])
     both = estimation.corrected(prior, [3, 4], [[1, 0], [h1, h2]], sp.diag(1, 2))
@@ -259,8 +258,8 @@ def test_example_5_and_problem_4_43():
         ({"z": []}, "expected the shape"),
     ],
 )
-def test_bad_input_is_told(change, message):
-    given = {
+def test_bad_arguments_are_rejected(change, message):
+    arguments = {
         "Phi": np.eye(2),
         "H": [[1, 0]],
         "Q": np.eye(2),
@@ -270,12 +269,12 @@ def test_bad_input_is_told(change, message):
         "start": Moments([0, 0], sp.eye(2)),
     } | change
     with pytest.raises(ValueError, match=message):
-        KalmanFilter(given["Phi"], given["H"], given["Q"], given["R"]).run(
-            given["z"], given["start"], given["missing"]
+        KalmanFilter(arguments["Phi"], arguments["H"], arguments["Q"], arguments["R"]).run(
+            arguments["z"], arguments["start"], arguments["missing"]
         )
 
 
-def test_a_covariance_beyond_floats_is_told():
+def test_overflowing_covariance_is_rejected():
     """Unobserved and unstable: the variance overflows, and no number is given."""
     model = KalmanFilter([[3, 0], [0, 1]], [[0, 1]], np.eye(2), 1)
     with pytest.raises(ValueError, match="definiteness"), np.errstate(all="ignore"):

@@ -1,5 +1,4 @@
-"""Linear Markov processes: against the equations they obey, SciPy's integrators, and steps taken
-one by one."""
+"""Linear Markov processes against their equations, SciPy's integrators, and single steps."""
 
 import numpy as np
 import pytest
@@ -39,9 +38,9 @@ def zero(matrix):
         (sp.Matrix([[0, 1], [-(a**2), -2 * a]]), {a: 2}),
     ],
 )
-def test_moments_solve_their_equations(A, extra):
-    found = estimation.continuous_moments(A, PUSH, ANY, t)
-    P, mean = found.covariance.subs(extra), found.mean.subs(extra)
+def test_closed_forms_solve_their_equations(A, extra):
+    result = estimation.continuous_moments(A, PUSH, ANY, t)
+    P, mean = result.covariance.subs(extra), result.mean.subs(extra)
     A = A.subs(extra)
     assert zero(P.diff(t) - A * P - P * A.T - PUSH) and zero(P.subs(t, 0) - ANY.covariance)
     assert zero(mean.diff(t) - A * mean) and zero(mean.subs(t, 0) - ANY.mean)
@@ -49,10 +48,10 @@ def test_moments_solve_their_equations(A, extra):
 
 
 @pytest.mark.slow
-def test_problem_4_17_in_its_cases():
+def test_cases_of_problem_4_17():
     A = sp.Matrix([[0, 1], [-b, -a]])
-    found = estimation.continuous_moments(A, PUSH, ANY, t)
-    assert found.where == (sp.Ne(a, 0) & sp.Ne(b, 0) & sp.Ne(a**2, 4 * b))
+    result = estimation.continuous_moments(A, PUSH, ANY, t)
+    assert result.where == (sp.Ne(a, 0) & sp.Ne(b, 0) & sp.Ne(a**2, 4 * b))
     point = {p11: 2, p12: 1, p22: 3, Q: 5}
     # real, complex, unstable, saddle
     for values in ({a: 3, b: 1}, {a: 1, b: 5}, {a: -2, b: 3}, {a: 1, b: -2}):
@@ -61,28 +60,28 @@ def test_problem_4_17_in_its_cases():
             .covariance.subs(point)
             .subs(t, 0.7)
         )
-        generic = found.covariance.subs(values).subs(point).subs(t, 0.7)
+        generic = result.covariance.subs(values).subs(point).subs(t, 0.7)
         assert max(abs(sp.N(e, 20)) for e in exact - generic) < 1e-14
     for values in ({a: 0}, {b: 0}, {b: a**2 / 4}, {a: 0, b: 0}):
         special = estimation.continuous_moments(A.subs(values), PUSH, ANY, t)
         near = {symbol: value + sp.Rational(1, 10**12) for symbol, value in values.items()}
         place = {a: sp.Rational(3, 2), b: 2, t: 1, **point}
-        limit = found.covariance.subs(near).subs(place).applyfunc(lambda e: sp.re(sp.N(e, 60)))
+        limit = result.covariance.subs(near).subs(place).applyfunc(lambda e: sp.re(sp.N(e, 60)))
         assert max(abs(sp.N(e, 20)) for e in special.covariance.subs(place) - limit) < 1e-9
 
 
 def test_problem_4_15():
-    found = estimation.continuous_moments(a, Q, Moments(m1, p11), t)
-    assert found.where == sp.Ne(a, 0)
+    result = estimation.continuous_moments(a, Q, Moments(m1, p11), t)
+    assert result.where == sp.Ne(a, 0)
     assert zero(
-        found.covariance
+        result.covariance
         - sp.Matrix([p11 * sp.exp(2 * a * t) + Q * (sp.exp(2 * a * t) - 1) / (2 * a)])
     )
     # Wiener
     assert estimation.continuous_moments(0, Q, Moments(m1, p11), t).covariance[0] == Q * t + p11
 
 
-def test_three_states_and_a_frequency():
+def test_three_states_with_a_frequency():
     w = sp.Symbol("omega", positive=True)
     A = sp.Matrix([[0, 1], [-(w**2), 0]])
     P = estimation.continuous_moments(A, PUSH, ANY, t).covariance
@@ -103,11 +102,11 @@ def test_three_states_and_a_frequency():
 @pytest.mark.parametrize(
     "A", [JORDAN, sp.Matrix([[0, 1], [-3, -1]]), sp.Matrix([[-2, 1], [0, -2]])]
 )
-def test_the_exact_step_is_that_of_floats(A):
+def test_exact_discretisation_agrees_with_floats(A):
     n = A.rows
-    model = estimation.discretised(A, sp.ones(n), h)
+    model = estimation.discretise(A, sp.ones(n), h)
     assert zero(model.Phi.subs(h, 0) - sp.eye(n)) and zero(model.Phi.diff(h) - A * model.Phi)
-    floats = estimation.discretised(np.array(A, dtype=float), np.ones((n, n)), 0.8)
+    floats = estimation.discretise(np.array(A, dtype=float), np.ones((n, n)), 0.8)
     for exact, array in zip(model, floats):
         assert np.allclose(
             np.array(exact.subs(h, sp.Rational(4, 5)).evalf(20), dtype=float), array, atol=1e-13
@@ -115,11 +114,11 @@ def test_the_exact_step_is_that_of_floats(A):
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_floats_against_the_integrator_of_scipy(seed):
+def test_moments_of_floats_agree_with_the_integrator_of_scipy(seed):
     rng = np.random.default_rng(seed)
     A, mixing, P0 = rng.normal(size=(4, 4)), rng.normal(size=(4, 2)), np.diag([1.0, 2, 0, 3])
     intensity, mean = mixing @ mixing.T, rng.normal(size=4)
-    found = estimation.continuous_moments(A, intensity, Moments(mean, P0), 1.5)
+    result = estimation.continuous_moments(A, intensity, Moments(mean, P0), 1.5)
 
     def rate(_, p):
         P = p.reshape(4, 4)
@@ -130,14 +129,14 @@ def test_floats_against_the_integrator_of_scipy(seed):
         .y[:, -1]
         .reshape(4, 4)
     )
-    assert np.allclose(found.covariance, peer, rtol=1e-8, atol=1e-8)
-    assert np.allclose(found.mean, scipy.linalg.expm(1.5 * A) @ mean, rtol=1e-12)
+    assert np.allclose(result.covariance, peer, rtol=1e-8, atol=1e-8)
+    assert np.allclose(result.mean, scipy.linalg.expm(1.5 * A) @ mean, rtol=1e-12)
 
 
-def test_long_steps_of_stiff_processes_stay_covariances():
+def test_long_steps_of_stiff_processes_give_covariances():
     """Van Loan's exponential of the whole step would overflow: e^{-Ah} has entries of 1e4342."""
     A, intensity = np.array([[-1e4, 1e3], [0, -1e-3]]), np.diag([1.0, 1.0])
-    model = estimation.discretised(A, intensity, 1.0)
+    model = estimation.discretise(A, intensity, 1.0)
     assert np.linalg.eigvalsh(model.Q)[0] > 0 and np.array_equal(model.Q, model.Q.T)
     exact = estimation.stationary_covariance(A, intensity).covariance
     left = exact - model.Phi @ exact @ model.Phi.T  # what is stationary stays
@@ -159,7 +158,7 @@ def test_long_steps_of_stiff_processes_stay_covariances():
         sp.Matrix([[0, 1], [1, 1]]),
     ],
 )
-def test_the_closed_form_in_k_is_the_recursion(Phi):
+def test_closed_form_in_k_agrees_with_the_recursion(Phi):
     closed = estimation.discrete_moments(Phi, PUSH, ANY, k)
     P, mean = ANY.covariance, ANY.mean
     for step in range(6):
@@ -171,11 +170,11 @@ def test_the_closed_form_in_k_is_the_recursion(Phi):
         P, mean = Phi * P * Phi.T + PUSH, Phi * mean
 
 
-def test_problem_4_19_and_where_it_holds():
-    found = estimation.discrete_moments(a, Q, Moments(m1, p11), k)
-    assert found.where == (sp.Ne(a, 1) & sp.Ne(a, -1))
+def test_problem_4_19_and_its_condition():
+    result = estimation.discrete_moments(a, Q, Moments(m1, p11), k)
+    assert result.where == (sp.Ne(a, 1) & sp.Ne(a, -1))
     assert zero(
-        found.covariance - sp.Matrix([a ** (2 * k) * p11 + Q * (1 - a ** (2 * k)) / (1 - a**2)])
+        result.covariance - sp.Matrix([a ** (2 * k) * p11 + Q * (1 - a ** (2 * k)) / (1 - a**2)])
     )
     for sign in (1, -1):
         assert zero(
@@ -184,15 +183,15 @@ def test_problem_4_19_and_where_it_holds():
         )
 
 
-def test_many_steps_of_floats_are_steps_one_by_one():
+def test_many_steps_of_floats_agree_with_single_steps():
     rng = np.random.default_rng(5)
     Phi, mixing = rng.normal(size=(3, 3)) / 2, rng.normal(size=(3, 3))
     noise, P, mean = mixing @ mixing.T, np.eye(3), np.ones(3)
-    found = estimation.discrete_moments(Phi, noise, Moments(mean, P), 37)
+    result = estimation.discrete_moments(Phi, noise, Moments(mean, P), 37)
     for _ in range(37):
         P, mean = Phi @ P @ Phi.T + noise, Phi @ mean
-    assert np.allclose(found.covariance, P, rtol=1e-11) and np.allclose(
-        found.mean, mean, rtol=1e-9, atol=1e-15
+    assert np.allclose(result.covariance, P, rtol=1e-11) and np.allclose(
+        result.mean, mean, rtol=1e-9, atol=1e-15
     )
 
 
@@ -216,16 +215,16 @@ def test_many_steps_of_floats_are_steps_one_by_one():
             ),
             "whole number",
         ),
-        (lambda: estimation.discretised(np.eye(2), np.eye(2), -1.0), "not negative"),
-        (lambda: estimation.discretised(np.eye(2), [[1, 2], [0, 1]], 1.0), "symmetric"),
+        (lambda: estimation.discretise(np.eye(2), np.eye(2), -1.0), "not negative"),
+        (lambda: estimation.discretise(np.eye(2), [[1, 2], [0, 1]], 1.0), "symmetric"),
     ],
 )
-def test_bad_input_is_told(call, message):
+def test_bad_arguments_are_rejected(call, message):
     with pytest.raises(ValueError, match=message):
         call()
 
 
-def test_roots_without_a_closed_form_are_told():
+def test_eigenvalues_without_a_closed_form_are_rejected():
     A = sp.Matrix([[0, 1, 0], [0, 0, 1], [-1, -1, -3]])
     with pytest.raises(NotImplementedError, match="square roots"):
         estimation.continuous_moments(A, sp.eye(3), Moments([0, 0, 0], sp.eye(3)), t)
@@ -233,11 +232,11 @@ def test_roots_without_a_closed_form_are_told():
 
 def test_stationary_covariances_are_limits():
     A = sp.Matrix([[0, 1], [-6, -5]])
-    found = estimation.stationary_covariance(A, sp.diag(0, 1))
+    result = estimation.stationary_covariance(A, sp.diag(0, 1))
     # 4.18
-    assert found.covariance == sp.diag(sp.Rational(1, 60), sp.Rational(1, 10))
+    assert result.covariance == sp.diag(sp.Rational(1, 60), sp.Rational(1, 10))
     P = estimation.continuous_moments(A, sp.diag(0, 1), ANY, t).covariance
-    assert zero(P.applyfunc(lambda e: sp.limit(e, t, sp.oo)) - found.covariance)
+    assert zero(P.applyfunc(lambda e: sp.limit(e, t, sp.oo)) - result.covariance)
     general = estimation.stationary_covariance([[0, 1], [-b, -a]], PUSH)
     assert general.where == ((a > 0) & (b > 0)) and zero(
         general.covariance - sp.diag(Q / (2 * a * b), Q / (2 * a))
@@ -279,9 +278,9 @@ def test_stationary_covariances_of_floats(seed):
         lambda: estimation.discrete_stationary_covariance(np.array([[0.0, 1], [1, 0]]), np.eye(2)),
     ],
 )
-def test_none_is_said_where_there_is_none(verdict):
-    found = verdict()
-    assert not found and found.covariance is None and found.where == sp.false
+def test_no_stationary_covariance_of_unstable_processes(verdict):
+    result = verdict()
+    assert not result and result.covariance is None and result.where == sp.false
     assert (
-        "no stationary covariance" in found._repr_markdown_() and "does not decay" in found.reason
+        "no stationary covariance" in result._repr_markdown_() and "does not decay" in result.reason
     )

@@ -1,5 +1,4 @@
-"""Moments, least squares, Gauss-Newton and fixes: exact cases, independent routes, statistics of
-seeded samples."""
+"""Moments, least squares, Gauss-Newton and position fixes: exact cases and seeded samples."""
 
 import numpy as np
 import pytest
@@ -27,19 +26,13 @@ def test_problems_4_5_to_4_9():
     )
     assert y.mean.T == sp.Matrix([[17, 3]]) and y.covariance[0, 1] == -1
     assert y.correlation[0, 1] == -1 / sp.sqrt(137 * 2)
-    x = estimation.moments_of_values([[0, 0], [1, 1], [-1, 1]], [third, half, sp.Rational(1, 6)])
-    assert x.covariance == sp.Matrix(
-        [[sp.Rational(5, 9), sp.Rational(1, 9)], [sp.Rational(1, 9), sp.Rational(2, 9)]]
-    )
 
 
-def test_moments_of_a_sample_are_those_of_numpy():
+def test_correlation_of_floats_is_that_of_numpy():
     sample = np.random.default_rng(4).normal(size=(50, 3))
-    found = estimation.moments_of_values(sample)
-    assert np.allclose(found.mean, sample.mean(axis=0), atol=1e-15)
-    assert np.allclose(found.covariance, np.cov(sample.T), atol=1e-15)
-    assert np.allclose(found.correlation, np.corrcoef(sample.T)) and found.deviations.shape == (3,)
-    assert estimation.moments_of_values([1, 2, 6]).covariance == sp.Matrix([[7]])
+    moments = estimation.Moments(sample.mean(axis=0), np.cov(sample.T))
+    assert np.allclose(moments.correlation, np.corrcoef(sample.T))
+    assert np.allclose(moments.deviations, sample.std(axis=0, ddof=1))
 
 
 @pytest.mark.parametrize(
@@ -57,12 +50,12 @@ def test_moments_of_a_sample_are_those_of_numpy():
         ([[0, 0], [0, 0]], [[1]], "vector"),
     ],
 )
-def test_what_is_no_covariance_is_refused(mean, covariance, message):
+def test_moments_reject_what_is_no_covariance(mean, covariance, message):
     with pytest.raises(ValueError, match=message):
         estimation.Moments(mean, covariance)
 
 
-def test_a_singular_covariance_is_one():
+def test_singular_covariances_are_accepted():
     assert estimation.Moments([0, 0], [[1, 1], [1, 1]]).transformed(
         [[1, -1]]
     ).covariance == sp.zeros(1)
@@ -75,15 +68,9 @@ def test_a_singular_covariance_is_one():
         estimation.Moments(np.zeros(2), [[1e-18, 2e-3], [2e-3, 1e12]])
     with pytest.raises(ValueError, match="without variance"):
         estimation.Moments([0, 0], sp.diag(1, 0)).correlation
-    with pytest.raises(ValueError, match="sum 1"):
-        estimation.moments_of_values([0, 1], [half, third])
-    with pytest.raises(ValueError, match="not negative"):
-        estimation.moments_of_values([0, 1], [-half, 1 + half])
-    with pytest.raises(ValueError, match="no sample"):
-        estimation.moments_of_values([3])
 
 
-def test_moments_show_themselves_and_take_values():
+def test_latex_and_substitution_of_moments():
     p = sp.Symbol("p", positive=True)
     x = estimation.Moments([p, 0], sp.diag(p, 1))
     assert r"\mu" in x._repr_latex_() and x.subs(p, 2).covariance == sp.diag(2, 1)
@@ -116,21 +103,21 @@ def test_moments_show_themselves_and_take_values():
     ],
 )
 def test_problems_4_10_to_4_14(H, z, R, estimate):
-    found = estimation.least_squares(H, z, R)
-    assert list(found.estimate) == estimate
+    result = estimation.least_squares(H, z, R)
+    assert list(result.estimate) == estimate
     H, z = sp.Matrix(H), sp.Matrix(z)
     R = sp.eye(H.rows) if R is None else R
     # the gradient of the misfit
-    assert H.T * R.inv() * (z - H * found.estimate) == sp.zeros(2, 1)
-    assert found.covariance == (H.T * R.inv() * H).inv()
-    assert found.misfit == ((z - H * found.estimate).T * R.inv() * (z - H * found.estimate))[0]
+    assert H.T * R.inv() * (z - H * result.estimate) == sp.zeros(2, 1)
+    assert result.covariance == (H.T * R.inv() * H).inv()
+    assert result.misfit == ((z - H * result.estimate).T * R.inv() * (z - H * result.estimate))[0]
     floats = estimation.least_squares(np.array(H, dtype=float), z, R)
-    assert np.allclose(floats.estimate, np.array(found.estimate, dtype=float).ravel(), atol=1e-12)
-    assert np.allclose(floats.covariance, np.array(found.covariance, dtype=float), atol=1e-12)
+    assert np.allclose(floats.estimate, np.array(result.estimate, dtype=float).ravel(), atol=1e-12)
+    assert np.allclose(floats.covariance, np.array(result.covariance, dtype=float), atol=1e-12)
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_measurements_one_after_the_other_give_what_all_at_once_give(seed):
+def test_sequential_updates_agree_with_all_measurements_at_once(seed):
     rng = np.random.default_rng(seed)
     H, z = rng.normal(size=(12, 3)), rng.normal(size=12)
     mixing = rng.normal(size=(12, 12))
@@ -140,29 +127,29 @@ def test_measurements_one_after_the_other_give_what_all_at_once_give(seed):
             for k in (0, 4, 8)
         )
     )
-    whole = estimation.least_squares(H, z, R)
+    at_once = estimation.least_squares(H, z, R)
     parts = estimation.least_squares(H[:4], z[:4], R[:4, :4])
     for k in (4, 8):
         parts = parts.updated(H[k : k + 4], z[k : k + 4], R[k : k + 4, k : k + 4])
     assert (
-        np.allclose(parts.estimate, whole.estimate, atol=1e-12)
-        and parts.excess == whole.excess == 9
+        np.allclose(parts.estimate, at_once.estimate, atol=1e-12)
+        and parts.degrees_of_freedom == at_once.degrees_of_freedom == 9
     )
-    assert np.allclose(parts.covariance, whole.covariance, atol=1e-13)
-    assert parts.misfit == pytest.approx(whole.misfit, rel=1e-11)
+    assert np.allclose(parts.covariance, at_once.covariance, atol=1e-13)
+    assert parts.misfit == pytest.approx(at_once.misfit, rel=1e-11)
     root = np.linalg.inv(np.linalg.cholesky(R))
     assert np.allclose(
-        whole.estimate, np.linalg.lstsq(root @ H, root @ z, rcond=None)[0], atol=1e-12
+        at_once.estimate, np.linalg.lstsq(root @ H, root @ z, rcond=None)[0], atol=1e-12
     )
 
 
-def test_a_prior_is_a_measurement_of_the_state():
+def test_prior_is_equivalent_to_a_measurement_of_the_state():
     m, p, r = sp.symbols("m p r", positive=True)
     zs = sp.symbols("z0:3")
-    found = estimation.least_squares([[1]] * 3, zs, r * sp.eye(3), prior=estimation.Moments(m, p))
+    result = estimation.least_squares([[1]] * 3, zs, r * sp.eye(3), prior=estimation.Moments(m, p))
     # problem 4.27
-    assert sp.simplify(found.estimate[0] - (m / p + sum(zs) / r) / (1 / p + 3 / r)) == 0
-    assert sp.simplify(found.covariance[0] - 1 / (1 / p + 3 / r)) == 0
+    assert sp.simplify(result.estimate[0] - (m / p + sum(zs) / r) / (1 / p + 3 / r)) == 0
+    assert sp.simplify(result.covariance[0] - 1 / (1 / p + 3 / r)) == 0
     alone = estimation.least_squares([[1]] * 3, zs, r * sp.eye(3))
     assert (
         sp.simplify(alone.estimate[0] - sum(zs) / 3) == 0
@@ -174,7 +161,7 @@ def test_a_prior_is_a_measurement_of_the_state():
     assert list(certain.estimate) == [1, 2] and certain.covariance == sp.diag(0, 1)
 
 
-def test_a_fit_in_bad_units_keeps_its_digits():
+def test_fit_in_bad_units_keeps_its_digits():
     """Columns of sizes 1e-8 and 1e8, nearly parallel: against the same numbers in exact
     arithmetic."""
     H = [
@@ -188,7 +175,7 @@ def test_a_fit_in_bad_units_keeps_its_digits():
     assert np.allclose(floats.estimate, np.array(exact.estimate, dtype=float).ravel(), rtol=1e-6)
 
 
-def test_errors_of_estimates_have_the_covariance_that_is_told():
+def test_errors_of_estimates_have_the_returned_covariance():
     rng = np.random.default_rng(11)
     H, mixing = rng.normal(size=(6, 2)), rng.normal(size=(6, 6))
     R = mixing @ mixing.T + np.eye(6)
@@ -221,7 +208,7 @@ def test_errors_of_estimates_have_the_covariance_that_is_told():
         ((None, [1]), "H: expected"),
     ],
 )
-def test_least_squares_refuse(arguments, message):
+def test_least_squares_rejects_bad_arguments(arguments, message):
     with pytest.raises(ValueError, match=message):
         estimation.least_squares(*arguments)
 
@@ -250,7 +237,7 @@ def test_gauss_newton_finds_the_minimum_of_scipy(seed):
     assert "local minimum" in fit._repr_markdown_()
 
 
-def test_the_rate_is_how_the_steps_shrink():
+def test_rate_is_the_ratio_of_successive_steps():
     """A far-off measurement: the residuals stay, and the steps fall by the factor that is told, not
     quadratically."""
     fit = estimation.gauss_newton([x, x**2], [1, -0.2], [x], [0.5])
@@ -258,7 +245,7 @@ def test_the_rate_is_how_the_steps_shrink():
     assert fit and 0.05 < fit.rate < 1 and np.allclose(ratios, fit.rate, rtol=0.02)
 
 
-def test_where_gauss_newton_alone_diverges_steps_are_shortened():
+def test_steps_are_shortened_where_plain_gauss_newton_diverges():
     # h = (x, x^2) with z = (0.02, -3): the rate at the minimum is above 1, and full steps jump
     # across it
     fit = estimation.gauss_newton([x, x**2], [0.02, -3], [x], [0.4])
@@ -278,12 +265,12 @@ def test_where_gauss_newton_alone_diverges_steps_are_shortened():
         ([x**2 - 1], [0], [1e-6], None),
     ],
 )
-def test_convergence_is_said_honestly(h, z, start, word):
+def test_failed_convergence_is_reported(h, z, start, word):
     fit = estimation.gauss_newton(h, z, [x], start)
     assert bool(fit) == (word is None) and (word or "converged") in fit.reason
 
 
-def test_a_stationary_point_that_is_no_minimum_is_told():
+def test_stationary_point_that_is_no_minimum_is_reported():
     # the misfit (1 + x^2 - 5)^2 + x^2 has a maximum at 0, where a full step is zero
     fit = estimation.gauss_newton([1 + x**2, x], [5, 0], [x], [0.0])
     assert not fit and "no minimum" in fit.reason
@@ -299,7 +286,7 @@ def test_a_stationary_point_that_is_no_minimum_is_told():
         ([x, y], [1, 2], [0], "2 components"),
     ],
 )
-def test_gauss_newton_refuses(h, z, start, message):
+def test_gauss_newton_rejects_bad_arguments(h, z, start, message):
     with pytest.raises(ValueError, match=message):
         estimation.gauss_newton(h, z, [x, y], start)
 
@@ -313,23 +300,24 @@ SATELLITES = [[20, 3, 1], [-4, 22, 5], [2, -6, 25], [15, 14, 9]]
 
 @pytest.mark.parametrize("count", [3, 4])
 def test_ranges_without_error_give_the_position_and_its_image(count):
-    place, satellites = [1, 2, -1], SATELLITES[:count]
-    fix = estimation.satellite_fix(satellites, ranges_squared(satellites, place))
-    assert len(fix.roots) == 2 and list(fix.nearest(place)) == place
-    assert all(sp.simplify(e) == 0 for e in fix.residuals[fix.roots.index(fix.nearest(place))])
+    position, satellites = [1, 2, -1], SATELLITES[:count]
+    fix = estimation.satellite_fix(satellites, ranges_squared(satellites, position))
+    assert len(fix.roots) == 2 and list(fix.nearest(position)) == position
+    assert all(sp.simplify(e) == 0 for e in fix.residuals[fix.roots.index(fix.nearest(position))])
     if count == 3:
-        image = next(root for root in fix.roots if list(root) != place)
+        image = next(root for root in fix.roots if list(root) != position)
         flat = sp.Plane(*(sp.Point3D(*row) for row in satellites))
-        middle = sp.Point3D(*((sp.Matrix(place) + image) / 2))
+        middle = sp.Point3D(*((sp.Matrix(position) + image) / 2))
         assert flat.distance(middle) == 0 and all(m == 0 for m in fix.misfits)
-        assert flat.perpendicular_line(sp.Point3D(*place)).contains(sp.Point3D(*image))
+        assert flat.perpendicular_line(sp.Point3D(*position)).contains(sp.Point3D(*image))
     else:
-        assert fix.misfits[0] == 0 and fix.misfits[1] > 0 and list(fix.roots[0]) == place
+        assert fix.misfits[0] == 0 and fix.misfits[1] > 0 and list(fix.roots[0]) == position
     floats = estimation.satellite_fix(
-        np.array(satellites, float), ranges_squared(satellites, place)
+        np.array(satellites, float), ranges_squared(satellites, position)
     )
     assert (
-        np.allclose(floats.nearest(place), place, atol=1e-9) and "position" in floats._repr_latex_()
+        np.allclose(floats.nearest(position), position, atol=1e-9)
+        and "position" in floats._repr_latex_()
     )
 
 
@@ -352,7 +340,7 @@ def test_the_roots_satisfy_the_normal_equations_with_their_own_square():
     assert optimum and optimum.misfit < fix.misfits[0] < 2 * optimum.misfit
 
 
-def test_noise_can_leave_no_position():
+def test_noise_may_leave_no_position():
     satellites = SATELLITES[:3]
     flat = sp.Plane(*(sp.Point3D(*row) for row in satellites))
     foot = [sum(row[k] for row in satellites) / sp.Integer(3) for k in range(3)]
@@ -373,24 +361,24 @@ def test_noise_can_leave_no_position():
         (SATELLITES, [1, 1, 1, -1], "not negative"),
     ],
 )
-def test_satellite_fix_refuses(satellites, squares, message):
+def test_satellite_fix_rejects_bad_arguments(satellites, squares, message):
     with pytest.raises(ValueError, match=message):
         estimation.satellite_fix(satellites, squares)
 
 
-def test_what_ranges_see_is_decided_by_points_not_by_vectors():
+def test_observability_by_ranges_depends_on_points_not_vectors():
     """The reading of problem 4.1: vectors that span the space, points in one plane."""
     flat = [[1, 0, 1], [0, 1, 1], [-1, 0, 1]]
     test = estimation.satellite_observability([0, 0, 1], flat)
-    assert not test and test.rank == 2 and list(test.unseen) == [0, 0, 1]
+    assert not test and test.rank == 2 and list(test.unobservable) == [0, 0, 1]
     assert sp.Matrix([[0, 0, 1], *flat]).rank() == 3
     floats = estimation.satellite_observability(np.array([0, 0, 1.0]), flat)
-    assert not floats and np.allclose(np.abs(floats.unseen.ravel()), [0, 0, 1])
+    assert not floats and np.allclose(np.abs(floats.unobservable.ravel()), [0, 0, 1])
     assert estimation.satellite_observability(np.array([0, 0, 1.1]), flat)
     assert "plane" in test._repr_markdown_()
 
 
-def test_bearings_give_the_position_and_say_what_lies_behind():
+def test_bearings_give_the_position_and_which_targets_lie_behind():
     observers, target = [[0, 0, 0], [3, 1, 0], [1, 5, 2]], sp.Matrix([4, 4, 7])
     directions = [list(target - sp.Matrix(r)) for r in observers]
     fix = estimation.bearing_fix(observers, directions)
@@ -414,13 +402,13 @@ def test_bearings_give_the_position_and_say_what_lies_behind():
     assert (floats.residuals**2).sum() == pytest.approx(from_lines(floats.position))
 
 
-def test_a_bearing_along_the_line_of_motion_says_nothing():
+def test_bearings_along_the_line_of_motion_do_not_determine_the_position():
     v, t = sp.symbols("v t", positive=True)
     # problem 4.3
     assert not estimation.bearing_observability([5, 0, 0], [[0, 0, 0], [v * t, 0, 0]])
     assert estimation.bearing_observability([5, 1, 0], [[0, 0, 0], [v * t, 0, 0]])
     assert not estimation.bearing_observability(np.array([5.0, 1, 0]), [[0, 0, 0], [0, 0, 0]])
-    with pytest.raises(ValueError, match="place of observer 2"):
+    with pytest.raises(ValueError, match="that of observer 2"):
         estimation.bearing_observability([5, 1, 0], [[0, 0, 0], [5, 1, 0]])
     with pytest.raises(ValueError, match="parallel"):
         estimation.bearing_fix([[0, 0, 0], [1, 0, 0]], [[1, 0, 0], [2, 0, 0]])

@@ -1,6 +1,4 @@
-"""Stationary filters and filters with a gain of one's own: against the equations, the limits, SciPy
-and python-control.
-"""
+"""Stationary and fixed-gain filters against the equations, limits, SciPy and python-control."""
 
 import control
 import numpy as np
@@ -58,14 +56,14 @@ def arrays(place, *matrices):
 
 @pytest.mark.parametrize("A, H, intensity, noise", CONTINUOUS)
 def test_exact_filters_are_the_stabilising_solutions(A, H, intensity, noise):
-    found = estimation.stationary_filter(A, H, intensity, noise)
+    result = estimation.stationary_filter(A, H, intensity, noise)
     tried = 0
-    for place in PLACES:
-        if found.where.subs(place) == sp.false:
+    for values in PLACES:
+        if result.where.subs(values) == sp.false:
             continue
         tried += 1
-        matrices = arrays(place, A, H, intensity, noise)
-        P, K, errors = arrays(place, found.covariance, found.gain, found.errors)
+        matrices = arrays(values, A, H, intensity, noise)
+        P, K, errors = arrays(values, result.covariance, result.gain, result.errors)
         peer = scipy.linalg.solve_continuous_are(matrices[0].T, matrices[1].T, *matrices[2:])
         assert (
             np.allclose(P, peer, rtol=1e-8, atol=1e-9) and np.linalg.eigvals(errors).real.max() < 0
@@ -86,15 +84,15 @@ def test_exact_filters_are_the_stabilising_solutions(A, H, intensity, noise):
 @pytest.mark.slow
 @pytest.mark.parametrize("Phi, H, variance, noise", DISCRETE)
 def test_exact_discrete_filters_are_limits_of_the_recursion(Phi, H, variance, noise):
-    found = estimation.discrete_stationary_filter(Phi, H, variance, noise)
+    result = estimation.discrete_stationary_filter(Phi, H, variance, noise)
     tried = 0
-    for place in PLACES:
-        if found.where.subs(place) == sp.false:
+    for values in PLACES:
+        if result.where.subs(values) == sp.false:
             continue
         tried += 1
-        matrices = arrays(place, Phi, H, variance, noise)
+        matrices = arrays(values, Phi, H, variance, noise)
         P, after, K, errors = arrays(
-            place, found.covariance, found.corrected, found.gain, found.errors
+            values, result.covariance, result.corrected, result.gain, result.errors
         )
         n = len(P)
         run = KalmanFilter(*matrices).run(
@@ -115,7 +113,7 @@ def test_exact_discrete_filters_are_limits_of_the_recursion(Phi, H, variance, no
     assert tried == len(PLACES)
 
 
-def test_the_cases_of_problem_4_33():
+def test_cases_of_problem_4_33():
     push = sp.diag(0, Q)
     general = estimation.stationary_filter([[0, 1], [-b, -a]], [[0, 1]], push, R)
     assert sp.Ne(b, 0) in general.where.args
@@ -146,9 +144,9 @@ def test_problems_4_38_and_4_41():
     )
 
 
-def test_more_is_detectable_than_observable():
-    found = estimation.stationary_filter(sp.diag(1, -2), [[1, 0]], sp.eye(2), 1)
-    assert found and "not observable" in found.reason
+def test_detectable_pairs_that_are_not_observable():
+    result = estimation.stationary_filter(sp.diag(1, -2), [[1, 0]], sp.eye(2), 1)
+    assert result and "not observable" in result.reason
     assert not feedback.detectability(sp.diag(1, 2), sp.Matrix([[1, 0]]))
     assert (
         "not detectable"
@@ -192,13 +190,13 @@ def test_more_is_detectable_than_observable():
         ),
     ],
 )
-def test_none_is_said_where_there_is_none(verdict, word):
-    found = verdict()
+def test_no_stationary_filter_of_undetectable_pairs(verdict, word):
+    result = verdict()
     assert (
-        not found
-        and word in found.reason
-        and found.gain is None
-        and word in found._repr_markdown_()
+        not result
+        and word in result.reason
+        and result.gain is None
+        and word in result._repr_markdown_()
     )
 
 
@@ -212,13 +210,13 @@ def test_none_is_said_where_there_is_none(verdict, word):
         ((np.eye(2), [[1, 0]], [[1, 2], [0, 1]], 1), "symmetric"),
     ],
 )
-def test_bad_input_is_told(arguments, message):
+def test_bad_arguments_are_rejected(arguments, message):
     for function in (estimation.stationary_filter, estimation.discrete_stationary_filter):
         with pytest.raises(ValueError, match=message):
             function(*arguments)
 
 
-def test_spectra_beyond_square_roots_are_told():
+def test_spectra_beyond_square_roots_are_rejected():
     A = sp.Matrix([[0, 1, 0], [0, 0, 1], [1, 2, 1]])
     with pytest.raises(NotImplementedError, match="floats"):
         estimation.stationary_filter(A, [[1, 0, 0]], sp.diag(1, 0, 1), 1)
@@ -228,10 +226,10 @@ def test_spectra_beyond_square_roots_are_told():
     assert floats and "P =" in floats._repr_markdown_()
 
 
-def test_any_gain_is_judged_and_the_least_is_that_of_kalman():
+def test_least_gain_is_that_of_the_kalman_filter():
     K = sp.Symbol("K")
-    found = estimation.error_covariance(-1, 1, 2, 1, K)  # 4.42
-    least, filtered = estimation.least_gain(found, [K]), estimation.stationary_filter(-1, 1, 2, 1)
+    result = estimation.error_covariance(-1, 1, 2, 1, K)  # 4.42
+    least, filtered = estimation.least_gain(result, [K]), estimation.stationary_filter(-1, 1, 2, 1)
     assert least.values[K] == filtered.gain[0] == least.variance == sp.sqrt(3) - 1
     general = estimation.least_gain(estimation.error_covariance(a, 1, Q, R, K), [K])
     assert (
@@ -245,8 +243,15 @@ def test_any_gain_is_judged_and_the_least_is_that_of_kalman():
     assert best.values == {k1: sp.sqrt(2), k2: 1} and best.variance == sp.sqrt(2)
 
 
+def discrete_error_covariance(Phi, H, Q, R, K):
+    """The stationary covariance of the errors before a correction with any gain K."""
+    F = Phi @ (np.eye(len(Phi)) - K @ H)
+    noise = Q + Phi @ K @ R @ K.T @ Phi.T
+    return estimation.discrete_stationary_covariance(F, noise).covariance
+
+
 @pytest.mark.parametrize("seed", range(3))
-def test_no_other_gain_of_floats_is_better(seed):
+def test_no_other_gain_has_a_smaller_covariance(seed):
     rng = np.random.default_rng(seed)
     A, H, mixing = rng.normal(size=(3, 3)), rng.normal(size=(2, 3)), rng.normal(size=(3, 3))
     intensity, noise = mixing @ mixing.T, np.diag([1.0, 2.0])
@@ -260,11 +265,11 @@ def test_no_other_gain_of_floats_is_better(seed):
         assert not other or np.linalg.eigvalsh(other.covariance - best.covariance)[0] > -1e-10
     Phi = scipy.linalg.expm(A / 2)
     best = estimation.discrete_stationary_filter(Phi, H, intensity, noise)
-    same = estimation.discrete_error_covariance(Phi, H, intensity, noise, best.gain)
-    assert np.allclose(same.covariance, best.covariance, rtol=1e-9)
+    same = discrete_error_covariance(Phi, H, intensity, noise, best.gain)
+    assert np.allclose(same, best.covariance, rtol=1e-9)
 
 
-def test_the_covariance_of_a_poor_gain_is_that_of_its_errors():
+def test_error_covariance_of_a_poor_gain_agrees_with_simulation():
     """A simulated filter with a gain that is 40 % too large."""
     Phi, H, variance, noise = (
         np.array([[0.9, 0.1], [0, 0.8]]),
@@ -273,7 +278,7 @@ def test_the_covariance_of_a_poor_gain_is_that_of_its_errors():
         [[0.5]],
     )
     K = 1.4 * estimation.discrete_stationary_filter(Phi, H, variance, noise).gain
-    told = estimation.discrete_error_covariance(Phi, H, variance, noise, K).covariance
+    predicted = discrete_error_covariance(Phi, H, variance, noise, K)
     rng = np.random.default_rng(3)
     error, sums, paths = np.zeros((4000, 2)), [], 4000
     for step in range(120):
@@ -281,10 +286,10 @@ def test_the_covariance_of_a_poor_gain_is_that_of_its_errors():
         error = measured @ Phi.T + rng.normal(size=(paths, 2)) * np.sqrt([0.1, 0.3])
         if step > 60 and step % 10 == 0:
             sums.append(error.T @ error / paths)
-    assert np.abs(np.mean(sums, axis=0) / told - 1).max() < 0.05
+    assert np.abs(np.mean(sums, axis=0) / predicted - 1).max() < 0.05
 
 
-def test_gains_that_cannot_be_judged_are_told():
+def test_gains_without_a_stationary_covariance_are_rejected():
     K, _w = sp.symbols("K w")
     assert not estimation.error_covariance(1, 1, 1, 1, 0)
     with pytest.raises(ValueError, match="no stationary covariance"):

@@ -1,5 +1,4 @@
-"""Gains, fixed modes, regions of gains, loops with an estimate: against the definitions, on random
-exact systems."""
+"""Gains, fixed modes, regions of gains and observer-based loops, on random exact systems."""
 
 import random
 
@@ -18,26 +17,27 @@ def whole_matrix(rows, columns, seed):
     return sp.Matrix(rows, columns, lambda i, j: draw.randint(-4, 4))
 
 
-def with_hidden_part(seen, unseen, outputs, seed):
-    """A pair (A, H) of which exactly the first coordinates are seen, in mixed coordinates, and the
-    hidden block."""
+def with_hidden_part(observable, unobservable, outputs, seed):
+    """Return a pair (A, H) with an unobservable part in mixed coordinates, and that block."""
     for trial in range(50):
         A11, A21, A22 = (
             whole_matrix(*shape, seed + 100 * trial + k)
-            for k, shape in enumerate([(seen, seen), (unseen, seen), (unseen, unseen)])
+            for k, shape in enumerate(
+                [(observable, observable), (unobservable, observable), (unobservable, unobservable)]
+            )
         )
         H1, T = (
-            whole_matrix(outputs, seen, seed + 7 + trial),
-            whole_matrix(seen + unseen, seen + unseen, seed + trial),
+            whole_matrix(outputs, observable, seed + 7 + trial),
+            whole_matrix(observable + unobservable, observable + unobservable, seed + trial),
         )
         if structure.observability(A11, H1) and T.det() != 0:
-            A = A11.row_join(sp.zeros(seen, unseen)).col_join(A21.row_join(A22))
-            return T.inv() * A * T, H1.row_join(sp.zeros(outputs, unseen)) * T, A22
+            A = A11.row_join(sp.zeros(observable, unobservable)).col_join(A21.row_join(A22))
+            return T.inv() * A * T, H1.row_join(sp.zeros(outputs, unobservable)) * T, A22
     raise AssertionError("no such system was drawn")
 
 
 @pytest.mark.parametrize(
-    "seen, unseen, outputs, seed",
+    "observable, unobservable, outputs, seed",
     [
         (3, 0, 1, 1),
         (4, 0, 1, 2),
@@ -49,40 +49,44 @@ def with_hidden_part(seen, unseen, outputs, seed):
         (4, 0, 3, 8),
     ],
 )
-def test_every_gain_of_a_family_gives_the_polynomial(seen, unseen, outputs, seed):
-    A, H, A22 = with_hidden_part(seen, unseen, outputs, seed)
-    roots = [-1, -2, -2, -5][:seen]
+def test_every_gain_of_a_family_gives_the_polynomial(observable, unobservable, outputs, seed):
+    A, H, A22 = with_hidden_part(observable, unobservable, outputs, seed)
+    roots = [-1, -2, -2, -5][:observable]
     family = feedback.observer(A, H, eigenvalues=roots)
     wanted = sp.expand(
         sp.prod([family.symbol - r for r in roots]) * A22.charpoly(family.symbol).as_expr()
     )
     assert sp.expand((A - family.gain * H).charpoly(family.symbol).as_expr() - wanted) == 0
     assert sp.expand(family.polynomial - wanted) == 0
-    assert len(family.free) == unseen * outputs and family.gain.free_symbols == set(family.free)
+    assert len(family.free) == unobservable * outputs and family.gain.free_symbols == set(
+        family.free
+    )
     dual = feedback.regulator(A.T, H.T, eigenvalues=roots)
     assert sp.expand((A.T + H.T * dual.gain).charpoly(family.symbol).as_expr() - wanted) == 0
     assert family.complete == (outputs == 1)
 
 
-@pytest.mark.parametrize("seen, unseen, seed", [(2, 1, 11), (2, 2, 12), (3, 1, 13)])
-def test_a_family_for_one_output_is_complete(seen, unseen, seed):
+@pytest.mark.parametrize("observable, unobservable, seed", [(2, 1, 11), (2, 2, 12), (3, 1, 13)])
+def test_a_family_for_one_output_is_complete(observable, unobservable, seed):
     """All solutions of the linear equations for the entries of L are members."""
-    A, H, _A22 = with_hidden_part(seen, unseen, 1, seed)
+    A, H, _A22 = with_hidden_part(observable, unobservable, 1, seed)
     family = (
         feedback.observer(A, H, margin=1)
         if feedback.best_margin(A, H=H) >= 1
-        else feedback.observer(A, H, (lam + 1) ** seen, lam)
+        else feedback.observer(A, H, (lam + 1) ** observable, lam)
     )
-    entries = sp.symbols(f"l1:{seen + unseen + 1}")
+    entries = sp.symbols(f"l1:{observable + unobservable + 1}")
     left = sp.Poly(
         (A - sp.Matrix(entries) * H).charpoly(family.symbol).as_expr() - family.polynomial,
         family.symbol,
     )
     (solution,) = sp.linsolve(left.all_coeffs(), entries)
-    assert len(set(solution).union(*(e.free_symbols for e in solution)) & set(entries)) == unseen
+    assert (
+        len(set(solution).union(*(e.free_symbols for e in solution)) & set(entries)) == unobservable
+    )
     difference = sp.Matrix(solution) - family.gain
     found = sp.solve(list(difference), family.free, dict=True)
-    assert found and difference.subs(found[0]).expand() == sp.zeros(seen + unseen, 1)
+    assert found and difference.subs(found[0]).expand() == sp.zeros(observable + unobservable, 1)
 
 
 def test_coefficients_may_be_symbols_and_so_may_the_system():
@@ -119,12 +123,12 @@ def test_an_unstable_fixed_mode_may_stay_but_no_margin_is_given():
         ({"polynomial": lam**2 + sp.Symbol("b")}, "say which symbol"),
     ],
 )
-def test_what_is_prescribed_badly_is_told(arguments, message):
+def test_invalid_prescriptions(arguments, message):
     with pytest.raises(ValueError, match=message):
         feedback.regulator(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1]), **arguments)
 
 
-def test_arrays_are_not_taken_for_exact():
+def test_float_arrays_are_refused():
     with pytest.raises(ValueError, match="exact"):
         feedback.regulator(np.eye(2), np.array([[1.0], [2.0]]), margin=1)
 
@@ -161,7 +165,7 @@ def test_conjugate_fixed_modes_without_a_closed_form():
     assert float(found.margin) == pytest.approx(-max(np.roots([1, 1, 1, 3]).real))
 
 
-def test_signs_that_are_not_known_are_asked_for():
+def test_unknown_signs_are_refused_with_advice():
     a, p = sp.Symbol("a"), sp.Symbol("p", positive=True)
     with pytest.raises(ValueError, match="assumptions"):
         feedback.stabilisability(sp.diag(1, a), sp.Matrix([1, 0]))
@@ -170,7 +174,7 @@ def test_signs_that_are_not_known_are_asked_for():
         feedback.best_margin(sp.eye(2))
 
 
-def test_stabilising_gains_are_those_of_hurwitz():
+def test_stabilising_gains_satisfy_the_hurwitz_criterion():
     k1, k2, l1, l2 = sp.symbols("k1 k2 l1 l2")
     A, B, H = sp.Matrix([[0, 1], [-2, 3]]), sp.Matrix([0, 1]), sp.Matrix([[1, 1]])
     assert feedback.stabilising_gains(A, B, [k1], H=H).region == (k1 < -3)  # example 7
@@ -256,12 +260,12 @@ def test_the_error_of_a_reduced_observer_has_the_spectrum(n, m, seed):
     )
 
 
-def test_a_reduced_observer_needs_something_to_estimate():
+def test_reduced_observer_needs_unmeasured_states():
     with pytest.raises(ValueError, match="fewer independent outputs"):
         feedback.reduced_observer(sp.eye(2), sp.Matrix([1, 0]), sp.eye(2), margin=1)
 
 
-def test_families_and_regions_show_themselves():
+def test_display():
     family = feedback.observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 1]]), margin=1)
     assert "lambda" in family._repr_latex_() and family.simplest.free_symbols == set()
     assert (
@@ -278,7 +282,7 @@ def test_families_and_regions_show_themselves():
     )
 
 
-def test_several_fixed_eigenvalues_are_told_together():
+def test_several_fixed_eigenvalues_are_listed_together():
     found = feedback.stabilisability(sp.diag(-1, -2, 3), sp.Matrix([0, 0, 1]))
     assert "lambda = -1, lambda = -2 are fixed" in found.reason and found.margin == 1
     assert (

@@ -1,5 +1,4 @@
-"""Gains of floats: known pairs, exact gains, repeated and complex eigenvalues, bad units, what is
-refused."""
+"""Gains in floats: known and exact gains, repeated and complex eigenvalues, units, errors."""
 
 import control
 import numpy as np
@@ -32,7 +31,7 @@ def random_pair(rng, n, s, spread=0.0):
 
 
 @pytest.mark.parametrize("n", [1, 2, 5, 12, 20, 40])
-def test_a_chain_gets_its_coefficients_to_the_last_digit(n):
+def test_gain_of_a_chain_has_all_digits(n):
     found = place(*chain(n), [-1] * n)
     exact = sp.Poly((sp.Symbol("s") + 1) ** n).all_coeffs()
     assert found.gain[0].tolist() == [-float(c) for c in exact[:0:-1]]
@@ -63,9 +62,8 @@ def test_one_control_gives_the_exact_gain_rounded(wanted, spread):
 @pytest.mark.filterwarnings("ignore:Convergence was not reached")
 @pytest.mark.parametrize("spread", [0, 6])
 @pytest.mark.parametrize(("n", "s"), [(4, 1), (8, 1), (16, 1), (40, 1), (6, 2), (9, 3)])
-def test_no_peer_comes_nearer(n, s, spread):
-    """In the median, and up to a factor of two: which of two gains that differ in their last digits
-    does better is chance."""
+def test_no_peer_places_more_accurately(n, s, spread):
+    """Compare medians up to a factor of two: differences in the last digits are chance."""
     rng, ratios = np.random.default_rng(100 * n + s), {"place_poles": [], "acker": []}
     wanted = -np.linspace(0.5, 2, n)
     for _ in range(9 if n * s < 20 else 2):
@@ -90,7 +88,7 @@ def test_no_peer_comes_nearer(n, s, spread):
         (8, 2, [-1] * 4 + [-2] * 4),
     ],
 )
-def test_several_controls_place_what_comes_more_often_than_they_are(n, s, wanted):
+def test_eigenvalues_repeated_more_often_than_there_are_controls(n, s, wanted):
     A, B = random_pair(np.random.default_rng(n + s), n, s)
     found = place(A, B, wanted)
     assert found.gain.shape == (s, n) and found.residual < 1e-12
@@ -109,7 +107,7 @@ def test_bad_units_of_several_controls():
     assert found.distance < 1e-7 and found.residual < 1e-14
 
 
-def test_what_is_told_is_true():
+def test_reported_accuracy_is_true():
     A, B = random_pair(np.random.default_rng(4), 5, 1)
     found = place(A, B, [-1, -2, -3, -4 + 1j, -4 - 1j])
     assert sorted(found.reached, key=lambda z: (z.real, z.imag)) == pytest.approx(
@@ -120,7 +118,7 @@ def test_what_is_told_is_true():
 
 
 @pytest.mark.parametrize("spread", [0, 5])
-def test_the_end_of_floats_is_told(spread):
+def test_limits_of_floats_are_reported(spread):
     A, B = random_pair(np.random.default_rng(1), 40, 1, spread)
     found = place(A, B, -np.linspace(0.5, 2, 40))
     assert found.uncertainty > 1
@@ -136,7 +134,7 @@ def test_a_state_space_and_the_observer():
     assert np.sort(np.linalg.eigvals(A - L @ H).real) == pytest.approx([-3, -2, -1])
 
 
-def test_what_cannot_be_placed_is_named():
+def test_uncontrollable_modes_are_named():
     with pytest.raises(ValueError, match=r"controllable.*2|2.*controllable"):
         place(np.diag([1.0, 2.0]), np.array([[1.0], [0.0]]), [-1, -2])
     A, B = chain(3)

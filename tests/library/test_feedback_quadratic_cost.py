@@ -1,5 +1,4 @@
-"""Regulators with a quadratic cost: against python-control, Kleinman's equation and direct
-integration."""
+"""Quadratic regulators against python-control, Kleinman's equation and integration."""
 
 import control
 import numpy as np
@@ -49,8 +48,8 @@ def test_exact_and_floating_point_agree(matrix, weight):
 
 
 @pytest.mark.parametrize("mode, attained", MODES.items())
-def test_an_unseen_mode_is_led_to_zero_or_left_alone(mode, attained):
-    """x1' = mode x1 + u, x2' = -x2 + u, and only x2 is paid for."""
+def test_mode_unobservable_in_the_cost_is_stabilised_or_left_alone(mode, attained):
+    """x1' = mode x1 + u, x2' = -x2 + u, and the cost contains x2 only."""
     for read in (lambda m: m, lambda m: np.array(m, dtype=float)):
         system = [
             read(m)
@@ -66,7 +65,7 @@ def test_an_unseen_mode_is_led_to_zero_or_left_alone(mode, attained):
             assert np.linalg.eigvalsh(difference)[0] > -1e-12 and difference[0, 0] > 1
 
 
-def test_what_cannot_be_is_said():
+def test_unsolvable_problems_have_a_reason():
     assert "not stabilisable" in feedback.lqr(sp.diag(1, 2), [0, 1], sp.eye(2), 1).reason
     assert "imaginary axis" in feedback.lqr([[0, 1], [0, 0]], [0, 1], sp.diag(0, 1), 1).reason
     assert not feedback.lqg([[1]], [[1]], [[0]], 1, 1, 1, 1)
@@ -76,7 +75,7 @@ def test_what_cannot_be_is_said():
 
 
 @pytest.mark.parametrize("left", [0.0, 0.3, 2.0])
-def test_a_given_end_solves_the_equation(left):
+def test_finite_horizon_solves_the_riccati_equation(left):
     """Integrated backwards from F, in the weights and signs of the docstring."""
     a, b, g, n, f = floats(A, B, G, N, F)
 
@@ -90,7 +89,7 @@ def test_a_given_end_solves_the_equation(left):
     np.testing.assert_allclose(ours.gain, -np.linalg.solve(n, b.T @ true), atol=1e-7)
 
 
-def test_a_given_end_exactly():
+def test_finite_horizon_exactly():
     left = sp.Symbol("left", positive=True)
     found = feedback.finite_lqr([[0, 1], [0, 0]], [0, 1], sp.zeros(2), 1, sp.eye(2), left)
     S = found.cost
@@ -103,9 +102,8 @@ def test_a_given_end_exactly():
     assert rest.applyfunc(sp.simplify) == sp.zeros(2) and S.subs(left, 0) == sp.eye(2)
 
 
-def test_the_price_is_that_of_the_whole_loop():
-    """x and e together: their covariance from Lyapunov's equation, no separation used; no gains
-    nearby are cheaper."""
+def test_cost_is_that_of_the_whole_loop():
+    """The covariance of (x, e) gives the cost without separation; no gains nearby cost less."""
     a, b, g, n = floats(A, B, G, N)
     h, q, r = np.array([[1.0, 0, 0]]), np.diag([0.0, 2, 1]), np.array([[0.5]])
     found = feedback.lqg(a, b, h, g, n, q, r)
@@ -118,13 +116,13 @@ def test_the_price_is_that_of_the_whole_loop():
 
     K, L = found.regulator.gain, found.filter.gain
     least = price(K, L)
-    assert abs(found.price - least) < 1e-8 * least
+    assert abs(found.cost - least) < 1e-8 * least
     rng = np.random.default_rng(54)
     for _ in range(20):
         assert (
             price(K + 0.01 * rng.normal(size=K.shape), L + 0.01 * rng.normal(size=L.shape)) > least
         )
     assert (
-        np.trace(found.regulator.cost @ q) == pytest.approx(found.known)
-        and found.known < found.price
+        np.trace(found.regulator.cost @ q) == pytest.approx(found.cost_of_known_state)
+        and found.cost_of_known_state < found.cost
     )

@@ -1,4 +1,4 @@
-"""Lie derivatives against the motions themselves."""
+"""Lie derivatives against derivatives along known motions."""
 
 import pytest
 import sympy as sp
@@ -10,7 +10,7 @@ x, y = sp.symbols("x y")
 
 
 @pytest.mark.parametrize("order", [0, 1, 2, 3])
-def test_it_is_the_derivative_in_time_along_a_motion(order):
+def test_lie_derivative_is_the_time_derivative_along_a_motion(order):
     # of a spiral that is known
     motion = {
         x: sp.exp(-t) * sp.cos(c * t),
@@ -23,11 +23,11 @@ def test_it_is_the_derivative_in_time_along_a_motion(order):
     assert abs((along - directly).subs({t: sp.Rational(7, 10), c: 2}).evalf(30)) < 1e-25
 
 
-def test_what_does_not_flow_is_constant():
+def test_symbols_outside_the_flow_are_constant():
     assert lie_derivative(c**2, {x: c}) == 0 and lie_derivative(c * x, {x: y}) == c * y
 
 
-def test_refused():
+def test_bad_arguments_are_rejected():
     with pytest.raises(TypeError, match="flow: expected a dict"):
         lie_derivative(x, [y])
     for order in (-1, 1.5):

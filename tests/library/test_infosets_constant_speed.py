@@ -1,6 +1,8 @@
-"""A known constant speed, and the exact reachable set of Dubins' car: by brute force over
-turn-straight and turn-turn controls, by search among all motions with two switches, by quadrature,
-and the information sets against it."""
+"""Information sets for a known speed, and the exact reachable set of the Dubins car.
+
+The reachable set is tested by brute force over turn-straight and turn-turn controls, by search among
+all motions with two switches and by quadrature, and the information sets are tested against it.
+"""
 
 import numpy as np
 import pytest
@@ -23,17 +25,17 @@ from trajlib.infosets.polygons import normals
 def ends(controls, durations, heading=0.0):
     """Ends (count, 2) of motions with unit speed and radius: controls (pieces,), durations (count,
     pieces)."""
-    psi, place = np.full(len(durations), float(heading)), np.zeros((len(durations), 2))
+    psi, position = np.full(len(durations), float(heading)), np.zeros((len(durations), 2))
     for u, d in zip(controls, durations.T):
         after = psi + u * d
         if u:
-            place += (
+            position += (
                 np.stack([np.cos(psi) - np.cos(after), np.sin(after) - np.sin(psi)], axis=-1) / u
             )
         else:
-            place += d[:, None] * np.stack([np.sin(psi), np.cos(psi)], axis=-1)
+            position += d[:, None] * np.stack([np.sin(psi), np.cos(psi)], axis=-1)
         psi = after
-    return place
+    return position
 
 
 def two_pieces(T, count=2001):
@@ -67,7 +69,7 @@ def test_the_support_function_against_quadrature_and_units():
     assert exact.radius == 80 and exact.turn == pytest.approx(3.25)
     for phi in np.linspace(-4, 4, 17):
         apart = abs((phi - 1.0 + np.pi) % (2 * np.pi) - np.pi)
-        way = quad(
+        distance = quad(
             lambda s: 20 * np.cos(max(apart - 0.25 * s, 0)),
             0,
             13,
@@ -75,7 +77,7 @@ def test_the_support_function_against_quadrature_and_units():
             limit=200,
         )[0]
         assert exact.support(phi) == pytest.approx(
-            way + 100 * np.sin(phi) - 50 * np.cos(phi), abs=1e-6
+            distance + 100 * np.sin(phi) - 50 * np.cos(phi), abs=1e-6
         )
 
 
@@ -95,13 +97,13 @@ def shortest_miss(place, T):
 
         distance = np.hypot(*(ends(controls, durations) - place).T)
         for k in np.argsort(distance)[:2]:
-            found = minimize(
+            states = minimize(
                 miss,
                 [first[k], second[k]],
                 method="Nelder-Mead",
                 options={"xatol": 1e-9, "fatol": 1e-9, "maxiter": 300},
             )
-            best = min(best, found.fun)
+            best = min(best, states.fun)
         if best < 1e-6:
             break
     return best
@@ -112,9 +114,9 @@ def shortest_miss(place, T):
 def test_membership_against_a_search(T):
     random = np.random.default_rng(round(100 * T))
     near = ends((1, 0, -1), random.dirichlet(np.ones(3), 12) * T) + random.normal(0, 0.3, (12, 2))
-    places = np.concatenate([near, random.uniform(-min(T, 4), T, (12, 2))])
-    inside = dubins_reachable(T).contains(places)
-    misses = np.array([shortest_miss(place, T) for place in places])
+    positions = np.concatenate([near, random.uniform(-min(T, 4), T, (12, 2))])
+    inside = dubins_reachable(T).contains(positions)
+    misses = np.array([shortest_miss(position, T) for position in positions])
     assert (
         (misses[inside] < 1e-6).all() and (misses[~inside] > 1e-4).all() and 0 < inside.sum() < 24
     )
@@ -122,12 +124,12 @@ def test_membership_against_a_search(T):
 
 @given(seed=st.integers(0, 10**6), T=st.sampled_from([0.5, 1.5, np.pi, 4.0, 5.5, 2 * np.pi, 9.0]))
 @settings(max_examples=40, deadline=None)
-def test_what_is_reached_is_a_member(seed, T):
+def test_reached_points_are_members(seed, T):
     random = np.random.default_rng(seed)
     controls = random.choice([-1, 0, 1, 0.3], 6)
-    places = ends(controls, random.dirichlet(0.5 * np.ones(6), 30) * T, heading=2.0)
+    positions = ends(controls, random.dirichlet(0.5 * np.ones(6), 30) * T, heading=2.0)
     exact = dubins_reachable(T, heading=2.0)
-    assert exact.contains(places).all()
+    assert exact.contains(positions).all()
     away = random.normal(size=(30, 2))
     away *= (exact.turn * 1.001 + random.exponential(size=30)[:, None]) / np.linalg.norm(
         away, axis=1, keepdims=True
@@ -137,7 +139,7 @@ def test_what_is_reached_is_a_member(seed, T):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("T", [np.pi / 2, np.pi, 5 * np.pi / 4, 2 * np.pi])
-def test_the_boundary_separates(T):
+def test_boundary_separates_reached_and_other_points(T):
     """Beside each of its points one side is reached and one is not; it is made of turn-straight and
     turn-turn ends."""
     exact = dubins_reachable(T)
@@ -154,7 +156,7 @@ def test_the_boundary_separates(T):
     assert gaps.max() < 2e-2 * T / np.pi
 
 
-def test_known_places():
+def test_known_positions():
     half = dubins_reachable(np.pi)
     assert half.contains([[0, np.pi], [2, 0], [-2, 0]]).all()
     assert not half.contains([[0, np.pi + 1e-3], [0, 2], [2.01, 0], [0, 0]]).any()
@@ -166,12 +168,12 @@ def test_known_places():
 
 
 @pytest.mark.parametrize("steps", [8, 16, 32, 64])
-def test_three_controls_come_from_inside_in_the_square_of_the_step(steps):
+def test_three_controls_converge_from_inside_with_second_order(steps):
     """m = 64, one heading: outer boundaries agree, the published one is inside by O(D^2), at most
     where it goes on straight for all of the time at half a step's turn from the direction, T (1 -
     cos(D/2))."""
     T = 6.0
-    found = ConstantSpeedInformationSet(
+    states = ConstantSpeedInformationSet(
         [[0, 0]],
         speed=1,
         k=1,
@@ -182,9 +184,9 @@ def test_three_controls_come_from_inside_in_the_square_of_the_step(steps):
         mode="published",
         wrapped=False,
     ).advance(steps)
-    assert len(found.heading_nodes) == 2 * steps + 1
+    assert len(states.heading_nodes) == 2 * steps + 1
     exact = dubins_reachable(T, heading=np.pi / 2).support(2 * np.pi * np.arange(64) / 64)
-    short = exact - found.sections.hull().values
+    short = exact - states.sections.hull().values
     assert short.min() > -1e-9 and 0.2 < short.max() / (T * (1 - np.cos(T / steps / 2))) <= 1
 
 
@@ -196,7 +198,7 @@ def test_figure_9_the_exact_set_lies_inside_up_to_the_step(i):
     speed, k, steps = 100.0, 5.0, 40
     t = i * np.pi / 2 * speed / k
     exact = dubins_reachable(t, speed=speed, k=k, heading=np.pi / 2)
-    found = ConstantSpeedInformationSet(
+    states = ConstantSpeedInformationSet(
         [[0, 0]],
         speed=speed,
         k=k,
@@ -207,15 +209,15 @@ def test_figure_9_the_exact_set_lies_inside_up_to_the_step(i):
         mode="published",
         wrapped=False,
     ).advance(steps)
-    sections = found.projection()
+    sections = states.projection()
     grown = SupportPolygons.of_tight(sections.values + 2e-3 * exact.radius * i**2)
     random = np.random.default_rng(i)
-    places = (
+    positions = (
         ends((1, 0, -1), random.dirichlet(np.ones(3), 300) * exact.turn, heading=np.pi / 2)
         * exact.radius
     )
     assert grown.values.shape == (2 * steps + 1, 64)
-    assert all(grown.contains(place).any() for place in places)
+    assert all(grown.contains(position).any() for position in positions)
     corners = sections.vertices
     within = (corners + corners.mean(axis=-2, keepdims=True)) / 2
     assert np.sum(~exact.contains(within)) > 3
@@ -227,7 +229,7 @@ def test_figure_10_normals_at_five_eighths_of_a_turn():
     T, steps, directions = 5 * np.pi / 4, 64, np.linspace(0, 2 * np.pi, 1441)
     n, beyond = np.stack([np.sin(directions), np.cos(directions)]), []
     for m in (12, 24, 48):
-        found = ConstantSpeedInformationSet(
+        states = ConstantSpeedInformationSet(
             [[0, 0]],
             speed=1,
             k=1,
@@ -238,7 +240,7 @@ def test_figure_10_normals_at_five_eighths_of_a_turn():
             mode="published",
             wrapped=False,
         ).advance(steps)
-        reach = (found.sections.hull().vertices @ n).max(axis=0)
+        reach = (states.sections.hull().vertices @ n).max(axis=0)
         beyond.append((reach - dubins_reachable(T).support(directions)).max())
     assert beyond[0] == pytest.approx(0.129, abs=0.001) and beyond[1] == pytest.approx(
         0.0325, abs=0.0005
@@ -254,7 +256,7 @@ def flight(seed, steps, dt, k, speed):
 
 
 @pytest.mark.parametrize("wrapped", [True, False])
-def test_no_state_is_lost(wrapped):
+def test_guaranteed_set_keeps_the_true_state(wrapped):
     for seed in range(12):
         dt, headings = (1.0, 0.4, 2.0)[seed % 3], (60, 90, 360)[seed % 3]
         truth, random = flight(seed, 24, dt, 15.0, 100.0)
@@ -264,7 +266,7 @@ def test_no_state_is_lost(wrapped):
         def seen(step):
             return Region.box(truth[step, :2] + 20 * random.choice([-1, 1], 2), 40)
 
-        found = ConstantSpeedInformationSet(
+        states = ConstantSpeedInformationSet(
             seen(0),
             speed=100.0,
             k=15.0,
@@ -274,18 +276,18 @@ def test_no_state_is_lost(wrapped):
             wrapped=wrapped,
         )
         for step in range(1, 25):
-            found.advance()
+            states.advance()
             if step % 5 == 0:
-                found.measure(seen(step))
-            assert found.contains(truth[step]), (seed, step)
-            assert found.bounds().x[0] <= truth[step, 0] + 1e-6
+                states.measure(seen(step))
+            assert states.contains(truth[step]), (seed, step)
+            assert states.bounds().x[0] <= truth[step, 0] + 1e-6
 
 
-def test_from_a_point_it_encloses_the_exact_set_and_converges_to_it():
+def test_guaranteed_set_encloses_the_exact_set_and_converges_to_it():
     T, excess = np.pi, []
     exact = dubins_reachable(T)
     for steps in (10, 20, 40, 80):
-        found = ConstantSpeedInformationSet(
+        states = ConstantSpeedInformationSet(
             [[0, 0]],
             speed=1,
             k=1,
@@ -295,7 +297,7 @@ def test_from_a_point_it_encloses_the_exact_set_and_converges_to_it():
             headings=2 * steps,
             wrapped=False,
         ).advance(steps)
-        beyond = found.sections.hull().values - exact.support(2 * np.pi * np.arange(32) / 32)
+        beyond = states.sections.hull().values - exact.support(2 * np.pi * np.arange(32) / 32)
         assert beyond.min() > 0
         excess.append(beyond.max())
     assert np.array(excess[:-1]) / excess[1:] == pytest.approx(2, abs=0.4)
@@ -310,26 +312,26 @@ def test_published_motion_with_squares():
     ]
     truth = fly((0, 0, 1.0, 200), pieces, 5.0)[:, :3]
     random = np.random.default_rng(3)
-    found = ConstantSpeedInformationSet(
+    states = ConstantSpeedInformationSet(
         Region.box(truth[0, :2], 400), speed=200, k=5, headings=360, normals=4, mode="published"
     )
-    assert len(found.heading_nodes) == 360
+    assert len(states.heading_nodes) == 360
     for t in range(1, 81):
-        found.advance()
+        states.advance()
         if t % 20 == 0:
             if t == 20:
                 assert (
-                    found.bounds().heading[1] - found.bounds().heading[0] > 6.2
-                    and len(found.heading_nodes) <= 800
+                    states.bounds().heading[1] - states.bounds().heading[0] > 6.2
+                    and len(states.heading_nodes) <= 800
                 )
-            found.measure(Region.box(truth[t, :2] + random.uniform(-200, 200, 2), 400))
-            low, high = found.bounds().heading
+            states.measure(Region.box(truth[t, :2] + random.uniform(-200, 200, 2), 400))
+            low, high = states.bounds().heading
             assert (truth[t, 2] - low) % (2 * np.pi) < high - low < 2
-            assert found.projection("psi").shape == found.heading_nodes.shape
+            assert states.projection("psi").shape == states.heading_nodes.shape
     assert (
-        found.bounds().speed is None
-        and "psi in" in str(found.bounds())
-        and "V in" not in str(found.bounds())
+        states.bounds().speed is None
+        and "psi in" in str(states.bounds())
+        and "V in" not in str(states.bounds())
     )
 
 
@@ -339,35 +341,35 @@ def test_figure_6_from_one_heading(mode):
     given, is ours."""
     pieces = [(1.0, u, 0) for count, u in ((10, 0), (15, 1), (15, -1)) for _ in range(count)]
     truth = fly((0, 0, 0, 400), pieces, 15.0)[:, :3]
-    found = ConstantSpeedInformationSet(
+    states = ConstantSpeedInformationSet(
         Region.disc([0, 0], 100), speed=400, k=15, heading_range=0.0, mode=mode
     )
     shape = np.array([[-500, -200], [100, -200], [500, 200], [-100, 200]])
     widths = []
     for t in range(1, 41):
-        found.advance()
+        states.advance()
         if t in (20, 32):
-            before = found.bounds()
-            found.measure(
+            before = states.bounds()
+            states.measure(
                 truth[t, :2]
                 + (shape if t == 20 else [[-300, -150], [300, -150], [300, 150], [-300, 150]])
             )
-            widths.append((np.ptp(before.heading), np.ptp(found.bounds().heading)))
+            widths.append((np.ptp(before.heading), np.ptp(states.bounds().heading)))
         if mode == "guaranteed" or t in (20, 32, 40):
-            assert found.contains(truth[t])
+            assert states.contains(truth[t])
     assert all(after < 0.7 * before for before, after in widths)
 
 
 def test_merged_headings_have_the_mean_and_the_hull():
-    found = ConstantSpeedInformationSet(
+    states = ConstantSpeedInformationSet(
         [[0, 0]], speed=1, k=1, dt=0.01, heading_range=1.0, headings=8, normals=8, mode="published"
     ).advance()
-    assert found.heading_nodes == pytest.approx([1.0])
-    moved = np.concatenate([ends((u,), np.array([[0.01]]), heading=1.0) for u in (-1, 0, 1)])
-    assert np.allclose(found.sections.values[0], (moved @ normals(8).T).max(axis=0))
+    assert states.heading_nodes == pytest.approx([1.0])
+    shifted = np.concatenate([ends((u,), np.array([[0.01]]), heading=1.0) for u in (-1, 0, 1)])
+    assert np.allclose(states.sections.values[0], (shifted @ normals(8).T).max(axis=0))
 
 
-def test_an_averaged_heading_loses_a_state():
+def test_averaged_heading_loses_a_state():
     """Merged to the mean, the true heading is soon not near the one of any section that holds the
     place."""
     options = {"speed": 1.0, "k": 1.0, "dt": 0.2, "heading_range": 0.0, "headings": 12}
@@ -404,7 +406,7 @@ def test_an_averaged_heading_loses_a_state():
         (lambda: known(region=np.zeros((0, 2))), "points: expected shape"),
     ],
 )
-def test_bad_data_name_the_cause(call, words):
+def test_bad_arguments_are_named(call, words):
     with pytest.raises(ValueError, match=words):
         call()
 
@@ -413,15 +415,15 @@ def known(**change):
     return ConstantSpeedInformationSet(**({"region": [[0, 0]], "speed": 10.0, "k": 1.0} | change))
 
 
-def test_the_empty_set_and_what_is_shown():
+def test_empty_set_and_representations():
     for mode in ("published", "guaranteed"):
-        found = known(mode=mode, headings=36).advance(3)
+        states = known(mode=mode, headings=36).advance(3)
         with pytest.raises(EmptyInformationSet, match="t = 3"):
-            found.measure(Region.disc([100, 0], 5))
-        assert f"{mode} information set at t = 3" in repr(found)
-        found.measure(Region.disc([30, 0], 5))
-        assert 0.5 < np.mean(found.bounds().heading) < 2.5
-        assert (len(found.plot().collections[0].get_paths()),) == found.projection().shape
+            states.measure(Region.disc([100, 0], 5))
+        assert f"{mode} information set at t = 3" in repr(states)
+        states.measure(Region.disc([30, 0], 5))
+        assert 0.5 < np.mean(states.bounds().heading) < 2.5
+        assert (len(states.plot().collections[0].get_paths()),) == states.projection().shape
 
 
 def test_regions_of_every_kind_agree():
@@ -432,5 +434,5 @@ def test_regions_of_every_kind_agree():
         Region.box([10, 30], 10),
         Region.box([10, 30], 10).around(12),
     ):
-        found = known(headings=36).advance(3).measure(region)
-        assert found.bounds().x[0] >= 5 - 1e-9
+        states = known(headings=36).advance(3).measure(region)
+        assert states.bounds().x[0] >= 5 - 1e-9

@@ -1,5 +1,4 @@
-"""The guaranteed mode never loses a state: its bound on displacements, single steps, and long
-motions of every kind."""
+"""The guaranteed mode keeps the true state: bounds on displacements, single steps, long motions."""
 
 import numpy as np
 import pytest
@@ -53,7 +52,7 @@ def follow(
     ends = random.choice([0, 1], 2)
     start = (*random.uniform(-1e5, 1e5, 2), arc[0] + ends[0] * arc[1], low + ends[1] * width)
     motion = fly(start, controls(kind, random, dt, steps), K)[::4]
-    found = InformationSet(
+    states = InformationSet(
         around(start[:2], side, random, shape),
         k=K,
         mu=MU,
@@ -63,14 +62,14 @@ def follow(
         heading_range=(arc[0], arc[0] + arc[1]),
         normals=normals,
     )
-    assert found.contains(start)
+    assert states.contains(start)
     for step in range(1, steps + 1):
-        found.advance()
-        assert found.contains(motion[step]), (kind, seed, step)
+        states.advance()
+        assert states.contains(motion[step]), (kind, seed, step)
         if step % every == 0:
-            found.measure(around(motion[step, :2], side, random, shape))
-            assert found.contains(motion[step]), (kind, seed, step, "measured")
-    bounds = found.bounds()
+            states.measure(around(motion[step, :2], side, random, shape))
+            assert states.contains(motion[step]), (kind, seed, step, "measured")
+    bounds = states.bounds()
     assert all(
         low - 1e-6 <= value <= high + 1e-6
         for value, (low, high) in zip(motion[-1, [0, 1, 3]], (bounds.x, bounds.y, bounds.speed))
@@ -93,7 +92,7 @@ def around(point, side, random, shape):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
-def test_no_state_is_lost(kind):
+def test_true_state_is_kept(kind):
     steps = sum(
         follow(
             kind,
@@ -109,14 +108,14 @@ def test_no_state_is_lost(kind):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_no_state_is_lost_in_a_few_motions(kind):
+def test_true_state_is_kept_in_selected_motions(kind):
     assert (
         follow(kind, 101, steps=12) + follow(kind, 102, steps=12, headings=60, shape="disc") == 24
     )
 
 
 @pytest.mark.slow
-def test_no_state_is_lost_between_small_measured_sets():
+def test_true_state_is_kept_between_small_measured_sets():
     """Squares of 5 m, so that a bound that forgets a metre would show."""
     for seed in range(8):
         follow(KINDS[seed % 5], 200 + seed, steps=30, every=2, side=5.0, headings=600)
@@ -163,30 +162,30 @@ def test_the_bound_on_the_displacement_is_nearly_attained():
         assert best - 1e-9 <= value <= best + 0.6
 
 
-def test_what_the_speed_is_after_a_time():
+def test_speed_interval_without_measurements():
     """Without measurements the interval is [low + mu1 t, high + mu2 t], up to the grid of 2 m/s."""
-    found = InformationSet(Region.box([0, 0], 400), k=6, mu=MU, speeds=(180, 360))
-    assert found.bounds().speed == (180, 360) and len(found.speed_nodes) == 90
-    assert found.advance(20).bounds().speed == (160, 420)
-    found = InformationSet(Region.box([0, 0], 400), k=6, mu=MU, speeds=(200, 201), headings=60)
-    assert found.advance(5).bounds().speed == (195, 217)  # a cell is 2 wide
+    states = InformationSet(Region.box([0, 0], 400), k=6, mu=MU, speeds=(180, 360))
+    assert states.bounds().speed == (180, 360) and len(states.speed_nodes) == 90
+    assert states.advance(20).bounds().speed == (160, 420)
+    states = InformationSet(Region.box([0, 0], 400), k=6, mu=MU, speeds=(200, 201), headings=60)
+    assert states.advance(5).bounds().speed == (195, 217)  # a cell is 2 wide
 
 
 def test_areas_and_bounds_are_near_the_published_ones():
     """On the published motion: how much the guarantee costs."""
     truth = fly(START, PUBLISHED, 6.0)
     random, extents = np.random.default_rng(5), {"published": [], "guaranteed": []}
-    seen = {
+    measurements = {
         t: Region.box(truth[t, :2] + random.uniform(-200, 200, 2), 400) for t in range(0, 61, 20)
     }
     for mode, rows in extents.items():
-        found = InformationSet(seen[0], k=6, mu=MU, speeds=(180, 360), mode=mode)
+        states = InformationSet(measurements[0], k=6, mu=MU, speeds=(180, 360), mode=mode)
         for t in range(1, 54):
-            found.advance()
-            if t in seen:
-                found.measure(seen[t])
+            states.advance()
+            if t in measurements:
+                states.measure(measurements[t])
             if t in (19, 33, 53):
-                bounds = found.bounds()
+                bounds = states.bounds()
                 rows.append([high - low for low, high in (bounds.x, bounds.y)])
     ratio = np.array(extents["guaranteed"]) / np.array(extents["published"])
     assert 0.9 < ratio.min() and ratio.max() < 1.1
@@ -195,21 +194,21 @@ def test_areas_and_bounds_are_near_the_published_ones():
 def test_a_heading_circle_is_closed_and_opened():
     """A known heading spreads to all, comes together at a measurement, and the states stay in the
     set across north."""
-    found = InformationSet(
+    states = InformationSet(
         Region.box([0, 0], 10), k=30, mu=MU, speeds=(100, 102), headings=36, heading_range=6.2
     )
     truth = fly((0, 0, 6.2, 100), [(1.0, 1, 0)] * 14, 30.0)
     arcs = []
     for t in range(1, 15):
-        found.advance()
-        assert found.contains(truth[t]) and found.contains(truth[t] + [0, 0, 2 * np.pi, 0])
-        arcs.append(np.ptp(found.bounds().heading))
-    assert arcs == sorted(arcs) and arcs[-1] == 2 * np.pi and found.sections.shape[1] == 36
-    found.measure(Region.disc(truth[14, :2], 20))
+        states.advance()
+        assert states.contains(truth[t]) and states.contains(truth[t] + [0, 0, 2 * np.pi, 0])
+        arcs.append(np.ptp(states.bounds().heading))
+    assert arcs == sorted(arcs) and arcs[-1] == 2 * np.pi and states.sections.shape[1] == 36
+    states.measure(Region.disc(truth[14, :2], 20))
     assert (
-        found.contains(truth[14])
-        and np.ptp(found.bounds().heading) < 2 * np.pi
-        and found.sections.shape[1] < 36
+        states.contains(truth[14])
+        and np.ptp(states.bounds().heading) < 2 * np.pi
+        and states.sections.shape[1] < 36
     )
 
 
@@ -218,8 +217,8 @@ def test_a_turn_across_the_seam_of_a_full_circle(heading, u):
     """All headings are possible from the start, so that the circle is closed, and the truth passes
     north."""
     truth = fly((0, 0, heading, 100), [(1.0, u, 0)] * 8, 30.0)
-    found = InformationSet(Region.disc([0, 0], 5), k=30, mu=MU, speeds=(99, 101), headings=90)
-    assert all(found.advance().contains(state) for state in truth[1:])
+    states = InformationSet(Region.disc([0, 0], 5), k=30, mu=MU, speeds=(99, 101), headings=90)
+    assert all(states.advance().contains(state) for state in truth[1:])
     known = ConstantSpeedInformationSet(Region.disc([0, 0], 5), k=30, speed=100, headings=90)
     assert all(known.advance().contains(state[:3]) for state in truth[1:])
 
@@ -230,11 +229,11 @@ def test_half_turns_to_both_sides_end_in_one_cell(u):
     both are kept."""
     k = 100 * 2 * np.pi / 36
     truth = fly((0, 0, 0.01, 100), [(1.0, u, 0)] * 19, k)
-    found = ConstantSpeedInformationSet(
+    states = ConstantSpeedInformationSet(
         Region.disc([0, 0], 5), k=k, speed=100, headings=36, heading_range=0.0
     )
-    assert all(found.advance().contains(state[:3]) for state in truth[1:])
-    assert found.sections.shape == (1, 36)
+    assert all(states.advance().contains(state[:3]) for state in truth[1:])
+    assert states.sections.shape == (1, 36)
 
 
 def test_several_measurements_at_once_are_intersected_first():
@@ -253,28 +252,28 @@ def test_several_measurements_at_once_are_intersected_first():
     )
 
 
-def test_an_inconsistent_measurement_says_when_and_leaves_the_set_as_it_was():
-    found = InformationSet(
+def test_inconsistent_measurement_has_its_time_and_leaves_the_set_unchanged():
+    states = InformationSet(
         Region.box([0, 0], 400), k=6, mu=MU, speeds=(100, 140), headings=60, dt=0.5
     ).advance(3)
-    before = found.sections.values.copy()
+    before = states.sections.values.copy()
     for region in (Region.box([5000, 0], 100), [[1e6, 0], [1e6, 1]]):
         with pytest.raises(EmptyInformationSet, match="t = 1.5") as caught:
-            found.measure(region)
-        assert caught.value.time == 1.5 and np.array_equal(before, found.sections.values)
+            states.measure(region)
+        assert caught.value.time == 1.5 and np.array_equal(before, states.sections.values)
     with pytest.raises(EmptyInformationSet):
-        found.measure(Region.box([100, 0], 50), Region.box([-100, 0], 50))
+        states.measure(Region.box([100, 0], 50), Region.box([-100, 0], 50))
     assert isinstance(caught.value, ValueError)
 
 
-def test_what_is_shown():
-    found = InformationSet(Region.box([0, 0], 400), k=6, mu=MU, speeds=(100, 140), headings=60)
-    assert repr(found).startswith(
+def test_representation():
+    states = InformationSet(Region.box([0, 0], 400), k=6, mu=MU, speeds=(100, 140), headings=60)
+    assert repr(states).startswith(
         "guaranteed information set at t = 0: 1200 sections, x in [-200, 200]"
     )
-    assert "V in [100, 140]" in str(found.bounds())
-    nodes = found.projection("psi-V")
+    assert "V in [100, 140]" in str(states.bounds())
+    nodes = states.projection("psi-V")
     assert nodes.shape == (1200, 2) and (nodes[:, 0] < 2 * np.pi).all()
-    ax = found.plot(label="all")
+    ax = states.plot(label="all")
     assert ax.collections[0].get_rasterized() and len(ax.collections[0].get_paths()) == 1200
-    assert found.measure(found.sections[0, 0]).sections.shape == (20, 60)
+    assert states.measure(states.sections[0, 0]).sections.shape == (20, 60)

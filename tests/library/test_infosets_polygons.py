@@ -1,5 +1,4 @@
-"""Polygons by support values, against linear programming, the published scan, and cases that are
-known exactly."""
+"""Polygons by support values against linear programming, the published scan and known cases."""
 
 import numpy as np
 import pytest
@@ -17,11 +16,11 @@ def programmed(values):
     """Greatest n_i p over {n p <= values} by linear programming, or None if nothing satisfies
     it."""
     n = normals(len(values))
-    found = [
+    result = [
         linprog(-direction, A_ub=n, b_ub=values, bounds=(None, None), method="highs")
         for direction in n
     ]
-    return None if found[0].status == 2 else np.array([-one.fun for one in found])
+    return None if result[0].status == 2 else np.array([-single.fun for single in result])
 
 
 def scanned(values, margin=1e-9):
@@ -56,25 +55,25 @@ def scanned(values, margin=1e-9):
 @settings(max_examples=150, deadline=None)
 def test_tight_values_are_those_of_linear_programming(m, seed):
     values = np.random.default_rng(seed).normal(0.3 + 0.1 * m, 1, m)
-    true, found = programmed(values), SupportPolygons(values)
+    true, result = programmed(values), SupportPolygons(values)
     # what nearly touches is decided by rounding in one of the two
-    assume(true is None or min(SupportPolygons(values - 1e-6).empty == found.empty, True))
-    assert bool(found.empty) == (true is None)
+    assume(true is None or min(SupportPolygons(values - 1e-6).empty == result.empty, True))
+    assert bool(result.empty) == (true is None)
     if true is not None:
-        assert np.allclose(found.values, true, atol=1e-7) and (found.values >= true - 1e-7).all()
+        assert np.allclose(result.values, true, atol=1e-7) and (result.values >= true - 1e-7).all()
 
 
 @pytest.mark.parametrize("m", [3, 4, 5, 6, 7, 8, 12, 16])
-def test_the_published_scan_gives_the_same(m):
+def test_published_scan_agrees(m):
     random = np.random.default_rng(m)
     empty = 0
     for _ in range(200):
         values = random.normal(0.3 + 0.1 * m, 1, m)
-        true, found = scanned(values), SupportPolygons(values)
-        assert bool(found.empty) == (true is None)
+        true, result = scanned(values), SupportPolygons(values)
+        assert bool(result.empty) == (true is None)
         empty += true is None
         if true is not None:
-            assert np.allclose(found.values, true, atol=1e-8)
+            assert np.allclose(result.values, true, atol=1e-8)
     assert 5 < empty < 195
 
 
@@ -92,7 +91,7 @@ def test_known_polygons():
     assert SupportPolygons.around([[3.0, 4.0]], 12).area == pytest.approx(0, abs=1e-12)
 
 
-def test_touching_counts_as_common():
+def test_touching_polygons_intersect():
     for m in (4, 8, 12, 16):
         square = Region.box([0, 0], 2).around(m)
         for by, empty in (
@@ -152,7 +151,7 @@ def distance_to_hull(point, points):
     return np.hypot(*(weights @ points - point))
 
 
-def test_arrays_of_polygons_are_treated_alike():
+def test_arrays_of_polygons_agree_with_single_ones():
     random = np.random.default_rng(0)
     values = random.normal(1.2, 1, (7, 5, 12))
     many = SupportPolygons(values)
@@ -160,8 +159,8 @@ def test_arrays_of_polygons_are_treated_alike():
     assert many.vertices.shape == (7, 5, 12, 2) and many.area.shape == (7, 5)
     for row in range(7):
         for column in range(5):
-            one = SupportPolygons(values[row, column])
-            assert np.array_equal(one.values, many[row, column].values)
+            single = SupportPolygons(values[row, column])
+            assert np.array_equal(single.values, many[row, column].values)
     assert 0 < many.empty.sum() < 35 and (many.area[many.empty] == 0).all()
     assert (
         np.isnan(many.vertices[many.empty]).all() and not np.isnan(many.vertices[~many.empty]).any()
@@ -178,7 +177,7 @@ def test_arrays_of_polygons_are_treated_alike():
 @pytest.mark.slow
 @given(seed=st.integers(0, 10**6), m=st.sampled_from([5, 8, 12, 16, 64]))
 @settings(max_examples=60, deadline=None)
-def test_rounding_never_loses_a_corner_far_from_the_origin(seed, m):
+def test_rounding_keeps_corners_far_from_the_origin(seed, m):
     random = np.random.default_rng(seed)
     far = random.uniform(-1e7, 1e7, 2)
     square = Region.box(far, 1.0).around(m)
@@ -230,7 +229,7 @@ def test_regions():
         (lambda: Region.polygon([0, 0]), "points: expected shape"),
     ],
 )
-def test_bad_polygons_name_the_cause(call, words):
+def test_bad_polygons_are_named(call, words):
     with pytest.raises(ValueError, match=words):
         call()
 

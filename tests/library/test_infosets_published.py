@@ -1,4 +1,4 @@
-"""The published algorithm against the figures of the paper, and that it is no enclosure."""
+"""The published algorithm against the numbers of the paper; it does not enclose the motion."""
 
 import numpy as np
 import pytest
@@ -25,17 +25,17 @@ def squares(truth, seed):
 def run(truth, until, seed=1, visit=None, **options):
     """The set at `until`, after its measurement; `visit` is called each second."""
     measured = squares(truth, seed)
-    found = InformationSet(measured[0], **{"mode": "published"} | DATA | options)
+    states = InformationSet(measured[0], **{"mode": "published"} | DATA | options)
     for t in range(1, until + 1):
-        found.advance()
+        states.advance()
         if t in measured:
-            found.measure(measured[t])
+            states.measure(measured[t])
         if visit:
-            visit(t, found)
-    return found
+            visit(t, states)
+    return states
 
 
-def test_the_truth_has_the_published_figures(truth):
+def test_true_motion_has_the_published_numbers(truth):
     assert truth[53, 3] == pytest.approx(277.0, abs=1e-9)
     assert truth[53, 2] % (2 * np.pi) == pytest.approx(1.177, abs=0.002)
     # by an integrator of its own
@@ -58,10 +58,10 @@ def test_the_nodes_nearest_to_the_truth_at_53_s_are_the_published_ones(truth, se
     """Of the speed this depends on the random measurements: which nodes are deleted when speeds are
     thinned decides between two lattices. The published node is on one of them, in four of these
     eight runs."""
-    found = run(truth, 53, seed)
-    speed = found.speed_nodes[np.argmin(np.abs(found.speed_nodes - truth[53, 3]))]
-    heading = found.heading_nodes[
-        np.argmin(np.abs(found.heading_nodes - truth[53, 2] % (2 * np.pi)))
+    states = run(truth, 53, seed)
+    speed = states.speed_nodes[np.argmin(np.abs(states.speed_nodes - truth[53, 3]))]
+    heading = states.heading_nodes[
+        np.argmin(np.abs(states.heading_nodes - truth[53, 2] % (2 * np.pi)))
     ]
     if seed in (3, 4, 5, 6):
         assert f"{speed:.1f}" == "278.2" and speed == pytest.approx(180 + 6 * 180 / 11)
@@ -72,50 +72,50 @@ def test_the_nodes_nearest_to_the_truth_at_53_s_are_the_published_ones(truth, se
 
 def test_speeds_and_headings_at_20_s_before_the_measurement(truth):
     measured = squares(truth, 1)
-    found = InformationSet(measured[0], **DATA, mode="published", max_speeds=40)
-    assert len(found.speed_nodes) == 22
-    found.advance(20)
-    bounds = found.bounds()
-    assert len(found.speed_nodes) == 33 and [round(end) for end in bounds.speed] == [163, 437]
+    states = InformationSet(measured[0], **DATA, mode="published", max_speeds=40)
+    assert len(states.speed_nodes) == 22
+    states.advance(20)
+    bounds = states.bounds()
+    assert len(states.speed_nodes) == 33 and [round(end) for end in bounds.speed] == [163, 437]
     assert bounds.speed == pytest.approx((162.857, 437.143), abs=1e-3)
     assert bounds.heading == (0, 2 * np.pi)
-    found.measure(measured[20])
-    after = found.bounds()
+    states.measure(measured[20])
+    after = states.bounds()
     assert after.heading[1] - after.heading[0] < 1.2 and after.speed[1] - after.speed[0] < 150
 
 
 def test_twelve_nodes_at_the_start_for_twenty_at_most():
-    found = InformationSet(Region.box([0, 0], 400), **DATA, mode="published")
-    assert len(found.speed_nodes) == 12 and np.diff(found.speed_nodes) == pytest.approx(180 / 11)
-    assert found.sections.shape == (12, 600) and found.sections.area == pytest.approx(160000)
+    states = InformationSet(Region.box([0, 0], 400), **DATA, mode="published")
+    assert len(states.speed_nodes) == 12 and np.diff(states.speed_nodes) == pytest.approx(180 / 11)
+    assert states.sections.shape == (12, 600) and states.sections.area == pytest.approx(160000)
 
 
 def union(found, low, high, count=70):
     """Area of the union of all sections, by counting points of a grid."""
     grid = np.stack(np.meshgrid(*np.linspace(low, high, count).T), axis=-1).reshape(-1, 2)
     inside = np.zeros(len(grid), dtype=bool)
-    for one in np.array_split(found.projection("xy").values, 60):
-        inside |= SupportPolygons.of_tight(one[:, None]).contains(grid).any(axis=0)
+    for part in np.array_split(found.projection("xy").values, 60):
+        inside |= SupportPolygons.of_tight(part[:, None]).contains(grid).any(axis=0)
     return inside.mean() * np.prod(high - low)
 
 
 @pytest.mark.slow
 def test_more_normals_give_smaller_sets(truth):
     """t = 79 s, m = 4, 8, 16."""
-    found = {m: run(truth, 79, seed=5, normals=m) for m in (4, 8, 16)}
+    states = {m: run(truth, 79, seed=5, normals=m) for m in (4, 8, 16)}
     # not one inside the other: fewer nodes of speed are left with more normals, so that others are
     # added
     low, high = np.array([(16000, 23000), (3000, 11500)]).T.astype(float)
-    large, middle, small = (union(found[m], low, high) for m in (4, 8, 16))
+    large, middle, small = (union(states[m], low, high) for m in (4, 8, 16))
     assert small < 0.98 * middle and middle < 0.9 * large
 
 
 def test_nodes_of_speed_are_kept_within_their_limits(truth):
     counts, steps = [], []
 
-    def note(t, found):
-        counts.append(len(found.speed_nodes))
-        steps.append(np.diff(found.speed_nodes)[0])
+    def note(t, states):
+        counts.append(len(states.speed_nodes))
+        steps.append(np.diff(states.speed_nodes)[0])
 
     run(truth, 120, visit=note)
     assert min(counts) >= 10 and max(counts) <= 20
@@ -123,7 +123,7 @@ def test_nodes_of_speed_are_kept_within_their_limits(truth):
     run(truth, 120, max_speeds=40, visit=note)
     assert min(counts[120:]) >= 20 and max(counts[120:]) <= 40
     # a single row that is left becomes many again, each a copy
-    found = InformationSet(
+    states = InformationSet(
         Region.box([0, 0], 400),
         k=6,
         mu=(-1, 3),
@@ -131,13 +131,13 @@ def test_nodes_of_speed_are_kept_within_their_limits(truth):
         mode="published",
         heading_range=0.0,
     )
-    found.measure(Region.box([0, 0], 100))
-    assert len(found.speed_nodes) >= 10 and 200 == pytest.approx(np.median(found.speed_nodes))
+    states.measure(Region.box([0, 0], 100))
+    assert len(states.speed_nodes) >= 10 and 200 == pytest.approx(np.median(states.speed_nodes))
 
 
-def test_a_step_is_the_one_of_the_paper():
+def test_step_agrees_with_the_paper():
     """One heading, one speed: the section moves by D V, then to the nodes of nine controls."""
-    found = InformationSet(
+    states = InformationSet(
         [[-1, -1], [1, 1]],
         k=6,
         mu=(-1, 3),
@@ -147,26 +147,26 @@ def test_a_step_is_the_one_of_the_paper():
         headings=600,
         normals=4,
     )
-    found.advance()
-    there = found.projection("psi-V")
+    states.advance()
+    nodes_left = states.projection("psi-V")
     nodes = int(6 / (200 * 2 * np.pi / 600)) + 1
     assert (
-        there[:, 0] == pytest.approx((150 + np.array([-nodes, 0, nodes])) * 2 * np.pi / 600)
-        and (there[:, 1] == 200).all()
+        nodes_left[:, 0] == pytest.approx((150 + np.array([-nodes, 0, nodes])) * 2 * np.pi / 600)
+        and (nodes_left[:, 1] == 200).all()
     )
-    for section in found.projection("xy").values:
+    for section in states.projection("xy").values:
         assert section == pytest.approx([1, 201, 1, -199], abs=1e-9)
     # D |mu|/dV = 1/3 and 1: q = 2 and 1, by 1 and 2 nodes of 3 m/s
-    found.advance()
-    assert sorted(set(found.projection("psi-V")[:, 1])) == [200, 206]
-    found.advance()
-    assert sorted(set(found.projection("psi-V")[:, 1])) == [197, 200, 203, 206, 212]
+    states.advance()
+    assert sorted(set(states.projection("psi-V")[:, 1])) == [200, 206]
+    states.advance()
+    assert sorted(set(states.projection("psi-V")[:, 1])) == [197, 200, 203, 206, 212]
 
 
 TURN = {"k": 6.0, "mu": (-1.0, 3.0), "speeds": (285.0, 289.0), "heading_range": 0.0}
 
 
-def test_a_true_state_is_lost_in_the_plane():
+def test_published_step_loses_a_true_position():
     """From the right-hand edge, a turn to the right as fast as possible: Euler's step leaves out k
     D^2/2 = 3 m."""
     truth = fly((200, 0, 0, 287), seconds((2, 1, 0)), 6.0)
@@ -179,14 +179,14 @@ def test_a_true_state_is_lost_in_the_plane():
         assert published.bounds().x[1] < truth[t, 0] - 2.9
         assert guaranteed.contains(truth[t])
     # a measurement that is right: the published set finds a contradiction
-    seen = Region.box(truth[2, :2] + [20, 0], 40)
+    measured = Region.box(truth[2, :2] + [20, 0], 40)
     with pytest.raises(EmptyInformationSet, match="t = 2") as caught:
-        published.measure(seen)
+        published.measure(measured)
     assert caught.value.time == 2 and not published.sections.empty.all()
-    assert guaranteed.measure(seen).contains(truth[2])
+    assert guaranteed.measure(measured).contains(truth[2])
 
 
-def test_a_true_state_is_lost_by_half_the_control():
+def test_published_step_loses_a_state_with_half_the_control():
     """Headings between those of u = -1, 0, 1 have no section after a step."""
     truth = fly((0, 0, 0, 287), seconds((1, 0.5, 0)), 6.0)
     published = InformationSet(Region.box([0, 0], 400), **TURN, mode="published").advance()
@@ -196,7 +196,7 @@ def test_a_true_state_is_lost_by_half_the_control():
 
 
 @pytest.mark.slow
-def test_on_the_published_motion_the_truth_is_missed_at_times_and_never_guaranteed(truth):
+def test_published_mode_loses_the_true_state_and_guaranteed_mode_does_not(truth):
     missed = {"published": [], "guaranteed": []}
     for mode, times in missed.items():
         run(
@@ -204,7 +204,7 @@ def test_on_the_published_motion_the_truth_is_missed_at_times_and_never_guarante
             120,
             seed=5,
             mode=mode,
-            visit=lambda t, found: found.contains(truth[t]) or times.append(t),
+            visit=lambda t, states: states.contains(truth[t]) or times.append(t),
         )
     assert missed["published"] and missed["guaranteed"] == []
 
@@ -212,11 +212,11 @@ def test_on_the_published_motion_the_truth_is_missed_at_times_and_never_guarante
 def test_delay_of_the_speed():
     """Greatest acceleration from the greatest speed: moved late, the nodes stay behind it for the
     first seconds."""
-    found = InformationSet(Region.box([0, 0], 400), **DATA, mode="published")
+    states = InformationSet(Region.box([0, 0], 400), **DATA, mode="published")
     beyond = []
     for t in range(1, 6):
-        found.advance()
-        beyond.append(360 + 3 * t - found.bounds().speed[1])
+        states.advance()
+        beyond.append(360 + 3 * t - states.bounds().speed[1])
     assert max(beyond) >= 12
 
 
@@ -239,12 +239,12 @@ def test_delay_of_the_speed():
         ({"mode": "guaranteed", "max_speeds": 20}, "belongs to the published mode"),
     ],
 )
-def test_bad_data_name_the_cause(change, words):
+def test_bad_arguments_are_named(change, words):
     with pytest.raises(ValueError, match=words):
         InformationSet(**{"region": Region.box([0, 0], 400), "mode": "published"} | DATA | change)
 
 
-def test_what_is_no_number_is_named():
+def test_arguments_that_are_no_numbers_are_named():
     for change in (
         {"mu": "fast"},
         {"heading_range": "north"},
@@ -257,30 +257,30 @@ def test_what_is_no_number_is_named():
 
 
 @pytest.mark.parametrize("mode", ["published", "guaranteed"])
-def test_bad_steps_name_the_cause(mode):
-    found = InformationSet(
+def test_bad_steps_are_named(mode):
+    states = InformationSet(
         Region.box([0, 0], 4), k=0.5, mu=(-10, 3), speeds=(21, 40), mode=mode, headings=60
     )
     with pytest.raises(ValueError, match="V > 0; measure"):
-        found.advance(30)
-    assert found.time >= 1
+        states.advance(30)
+    assert states.time >= 1
     with pytest.raises(ValueError, match="more than half a circle; take dt below"):
         InformationSet(
             Region.box([0, 0], 4), k=60, mu=(-1, 3), speeds=(10, 40), mode=mode, headings=60
         ).advance()
     with pytest.raises(TypeError, match="steps: expected a whole number"):
-        found.advance(0.5)
+        states.advance(0.5)
     with pytest.raises(ValueError, match="steps: expected 0 or more"):
-        found.advance(-1)
+        states.advance(-1)
     with pytest.raises(ValueError, match="region 1: expected one polygon with 12 normals"):
-        found.measure(Region.box([0, 0], 4), found.sections)
+        states.measure(Region.box([0, 0], 4), states.sections)
     with pytest.raises(ValueError, match="regions: expected one or more"):
-        found.measure()
+        states.measure()
     with pytest.raises(ValueError, match="state: expected shape"):
-        found.contains([0, 0, 0])
+        states.contains([0, 0, 0])
     with pytest.raises(ValueError, match="state: expected one of 4"):
-        found.contains([[0, 0, 0, 10]])
+        states.contains([[0, 0, 0, 10]])
     with pytest.raises(ValueError, match='expected "xy" or "psi-V"'):
-        found.projection("V")
+        states.projection("V")
     with pytest.raises(ValueError, match="it is empty"):
-        found.measure(found.sections[0, 0].intersect(found.sections[0, 0].shift([1e6, 0])))
+        states.measure(states.sections[0, 0].intersect(states.sections[0, 0].shift([1e6, 0])))

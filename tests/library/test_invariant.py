@@ -1,5 +1,8 @@
-"""Invariant-unbiased estimates against joint least squares, the formulas of the paper, weights
-found by hand, draws of noise, and the figures of the paper."""
+"""Invariant unbiased estimates against independent methods.
+
+Joint least squares, the formulas of the paper, weights computed by hand, simulated noise, and the
+numbers of the paper.
+"""
 
 import numpy as np
 import pytest
@@ -45,7 +48,7 @@ def random_problem(seed):
 
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=60, deadline=None)
-def test_the_estimate_is_that_of_joint_least_squares(seed):
+def test_estimate_agrees_with_joint_least_squares(seed):
     """All coefficients of signal and nuisance are estimated together, then o is applied to those of
     the signal."""
     estimator, K, o, random = random_problem(seed)
@@ -53,24 +56,24 @@ def test_the_estimate_is_that_of_joint_least_squares(seed):
     joint = np.linalg.solve(root, np.vstack([estimator.Psi, estimator.Theta]).T)
     h = random.standard_normal(estimator.times.size)
     coefficients = np.linalg.lstsq(joint, np.linalg.solve(root, h))[0]
-    found = estimator.estimate(h, picking(estimator.basis, o))
+    result = estimator.estimate(h, picking(estimator.basis, o))
     accuracy = 1e-13 * np.linalg.cond(joint) * np.linalg.cond(root)
-    assert found.value == pytest.approx(
-        both @ coefficients, abs=accuracy * found.gain * np.linalg.norm(h)
+    assert result.value == pytest.approx(
+        both @ coefficients, abs=accuracy * result.gain * np.linalg.norm(h)
     )
-    assert found.std == pytest.approx(np.linalg.norm(np.linalg.pinv(joint).T @ both), rel=accuracy)
+    assert result.std == pytest.approx(np.linalg.norm(np.linalg.pinv(joint).T @ both), rel=accuracy)
 
 
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=60, deadline=None)
-def test_it_is_unbiased_invariant_and_of_least_variance(seed):
+def test_estimate_is_unbiased_invariant_and_of_least_variance(seed):
     estimator, K, o, _random = random_problem(seed)
     P = estimator.weights(picking(estimator.basis, o))
     size = np.linalg.norm(P) * estimator.times.size
     assert np.abs(estimator.Psi @ P - o).max() < 1e-10 * size
     assert np.abs(estimator.Theta @ P).max() < 1e-10 * size
-    found = estimator.estimate(np.zeros(P.size), picking(estimator.basis, o))
-    assert found.std == pytest.approx(np.sqrt(P @ K @ P)) and found.gain == pytest.approx(
+    result = estimator.estimate(np.zeros(P.size), picking(estimator.basis, o))
+    assert result.std == pytest.approx(np.sqrt(P @ K @ P)) and result.gain == pytest.approx(
         np.linalg.norm(P)
     )
     # whatever else meets the conditions differs by something orthogonal to K P
@@ -78,7 +81,7 @@ def test_it_is_unbiased_invariant_and_of_least_variance(seed):
     assert np.abs(others.T @ K @ P).max(initial=0) < 1e-9 * np.linalg.norm(K @ P)
 
 
-def test_the_formulas_of_the_paper_give_the_same():
+def test_formulas_of_the_paper_agree():
     times = np.arange(40.0)
     estimator = InvariantEstimator(
         times, [1, T, T**2], [sp.sin(0.64 * T), sp.exp(-0.07 * T)], 0.3 + 0.01 * times
@@ -92,12 +95,12 @@ def test_the_formulas_of_the_paper_give_the_same():
     P = Z1 @ Psi.T @ middle @ o
     assert np.allclose(estimator.weights(derivative(20)), P, atol=1e-9 * np.linalg.norm(P))
     h = np.random.default_rng(1).standard_normal(40)
-    found = estimator.estimate(h, derivative(20))
-    assert found.value == pytest.approx(P @ h, rel=1e-9) and found.std == pytest.approx(
+    result = estimator.estimate(h, derivative(20))
+    assert result.value == pytest.approx(P @ h, rel=1e-9) and result.std == pytest.approx(
         np.sqrt(o @ middle @ o), rel=1e-9
     )
     # (4.10) has W_j1 and W_j2, which are equal
-    assert found.std**2 == pytest.approx(
+    assert result.std**2 == pytest.approx(
         o @ np.linalg.inv(Psi @ Z1.T @ Psi.T) @ Psi @ Z1.T @ K @ Z1 @ Psi.T @ middle @ o, rel=1e-8
     )
 
@@ -137,7 +140,7 @@ def test_weights_by_hand_for_samples_of_unequal_accuracy():
     assert estimator.estimate([0, 0], value(0)).std == pytest.approx(np.sqrt(3 / 4))
 
 
-def test_invariance_costs_variance_by_the_angle():
+def test_variance_grows_with_the_angle_to_the_nuisance():
     """For one function: sigma grows by one over the sine of the angle between it and the
     nuisance."""
     random = np.random.default_rng(2)
@@ -152,7 +155,7 @@ def test_invariance_costs_variance_by_the_angle():
 
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=40, deadline=None)
-def test_a_further_nuisance_never_lowers_the_variance_and_the_least_angle_bounds_the_price(seed):
+def test_further_nuisance_never_lowers_the_variance(seed):
     estimator, K, o, _ = random_problem(seed)
     functional = picking(estimator.basis, o)
     free = (
@@ -178,28 +181,28 @@ def test_a_further_nuisance_never_lowers_the_variance_and_the_least_angle_bounds
 # --- the nuisance, the rest, and forms of functions
 
 
-def test_no_amplitude_of_the_nuisance_changes_anything():
+def test_estimate_does_not_depend_on_the_nuisance():
     times = np.linspace(0, 10, 41)
     estimator = InvariantEstimator(times, [1, T, T**2], [sp.cos(3 * T), 1 / (1 + T)], 0.01)
     y, s = 2 - times + 0.3 * times**2, np.cos(3 * times) - 2 / (1 + times)
-    found = [estimator.estimate(y + amplitude * s, value(4)).value for amplitude in (0, 1, 1e6)]
-    assert np.allclose(found, 2 - 4 + 0.3 * 16, atol=1e-8)
+    result = [estimator.estimate(y + amplitude * s, value(4)).value for amplitude in (0, 1, 1e6)]
+    assert np.allclose(result, 2 - 4 + 0.3 * 16, atol=1e-8)
 
 
-def test_the_methodical_error_is_that_of_what_the_basis_leaves_out():
+def test_methodical_error_comes_from_the_part_outside_the_basis():
     times, y = np.linspace(0, 3, 31), sp.exp(T / 3)
     estimator = InvariantEstimator(times, [1, T], [sp.sin(5 * T)])
     for functional in (value(1.5), derivative(1), integral(0, 3)):
         P = estimator.weights(functional)
         # Delta of (4.12) for any member of the span
-        rest = y - 1 - T / 3
-        expected = functional(rest) - P @ sp.lambdify(T, rest)(times)
+        remainder = y - 1 - T / 3
+        expected = functional(remainder) - P @ sp.lambdify(T, remainder)(times)
         assert estimator.methodical_error(y, functional) == pytest.approx(expected, abs=1e-12)
         assert abs(expected) > 1e-4
         assert estimator.methodical_error(4 - 7 * T, functional) == pytest.approx(0, abs=1e-12)
     samples = sp.lambdify(T, y)(times)
-    found = estimator.estimate(samples + 9 * np.sin(5 * times), value(1.5)).value
-    assert np.exp(0.5) - found == pytest.approx(estimator.methodical_error(y, value(1.5)))
+    result = estimator.estimate(samples + 9 * np.sin(5 * times), value(1.5)).value
+    assert np.exp(0.5) - result == pytest.approx(estimator.methodical_error(y, value(1.5)))
 
 
 def test_forms_of_functions_agree():
@@ -230,25 +233,26 @@ def test_forms_of_functions_agree():
 
 def test_covariances_in_different_forms():
     times, h = np.arange(10.0), np.random.default_rng(0).standard_normal(10)
-    found = [
+    result = [
         InvariantEstimator(times, [1, T], [sp.cos(T)], K).estimate(h, value(3))
         for K in (0.25, np.full(10, 0.25), 0.25 * np.eye(10))
     ]
-    assert np.allclose([part.value for part in found], found[0].value)
-    assert np.allclose([part.std for part in found], 0.5 * found[0].gain)
+    assert np.allclose([part.value for part in result], result[0].value)
+    assert np.allclose([part.std for part in result], 0.5 * result[0].gain)
 
 
 def test_many_functionals_and_records_at_once():
     times = np.arange(12.0)
     estimator = InvariantEstimator(times, [1, T, T**2], [sp.cos(T)], 0.5 + times)
     records = np.random.default_rng(3).standard_normal((12, 5))
-    places = np.array([0, 2.5, 11])
-    found = estimator.estimate(records, value(places))
-    assert found.value.shape == (3, 5) and found.std.shape == found.gain.shape == (3,)
-    for k, place in enumerate(places):
-        alone = estimator.estimate(records[:, 2], value(place))
+    points = np.array([0, 2.5, 11])
+    result = estimator.estimate(records, value(points))
+    assert result.value.shape == (3, 5) and result.std.shape == result.gain.shape == (3,)
+    for k, point in enumerate(points):
+        alone = estimator.estimate(records[:, 2], value(point))
         assert np.allclose(
-            [found.value[k, 2], found.std[k], found.gain[k]], [alone.value, alone.std, alone.gain]
+            [result.value[k, 2], result.std[k], result.gain[k]],
+            [alone.value, alone.std, alone.gain],
         )
     number, std = estimator.estimate(records[:, 0], value(1))
     assert std > 0 and number == pytest.approx(estimator.weights(value(1)) @ records[:, 0])
@@ -257,16 +261,17 @@ def test_many_functionals_and_records_at_once():
 # --- what cannot be told
 
 
-def test_a_level_under_an_unknown_level_is_refused_and_its_slope_is_not():
+def test_level_with_a_constant_nuisance_is_rejected_and_slope_is_not():
     estimator = InvariantEstimator([0, 1, 3], [1, T], [5])
     assert np.allclose(estimator.estimate([2, 4, 8], derivative(0)).value, 2)
     with pytest.raises(
-        ValueError, match=r"cannot tell it. At all of them 1 basis\[0\] is .* functional is 1 on it"
+        ValueError,
+        match=r"do not determine it. At all of them 1 basis\[0\] is .* functional is 1 on it",
     ):
         estimator.estimate([2, 4, 8], value(0))
 
 
-def test_functions_that_are_alike_at_the_samples_alone():
+def test_functions_that_coincide_at_the_samples_only():
     # sampled once a second, sin(2 pi t + 1) is a constant
     estimator = InvariantEstimator(range(8), [1, T], [sp.sin(2 * sp.pi * T + 1)])
     with pytest.raises(ValueError, match="sample longer or more densely"):
@@ -274,7 +279,7 @@ def test_functions_that_are_alike_at_the_samples_alone():
     assert estimator.estimate(3 * np.arange(8), derivative(0)).value == pytest.approx(3)
 
 
-def test_a_combination_is_named():
+def test_undetermined_combination_is_named():
     estimator = InvariantEstimator(np.arange(9.0), [1, T, T**2], [T**2 - 4 * T])
     with pytest.raises(
         ValueError, match=r"-4 basis\[1\] \+ 1 basis\[2\]|1 basis\[1\] - 0.25 basis\[2\]"
@@ -284,7 +289,7 @@ def test_a_combination_is_named():
     assert estimator.estimate(3 + np.arange(9.0) ** 2, value(4)).value == pytest.approx(3 + 16)
 
 
-def test_nuisances_that_depend_on_each_other_do_no_harm():
+def test_dependent_nuisances_are_allowed():
     times, h = np.arange(9.0), np.random.default_rng(5).standard_normal(9)
     few, many = (
         InvariantEstimator(times, [T**2], nuisance) for nuisance in ([1, T], [1, T, 3 - 2 * T, 0])
@@ -293,18 +298,18 @@ def test_nuisances_that_depend_on_each_other_do_no_harm():
     assert few.estimate(h, value(2)).std == pytest.approx(many.estimate(h, value(2)).std)
 
 
-def test_a_function_close_to_the_nuisance_is_told_by_its_gain():
+def test_function_close_to_the_nuisance_has_a_large_gain():
     gains = [
         InvariantEstimator(range(9), [1], [1 + d * T]).estimate(np.ones(9), value(0))
         for d in (1, 1e-3, 1e-6)
     ]
-    assert np.allclose([found.value for found in gains], 1, atol=1e-8)
+    assert np.allclose([result.value for result in gains], 1, atol=1e-8)
     assert (
         gains[1].gain == pytest.approx(1e3 * gains[2].gain / 1e6, rel=1e-2) and gains[2].gain > 1e5
     )
 
 
-def test_a_time_that_is_counted_from_far_away():
+def test_times_far_from_zero():
     here = np.arange(21.0)
     slopes = []
     for start in (0, 1e3, 1e6):
@@ -342,17 +347,17 @@ def inclination():
 
 def test_a_sliding_window_is_an_estimator_around_each_centre(inclination):
     h = inclination(SECONDS) + np.random.default_rng(0).standard_normal(71)
-    whole = InvariantEstimator(
+    estimator = InvariantEstimator(
         SECONDS, [Legendre.basis(k, domain=[0, 70]) for k in range(3)], NUISANCE, 0.25
     )
-    windows = whole.sliding(21)
+    windows = estimator.sliding(21)
     assert np.array_equal(windows.centres, np.arange(10.0, 61))
     for functional in (value, derivative, lambda t: integral(t - 3, t + 3)):
-        found, errors = (
+        result, errors = (
             windows.estimate(h, functional),
             windows.methodical_error(inclination, functional),
         )
-        assert np.array_equal(found.at, windows.centres)
+        assert np.array_equal(result.at, windows.centres)
         for k in (0, 17, 50):
             part = slice(k, k + 21)
             # the polynomials of the window span the same functions
@@ -360,7 +365,9 @@ def test_a_sliding_window_is_an_estimator_around_each_centre(inclination):
             alone = InvariantEstimator(SECONDS[part], legendre, NUISANCE, 0.25)
             expected = alone.estimate(h[part], functional(k + 10.0))
             assert np.allclose(
-                [found.value[k], found.std[k], found.gain[k]], [*expected, expected.gain], rtol=1e-7
+                [result.value[k], result.std[k], result.gain[k]],
+                [*expected, expected.gain],
+                rtol=1e-7,
             )
             assert errors[k] == pytest.approx(
                 alone.methodical_error(inclination, functional(k + 10.0)), abs=1e-7
@@ -368,14 +375,14 @@ def test_a_sliding_window_is_an_estimator_around_each_centre(inclination):
 
 
 def test_windows_at_the_ends():
-    whole = InvariantEstimator(np.arange(10.0), [1, T], [], np.eye(10))
-    windows = whole.sliding(5, ends="shorten")
-    found = windows.estimate(2 * np.arange(10.0))
-    assert np.array_equal(found.at, np.arange(10.0)) and np.allclose(
-        found.value, 2 * np.arange(10.0)
+    estimator = InvariantEstimator(np.arange(10.0), [1, T], [], np.eye(10))
+    windows = estimator.sliding(5, ends="shorten")
+    result = windows.estimate(2 * np.arange(10.0))
+    assert np.array_equal(result.at, np.arange(10.0)) and np.allclose(
+        result.value, 2 * np.arange(10.0)
     )
     # of straight lines by hand
-    assert np.allclose(found.gain[[0, 1, 2, 7, 9]] ** 2, [5 / 6, 0.3, 0.2, 0.2, 5 / 6])
+    assert np.allclose(result.gain[[0, 1, 2, 7, 9]] ** 2, [5 / 6, 0.3, 0.2, 0.2, 5 / 6])
     # too short at the very ends for three functions and more
     assert np.array_equal(
         InvariantEstimator(np.arange(10.0), [1, T, T**2], [2**T])
@@ -383,21 +390,21 @@ def test_windows_at_the_ends():
         .centres,
         np.arange(1.0, 9),
     )
-    assert np.array_equal(whole.sliding(5).centres, np.arange(2.0, 8))
+    assert np.array_equal(estimator.sliding(5).centres, np.arange(2.0, 8))
 
 
-def test_a_window_that_cannot_tell_names_its_place():
-    whole = InvariantEstimator(
+def test_window_that_does_not_determine_the_functional_is_named():
+    estimator = InvariantEstimator(
         np.arange(12.0), [1], [through(np.arange(12.0), [1] * 6 + [0] * 5 + [5])]
     )
-    with pytest.raises(ValueError, match=r"cannot tell it.*window around t = 1\)"):
-        whole.sliding(3).estimate(np.ones(12))
+    with pytest.raises(ValueError, match=r"do not determine it.*window around t = 1\)"):
+        estimator.sliding(3).estimate(np.ones(12))
 
 
 # --- figures of the paper
 
 
-def test_the_places_of_the_published_errors(inclination):
+def test_times_of_the_published_errors(inclination):
     """1.5717 per cent belongs to t = 11. 5.0601 per cent is a share of the change of beta in the
     second before t = 27, and not of its rate at any whole second."""
     assert 100 * 0.8162 / inclination(11) == pytest.approx(1.5717, abs=1.1e-4)
@@ -408,7 +415,7 @@ def test_the_places_of_the_published_errors(inclination):
     assert not ((low <= 5.0601) & (5.0601 <= high)).any()
 
 
-def test_the_published_errors_do_not_follow_from_the_printed_data(inclination):
+def test_published_errors_do_not_follow_from_the_printed_data(inclination):
     """Without any noise the stated estimator is wrong by more than the published largest errors,
     0.8162 and 0.0518, and its noise alone has a standard deviation of thirteen and fifteen times as
     much."""
@@ -417,13 +424,13 @@ def test_the_published_errors_do_not_follow_from_the_printed_data(inclination):
         (value, 0.8162, 4.0799, (21.41, 21.76)),
         (derivative, 0.0518, 0.28572, (1.583, 1.606)),
     ):
-        errors, found = (
+        errors, result = (
             windows.methodical_error(inclination, functional),
             windows.estimate(SECONDS, functional),
         )
         assert np.abs(errors).max() == pytest.approx(error, rel=1e-4) and error > 4 * published
-        assert (found.gain.min(), found.gain.max()) == pytest.approx(gain, rel=1e-3)
-        assert found.std.min() > 13 * published
+        assert (result.gain.min(), result.gain.max()) == pytest.approx(gain, rel=1e-3)
+        assert result.std.min() > 13 * published
     # at t = 11
     assert abs(windows.methodical_error(inclination)[1]) == pytest.approx(3.2543, abs=1e-4)
     # the reason: without the exponential, which is nearly a parabola, the gains are sixty and forty
@@ -433,7 +440,7 @@ def test_the_published_errors_do_not_follow_from_the_printed_data(inclination):
     assert sine.estimate(SECONDS, derivative).gain.max() == pytest.approx(0.03809, abs=1e-5)
 
 
-def test_standard_deviations_are_those_of_draws():
+def test_standard_deviations_agree_with_simulation():
     """4000 records with a fixed seed; weights that are 5 per cent wrong do not pass."""
     times = np.arange(25.0)
     K = 0.2 * 0.8 ** np.abs(np.subtract.outer(times, times)) + np.diag(0.1 + 0.01 * times)
@@ -485,7 +492,7 @@ GOOD = {"times": [0, 1, 2, 3], "basis": [1, T], "nuisance": [sp.cos(T)], "covari
         ({"covariance": np.triu(np.ones((4, 4)))}, "symmetric"),
     ],
 )
-def test_bad_input_names_the_cause(change, words):
+def test_bad_arguments_are_named(change, words):
     with pytest.raises(ValueError, match=words):
         InvariantEstimator(**(GOOD | change))
 
@@ -509,7 +516,7 @@ def test_bad_input_names_the_cause(change, words):
         (lambda e: integral(0, np.nan), "b: expected"),
     ],
 )
-def test_bad_calls_name_the_cause(call, words):
+def test_bad_calls_are_named(call, words):
     with pytest.raises(ValueError, match=words):
         call(InvariantEstimator(**GOOD))
 
@@ -521,13 +528,13 @@ def test_functions_that_cannot_be_differentiated_or_called():
         InvariantEstimator(range(4), [1], ["sin"])
 
 
-def test_what_is_returned_shows_itself():
+def test_representations():
     windows = InvariantEstimator(SECONDS, [1, T], NUISANCE, 0.25).sliding(21)
-    found = windows.estimate(np.ones(71))
-    assert repr(found).startswith("51 estimates, standard deviation 1.4") and repr(found).endswith(
-        "gain 2.85 to 3.07"
-    )
-    ax = found.plot()
+    result = windows.estimate(np.ones(71))
+    assert repr(result).startswith("51 estimates, standard deviation 1.4") and repr(
+        result
+    ).endswith("gain 2.85 to 3.07")
+    ax = result.plot()
     assert len(ax.lines) == 3 and np.allclose(ax.lines[0].get_ydata(), 1)
     with pytest.raises(ValueError, match="sliding window"):
         Estimate(np.float64(1), np.float64(1), np.float64(1)).plot()

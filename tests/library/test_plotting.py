@@ -1,5 +1,4 @@
-"""The pictures: what is drawn where, and that nothing global changes. Looks are judged by
-looking."""
+"""Pictures: what is drawn where, and that nothing global changes."""
 
 import subprocess
 import sys
@@ -42,7 +41,7 @@ def hatched_at(ax, point):
     )
 
 
-def test_importing_changes_and_loads_nothing():
+def test_import_changes_and_loads_nothing():
     code = (
         "import sys; import trajlib.plotting; assert 'matplotlib' not in sys.modules; import "
         "matplotlib as m; before = dict(m.rcParams); import trajlib.plotting; assert "
@@ -92,7 +91,7 @@ def test_trajectories_end_at_the_stable_point():
     assert np.hypot(*backwards[-1]) > 2
 
 
-def test_a_field_with_holes():
+def test_field_that_is_undefined_somewhere():
     field = [sp.log(2 - y**2), sp.exp(x) - sp.exp(y)]
     ax = drawn(plotting.phase_portrait(field, [x, y], (-3, 3), (-2, 2), starts=[(0, 0.5)]))
     assert max(np.abs(line.get_ydata()).max() for line in ax.lines) < np.sqrt(2) + 1e-6
@@ -105,8 +104,8 @@ def test_parameters_of_a_field():
 
 
 def test_region_is_hatched_inside_only():
-    found = stability_conditions(s**3 + k1 * s**2 + k2 * s + 1, [k1, k2], symbol=s)
-    ax = drawn(found.plot((-1, 4), (-1, 4)))
+    result = stability_conditions(s**3 + k1 * s**2 + k2 * s + 1, [k1, k2], symbol=s)
+    ax = drawn(result.plot((-1, 4), (-1, 4)))
     assert (
         hatched_at(ax, (2, 2))
         and not hatched_at(ax, (0.5, 0.5))
@@ -137,14 +136,14 @@ def test_only_the_component_around_the_origin_is_hatched():
     drawn(everywhere.plot((-1, 1), (-1, 1)))
 
 
-def test_roots_are_where_they_are():
+def test_roots_are_drawn_at_their_values():
     ax = drawn(plotting.roots([s**2 + 2 * s + 2, s + 3], s, labels=["a", "b"]))
     first, second = ax.lines[:2]
     assert np.allclose(sorted(first.get_ydata()), [-1, 1]) and np.allclose(first.get_xdata(), -1)
     assert np.allclose(second.get_xdata(), -3) and first.get_marker() != second.get_marker()
 
 
-def test_an_estimate_has_its_band():
+def test_estimate_has_a_band_of_two_deviations():
     ax = drawn(plotting.estimate([0, 1, 1, 2], [1, 2, 0, 0], [1, 2, 0.5, 1], label="here"))
     middle, low, high = ax.lines
     assert np.allclose(middle.get_ydata(), [1, 2, 0, 0]) and np.allclose(

@@ -31,9 +31,8 @@ QUADRATIC = Problem(
 )
 
 
-def judged(problem, wrong=None, times=None, multiplier=None, duration=None):
-    """Certificate of an extremal in which some of its functions are replaced: {"state": lambda t,
-    y: ...}."""
+def changed_certificate(problem, wrong=None, times=None, multiplier=None, duration=None):
+    """Return the certificate of an extremal with replaced functions, {"state": lambda t, y: y}."""
     extremal, wrong = problem.solve(), wrong or {}
 
     def changed(name):
@@ -52,7 +51,7 @@ def judged(problem, wrong=None, times=None, multiplier=None, duration=None):
 
 @pytest.mark.parametrize("problem", [TRANSFER, CIRCLE, TURNPIKE, QUADRATIC])
 def test_mutants_fail(problem):
-    assert judged(problem).holds(1e-11)
+    assert changed_certificate(problem).holds(1e-11)
     mutants = {
         "costate of the wrong sign": ({"costate": lambda t, p: -p}, {"maximum"}),
         "costate off by a factor": ({"costate": lambda t, p: 1.001 * p}, None),
@@ -66,28 +65,27 @@ def test_mutants_fail(problem):
         "another start": ({"state": lambda t, y: y + 1e-4}, None),
     }
     for name, (wrong, conditions) in mutants.items():
-        failures = set(judged(problem, wrong).failures())
+        failures = set(changed_certificate(problem, wrong).failures())
         # A costate with another factor is as good where the cost does not restrict it: that is
         # lambda_0 changed.
         assert failures and (conditions is None or conditions <= failures), name
 
 
-def test_jump_of_the_state_at_a_switching_is_seen():
-    evidence = judged(TRANSFER, {"state": lambda t, y: y + np.where(t < 1, 0, 1e-3)})
+def test_a_jump_of_the_state_at_a_switching_is_detected():
+    evidence = changed_certificate(TRANSFER, {"state": lambda t, y: y + np.where(t < 1, 0, 1e-3)})
     assert {"dynamics", "terminal"} <= set(evidence.failures())
 
 
-def test_wrong_lambda_and_zero_pair():
-    assert "stationarity" in judged(TRANSFER, multiplier=0.5).failures()
-    assert "multipliers" in judged(TRANSFER, multiplier=-1.0).failures()
-    assert judged(TRANSFER, {"costate": lambda t, p: 0 * p}, multiplier=0.0).failures() == [
-        "multipliers"
-    ]
+def test_wrong_multipliers():
+    assert "stationarity" in changed_certificate(TRANSFER, multiplier=0.5).failures()
+    assert "multipliers" in changed_certificate(TRANSFER, multiplier=-1.0).failures()
+    assert changed_certificate(
+        TRANSFER, {"costate": lambda t, p: 0 * p}, multiplier=0.0
+    ).failures() == ["multipliers"]
 
 
 def test_admissible_processes_that_are_no_extremals():
-    """To the origin with a detour, u = -1, 0, 1: right in state and costate equations for no
-    costate."""
+    """To the origin with a detour, u = -1, 0, 1: no costate fits."""
     s = (np.sqrt(5) - 1) / 2
     times = [s, s + 1]
 
@@ -115,7 +113,7 @@ def test_admissible_processes_that_are_no_extremals():
     )
 
 
-def test_first_return_is_looked_at():
+def test_the_first_return_is_tested():
     problem = Problem(
         {x1: x2, x2: -u * x1}, {u: (1, 4)}, {x1: 1, x2: 0}, [x2], maximise=True, first_return=True
     )
@@ -152,8 +150,8 @@ def test_arguments_of_certify():
     with pytest.raises(ValueError, match="switching times between 0 and the duration"):
         certify(TURNPIKE, lambda t: [t], lambda t: [t], lambda t: [t], 2, [3])
     assert (
-        "kelley" not in judged(TURNPIKE).failures()
-        and "Kelley" in judged(TURNPIKE)._repr_markdown_()
+        "kelley" not in changed_certificate(TURNPIKE).failures()
+        and "Kelley" in changed_certificate(TURNPIKE)._repr_markdown_()
     )
 
 
@@ -215,11 +213,10 @@ def test_problems_without_an_extremal(problem, error, message):
 
 
 def fuller(a=1.0):
-    """Cost from (a, 0) and ratio of the arcs: on x1 = -k x2 |x2| arcs repeat on a smaller scale,
-    and cost c |x2|^5.
+    """Return the cost from (a, 0) and the ratio of the arcs of Fuller's problem.
 
-    k = sqrt((sqrt(33) - 1)/24); the speed falls by q = sqrt((1 + 2k)/(1 - 2k)) from one switching
-    to the next.
+    On x1 = -k x2 |x2|, k = sqrt((sqrt(33) - 1)/24), arcs repeat on a smaller scale, with the cost
+    c |x2|^5; the speed falls by q = sqrt((1 + 2k)/(1 - 2k)) from one switching to the next.
     """
     k = np.sqrt((np.sqrt(33) - 1) / 24)
     q = np.sqrt((1 + 2 * k) / (1 - 2 * k))
@@ -253,9 +250,11 @@ def test_numbers_of_chattering(problem, sign):
     assert len(numbers.lengths) >= 5
 
 
-def test_chattering_around_other_arcs_has_errors_as_large_as_its_change():
-    """A pendulum is Fuller's plant in the limit only, and its bounds count by their distance from
-    the control there."""
+def test_errors_of_chattering_with_a_changing_ratio():
+    """A pendulum tends to Fuller's plant only in the limit.
+
+    Its bounds count by their distance from the control there.
+    """
     pendulum = Problem(
         {x1: x2, x2: u - sp.sin(x1)}, {u: (-2, 2)}, {x1: 1, x2: 0}, [x1, x2], running=x1**2
     )
@@ -280,7 +279,7 @@ def test_fuller_before_the_switchings_accumulate():
         (["u-", "u+", "u-"], "shrinks to nothing"),
     ],
 )
-def test_structures_that_cannot_be_met(structure, message):
+def test_structures_without_an_extremal(structure, message):
     with pytest.raises(PontryaginError, match=message):
         TRANSFER.solve(structure)
 
@@ -296,7 +295,7 @@ def test_structures_that_cannot_be_met(structure, message):
         ([("u-", "u+")], ValueError, "for each of 1 controls"),
     ],
 )
-def test_structures_that_are_none(structure, error, message):
+def test_invalid_structures(structure, error, message):
     with pytest.raises(error, match=message):
         TRANSFER.solve(structure)
 

@@ -65,7 +65,7 @@ def test_forms_of_the_arguments():
         ({"first_return": True}, "first_return: expected one terminal equation"),
     ],
 )
-def test_refused(change, message):
+def test_invalid_arguments(change, message):
     arguments = {
         "dynamics": PLANE,
         "controls": ONE,
@@ -121,14 +121,14 @@ def test_maximum_of_the_cost_changes_the_sign_of_its_part():
     assert derived.transversality == (psi1 - lambda0, psi2 + lambda1)
 
 
-def test_free_start():
+def test_free_initial_state():
     derived = Problem(
         PLANE, ONE, {x1: 0, x2: None}, [x1 - 1], running=u**2, duration=1
     ).conditions()
     assert derived.initial_transversality == (psi2,)
 
 
-def test_control_between_its_bounds():
+def test_control_inside_its_bounds():
     derived = Problem(PLANE, {u: (-1, A)}, START, [x1, x2], running=u**2, duration=3).conditions()
     law = derived.maximising[u]
     assert [law.subs({psi2: p, lambda0: 1, A: 2}) for p in (-5, 1, 9)] == [-1, sp.Rational(1, 2), 2]
@@ -184,11 +184,10 @@ def test_singular_arcs(problem, order, surface, control, kelley):
 
 
 def test_singular_arc_on_two_rays():
-    """Mixing of catalysts: on a singular arc r = x1/x2 is constant, r = 10 + sqrt(10) or 10 -
-    sqrt(10); r' = 0 gives u.
+    """Mixing of catalysts: on a singular arc r = x1/x2 is 10 + sqrt(10) or 10 - sqrt(10).
 
-    The surface is of second degree in both states, so that none of them can be put in for the other
-    one.
+    r' = 0 gives u. The surface is of second degree in both states, so that neither can be
+    substituted.
     """
     arc = (
         Problem(
@@ -208,9 +207,8 @@ def test_singular_arc_on_two_rays():
         assert sp.simplify(arc.control.subs(ray) - 1 / (r - 8 - 10 / r)) == 0
 
 
-def test_a_maximum_without_a_closed_form_is_left_open_at_once():
-    """Two reactions at a temperature between bounds; SymPy would look for the best one for
-    minutes."""
+def test_a_closed_form_of_the_maximum_is_not_searched_for_long():
+    """Two reactions at a temperature between bounds; SymPy would search for minutes."""
     rates = [4000 * sp.exp(-2500 / u) * x1**2, 620000 * sp.exp(-5000 / u) * x2]
     reactor = Problem(
         {x1: -rates[0], x2: rates[0] - rates[1]},
@@ -225,7 +223,7 @@ def test_a_maximum_without_a_closed_form_is_left_open_at_once():
 
 
 @pytest.mark.slow
-def test_singular_arc_of_goddard():
+def test_singular_arc_of_the_goddard_problem():
     """Surface and feedback against the extremal that was found without them."""
     drag = 310 * w**2 * sp.exp(-500 * (h - 1))
     problem = Problem(
@@ -249,7 +247,7 @@ def test_singular_arc_of_goddard():
     )
 
 
-def test_names_of_the_multipliers_are_kept_free():
+def test_names_of_multipliers_are_reserved():
     with pytest.raises(ValueError, match="psi1 is the name of a costate"):
         Problem(
             {sp.Symbol("psi1"): u}, ONE, {sp.Symbol("psi1"): 1}, [sp.Symbol("psi1")]
@@ -276,7 +274,7 @@ def test_the_statement_is_shown():
         assert part in text
 
 
-def test_control_without_costates():
+def test_control_field_without_costates():
     x, y, v, u, k = sp.symbols("x y v theta k")
     plane = {x: v * sp.cos(u), y: v * sp.sin(u), v: -k * v**2 - sp.sin(u)}
     field = (
@@ -293,7 +291,7 @@ def test_control_without_costates():
 
 
 @pytest.mark.slow
-def test_singular_arcs_are_not_looked_for_in_formulas_that_fill_pages():
+def test_singular_arcs_are_not_searched_for_in_very_long_formulas():
     """The arm of a robot, problem 8 of COPS: three lengths and angles, each with its own motor."""
     length, base, angle, *rates = y = sp.symbols("y1:7")
     motors = sp.symbols("u1:4")

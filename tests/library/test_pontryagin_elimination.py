@@ -1,4 +1,4 @@
-"""Extremals without costates, as the problems of §5.2 know them."""
+"""Differential equations of controls without costates (section 5.2 of the problem book)."""
 
 import pytest
 import sympy as sp
@@ -8,7 +8,7 @@ from trajlib.pontryagin import ControlField, Problem
 x, y, v, w, u, k, b, c, r = sp.symbols("x y v w u k b c r", real=True)
 
 
-def test_a_costate_that_does_not_enter():
+def test_constant_costates():
     approach = Problem(
         {r: k * r, w: u - 2 * k * w},
         {u: None},
@@ -24,7 +24,7 @@ def test_a_costate_that_does_not_enter():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("maximise", [False, True])
-def test_the_ratio_of_two_costates(maximise):
+def test_ratio_of_two_costates(maximise):
     turn = b * sp.sin(y) - sp.sin(u)
     evasion = Problem(
         {r: sp.cos(u) - b * sp.cos(y), y: turn / (r * c)},
@@ -39,7 +39,7 @@ def test_the_ratio_of_two_costates(maximise):
     assert sp.simplify(r * field[u] - turn + b * (1 - c) / c * sp.cos(u) * sp.sin(u - y)) == 0
 
 
-def test_costates_that_are_left():
+def test_costates_that_cannot_be_eliminated():
     steered = Problem(
         {x: v, y: w, v: sp.cos(u), w: sp.sin(u)},
         {u: None},

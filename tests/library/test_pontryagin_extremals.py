@@ -1,5 +1,4 @@
-"""Extremals against closed forms, each derived beside its problem; certificates; guesses that are
-off."""
+"""Extremals against closed forms, derived beside each problem; certificates; poor guesses."""
 
 from dataclasses import dataclass, field
 
@@ -13,11 +12,11 @@ from scipy.linalg import expm
 from scipy.optimize import fsolve
 
 from trajlib.pontryagin import Problem, compare
-from trajlib.pontryagin.numeric import NumericProblem
-from trajlib.pontryagin.polishing import polish
-from trajlib.pontryagin.searching import search
-from trajlib.pontryagin.structure import detect
-from trajlib.pontryagin.transcription import Picture
+from trajlib.pontryagin.direct.multistart import search
+from trajlib.pontryagin.direct.transcription import DirectSolution
+from trajlib.pontryagin.indirect.refinement import refine
+from trajlib.pontryagin.indirect.structure import detect_arcs
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 pytestmark = pytest.mark.slow
 x, x1, x2, u, v = sp.symbols("x x1 x2 u v")
@@ -27,8 +26,7 @@ ONE = {u: (-1, 1)}
 
 @dataclass
 class Record:
-    """A problem with its extremal: arcs, switching times, costate at t = 0 (None where it is not
-    unique), cost, source."""
+    """A problem with its extremal: arcs, switching times, psi(0) (or None), cost, source."""
 
     problem: Problem
     arcs: list
@@ -41,11 +39,11 @@ class Record:
 
 
 def double_integrator(a, b):
-    """x'' = u from (a, b) to the origin: with s = a + b|b|/2 > 0 first u = -1 for b + r, r = sqrt(a
-    + b^2/2), then u = 1 for r.
+    """x'' = u from (a, b) to the origin.
 
-    psi_2 vanishes at the switching, where H = 0 reads psi_1 x_2 = 1 with x_2 = -r; s < 0 is its
-    mirror image.
+    With s = a + b|b|/2 > 0 first u = -1 for b + r, r = sqrt(a + b^2/2), then u = 1 for r. psi_2
+    vanishes at the switching, where H = 0 reads psi_1 x_2 = 1 with x_2 = -r; s < 0 is its mirror
+    image.
     """
     sign = 1 if a + b * abs(b) / 2 > 0 else -1
     r = np.sqrt(sign * a + b * b / 2) or np.nan
@@ -61,8 +59,10 @@ def double_integrator(a, b):
 
 
 def turnpike(a, b):
-    """x' = u, min of int x^2 over [0, 2] from a to b: down to zero, rest there (singular), up. psi'
-    = 2x, psi = 0 on the rest."""
+    """x' = u, min of int x^2 over [0, 2] from a to b: down to zero, rest there (singular), up.
+
+    psi' = 2x, psi = 0 on the singular arc.
+    """
     return Record(
         Problem({x: u}, ONE, {x: a}, [x - b], running=x**2, duration=2),
         ["u-", "singular", "u+"],
@@ -74,12 +74,11 @@ def turnpike(a, b):
 
 
 def oscillator(damping, last, between, first):
-    """x'' + d x' + x = u to the origin, run backwards from it: the switching function psi_2 has
-    zeros pi/omega apart.
+    """x'' + d x' + x = u to the origin, integrated backwards from it.
 
-    `last` = length of the last arc (u = 1 there), `between` full arcs, `first` = length of the
-    first. At the end H = 0 reads psi_2 u = 1; psi_2 is a damped sine that vanishes `last` before
-    the end.
+    The switching function psi_2 has zeros pi/omega apart. `last` = length of the last arc (u = 1
+    there), `between` full arcs, `first` = length of the first. At the end H = 0 reads psi_2 u = 1;
+    psi_2 is a damped sine that vanishes `last` before the end.
     """
     A, omega = np.array([[0, 1.0], [-1, -damping]]), np.sqrt(1 - damping**2 / 4)
     lengths = [last] + [np.pi / omega] * between + [first]
@@ -108,11 +107,10 @@ def oscillator(damping, last, between, first):
 
 
 def saturated(T):
-    """x'' = u, |u| <= 1, (1, 0) -> 0 in time T, min of int u^2: u = -1, then linear through zero at
-    T/2, then 1.
+    """x'' = u, |u| <= 1, (1, 0) -> 0 in time T, min of int u^2.
 
-    With c half the length of the linear arc, int (T/2 - t) u dt = -1 gives T^2/4 - c^2/3 = 1. On
-    that arc u = psi_2/2.
+    u = -1, then linear through zero at T/2, then 1. With c half the length of the linear arc,
+    int (T/2 - t) u dt = -1 gives T^2/4 - c^2/3 = 1. On that arc u = psi_2/2.
     """
     c = np.sqrt(3 * (T**2 / 4 - 1))
     t = T / 2 - c
@@ -127,12 +125,11 @@ def saturated(T):
 
 
 def circle(alpha, before):
-    """x'' = u to the unit circle (example 2 of the book): the last arc has u = -1 and ends at the
-    angle alpha in (pi/2, pi).
+    """x'' = u to the unit circle (example 2 of the book).
 
-    It begins on the curve (5.14), -tan(alpha) before the end; the arc before, of length `before`,
-    has u = 1. psi(t_k) = -nu (cos alpha, sin alpha) with H = 0: nu (-cos alpha sin alpha + sin
-    alpha) = 1.
+    The last arc has u = -1 and ends at the angle alpha in (pi/2, pi). It begins on the curve
+    (5.14), -tan(alpha) before the end; the arc before, of length `before`, has u = 1. psi(t_k) =
+    -nu (cos alpha, sin alpha) with H = 0: nu (-cos alpha sin alpha + sin alpha) = 1.
     """
     c, s, tan = np.cos(alpha), np.sin(alpha), np.tan(alpha)
     p1, p2 = c + tan * (s - tan / 2), s - tan
@@ -161,8 +158,7 @@ def bilinear(start, kinds, times, cost, costate, source, **arguments):
 
 
 def goddard_by_feedback():
-    """Goddard's rocket by hand: full thrust to the surface D (1 + v/c) = m g, the thrust that keeps
-    to it, coasting."""
+    """Goddard's rocket by hand: full thrust to D (1 + v/c) = m g, along it, coasting."""
     c = 0.5
 
     def drag(h, v):
@@ -172,7 +168,7 @@ def goddard_by_feedback():
         h, v, m = z
         return drag(h, v) * (1 + v / c) - m / h**2
 
-    def held(z):
+    def singular_thrust(z):
         """The thrust that keeps `surface` zero: rate = a + b thrust."""
         h, v, m = z
         D = drag(h, v)
@@ -198,14 +194,16 @@ def goddard_by_feedback():
         return found.t_events[0][0], found.y_events[0][0]
 
     first, z = arc([1, 0, 1], lambda z: 3.5, surface, 1)
-    second, z = arc(z, held, lambda t, z: z[2] - 0.6, -1)
+    second, z = arc(z, singular_thrust, lambda t, z: z[2] - 0.6, -1)
     _, z = arc(z, lambda z: 0.0, lambda t, z: z[1], -1)
     return z[0], [first, first + second]
 
 
 def goddard():
-    """Goddard's rocket, normalised as in the COPS collection: g = 1/h^2, drag 310 v^2 exp(-500 (h -
-    1)), thrust 3.5 u."""
+    """Goddard's rocket, normalised as in the COPS collection.
+
+    g = 1/h^2, drag 310 v^2 exp(-500 (h - 1)), thrust 3.5 u.
+    """
     h, w, m = sp.symbols("h w m")
     cost, times = goddard_by_feedback()
     drag = 310 * w**2 * sp.exp(-500 * (h - 1))
@@ -409,9 +407,8 @@ def test_record(name):
         assert evidence.kelley is None
 
 
-def test_units_of_the_states_change_nothing():
-    """Example 2 of the book in quarters of a millimetre: the same times, the costate in the inverse
-    unit."""
+def test_scaling_of_states():
+    """Example 2 of the book in quarters of a millimetre: the same times, costates inverse."""
     large = Problem({x1: x2, x2: 4000 * u}, ONE, {x1: 4000, x2: 0}, [x1, x2])
     extremal = large.solve()
     assert extremal.duration == pytest.approx(2, rel=1e-12)
@@ -423,10 +420,12 @@ def test_units_of_the_states_change_nothing():
     assert given.duration == pytest.approx(2, rel=1e-12)
 
 
-def test_a_volume_in_cubic_millimetres():
-    """A tumour p and its vessels q under an inhibitor of which y may be given (Hahnfeldt and
-    others; Ledzewicz and Schaettler give 8533 for this start): full dose, a singular arc, a rest.
-    The volumes in litres/1000 or in cubic millimetres lead to the same process.
+def test_large_initial_values():
+    """A tumour p and its vessels q under an inhibitor with a limited dose y.
+
+    Hahnfeldt and others; Ledzewicz and Schaettler give 8533 for this initial state: full dose, a
+    singular arc, no dose. The volumes in litres/1000 or in cubic millimetres lead to the same
+    process.
     """
     p, q, y = sp.symbols("p q y", positive=True)
 
@@ -456,8 +455,7 @@ def test_a_volume_in_cubic_millimetres():
 
 
 def test_two_controls():
-    """Two problems side by side, with arcs that begin and end at different times, cost the sum of
-    both."""
+    """Two independent problems, with arcs that begin and end at different times, cost their sum."""
     quadratic, resting = saturated(2.2), turnpike(1.0, 0.5)
     joint = Problem(
         {x1: x2, x2: u, x: v},
@@ -475,10 +473,9 @@ def test_two_controls():
 
 
 def test_least_fuel():
-    """x'' = p - q, p, q in [0, 1], from (1, 0) to rest at 0 in time 3 with the least int (p + q):
-    brake off between two pushes.
+    """x'' = p - q, p, q in [0, 1], (1, 0) to rest at 0 in time 3, least int (p + q).
 
-    Pushes of length s: s (3 - s) = 1.
+    No thrust between two arcs of length s: s (3 - s) = 1.
     """
     p, q = sp.symbols("p q")
     extremal = Problem(
@@ -499,11 +496,10 @@ def test_least_fuel():
 
 @pytest.mark.parametrize("damping, between", [(0.0, 0), (0.0, 1), (1.0, 0)])
 def test_corners_of_the_switching_curve(damping, between):
-    """A start from which all arcs last half a period: the switching function vanishes at both ends,
-    and only with lambda_0 = 0.
+    """An initial state from which all arcs last half a period, with lambda_0 = 0.
 
-    Without a switching Newton's method may find any of many costates; one of them alone satisfies
-    the maximum condition.
+    The switching function vanishes at both ends. Without a switching Newton's method may find any
+    of many costates; one of them alone satisfies the maximum condition.
     """
     period = np.pi / np.sqrt(1 - damping**2 / 4)
     record = oscillator(damping, period, 0, period * between)
@@ -535,8 +531,7 @@ OUTSIDE, INSIDE = (
     [(half, (1.5, 0), ["u-", "u+"], OUTSIDE), (1, (0.3, 0.05), ["u-"], INSIDE)],
 )
 def test_fastest_of_several_extremals_to_a_circle(radius, start, kinds, least):
-    """The oscillator (problem 5.8); other starts of the search lead to slower extremals, or to
-    none.
+    """The oscillator (problem 5.8); other guesses lead to slower extremals, or to none.
 
     Outside: u = -1 turns around (-1, 0) to the circle of radius 1 around (1 + R, 0), in a triangle
     with the sides 5/2, 5/2, 1; the last arc begins at (1 + R - cos s, -sin s). Inside: u = -1
@@ -568,26 +563,26 @@ def test_double_integrator_from_anywhere(a, b):
     "name",
     ["double integrator", "turnpike", "oscillator, 4 arcs", "saturated", "circle", "Goddard"],
 )
-def test_perturbed_pictures_lead_to_the_same_extremal(name):
+def test_perturbed_direct_solutions_lead_to_the_same_extremal(name):
     """Newton's method from states, costates and arcs that are off by some per cent."""
     record = RECORDS[name]
     numeric = NumericProblem(record.problem)
-    picture, _ = search(numeric).pictures[0]
-    arcs = detect(numeric, picture)
+    solution, _ = search(numeric).solutions[0]
+    arcs = detect_arcs(numeric, solution)
     random = np.random.default_rng(3)
     for _ in range(3):
 
         def shaken(values, by=0.03):
             return values + by * np.ptp(values, axis=0) * random.standard_normal(values.shape)
 
-        off = Picture(
-            picture.times * 1.02,
-            shaken(picture.states),
-            shaken(picture.costates),
-            picture.controls,
-            picture.cost,
+        off = DirectSolution(
+            solution.times * 1.02,
+            shaken(solution.states),
+            shaken(solution.costates),
+            solution.controls,
+            solution.cost,
         )
-        shot = polish(numeric, off, arcs, numeric.duration, {})
+        shot = refine(numeric, off, arcs, numeric.duration, {})
         assert shot.lengths.sum() == pytest.approx(record.problem.solve().duration, rel=1e-10)
 
 
@@ -632,7 +627,7 @@ def test_evaluation():
         extremal.state(2.5)
 
 
-def test_pictures_are_drawn():
+def test_figures_are_drawn():
     import matplotlib.pyplot as plt
 
     for name, count in (("turnpike", 3), ("circle", 4)):
@@ -643,8 +638,7 @@ def test_pictures_are_drawn():
 
 
 def test_a_body_that_stops_turning_does_not_chatter():
-    """Three bang arcs; on the singular arc through the target the other torques would turn the body
-    again."""
+    """Three bang arcs; on the singular arc through the target other torques would turn the body."""
     w, torques = sp.symbols("w1:4"), sp.symbols("u1:4")
     rates = {
         w[0]: w[1] * w[2] / 2 + torques[0],

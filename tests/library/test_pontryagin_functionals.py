@@ -1,5 +1,4 @@
-"""Euler's equation and natural conditions, against the first variation and against the same asked
-as a problem of optimal control."""
+"""Euler-Poisson equation and natural conditions, against the first variation and `solve`."""
 
 import pytest
 import sympy as sp
@@ -34,8 +33,7 @@ PUSHED = Functional(w**2, x(t), (t, 0, 1), final=x(1) + v.subs(t, 1) ** 2)
     ],
 )
 def test_first_variation(functional, motion, moves):
-    """dJ/d epsilon is the integral of Euler's left-hand side with the move, and momenta at the
-    ends."""
+    """dJ/d epsilon is the integral of E times the variation, and the momenta at the ends."""
     euler = euler_equation(functional).lhs.subs(x(t), motion).doit()
     at_motion = [p.subs(x(t), motion).doit() for p in momenta(functional)]
     for move in map(sp.sympify, moves):
@@ -70,7 +68,7 @@ def test_conditions_determine_the_extremal():
     "functional, motion",
     [(GROWTH, sp.exp(t)), (BEAM, t**4 - 4 * t**3 + 6 * t**2), (LOADED, (t - t**4) / 24)],
 )
-def test_the_same_as_a_problem_of_control(functional, motion):
+def test_control_problem(functional, motion):
     extremal = control_problem(functional).solve()
     assert extremal.cost == pytest.approx(float(functional_value(functional, motion)), abs=1e-9)
     sign = -1 if functional.maximise else 1
@@ -100,6 +98,6 @@ def test_values_for_parameters():
         ((v**2, x(t), (t, 0, 1), [0, 0]), "at most 1 can be given"),
     ],
 )
-def test_what_is_refused(arguments, message):
+def test_invalid_functionals(arguments, message):
     with pytest.raises(ValueError, match=message):
         Functional(*arguments)

@@ -1,6 +1,4 @@
-"""Problems of the literature on optimal control that the engine once could not solve or was slow
-at, with truths in which it has no part.
-"""
+"""Hard problems of the literature, compared with independent references."""
 
 import itertools
 import time
@@ -23,8 +21,9 @@ ONE, HALF = {u: (-1, 1)}, {u: (0, 1)}
 
 @dataclass
 class Case:
-    """A statement with its least cost (or how to find it), its switching times (None: not
-    compared), the processor time that it may take, and where the truth is from.
+    """A problem with its least cost, switching times (None: not compared), seconds, and source.
+
+    The cost may be a function that finds it; the seconds are the processor time that it may take.
     """
 
     problem: Problem
@@ -45,8 +44,10 @@ def chain_of_three():
 
 
 def ramsey():
-    """k' = sqrt(k) - c, c' = c (1/(2 sqrt(k)) - 1/20), k from 1/10 to 1/10 in 10 units; the gain
-    log(c) exp(-t/20)."""
+    """k' = sqrt(k) - c, k from 1/10 to 1/10 in 10 units; the gain log(c) exp(-t/20).
+
+    c' = c (1/(2 sqrt(k)) - 1/20).
+    """
 
     def run(first):
         def rate(s, z):
@@ -69,8 +70,9 @@ def ramsey():
 
 
 def arm():
-    """Each joint turns at its bound, with one change or two, placed symmetrically; the moments of
-    inertia come from the others.
+    """Each joint turns at its bound, with one change or two, placed symmetrically.
+
+    The moments of inertia come from the others.
     """
 
     def ends(z):
@@ -158,8 +160,7 @@ def test_cost(name):
 
 
 def turn():
-    """Four arcs with u = -1, 1, -1, 1 that end at rest at (1, 1), a right angle turned: four
-    equations."""
+    """Four arcs with u = -1, 1, -1, 1 that end at rest at (1, 1), a right angle turned."""
 
     def ends(lengths):
         state = np.zeros(4)
@@ -171,9 +172,11 @@ def turn():
 
 
 def test_a_process_found_late_leads_to_better_ones():
-    """Turning with a bounded angular acceleration, from rest to rest: only the ladder of durations
-    finds a way, one of 19.2 with idle loops, from which others are found, of 10.34, and then the
-    best (SLSQP from random lengths of four to seven arcs found none better).
+    """Turning with a bounded angular acceleration, from rest to rest.
+
+    Only the ladder of durations finds a process, one of 19.2 with idle loops, from which others are
+    found, of 10.34, and then the best (SLSQP from random lengths of four to seven arcs found none
+    better).
     """
     extremal = Problem(
         {x: sp.cos(v), y: sp.sin(v), v: w, w: u},
@@ -206,6 +209,6 @@ def test_a_process_found_late_leads_to_better_ones():
     ],
     ids=["fuel alone", "two ends at once"],
 )
-def test_a_true_word(problem, error, message):
+def test_reason_without_an_extremal(problem, error, message):
     with pytest.raises(error, match=message):
         problem.solve()

@@ -1,5 +1,4 @@
-"""Optima proved in ball arithmetic, against closed forms; and what is not proved, with the
-reason."""
+"""Optima proved in ball arithmetic, against closed forms; reasons where nothing is proved."""
 
 import sys
 import time
@@ -11,7 +10,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from trajlib.pontryagin import Problem
-from trajlib.pontryagin.proof import prove
+from trajlib.pontryagin.verification.proof import prove
 from trajlib.typesetting import typeset
 
 R = sp.Rational
@@ -150,7 +149,7 @@ def changed(arcs=None, costate=None, multiplier=1.0):
     )
 
 
-def test_what_is_wrong_is_not_proved():
+def test_wrong_extremals_are_not_proved():
     assert changed().holds
     wrong = {
         "no exact extremal": [
@@ -176,8 +175,7 @@ def test_what_is_wrong_is_not_proved():
 
 
 def test_a_boundary_value_problem_alone_is_no_proof():
-    """All equations hold for the arcs u+, u- of the carriage with the cost reversed, but not the
-    maximum condition."""
+    """With the cost reversed the arcs u+, u- satisfy all but the maximum condition."""
     late = Problem({x1: x2, x2: u}, ONE, {x1: 0, x2: 0}, [x2], running=x1, duration=1)
     right = [("u-", 0, 0.5), ("u+", 0.5, 1)]
     assert prove(late, right, [0, 0], [-1, -0.375]).holds
@@ -199,12 +197,12 @@ def test_a_boundary_value_problem_alone_is_no_proof():
         (Problem({x: u}, FREE, {x: 0}, {x: 1}, running=u**2 - x**2, duration=1), "no theorem"),
     ],
 )
-def test_what_cannot_be_proved_is_said(problem, reason):
+def test_reason_without_a_proof(problem, reason):
     proof = problem.solve().certificate(proved=True)
     assert not proof.holds and reason in proof.reason and proof.switching_times == ()
 
 
-def test_without_ball_arithmetic_the_way_to_get_it_is_said(monkeypatch):
+def test_missing_ball_arithmetic_names_its_package(monkeypatch):
     monkeypatch.setitem(sys.modules, "flint", None)
     with pytest.raises(ImportError, match="pip install python-flint"):
         prove(carriage(), [("u-", 0, 1), ("u+", 1, 2)], [1, 0], [-1, -1])

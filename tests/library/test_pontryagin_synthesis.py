@@ -1,5 +1,4 @@
-"""Planar syntheses against closed forms, against lower bounds by support functions, and against
-Bellman's equation."""
+"""Planar syntheses against closed forms, support functions, and Bellman's equation."""
 
 import functools
 import warnings
@@ -10,8 +9,9 @@ import sympy as sp
 from scipy.linalg import expm
 
 from trajlib.pontryagin import Problem, synthesis
-from trajlib.pontryagin.planar.plant import Plant, summed
-from trajlib.pontryagin.planar.task import read_plant
+from trajlib.pontryagin.planar_synthesis.arguments import read_plant
+from trajlib.pontryagin.planar_synthesis.integration import series_step
+from trajlib.pontryagin.planar_synthesis.plant import Plant
 
 pytestmark = pytest.mark.slow
 x1, x2, u, alpha = sp.symbols("x1 x2 u alpha", real=True)
@@ -38,11 +38,10 @@ def starts(window, count=150, seed=1, where=None):
 
 
 def least_times(A, bounds, support, x, horizon, inside=False):
-    """The first moment at which no direction p separates the reachable states from a convex target
-    with this support function.
+    """Return when no direction p separates the reachable states from a convex target any more.
 
-    From inside: the first moment at which the reachable states stick out of the target in some
-    direction.
+    The target is given by its support function. From inside: when the reachable states first leave
+    the target in some direction.
     """
     angles = np.linspace(0, 2 * np.pi, 2000, endpoint=False)
     p = np.array([np.cos(angles), np.sin(angles)])
@@ -367,7 +366,7 @@ def test_dispersal_curve_has_two_controls_and_equal_times():
     [(-sp.sin(x1), [x1, x2]), (x2 * (1 - x1**2) - x1, [x1, x2]), (-x2 * sp.Abs(x2) / 2, [x1])],
     ids=["pendulum", "van der Pol", "quadratic drag"],
 )
-def test_nonlinear_systems_satisfy_the_equation_of_bellman(force, terminal):
+def test_nonlinear_systems_satisfy_the_bellman_equation(force, terminal):
     found = synthesis(problem(terminal, force=force), window=((-1.5, 1.5), (-1.2, 1.2)), horizon=5)
     a, b = starts(((-1.4, 1.4), (-1.1, 1.1)), 200)
     h = 1e-5
@@ -413,7 +412,7 @@ def test_points_on_the_target_and_shapes(to_circle):
     assert to_circle.reaches(2, 0) is True
 
 
-def test_picture_names_everything_once(to_circle):
+def test_figure_labels_each_kind_of_curve_once(to_circle):
     import matplotlib.pyplot as plt
 
     with warnings.catch_warnings():
@@ -467,12 +466,12 @@ def test_picture_names_everything_once(to_circle):
         ),
     ],
 )
-def test_bad_input_is_named(arguments, message):
+def test_invalid_arguments(arguments, message):
     with pytest.raises((TypeError, ValueError), match=message):
         synthesis(**arguments)
 
 
-def test_questions_outside_the_window_are_refused(to_rest):
+def test_points_outside_the_window_are_refused(to_rest):
     with pytest.raises(ValueError, match="inside the window"):
         to_rest.time(10, 0)
     with pytest.raises(ValueError, match="horizon"):
@@ -487,8 +486,7 @@ def to_line():
 
 
 def test_barriers_of_both_sides_are_mirror_images(to_line):
-    """Of the line x1 = x2 (problem 5.10): they end where the extremals touch it, at (1, 1) and (-1,
-    -1)."""
+    """Barriers of the line x1 = x2 (problem 5.10) end where the extremals touch it, at +-(1, 1)."""
     one, other = sorted(to_line.barriers, key=lambda curve: -curve.points[0, 0])
     assert np.allclose(one.points, -other.points, atol=1e-9) and np.allclose(
         one.points[0], [1, 1], atol=1e-9
@@ -498,7 +496,7 @@ def test_barriers_of_both_sides_are_mirror_images(to_line):
 
 
 @pytest.mark.parametrize("side", [1, -1])
-def test_beside_a_barrier_the_time_is_that_of_the_way_round(to_line, side):
+def test_time_beside_a_barrier_is_that_of_the_detour(to_line, side):
     v = np.linspace(0.1, 0.99, 10)
     edge = (1 + v**2) / 2
     for beyond in (1e-3, 1e-4):
@@ -510,8 +508,7 @@ def test_beside_a_barrier_the_time_is_that_of_the_way_round(to_line, side):
 
 @pytest.mark.parametrize("side", [1, -1])
 def test_no_point_is_missed_where_a_barrier_meets_the_target(to_line, side):
-    """Next to (1, 1) in problem 5.10 neighbouring extremals meet the line again at different
-    steps."""
+    """Next to (1, 1) in problem 5.10 neighbours meet the line again at different steps."""
     a, b = 1 + starts(((-0.3, 0.3), (-0.3, 0.3)), 2000)
     a, b = a[a > b], b[a > b]
     direct = (b < 1) & (a < (1 + b * b) / 2)
@@ -523,9 +520,8 @@ def test_no_point_is_missed_where_a_barrier_meets_the_target(to_line, side):
     assert np.abs(to_line.time(side * a, side * b) - exact).max() < 1e-6
 
 
-def test_behind_the_target_there_is_no_time():
-    """Extremals are followed a little beyond the target for their neighbours, but no time is read
-    off there."""
+def test_no_time_behind_the_target():
+    """Extremals are continued a little beyond the target for their neighbours only."""
     found = synthesis(problem([x1]), side="positive", window=((-1, 1), (-2, 2)), horizon=6)
     a, b = starts(found.window)
     assert (found.reaches(a, b) == (a > 0)).all()
@@ -542,11 +538,10 @@ def inside_circle(radius):
 
 @pytest.mark.parametrize("radius", [sp.Rational(3, 2), sp.Rational(37, 20)])
 def test_dispersal_curve_of_the_oscillator_runs_to_its_ends(radius):
-    """Inside a circle (problem 5.8): x2 = x1 sqrt(D/(2 - D)), 2 D = R^2 - r^2, from the circle
-    through the centre to the circle.
+    """Inside a circle (problem 5.8): x2 = x1 sqrt(D/(2 - D)), 2 D = R^2 - r^2.
 
-    Near its ends, and everywhere as R grows to 2, the two extremals run side by side for a long
-    time.
+    It runs from the circle through the centre to the circle. Near its ends, and everywhere as R
+    grows to 2, the two extremals run side by side for a long time.
     """
     found = inside_circle(radius)
     points = np.vstack([curve.points for curve in found.dispersal_curves])
@@ -560,8 +555,10 @@ def test_dispersal_curve_of_the_oscillator_runs_to_its_ends(radius):
 
 
 def test_dispersal_curve_that_is_followed():
-    """Inside the circle of radius 2 it is r = 2 |cos(angle)|, made of two extremals that touch the
-    circle; extremals switch on it."""
+    """Inside the circle of radius 2 it is r = 2 |cos(angle)|, made of two touching extremals.
+
+    Extremals switch on it.
+    """
     found = inside_circle(sp.Integer(2))
     for curves in (found.switching_curves, found.dispersal_curves):
         points = np.vstack([curve.points for curve in curves])
@@ -576,8 +573,10 @@ def test_dispersal_curve_that_is_followed():
 
 
 def test_touching_the_target_from_inside_fails_condition_c():
-    """R = 3.3: from (R, 0) back with u = 1, on a circle around (1, 0), above the semicircle on
-    which extremals switch: optimal there."""
+    """R = 3.3: the abnormal extremal from (R, 0) is optimal.
+
+    Back with u = 1 it is a circle around (1, 0), above the semicircle on which extremals switch.
+    """
     found = inside_circle(sp.Rational(33, 10))
     condition = found.regularity()["C"]
     assert not condition.holds and "(3.3, " in condition.text
@@ -595,13 +594,12 @@ def test_a_step_of_a_linear_plant_is_exact(size):
     h = np.array([0.2, -0.5, 0.0, 1.0])
     joined = np.block([[matrix, constant], [np.zeros((1, 4))]])
     there = [(expm(joined * when) @ np.append(z, 1))[:3] for when, z in zip(h, start.T)]
-    found = summed(matrix, np.linalg.norm(matrix, 1), matrix @ start + constant, start, h)
+    found = series_step(matrix, np.linalg.norm(matrix, 1), matrix @ start + constant, start, h)
     assert np.allclose(found.T, there, rtol=1e-12, atol=1e-13 * np.abs(there).max())
 
 
-def test_where_a_motion_crosses_a_surface():
-    """psi_2 = -sin(angle - tau) of the oscillator at its zero; what rounding has put beyond it
-    crosses it at once."""
+def test_crossing_of_a_surface():
+    """psi_2 = -sin(angle - tau) of the oscillator at its zero, and slightly beyond it."""
     to_rest = linear(OSCILLATOR, [x1, x2])
     plant = Plant(to_rest, read_plant(to_rest))
     angle = np.array([1.0, 0.3, 0.05, 0.0, -1e-15])
@@ -613,7 +611,7 @@ def test_where_a_motion_crosses_a_surface():
         assert np.abs(when - np.maximum(angle, 0)).max() < 1e-14 and np.abs(there[3]).max() < 1e-14
 
 
-def test_a_motion_beyond_a_surface_and_on_its_way_back_crosses_it_later():
+def test_later_crossing_from_beyond_a_surface():
     to_rest = linear(OSCILLATOR, [x1, x2])
     plant = Plant(to_rest, read_plant(to_rest))
     # psi_2 = sin(tau - 1e-9) is in the mode of its positive values, begins below, and comes down

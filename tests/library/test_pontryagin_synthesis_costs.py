@@ -1,5 +1,7 @@
-"""Planar syntheses for costs other than the time, for maxima and for several controls, against
-closed forms, Bellman's equation and the solver of single problems."""
+"""Planar syntheses for other costs than the time, for maxima and for several controls.
+
+Against closed forms, Bellman's equation and `solve`.
+"""
 
 import numpy as np
 import pytest
@@ -92,7 +94,7 @@ def test_time_and_energy():
     ],
     ids=["time and place", "place, to a circle", "time, energy and fuel, to a line"],
 )
-def test_least_costs_satisfy_the_equation_of_bellman(target, running, side):
+def test_least_costs_satisfy_the_bellman_equation(target, running, side):
     window = ((-2, 2), (-2, 2)) if side != "positive" else ((0, 2), (-2, 2))
     found = synthesis(
         Problem(PLANE, ONE, ANYWHERE, target, running=running), window=window, horizon=8, side=side
@@ -133,9 +135,8 @@ def test_single_problems_agree():
 
 
 @pytest.mark.parametrize("maximise, sign", [(False, -1), (True, 1)])
-def test_an_end_that_is_far_away(maximise, sign):
-    """Problem 5.24: half a turn around u = 1 leads furthest; a maximum is a minimum of the
-    opposite."""
+def test_greatest_terminal_value(maximise, sign):
+    """Problem 5.24: half a turn around u = 1 leads furthest."""
     found = synthesis(
         Problem({x1: x2, x2: u - x1}, ONE, ANYWHERE, [x2], final=sign * x1, maximise=maximise),
         side="positive",
@@ -174,8 +175,7 @@ def test_two_controls_one_of_which_is_open():
 
 
 def test_two_controls_of_one_chain():
-    """x1' = x2 + u, x2' = v: both in turn at their bounds from afar, the first one open from
-    nearby."""
+    """x1' = x2 + u, x2' = v: both at their bounds in turn from afar, the first open from nearby."""
     plant = {x1: x2 + u, x2: v}
     found = synthesis(Problem(plant, BOX, ANYWHERE, ORIGIN), window=((-2, 2), (-2, 2)))
     for start in ((1, R(1, 2)), (2, R(3, 2)), (-1, -1), (R(3, 2), -R(1, 2))):
@@ -222,12 +222,12 @@ def test_two_controls_of_one_chain():
         (Problem({x1: u, x2: 1}, ONE, ANYWHERE, [x1 - 1], running=1 + x1**2 - x2), "singular in u"),
     ],
 )
-def test_what_no_synthesis_is_made_for(problem, message):
+def test_problems_without_a_synthesis(problem, message):
     with pytest.raises(ValueError, match=message):
         synthesis(problem)
 
 
-def test_pictures_name_every_level():
+def test_figures_label_every_level():
     import matplotlib.pyplot as plt
 
     for running, controls, plant, names in (

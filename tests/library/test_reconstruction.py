@@ -1,6 +1,8 @@
-"""Reconstruction against independent routes: SciPy's smoothing spline, dense least squares, the
-paper's own recursion, a general solver of bounded least squares, and the conditions of the
-optimum."""
+"""Reconstruction against independent methods.
+
+SciPy's smoothing spline, dense least squares, the paper's own recursion, a general solver of bounded
+least squares, and the conditions of the optimum.
+"""
 
 import numpy as np
 import pytest
@@ -161,7 +163,7 @@ def test_an_inactive_bound_gives_the_interpolant():
         assert not motion.active and np.allclose(motion.position(fine), spline(fine), atol=1e-9)
 
 
-def test_the_greatest_acceleration_need_not_fall_with_the_weight():
+def test_greatest_acceleration_need_not_decrease_with_the_weight():
     t, h, sigma = np.arange(4), [5, 4, 1, -4], [1, 10, 0.1, 0.1]
     assert [
         round(reconstruct(t, h, sigma, M=M).max_acceleration, 2) for M in (1e-9, 0.028, 1.0)
@@ -219,7 +221,7 @@ def test_direct_method_against_bounded_least_squares(bound):
 
 
 @pytest.mark.parametrize("bound", [0.05, 0.5, 2.0])
-def test_direct_motion_is_one_motion_within_the_bound(bound):
+def test_direct_motion_is_continuous_and_within_the_bound(bound):
     """Position and velocity go on over all knots, and the states at the samples follow from the
     acceleration alone."""
     t, h, sigma = record(5, 30)
@@ -239,7 +241,7 @@ def test_direct_method_finds_the_least_misfit_of_three_samples():
     assert motion.misfit == pytest.approx((10 - 4) ** 2 / 6 / 0.25, rel=1e-6)
 
 
-def test_columns_are_problems_of_their_own():
+def test_columns_are_separate_problems():
     t, h, sigma = record(4)
     both = np.stack([h, np.cos(t)], axis=1)
     for method in ("sweep", "direct"):
@@ -288,15 +290,15 @@ def test_two_samples_are_joined_by_a_line():
 @given(kappa=st.floats(1e-6, 1e6))
 @settings(max_examples=50, deadline=None)
 def test_eigenvalues(kappa):
-    found = sweep_eigenvalues(kappa)
+    result = sweep_eigenvalues(kappa)
     assert (
-        (np.abs(found[:2]) < 1).all()
-        and (np.abs(found[2:]) > 1).all()
-        and np.abs(found[0] * found[3]) == pytest.approx(1)
+        (np.abs(result[:2]) < 1).all()
+        and (np.abs(result[2:]) > 1).all()
+        and np.abs(result[0] * result[3]) == pytest.approx(1)
     )
     polynomial = [1, kappa / 6 - 4, 2 * kappa / 3 + 6, kappa / 6 - 4, 1]
-    assert np.abs(np.polyval(polynomial, found)).max() < 1e-9 * np.polyval(
-        np.abs(polynomial), np.abs(found).max()
+    assert np.abs(np.polyval(polynomial, result)).max() < 1e-9 * np.polyval(
+        np.abs(polynomial), np.abs(result).max()
     )
     assert np.allclose(
         np.poly(paper_matrices(1.0, kappa, 1.0)), polynomial, rtol=1e-9, atol=1e-9 * max(1, kappa)
@@ -345,7 +347,7 @@ GOOD = {"t": [0, 1, 2, 3], "h": [0, 1, 5, 2], "sigma": 1.0, "max_acceleration": 
         ({"method": "magic"}, "sweep"),
     ],
 )
-def test_bad_input_names_the_cause(change, words):
+def test_bad_arguments_are_named(change, words):
     with pytest.raises(ValueError, match=words):
         reconstruct(**(GOOD | change))
 

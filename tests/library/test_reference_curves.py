@@ -1,5 +1,4 @@
-"""Reference curves against polynomial flows that they reproduce exactly, closed forms, a
-Runge-Kutta method of its own, and the figures of the paper."""
+"""Reference curves against exact flows, a separate Runge-Kutta method and the paper's numbers."""
 
 import numpy as np
 import pytest
@@ -100,19 +99,19 @@ def test_polynomial_flows_are_reproduced(seed):
         return np.cumsum(random.uniform(0.3, 1, n)) - random.uniform(0, 2)
 
     t_nodes = nodes(4)
-    found = ReferenceCurves(falling, t_nodes, [nodes(3), nodes(2)], [nodes(3)])
-    low, high = np.array(found.box).T
+    result = ReferenceCurves(falling, t_nodes, [nodes(3), nodes(2)], [nodes(3)])
+    low, high = np.array(result.box).T
     t, a, b, p = (low + (high - low) * random.random((20, 4))).T
     exact = fallen(t - low[0], a, b, p)
-    assert np.abs(found(t, [a, b], [p]) - exact).max() < 1e-8 * (1 + np.abs(found.table).max())
-    s, scale = t - low[0], 1 + np.abs(found.table).max()
-    assert np.abs(found.derivative(t, [a, b], [p]) - [p, (a + p * s) ** 2]).max() < 1e-7 * scale
+    assert np.abs(result(t, [a, b], [p]) - exact).max() < 1e-8 * (1 + np.abs(result.table).max())
+    s, scale = t - low[0], 1 + np.abs(result.table).max()
+    assert np.abs(result.derivative(t, [a, b], [p]) - [p, (a + p * s) ** 2]).max() < 1e-7 * scale
     assert (
-        np.abs(found.derivative(t, [a, b], [p], 2) - [0 * p, 2 * p * (a + p * s)]).max()
+        np.abs(result.derivative(t, [a, b], [p], 2) - [0 * p, 2 * p * (a + p * s)]).max()
         < 1e-6 * scale
     )
-    assert np.abs(found.derivative(t, [a, b], [p], 4)).max() < 1e-5 * scale
-    assert np.abs(found.defect(t, [a, b], [p])).max() < 1e-7 * scale
+    assert np.abs(result.derivative(t, [a, b], [p], 4)).max() < 1e-5 * scale
+    assert np.abs(result.defect(t, [a, b], [p])).max() < 1e-7 * scale
 
 
 def test_one_node_fewer_is_not_exact():
@@ -130,18 +129,18 @@ def test_at_the_nodes_the_formula_is_the_table(curves):
 
 
 def test_derivative_is_that_of_the_formula(curves):
-    t, place, step = np.linspace(1, 69, 40), ([1.5, 133.0], [0.0077]), 1e-3
-    forwards, here, backwards = (curves(t + s, *place) for s in (step, 0, -step))
+    t, point, step = np.linspace(1, 69, 40), ([1.5, 133.0], [0.0077]), 1e-3
+    forwards, here, backwards = (curves(t + s, *point) for s in (step, 0, -step))
     assert np.allclose(
-        curves.derivative(t, *place), (forwards - backwards) / (2 * step), rtol=1e-6, atol=1e-8
+        curves.derivative(t, *point), (forwards - backwards) / (2 * step), rtol=1e-6, atol=1e-8
     )
     assert np.allclose(
-        curves.derivative(t, *place, 2),
+        curves.derivative(t, *point, 2),
         (forwards - 2 * here + backwards) / step**2,
         rtol=1e-3,
         atol=1e-4,
     )
-    assert np.array_equal(curves.derivative(t, *place, 0), here)
+    assert np.array_equal(curves.derivative(t, *point, 0), here)
 
 
 def test_places_in_a_batch_are_what_they_are_alone(curves):
@@ -177,11 +176,11 @@ def test_integration_against_the_vertical_flight():
         np.array([100.0, 150, 200]),
         np.array([0.006, 0.009, 0.01]),
     )
-    found = ReferenceCurves(rocket, TIMES, [[20, 20.5], STARTS[1]], FLOWS).integrated(
+    result = ReferenceCurves(rocket, TIMES, [[20, 20.5], STARTS[1]], FLOWS).integrated(
         t, [20.0, speed], [eta]
     )
     exact = speed - EXHAUST * np.log(1 - eta * t[:, None]) - GRAVITY * t[:, None]
-    assert found.shape == (2, 4, 3) and np.abs(found[1] - exact).max() < 1e-7
+    assert result.shape == (2, 4, 3) and np.abs(result[1] - exact).max() < 1e-7
 
 
 def test_integration_against_runge_kutta_with_small_steps(curves):
@@ -221,14 +220,14 @@ def test_the_defect_bounds_the_error():
 def test_published_residuals(residuals, row, region, published, at, percent):
     """Greatest errors of z1, z2 (m/s) and beta (degrees), their places and shares: to the four
     printed decimals, two of them to one unit of the last."""
-    error, place, share = residuals[region].greatest[row]
+    error, point, share = residuals[region].greatest[row]
     assert error == pytest.approx(published, abs=1.5e-4 if published == 4.0542 else 5.1e-5)
     assert share == pytest.approx(percent, abs=1.3e-4)
     # 0.0063 is printed for 0.00625
-    assert np.allclose(place, at, atol=[0, 6e-5, 0, 5.1e-5])
+    assert np.allclose(point, at, atol=[0, 6e-5, 0, 5.1e-5])
 
 
-def test_the_published_residuals_of_the_rate_are_none(curves):
+def test_published_residuals_of_the_rate_are_no_errors(curves):
     """5.4919 and 3.1612 are said to be errors of the derivative of beta. However it is computed,
     the errors are less than a fiftieth of that. Their percentages are shares of beta itself, and
     they are near to what z1, taken for an angle, changes in the second before."""
@@ -239,7 +238,7 @@ def test_the_published_residuals_of_the_rate_are_none(curves):
     tabulated = curves.tabulated_output.on_grid(FULL, 1)[0]
     by_chain = np.degrees(curves.on_grid(FULL, 1)[0] / np.cosh(on_grid[0]))
     by_formula = -GRAVITY * np.degrees(1 / np.cosh(on_grid[0])) / on_grid[1]
-    errors = [np.abs(found - exact).max() for found in (tabulated, by_chain, by_formula)]
+    errors = [np.abs(result - exact).max() for result in (tabulated, by_chain, by_formula)]
     assert np.allclose(errors, [0.0777, 0.0910, 0.0077], atol=5e-5)
     for published, percent, t, start, eta in (
         (5.4919, 6.9520, 1, [2.4362460537, 100.0], 0.006),
@@ -252,7 +251,7 @@ def test_the_published_residuals_of_the_rate_are_none(curves):
         assert published == pytest.approx(-np.degrees(path[0, 1] - path[0, 0]), rel=3e-3)
 
 
-def test_interpolating_the_output_itself_is_more_than_twice_worse(curves, residuals):
+def test_tabulated_output_is_less_than_half_as_accurate(curves, residuals):
     exact = residuals["full"].exact[2]
     tabulated = np.abs(curves.tabulated_output.on_grid(FULL)[0] - exact).max()
     assert (
@@ -308,7 +307,7 @@ def test_the_error_is_bounded_by_the_lebesgue_constant():
         )
 
 
-def test_too_many_equispaced_nodes_are_refused_and_as_many_others_are_not():
+def test_too_many_equispaced_nodes_are_rejected_and_chebyshev_nodes_are_not():
     with pytest.raises(ValueError, match=r"t_nodes: 60 nodes amplify .* chebyshev_nodes"):
         ReferenceCurves(hills, np.linspace(-1, 1, 60), [[1 / 26]])
     fine = np.linspace(-1, 1, 801)
@@ -348,12 +347,12 @@ GOOD = {"f": oscillation, "t_nodes": [0, 1, 2], "state_nodes": [[0, 1], [0, 1]]}
         ({"rtol": 0}, "rtol"),
     ],
 )
-def test_bad_input_names_the_cause(change, words):
+def test_bad_arguments_are_named(change, words):
     with pytest.raises(ValueError, match=words):
         ReferenceCurves(**(GOOD | change))
 
 
-def test_bad_functions_name_the_cause():
+def test_bad_functions_are_named():
     import math
 
     with pytest.raises(TypeError, match="NumPy's functions"):
@@ -383,21 +382,21 @@ def test_bad_functions_name_the_cause():
         (lambda c: chebyshev_nodes(0, 1, 0), "one or more"),
     ],
 )
-def test_bad_calls_name_the_cause(call, words):
+def test_bad_calls_are_named(call, words):
     with pytest.raises(ValueError, match=words):
         call(ReferenceCurves(**GOOD))
 
 
 def test_extrapolation_only_on_demand(curves):
-    for place in ((71, [1.5, 120], [0.008]), (1, [0.9, 120], [0.008]), (1, [1.5, 120], [0.011])):
+    for point in ((71, [1.5, 120], [0.008]), (1, [0.9, 120], [0.008]), (1, [1.5, 120], [0.011])):
         with pytest.raises(ValueError, match="extrapolate=True"):
-            curves(*place)
+            curves(*point)
     with pytest.raises(ValueError, match="t: 71 lies outside"):
         curves.on_grid([[71], *curves.nodes[1:]])
     # polynomials stay what they are beyond their nodes
-    found = ReferenceCurves(falling, np.linspace(0, 1, 4), [[0, 0.5, 1], [0, 1]], [[0, 1, 2]])
+    result = ReferenceCurves(falling, np.linspace(0, 1, 4), [[0, 0.5, 1], [0, 1]], [[0, 1, 2]])
     assert np.allclose(
-        found(1.5, [1.2, -1], [2.5], extrapolate=True), fallen(1.5, 1.2, -1, 2.5), atol=1e-8
+        result(1.5, [1.2, -1], [2.5], extrapolate=True), fallen(1.5, 1.2, -1, 2.5), atol=1e-8
     )
 
 
@@ -418,7 +417,7 @@ def test_a_curve_that_cannot_be_continued_is_named(f, start, words):
         ReferenceCurves(f, np.linspace(0, 2, 5), [start])
 
 
-def test_a_domain_that_f_does_not_show():
+def test_domain_that_is_given_separately():
     # without its domain this motion passes through x = 0.5
     with pytest.raises(ArithmeticError, match=r"x0\[0\] = 1 .* at t = 0.5;"):
         ReferenceCurves(
@@ -435,37 +434,37 @@ def test_a_domain_that_f_does_not_show():
 
 
 def test_outputs_of_several_functions():
-    found = ReferenceCurves(
+    result = ReferenceCurves(
         oscillation,
         chebyshev_nodes(0, 1, 8),
         [[0, 1], [0, 1]],
         box=[(0, 1), (0, 1), (0, 1)],
         output=lambda t, x: [x[0] ** 2 + x[1] ** 2, t * x[0]],
     )
-    energy, moment = found.output([0.3, 0.8], [0.5, 0.2])
+    energy, moment = result.output([0.3, 0.8], [0.5, 0.2])
     assert np.allclose(energy, 0.29) and np.allclose(
         moment[0], 0.3 * (0.5 * np.cos(0.3) + 0.2 * np.sin(0.3))
     )
-    errors = found.residual([np.linspace(0, 1, 11), [0.5], [0.2]])
+    errors = result.residual([np.linspace(0, 1, 11), [0.5], [0.2]])
     assert errors.names == ("x[0]", "x[1]", "y[0]", "y[1]") and errors.errors.shape == (4, 11, 1, 1)
 
 
 def test_residual_of_the_derivative():
-    found = ReferenceCurves(
+    result = ReferenceCurves(
         oscillation, chebyshev_nodes(0, 3, 6), [[0, 1], [0, 1]], box=[(0, 3), (0, 1), (0, 1)]
     )
     t = np.linspace(0, 3, 31)
-    errors = found.residual([t, [0.5], [1]], order=1)
+    errors = result.residual([t, [0.5], [1]], order=1)
     exact = np.array([np.cos(t) - 0.5 * np.sin(t), -np.sin(t) - 0.5 * np.cos(t)])
     assert errors.names == ("x'[0]", "x'[1]") and np.allclose(
         errors.exact[:, :, 0, 0], exact, atol=1e-9
     )
     assert np.allclose(
-        errors.errors[:, :, 0, 0], np.abs(found.derivative(t, [0.5, 1]) - exact), atol=1e-9
+        errors.errors[:, :, 0, 0], np.abs(result.derivative(t, [0.5, 1]) - exact), atol=1e-9
     )
 
 
-def test_what_is_returned_shows_itself(curves, residuals):
+def test_representations(curves, residuals):
     assert repr(curves).startswith("120 reference curves of 2 states, tabulated at 11 times")
     assert (
         "0.09883" in repr(residuals["full"])

@@ -1,5 +1,8 @@
-"""Solvability against independent routes: 40- and 50-digit arithmetic, exact transition matrices,
-finite differences, random search for the worst case, and mpmath's intervals."""
+"""Solvability against independent methods.
+
+40- and 50-digit arithmetic, exact transition matrices, finite differences, random search for the
+worst case, and mpmath's intervals.
+"""
 
 import math
 import subprocess
@@ -71,16 +74,16 @@ def test_rounding_bound_holds_for_consistent_equations_and_is_generous(dtype, n,
             b = np.array([float(v) for v in exact]).astype(dtype)
         # b is rounded to machine numbers, one of the errors that the bound allows for
         Q, R = scipy.linalg.qr(A, mode="economic")
-        found = scipy.linalg.solve_triangular(R, Q.T @ b)
-        assert found.dtype == dtype
-        error = np.linalg.norm(found - x) / np.linalg.norm(x)
+        result = scipy.linalg.solve_triangular(R, Q.T @ b)
+        assert result.dtype == dtype
+        error = np.linalg.norm(result - x) / np.linalg.norm(x)
         values = np.linalg.svd(A.astype(float), compute_uv=False)
         bound = rounding_bound(m, n, values[0] / values[-1], eps)
         assert error <= bound
         assert error < bound / 20  # in practice it is far from being reached
 
 
-def test_residual_breaks_the_bound_for_consistent_equations_and_keeps_ours():
+def test_residual_violates_the_bound_for_consistent_equations_only():
     random = np.random.default_rng(3)
     A = with_condition(random, 20, 4, 1e7)
     noise = random.standard_normal(20)
@@ -88,17 +91,17 @@ def test_residual_breaks_the_bound_for_consistent_equations_and_keeps_ours():
     b = A @ random.standard_normal(4) + 100 * noise
     exact, *_ = exact_solution(A, b, 60)
     exact = np.array([float(v) for v in exact])
-    found = solve(A, b)
-    error = np.linalg.norm(found.solvability.scaling * (found.x - exact))
-    values = found.solvability.singular_values
+    result = solve(A, b)
+    error = np.linalg.norm(result.solvability.scaling * (result.x - exact))
+    values = result.solvability.singular_values
     assert error > rounding_bound(4, 20, values[0] / values[-1]) * np.linalg.norm(
-        found.solvability.scaling * exact
+        result.solvability.scaling * exact
     )
-    assert error <= found.rounding
+    assert error <= result.rounding
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_bound_with_the_residual_is_kept(seed):
+def test_bound_with_the_residual_holds(seed):
     random = np.random.default_rng(seed)
     m, n = int(random.integers(1, 6)), int(random.integers(6, 30))
     A = with_condition(random, n, m, 10 ** random.uniform(0, 8)) * 10 ** random.uniform(-3, 3, m)
@@ -106,11 +109,11 @@ def test_bound_with_the_residual_is_kept(seed):
     b = A @ random.standard_normal(m) + 10 ** random.uniform(-8, 2) * random.standard_normal(n)
     roots = np.sqrt(W)
     exact, *_ = exact_solution(A / roots[:, None], b / roots, 60)
-    found = solve(A, b, W)
+    result = solve(A, b, W)
     error = np.linalg.norm(
-        found.solvability.scaling * (found.x - np.array([float(v) for v in exact]))
+        result.solvability.scaling * (result.x - np.array([float(v) for v in exact]))
     )
-    assert error <= found.rounding
+    assert error <= result.rounding
 
 
 # --- singular values, scaling, weights
@@ -121,14 +124,14 @@ def test_bound_with_the_residual_is_kept(seed):
 def test_singular_values_against_fifty_digits(mu):
     random = np.random.default_rng(8)
     A = with_condition(random, 12, 5, mu) * np.array([1, 1e-3, 1e4, 10, 1e-6])
-    found = analyse(A, scale=False)
+    result = analyse(A, scale=False)
     with mpmath.workdps(50):
         exact = np.array(
             [float(v) for v in mpmath.svd_r(mpmath.matrix(A.tolist()), compute_uv=False)]
         )
     assert (
-        np.abs(found.singular_values * found.scaling[0] - exact).max()
-        <= exact[0] * (reflection_constant(5, 12) + 11) * found.eps
+        np.abs(result.singular_values * result.scaling[0] - exact).max()
+        <= exact[0] * (reflection_constant(5, 12) + 11) * result.eps
     )
     scaled = analyse(A)
     with mpmath.workdps(50):
@@ -145,13 +148,13 @@ def test_singular_values_against_fifty_digits(mu):
 def test_units_of_the_unknowns_do_not_matter(seed, powers):
     A = np.random.default_rng(seed).standard_normal((15, 4))
     units = 10.0 ** np.array(powers)
-    one, other = analyse(A), analyse(A * units)
-    assert np.allclose(one.singular_values, other.singular_values, rtol=1e-12)
+    first, other = analyse(A), analyse(A * units)
+    assert np.allclose(first.singular_values, other.singular_values, rtol=1e-12)
     assert (
-        one.mu_scaled == pytest.approx(other.mu_scaled, rel=1e-12)
-        and one.solvable == other.solvable
+        first.mu_scaled == pytest.approx(other.mu_scaled, rel=1e-12)
+        and first.solvable == other.solvable
     )
-    assert np.allclose(one.standard_deviations, other.standard_deviations * units, rtol=1e-9)
+    assert np.allclose(first.standard_deviations, other.standard_deviations * units, rtol=1e-9)
     # scaling is within sqrt(m) of the best (van der Sluis)
     assert other.mu >= other.mu_scaled / 2 - 1
 
@@ -167,11 +170,11 @@ def test_weights_in_all_their_forms(seed):
     normal = np.linalg.solve(A.T @ np.linalg.solve(full, A), A.T @ np.linalg.solve(full, Z))
     covariance = np.linalg.inv(A.T @ np.linalg.solve(full, A))
     for W in (blocks, full):
-        found = solve(A, Z, W)
-        assert np.allclose(found.x, normal, rtol=1e-7, atol=1e-9)
-        assert np.allclose(found.standard_errors, np.sqrt(np.diag(covariance)), rtol=1e-7)
-        assert np.allclose(found.solvability.estimator @ Z, found.x, rtol=1e-7, atol=1e-9)
-        assert np.allclose(found.residual, Z - A @ found.x)
+        result = solve(A, Z, W)
+        assert np.allclose(result.x, normal, rtol=1e-7, atol=1e-9)
+        assert np.allclose(result.standard_errors, np.sqrt(np.diag(covariance)), rtol=1e-7)
+        assert np.allclose(result.solvability.estimator @ Z, result.x, rtol=1e-7, atol=1e-9)
+        assert np.allclose(result.residual, Z - A @ result.x)
     variances = np.diag(full)
     assert np.allclose(
         analyse(A, variances).singular_values, analyse(A, np.diag(variances)).singular_values
@@ -182,8 +185,8 @@ def test_the_estimate_does_not_square_the_condition_number():
     t = np.linspace(0, 1, 60)
     A = t[:, None] ** np.arange(10)
     x = np.arange(1.0, 11)
-    found = solve(A, A @ x)
-    assert np.abs(found.x - x).max() < 1e-6
+    result = solve(A, A @ x)
+    assert np.abs(result.x - x).max() < 1e-6
     # the normal equations do worse by orders of magnitude
     with pytest.raises(AssertionError):
         assert np.abs(np.linalg.solve(A.T @ A, A.T @ (A @ x)) - x).max() < 1e-6
@@ -193,12 +196,12 @@ def test_the_estimate_does_not_square_the_condition_number():
 # ----------------------------------------------------------------------------------------
 
 
-def test_worst_case_is_never_exceeded_and_is_attained():
+def test_noise_bound_is_never_exceeded_and_is_attained():
     random = np.random.default_rng(5)
     A, limits = random.standard_normal((9, 3)), random.uniform(0.1, 2, 9)
     W = np.diag(random.uniform(0.5, 2, 9)) + 0.1
-    found = analyse(A, W)
-    bound = found.noise_bound(limits)
+    result = analyse(A, W)
+    bound = result.noise_bound(limits)
     weights = np.linalg.inv(W)
     P = np.linalg.solve(A.T @ weights @ A, A.T @ weights)
     errors = np.abs(P @ (random.uniform(-1, 1, (9, 20000)) * limits[:, None]))
@@ -207,8 +210,8 @@ def test_worst_case_is_never_exceeded_and_is_attained():
     assert np.allclose(np.abs(P @ corners).max(axis=1), bound)
     state = np.array([1.0, -2.0, 3.0])
     entry = random.uniform(0, 0.05, A.shape)
-    found = analyse(A, W, matrix_error=entry)
-    bound, worst = found.noise_bound(limits, state), np.zeros(3)
+    result = analyse(A, W, matrix_error=entry)
+    bound, worst = result.noise_bound(limits, state), np.zeros(3)
     for _ in range(3000):
         true = A + entry * random.choice([-1, 1], A.shape)
         Z = true @ state + limits * random.choice([-1, 1], 9)
@@ -245,15 +248,15 @@ def test_guaranteed_rank_is_never_above_the_rank(seed, log_error):
     rank = int(random.integers(1, 5))
     true = random.standard_normal((12, rank)) @ random.standard_normal((rank, 5))
     size = 10.0**log_error * np.abs(true).max(axis=0)
-    found = analyse(
+    result = analyse(
         true + random.uniform(-1, 1, true.shape) * size, matrix_error=size * np.ones_like(true)
     )
-    assert found.rank <= rank < found.m and not found.solvable
-    assert found.unseen.shape == (5 - found.rank, 5)
-    if found.rank == rank and log_error < -8:  # what is unseen is (nearly) in the kernel
+    assert result.rank <= rank < result.m and not result.solvable
+    assert result.unobservable.shape == (5 - result.rank, 5)
+    if result.rank == rank and log_error < -8:  # what is unseen is (nearly) in the kernel
         assert (
-            np.abs(true @ found.unseen.T).max()
-            < 1e-3 * np.abs(found.unseen * np.abs(true).max(axis=0)).max()
+            np.abs(true @ result.unobservable.T).max()
+            < 1e-3 * np.abs(result.unobservable * np.abs(true).max(axis=0)).max()
         )
 
 
@@ -301,11 +304,11 @@ def test_transition_matrices_are_exact():
 @pytest.mark.parametrize("hours", [1, 6, 24, 200])
 def test_geostationary_orbit_from_one_and_two_stations(hours):
     Phi = clohessy_wiltshire(RATE, np.linspace(0, 3600 * hours, 150))
-    one = analyse(stack(line_of_sight(station(51, 30))[None], Phi))
+    first = analyse(stack(line_of_sight(station(51, 30))[None], Phi))
     two = analyse(
         stack(np.stack([line_of_sight(station(51, 30)), line_of_sight(station(45, -20))]), Phi)
     )
-    assert one.rank == 4 and two.rank == 6
+    assert first.rank == 4 and two.rank == 6
     # lengths beside velocities: scaling gains orders
     assert two.mu > 1e3 * two.mu_scaled
     # the unseen motions, in closed form: free x and vx with y = 2 vx/w, vy = -2 w x, and z against
@@ -317,7 +320,7 @@ def test_geostationary_orbit_from_one_and_two_stations(hours):
             [0, 2 / RATE, -2 * b / (RATE * c), 1, 0, -a / c],
         ]
     )
-    both = np.concatenate([one.unseen, kernel]) * one.scaling
+    both = np.concatenate([first.unobservable, kernel]) * first.scaling
     assert np.linalg.matrix_rank(both / np.linalg.norm(both, axis=1, keepdims=True), tol=1e-6) == 2
 
 
@@ -354,10 +357,10 @@ def inertial(rtol, places=((51, 30),)):
     )
 
 
-def test_an_integrators_error_fools_the_condition_number_alone():
+def test_integration_errors_hide_a_rank_deficit_from_the_condition_number():
     for rtol in (1e-4, 1e-6, 1e-8):
-        found = inertial(rtol)
-        naive, aware = analyse(found.matrix), analyse(found)
+        result = inertial(rtol)
+        naive, aware = analyse(result.matrix), analyse(result)
         # the test of the paper
         assert naive.mu_scaled < naive.threshold and naive.solvable
         assert aware.rank == 4 and not aware.solvable
@@ -366,18 +369,18 @@ def test_an_integrators_error_fools_the_condition_number_alone():
     assert analyse(inertial(1e-6, ((51, 30), (45, -20)))).solvable
 
 
-def test_estimated_errors_of_the_matrix_are_honest():
+def test_estimated_errors_of_the_matrix_are_true_bounds():
     t = np.arange(0, 86401, 600.0)
     exact = stack(line_of_sight(station(51, 30))[None], clohessy_wiltshire(RATE, t))
     # from the axes that turn to those that do not, at t = 0: v_inertial = v + w x r
     to_turning = np.eye(6)
     to_turning[3, 1], to_turning[4, 0] = RATE, -RATE
     for rtol in (1e-4, 1e-7, 1e-10):
-        found = inertial(rtol)
-        true = np.abs(found.matrix - exact @ to_turning)
+        result = inertial(rtol)
+        true = np.abs(result.matrix - exact @ to_turning)
         assert (
             np.linalg.norm(true, axis=0)
-            <= np.linalg.norm(found.error, axis=0) + 1e-11 * np.linalg.norm(exact, axis=0)
+            <= np.linalg.norm(result.error, axis=0) + 1e-11 * np.linalg.norm(exact, axis=0)
         ).all()
 
 
@@ -391,7 +394,7 @@ def test_levelled_platform():
         names=["v", "phi", "eps", "b"],
     )
     assert with_bias.rank == 3 and with_bias.undetermined == ("phi", "b")
-    unseen = with_bias.unseen[0]
+    unseen = with_bias.unobservable[0]
     assert unseen[1] * g == pytest.approx(unseen[3], rel=1e-6) and abs(unseen[0]) < 1e-6
     assert analyse(stack([[1, 0, 0]], transition(A[:3, :3], t)), np.full(t.size, 1e-4)).rank == 3
     G, L = sp.symbols("g R", positive=True)
@@ -416,7 +419,9 @@ def test_bearings_need_a_manoeuvre():
     assert straight.rank == 3
     # position and velocity seen from the observer
     relative = np.array([8.0, 6.0, -0.45, 0.05])
-    assert np.allclose(straight.unseen[0] / straight.unseen[0, 0], relative / relative[0])
+    assert np.allclose(
+        straight.unobservable[0] / straight.unobservable[0, 0], relative / relative[0]
+    )
     turned = analyse(bearings(lambda t: (0.3 * ca.fmin(t, BREAK), 0.3 * ca.fmax(t - BREAK, 0)), t))
     assert turned.solvable and turned.mu_scaled < 100
 
@@ -435,7 +440,7 @@ def test_linearisation_against_finite_differences():
         return [s[0] * s[1], np.exp(-(s[0] ** 2)) + t]
 
     t, start = np.array([0.0, 0.7, 1.0, 4.0]), np.array([1.0, 0.2, 0.5])
-    found = linearise(f, h, start, t, reference=0.7)
+    result = linearise(f, h, start, t, reference=0.7)
 
     def outputs(s):
         back = solve_ivp(f, (0.7, 0.0), s, rtol=1e-12, atol=1e-13).y[:, -1]
@@ -446,37 +451,39 @@ def test_linearisation_against_finite_differences():
     differences = np.column_stack(
         [(outputs(start + step * e) - outputs(start - step * e)) / (2 * step) for e in np.eye(3)]
     )
-    assert np.abs(found.matrix - differences).max() < 1e-6
-    assert np.allclose(found.predicted.ravel(), outputs(start), atol=1e-9)
-    assert np.array_equal(found.Phi[1], np.eye(3)) and np.array_equal(found.motion[1], start)
+    assert np.abs(result.matrix - differences).max() < 1e-6
+    assert np.allclose(result.predicted.ravel(), outputs(start), atol=1e-9)
+    assert np.array_equal(result.Phi[1], np.eye(3)) and np.array_equal(result.motion[1], start)
 
 
 def test_linearisation_of_constant_coefficients_is_the_exponential():
     A = np.array([[0, 1.0, 0], [-2, -0.3, 1], [0, 0, -1]])
     t = np.linspace(-1, 3, 9)
-    found = linearise(
+    result = linearise(
         lambda t, x: A @ x, lambda t, x: [x[0], x[2] - x[1]], [1.0, 0, 1], t, reference=1.0
     )
-    assert np.abs(found.Phi - transition(A, t, 1.0)).max() < 1e-10
+    assert np.abs(result.Phi - transition(A, t, 1.0)).max() < 1e-10
     assert (
-        np.abs(found.matrix - stack([[1, 0, 0], [0, -1, 1]], transition(A, t, 1.0)))
-        <= found.error + 1e-12
+        np.abs(result.matrix - stack([[1, 0, 0], [0, -1, 1]], transition(A, t, 1.0)))
+        <= result.error + 1e-12
     ).all()
 
 
 @pytest.mark.parametrize("reference", [0.0, 1.0, 2.5, 4.0])
-def test_jumps_of_the_field_are_met_exactly(reference):
+def test_jumps_of_the_field_are_exact(reference):
     """x' = v, v' = u(t) k: the variation by k is a double integral of a step."""
 
     def f(t, s):
         return [s[1], s[2] * ca.if_else(t < 1, 1, ca.if_else(t < 2.5, -3, 2)), 0]
 
     t = np.array([0.0, 0.5, 1.0, 2.0, 2.5, 4.0])
-    found = linearise(
+    result = linearise(
         f, lambda t, s: [s[0]], [0.0, 0.0, 1.0], t, reference=reference, breaks=[1, 2.5]
     )
     velocity = np.interp(t, [0, 1, 2.5, 4], [0, 1, -3.5, -0.5])
-    assert np.allclose(found.motion[:, 1], velocity - np.interp(reference, t, velocity), atol=1e-12)
+    assert np.allclose(
+        result.motion[:, 1], velocity - np.interp(reference, t, velocity), atol=1e-12
+    )
 
 
 def test_stack_from_functions_and_arrays():
@@ -495,7 +502,7 @@ def test_stack_from_functions_and_arrays():
 
 @given(seed=st.integers(0, 10**6))
 @settings(max_examples=60, deadline=None)
-def test_intervals_contain_what_they_should(seed):
+def test_intervals_contain_the_true_values(seed):
     random = np.random.default_rng(seed)
     a, b = sp.symbols("a b")
     forms = [
@@ -510,10 +517,10 @@ def test_intervals_contain_what_they_should(seed):
     ]
     centre, half = random.uniform(-6, 6, 2), 10.0 ** random.uniform(-6, 0.5, 2)
     ends = np.array([centre - half, centre + half])
-    from trajlib.solvability.boxes import _enclosed
+    from trajlib.solvability.boxes import _enclosure
 
-    found = _enclosed([sp.Matrix(forms)], [a, b])(ends[:1], ends[1:])
-    low, high = found.low.ravel(), found.high.ravel()
+    result = _enclosure([sp.Matrix(forms)], [a, b])(ends[:1], ends[1:])
+    low, high = result.low.ravel(), result.high.ravel()
     function = sp.lambdify([a, b], forms, "mpmath")
     for point in np.vstack([random.uniform(*ends, (20, 2)), ends, centre]):
         with mpmath.workdps(30):
@@ -548,7 +555,7 @@ def test_guarantee_against_random_motions_of_the_box(width):
         y: (6 - width, 6 + width),
         v: (0.15 - width / 200, 0.15 + width / 200),
     }
-    found = guarantee(matrix, box)
+    result = guarantee(matrix, box)
     function = sp.lambdify([x, y, v], matrix)
     middle = function(8.0, 6.0, 0.15)
     random = np.random.default_rng(0)
@@ -556,18 +563,18 @@ def test_guarantee_against_random_motions_of_the_box(width):
         function(*(random.uniform(*box[s]) for s in (x, y, v))) / np.linalg.norm(middle, axis=0)
         for _ in range(2000)
     )
-    smallest = min(np.linalg.svd(one, compute_uv=False)[-1] for one in drawn)
-    assert found.proved and 0 < found.lower <= smallest and found.lower >= 0.4 * found.upper
-    assert "solvable in the whole box" in str(found)
+    smallest = min(np.linalg.svd(first, compute_uv=False)[-1] for first in drawn)
+    assert result.proved and 0 < result.lower <= smallest and result.lower >= 0.4 * result.upper
+    assert "solvable in the whole box" in str(result)
 
 
-def test_guarantee_does_not_prove_what_is_false():
+def test_guarantee_does_not_prove_false_statements():
     a, b = sp.symbols("a b")
     # of rank 1 at a = 1, b = -1/3 too: the columns are equal at a = 1
     matrix = sp.Matrix([[1, a], [a, 1], [a + b, a + b]])
-    found = guarantee(matrix, {a: (0, 3), b: (-1, 1)}, cells=3000)
-    assert not found.proved and found.upper < 0.05 and "not proved" in str(found)
-    assert abs(found.where["a"] - 1) < 0.1
+    result = guarantee(matrix, {a: (0, 3), b: (-1, 1)}, cells=3000)
+    assert not result.proved and result.upper < 0.05 and "not proved" in str(result)
+    assert abs(result.where["a"] - 1) < 0.1
 
 
 # --- errors, words, appearance
@@ -601,7 +608,7 @@ GOOD = np.array([[1.0, 0], [1, 1], [1, 2]])
         (GOOD * 1e200, {"W": [1e-300, 1, 1]}, "change the units"),
     ],
 )
-def test_bad_systems_name_the_cause(matrix, options, words):
+def test_bad_systems_are_named(matrix, options, words):
     with pytest.raises(ValueError, match=words), np.errstate(over="ignore"):
         analyse(matrix, **options)
 
@@ -672,7 +679,7 @@ MOVE = {
     ],
 )
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
-def test_bad_motions_name_the_cause(change, words):
+def test_bad_motions_are_named(change, words):
     with pytest.raises(ValueError, match=words):
         linearise(**(MOVE | change))
 
@@ -689,47 +696,47 @@ def test_bad_motions_name_the_cause(change, words):
         ({"ratio": 2.0}, "ratio"),
     ],
 )
-def test_bad_boxes_name_the_cause(change, words):
+def test_bad_boxes_are_named(change, words):
     with pytest.raises(ValueError, match=words):
         guarantee(
             **({"matrix": sp.Matrix([[sp.Symbol("a")]]), "box": {sp.Symbol("a"): (1, 2)}} | change)
         )
 
 
-def test_one_unknown_is_treated_apart():
-    found = analyse([[2.0], [1.0]], names=["x"])
+def test_one_unknown():
+    result = analyse([[2.0], [1.0]], names=["x"])
     assert (
-        found.solvable
-        and found.mu == 1
-        and found.threshold == np.inf
-        and 0 < found.rounding_bound < 1e-13
+        result.solvable
+        and result.mu == 1
+        and result.threshold == np.inf
+        and 0 < result.rounding_bound < 1e-13
     )
     assert solve([[2.0], [1.0]], [4.0, 2.0]).x == pytest.approx([2.0])
     assert not analyse([[1e-3], [-1e-3]], matrix_error=[[2e-3], [2e-3]]).solvable
 
 
 def test_infinite_condition_number():
-    found = analyse([[1.0, 0.5], [0, 0], [0, 0]])
-    assert found.mu == np.inf or found.mu > 1e15
-    assert not found.solvable and found.rank == 1 and found.rounding_bound == np.inf
-    assert "x0 by" in found.verdict and "x1 by" in found.verdict
+    result = analyse([[1.0, 0.5], [0, 0], [0, 0]])
+    assert result.mu == np.inf or result.mu > 1e15
+    assert not result.solvable and result.rank == 1 and result.rounding_bound == np.inf
+    assert "x0 by" in result.verdict and "x1 by" in result.verdict
 
 
-def test_a_matrix_without_errors_is_said_to_be_taken_as_exact():
+def test_verdict_for_a_matrix_without_errors():
     matrix = np.random.default_rng(1).normal(size=(5, 2))
     assert "taken as exact" in analyse(matrix).verdict
     assert "taken as exact" not in analyse(matrix, matrix_error=1e-9).verdict
 
 
-def test_words_name_unknowns_with_their_units():
-    found = analyse(
+def test_verdict_names_unknowns_with_their_units():
+    result = analyse(
         np.array([[1.0, 2, 0], [2, 4, 1], [3, 6, 0], [1, 2, 5]]),
         names=["length", "width", "mass"],
         units=["km", "km", "t"],
     )
-    assert found.undetermined == ("length", "width")
-    assert "km" in found.verdict and "Determined by themselves: mass." in found.verdict
-    assert repr(found) == found.verdict
+    assert result.undetermined == ("length", "width")
+    assert "km" in result.verdict and "Determined by themselves: mass." in result.verdict
+    assert repr(result) == result.verdict
     text = str(solve(GOOD, [1, 2, 3], names=["a", "b"], units=["m", "m/s"]))
     assert "a = 1 ±" in text and "m/s" in text
 
@@ -744,13 +751,13 @@ def test_plot_shows_all_singular_values():
 def test_solvable_means_that_no_matrix_within_the_error_is_singular(seed, error):
     random = np.random.default_rng(seed)
     A = random.standard_normal((8, 3))
-    found = analyse(A, matrix_error=error)
-    assume(found.solvable)
+    result = analyse(A, matrix_error=error)
+    assume(result.solvable)
     for _ in range(50):
         other = A + error * np.abs(A).max(axis=0) * random.uniform(-1, 1, A.shape)
-        assert np.linalg.svd(other / found.scaling, compute_uv=False)[-1] > 0
-    gap = np.linalg.svd(A / found.scaling, compute_uv=False)[-1] - np.linalg.norm(
-        error * np.abs(A).max(axis=0) / found.scaling * np.ones_like(A)
+        assert np.linalg.svd(other / result.scaling, compute_uv=False)[-1] > 0
+    gap = np.linalg.svd(A / result.scaling, compute_uv=False)[-1] - np.linalg.norm(
+        error * np.abs(A).max(axis=0) / result.scaling * np.ones_like(A)
     )
     assert gap > 0
 

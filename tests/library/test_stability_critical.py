@@ -31,7 +31,7 @@ def test_satellite_1_5():
     )
     found = linear_stability(full)
     assert found.verdict == "unstable"
-    (mode,) = found.responsible
+    (mode,) = found.deciding_modes
     assert (mode.eigenvalues, mode.multiplicity, mode.eigenvectors, mode.semisimple) == (
         (0,),
         2,
@@ -41,7 +41,7 @@ def test_satellite_1_5():
 
     reduced = linear_stability(full[1:, 1:])
     assert reduced.verdict == "stable"
-    assert {(m.eigenvalues, m.multiplicity, m.semisimple) for m in reduced.responsible} == {
+    assert {(m.eigenvalues, m.multiplicity, m.semisimple) for m in reduced.deciding_modes} == {
         ((0,), 1, True),
         ((-sp.I * Om, sp.I * Om), 2, True),
     }
@@ -51,7 +51,7 @@ def test_robot_1_10():
     assert linear_stability(M([[0, 1], [0, -1]])).verdict == "stable"
     sideways = M([[0, V0, k0], [0, 0, 1], [0, 0, -k3 * (1 + k2 / k1 * V0)]])
     found = linear_stability(sideways)
-    assert found.verdict == "unstable" and found.responsible[0].multiplicity == 2
+    assert found.verdict == "unstable" and found.deciding_modes[0].multiplicity == 2
     # Standing still, the deviations do not grow.
     assert linear_stability(sideways.subs(V0, 0)).verdict == "stable"
     # A speed of unknown sign may be zero.
@@ -86,11 +86,11 @@ def test_exact_verdicts(matrix, verdict):
 
 
 def test_long_polynomials_name_the_roots_to_the_right():
-    (mode,) = linear_stability(companion(x**5 + x**4 + x**3 + x**2 + 2)).responsible
+    (mode,) = linear_stability(companion(x**5 + x**4 + x**3 + x**2 + 2)).deciding_modes
     assert mode.eigenvalues and all(sp.re(e.evalf()) > 0 for e in mode.eigenvalues)
 
 
-def test_floats():
+def test_float_matrices():
     stable = linear_stability(np.array([[0.0, 1.0], [-1.0, -0.001]]))
     assert stable.verdict == "asymptotically stable" and stable.margin == pytest.approx(0.0005)
     assert linear_stability(np.array([[0.0, 1.0], [1.0, 0.0]])).verdict == "unstable"

@@ -1,4 +1,4 @@
-"""Equilibria of problems 1.1 - 1.13, and that nothing is lost in silence."""
+"""Equilibria of problems 1.1 - 1.13; incomplete solutions are reported."""
 
 import numpy as np
 import pytest
@@ -131,13 +131,13 @@ def test_lines_of_equilibria():
     assert list(found) == [(x, 0)] and found.complete
 
 
-def test_incomplete_is_said():
+def test_incomplete_solutions_are_reported():
     found = equilibria([sp.cos(x) - x], [x])
     assert not found.complete and "x - cos(x) = 0" in found.reason
     assert not equilibria([x**3 + a * x + b], [x], [a, b]).complete
 
 
-def test_a_field_that_is_undefined_there_is_no_equilibrium():
+def test_points_where_the_field_is_undefined_are_no_equilibria():
     assert list(equilibria([sp.log(x) - sp.log(x - 2) - sp.log(3)], [x])) == [(3,)]
     assert list(equilibria([(x - 1) * (x - 2) / (x - 1) ** 2], [x])) == [(2,)]
 
@@ -161,7 +161,7 @@ def test_polynomial_systems_have_all_real_solutions():
     )
 
 
-def test_shows_itself():
+def test_latex():
     text = equilibria([v, -v - sp.sin(x)], [x, v])._repr_latex_()
     assert r"2 \pi n" in text and r"\mathbb{Z}" in text
 

@@ -122,8 +122,7 @@ def test_shift_moves_the_roots():
     )
 )
 def test_verdict_agrees_with_the_spectrum(coefficients):
-    """All minors are positive exactly when all roots lie to the left, away from the imaginary
-    axis."""
+    """All minors are positive exactly when all roots lie to the left of the imaginary axis."""
     rightmost = np.roots(coefficients).real.max()
     if abs(rightmost) > 1e-4:
         assert all(m > 0 for m in hurwitz_minors(coefficients)) == (rightmost < 0)

@@ -168,7 +168,7 @@ def test_unsuitable_functions_are_refused(V, field, named):
         basin_estimate(V, field, [x, y])
 
 
-def test_shows_itself():
+def test_display():
     assert "27" in basin_estimate(*example_2, [x, y])._repr_markdown_()
     assert r"\dot V" in barbashin_krasovskii(*example_2, [x, y])._repr_markdown_()
 

@@ -1,4 +1,4 @@
-"""Types of planar equilibria, and the test of Dulac: problems 1.4, 1.6, 1.8, 1.11."""
+"""Types of planar equilibria and the Bendixson-Dulac test: problems 1.4, 1.6, 1.8, 1.11."""
 
 import numpy as np
 import pytest
@@ -32,7 +32,7 @@ b, u, Om, p, q = sp.symbols("b u Omega p q", positive=True)
         ([[0, 2], [-sp.E, -sp.E]], "stable focus"),
     ],
 )
-def test_numbers(rows, kind):
+def test_numeric_matrices(rows, kind):
     assert classify_planar(M(rows)) == kind
 
 
@@ -118,7 +118,7 @@ def test_floats_on_a_border_are_refused():
             classify_planar(np.array(matrix, dtype=float))
 
 
-def test_dulac_excludes_cycles_in_1_11():
+def test_dulac_test_excludes_cycles_in_1_11():
     rho, beta = sp.Symbol("rho", positive=True), sp.Symbol("beta", real=True)
     field = [b - sp.cos(beta), sp.sin(beta) / rho + u]
     test = dulac(field, [rho, beta], multiplier=rho)
@@ -160,7 +160,7 @@ def test_errors_name_the_argument(call, named):
         call()
 
 
-def test_roots_of_parameters_that_cannot_be_read_are_refused_with_what_to_do():
+def test_undecidable_roots_of_parameters_are_refused_with_advice():
     g, k, P = sp.symbols("g k P", positive=True)
     speed = sp.sqrt((P - g) / k)
     with pytest.raises(

@@ -74,7 +74,7 @@ def test_other_fields():
     )
 
 
-def test_shows_itself():
+def test_display():
     assert "u > 2" in limit_cycles((u - 2) * r - r**3, r, r + 1)[0]._repr_markdown_()
 
 

@@ -1,5 +1,4 @@
-"""Regions of stability: the data of problems 1.14 - 1.18 and of worked examples 3 - 5, and random
-equations."""
+"""Regions of stability: problems 1.14 - 1.18, worked examples 3 - 5 and random equations."""
 
 import numpy as np
 import pytest
@@ -148,7 +147,7 @@ def test_margin_may_be_a_symbol():
     assert region == (a > mu)
 
 
-def test_shows_itself():
+def test_latex():
     assert r"\varnothing" in stability_conditions(s**3 + s + k, [k], symbol=s)._repr_latex_()
     assert "k_{1} k_{2} > 1" in stability_conditions([1, k1, k2, 1], [k1, k2])._repr_latex_()
 

@@ -1,5 +1,4 @@
-"""The systems of chapter 2: ranks known from hand computation, and decompositions judged by what
-they must satisfy."""
+"""The systems of chapter 2: ranks computed by hand, decompositions checked by definition."""
 
 import pytest
 import sympy as sp
@@ -136,7 +135,7 @@ CONTROLLED = {
 
 
 @pytest.mark.parametrize("name", OBSERVED)
-def test_observation(name):
+def test_observability_of_the_examples(name):
     A, H, known = OBSERVED[name]
     H, n = M(H), A.rows
     N = observability_matrix(A, H)
@@ -145,9 +144,11 @@ def test_observation(name):
     found = observability(A, H)
     assert (found.holds, found.rank, found.order, bool(found)) == (rank == n, rank, n, rank == n)
 
-    unseen = unobservable_subspace(A, H)
+    subspace = unobservable_subspace(A, H)
     assert (
-        unseen.shape == (n, n - rank) and unseen.rank() == n - rank and (N * unseen).is_zero_matrix
+        subspace.shape == (n, n - rank)
+        and subspace.rank() == n - rank
+        and (N * subspace).is_zero_matrix
     )
 
     split = observability_decomposition(A, H)
@@ -161,18 +162,18 @@ def test_observation(name):
     assert observability_matrix(A11, H1).rank() == k
     for i in range(2 * n):
         assert H1 * A11**i * T[:k, :] == H * A**i
-    whole, lost = (
+    whole, hidden = (
         (m.charpoly(lam).as_expr() for m in (A, split.rest))
         if k < n
         else (A.charpoly(lam).as_expr(), sp.Integer(1))
     )
-    assert sp.expand(A11.charpoly(lam).as_expr() * lost - whole) == 0
+    assert sp.expand(A11.charpoly(lam).as_expr() * hidden - whole) == 0
     if H.rows == 1:
         assert T[:k, :] == N[:k, :]
 
-    roots = {m.eigenvalue for m in found.lost}
-    assert roots == set(sp.roots(sp.Poly(lost, lam)))
-    for mode in found.lost:
+    roots = {m.eigenvalue for m in found.hidden_modes}
+    assert roots == set(sp.roots(sp.Poly(hidden, lam)))
+    for mode in found.hidden_modes:
         v = mode.vectors
         assert (
             v.rank() == v.cols > 0
@@ -182,7 +183,7 @@ def test_observation(name):
 
 
 @pytest.mark.parametrize("name", CONTROLLED)
-def test_control(name):
+def test_controllability_of_the_examples(name):
     A, B, known = CONTROLLED[name]
     B, n = M(B), A.rows
     W = controllability_matrix(A, B)
@@ -207,14 +208,16 @@ def test_control(name):
     assert controllability_matrix(A11, B1).rank() == k
     if B.cols == 1:
         assert P[:, :k] == W[:, :k]
-    for mode in found.lost:
+    for mode in found.hidden_modes:
         w = mode.vectors
         assert (
             w.rank() == w.rows > 0
             and (w * A - mode.eigenvalue * w).expand().is_zero_matrix
             and (w * B).expand().is_zero_matrix
         )
-    assert {m.eigenvalue for m in found.lost} == (set(split.rest.eigenvals()) if k < n else set())
+    assert {m.eigenvalue for m in found.hidden_modes} == (
+        set(split.rest.eigenvals()) if k < n else set()
+    )
 
 
 @pytest.mark.parametrize(
@@ -225,7 +228,7 @@ def test_control(name):
         if len(H) == 1 and observability_matrix(A, H).rank() == A.rows
     ],
 )
-def test_form_by_observation(name):
+def test_observer_canonical_form(name):
     A, h, _ = OBSERVED[name]
     n = A.rows
     found = observer_canonical_form(A, M(h))
@@ -244,7 +247,7 @@ def test_form_by_observation(name):
 
 
 @pytest.mark.parametrize("name", ["2.18", "2.19", "2.22", "2.32f"])
-def test_form_by_control(name):
+def test_controller_canonical_form(name):
     A, b, _ = CONTROLLED[name]
     n = A.rows
     found = controller_canonical_form(A, M(b))

@@ -1,4 +1,4 @@
-"""Sequential and parallel decompositions, judged by the block shapes that the module promises."""
+"""Sequential and parallel decompositions have the block shapes of the module's docstring."""
 
 import pytest
 import sympy as sp
@@ -41,7 +41,7 @@ def entry(matrix, i, j, value):
 
 
 def judge_outputs(A, H, T, Anew, Hnew, sizes, remaining, how):
-    """Everything that the head of `components` says of a decomposition by outputs."""
+    """Assert all properties of a decomposition by outputs that `components` states."""
     n, total = A.rows, sum(sizes)
     assert T.det() != 0 and total == observability_matrix(A, H).rank() and remaining == n - total
     assert (Anew * T - T * A).is_zero_matrix and (Hnew * T - H).is_zero_matrix
@@ -82,8 +82,7 @@ def judge_outputs(A, H, T, Anew, Hnew, sizes, remaining, how):
 
 
 def judge_inputs(A, B, found):
-    """The dual statement: transposed, and for the parallel form with every subsystem in the
-    opposite order."""
+    """Assert the dual: transposed, in the parallel form with each subsystem reversed."""
     order, start = list(range(A.rows)), 0
     for size in found.sizes:
         if found.how == "parallel":
@@ -112,7 +111,7 @@ def judge_inputs(A, B, found):
     ],
     ids=["example 7", "2.33", "2.34"],
 )
-def test_control(system, sizes, how):
+def test_decompositions_by_inputs(system, sizes, how):
     found = decompose_by_inputs(*system, how)
     assert (
         found.sizes == sizes[how] and found.remaining == 4 - controllability_matrix(*system).rank()
@@ -122,7 +121,7 @@ def test_control(system, sizes, how):
 
 @pytest.mark.parametrize("how", ["sequential", "parallel"])
 @pytest.mark.parametrize("system", [P14, P15], ids=["2.14", "2.15"])
-def test_observation(system, how):
+def test_decompositions_by_outputs(system, how):
     found = decompose_by_outputs(*system, how)
     judge_outputs(
         *system,
@@ -163,7 +162,7 @@ def systems(draw):
 
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(systems(), st.sampled_from(["sequential", "parallel"]))
-def test_any_system(system, how):
+def test_random_systems(system, how):
     A, H = system
     found = decompose_by_outputs(A, H, how)
     judge_outputs(

@@ -1,5 +1,4 @@
-"""The distance to the nearest unobservable pair: its bracket against formulas, brute force and the
-pair it names."""
+"""Distance to the nearest unobservable pair: its bracket against formulas and brute force."""
 
 import control
 import numpy as np
@@ -23,8 +22,8 @@ def sigma(A, H, place):
     return np.linalg.svd(np.vstack([A - complex(*place) * np.eye(len(A)), H]), compute_uv=False)[-1]
 
 
-def by_brute_force(A, H):
-    """The least value on a dense grid, followed down from the best places."""
+def brute_force_distance(A, H):
+    """Return the least value on a dense grid, refined from the best points."""
     reach = np.linalg.norm(A, 2)
     places = [(x, y) for x in np.linspace(-reach, reach, 61) for y in np.linspace(0, reach, 31)]
     best = sorted(places, key=lambda place: sigma(A, H, place))[:8]
@@ -49,12 +48,12 @@ def test_brute_force_on_small_pairs():
     rng = np.random.default_rng(1)
     for _ in range(12):
         A, H = random_pair(rng)
-        found, true = distance_to_unobservable(A, H), by_brute_force(A, H)
+        found, true = distance_to_unobservable(A, H), brute_force_distance(A, H)
         assert found.lower <= true * (1 + 1e-9) and true <= found.upper * (1 + 1e-6), (A, H)
         assert found.upper <= 1.0102 * found.lower
 
 
-def test_the_named_number_is_lost_by_a_change_of_the_size_of_the_upper_bound():
+def test_a_change_of_the_upper_bound_makes_the_named_eigenvalue_unobservable():
     rng = np.random.default_rng(2)
     for _ in range(12):
         A, H = random_pair(rng)
@@ -66,9 +65,8 @@ def test_the_named_number_is_lost_by_a_change_of_the_size_of_the_upper_bound():
         assert np.linalg.svd(pencil + change, compute_uv=False)[-1] < 1e-12
 
 
-def test_no_smaller_change_loses_observability():
-    """Also not one that aims at the least value: half the lower bound leaves half of it at every
-    lambda tried."""
+def test_no_change_below_the_lower_bound_destroys_observability():
+    """A change of half the lower bound leaves at least half of it at every lambda tried."""
     rng = np.random.default_rng(3)
     for _ in range(8):
         A, H = random_pair(rng)
@@ -92,7 +90,7 @@ def test_rotations_change_nothing_and_units_scale_it():
         assert (larger.lower, larger.upper) == pytest.approx((1e6 * found.lower, 1e6 * found.upper))
 
 
-def test_control_is_the_dual_and_a_state_space_will_do():
+def test_controllability_is_dual_and_state_spaces_are_accepted():
     A, H = random_pair(np.random.default_rng(5))
     found = distance_to_unobservable(A, H)
     assert distance_to_uncontrollable(A.T, H.T) == found
@@ -101,7 +99,7 @@ def test_control_is_the_dual_and_a_state_space_will_do():
     assert exact == distance_to_unobservable(*chain(2))
 
 
-def test_what_is_not_observable_has_the_distance_zero():
+def test_unobservable_pairs_have_distance_zero():
     for A, H in (
         (np.eye(2), np.ones((1, 2))),
         (np.diag([1.0, 2, 3]), np.array([[1.0, 0, 1]])),
@@ -111,7 +109,7 @@ def test_what_is_not_observable_has_the_distance_zero():
         assert found.lower == 0 and found.upper < 1e-10
 
 
-def test_where_the_squares_are_too_many_the_bracket_is_wide_and_true():
+def test_the_bracket_is_wide_but_true_where_squares_are_too_many():
     """A chain whose third link is weak: sigma is tiny on an area about its multiple eigenvalue
     0."""
     A, H = chain(6)
@@ -121,7 +119,7 @@ def test_where_the_squares_are_too_many_the_bracket_is_wide_and_true():
     A[2, 3] = 1e-2
     found = distance_to_unobservable(A, H)
     assert (
-        found.lower <= by_brute_force(A, H) <= found.upper * (1 + 1e-6)
+        found.lower <= brute_force_distance(A, H) <= found.upper * (1 + 1e-6)
         and found.upper <= 1.0102 * found.lower
     )
 
@@ -134,7 +132,7 @@ def test_a_narrower_bracket_lies_in_the_wider_one():
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         ((sp.Matrix([[sp.Symbol("a")]]), sp.Matrix([[1]])), "real numbers"),
         ((np.eye(2), np.ones((1, 3))), "2 columns"),
@@ -142,6 +140,6 @@ def test_a_narrower_bracket_lies_in_the_wider_one():
         ((np.eye(2), np.ones((1, 2)), 1.5), "within"),
     ],
 )
-def test_what_is_refused(arguments, said):
-    with pytest.raises(ValueError, match=said):
+def test_invalid_arguments(arguments, message):
+    with pytest.raises(ValueError, match=message):
         distance_to_unobservable(*arguments)

@@ -1,5 +1,4 @@
-"""Errors of measurement as states, outputs that change with time, equations with derivatives of the
-control."""
+"""Measurement errors as states, time-varying outputs, equations with input derivatives."""
 
 import numpy as np
 import pytest
@@ -104,7 +103,7 @@ def test_state_form_2_29():
     A, b_, h = state_form([1, -1, -2], [1, 1])
     assert (A, b_, h) == (M([[0, 1], [2, 1]]), M([1, 2]), M([[1, 0]]))
     found = controllability(A, b_)
-    assert found.rank == 1 and [m.eigenvalue for m in found.lost] == [-1]
+    assert found.rank == 1 and [m.eigenvalue for m in found.hidden_modes] == [-1]
     d = sp.Symbol("d")
     assert (
         state_form(d**2 - d - 2, d + 1, d)
@@ -126,7 +125,7 @@ coefficients = st.lists(st.integers(-4, 4), min_size=1, max_size=4)
 
 @settings(max_examples=40, deadline=None, derandomize=True)
 @given(coefficients, coefficients, st.integers(1, 3))
-def test_there_and_back(lower, right, lead):
+def test_scalar_equation_inverts_state_form(lower, right, lead):
     left, right = [lead, *lower], right[: len(lower)]
     A, b_, h = state_form(left, right)
     s = sp.Symbol("s")
@@ -156,9 +155,8 @@ def test_scalar_equations_2_20_to_2_22():
     assert r"\beta" in found._repr_latex_()
 
 
-def test_an_output_that_does_not_see_all():
-    """z = x1 + x2 of the swing satisfies an equation of first order; the common factor of a lost
-    control stays."""
+def test_scalar_equation_of_an_unobservable_pair():
+    """z = x1 + x2 satisfies a first-order equation; the factor of an uncontrollable mode stays."""
     found = scalar_equation(M([[0, 1], [1, 0]]), M([0, 1]), M([[1, 1]]))
     assert found.order == 1 and found.right == 1 and sp.expand(found.left - (found.symbol - 1)) == 0
 

@@ -1,5 +1,4 @@
-"""Verdicts in floats: units, defective eigenvalues, distances, and hundreds of pairs whose
-structure is known."""
+"""Verdicts in floats: units, defective eigenvalues and hundreds of pairs of known structure."""
 
 import warnings
 
@@ -29,16 +28,16 @@ def test_known_pairs():
     """No wrong verdict and no wrong rank."""
     rng, wrong = np.random.default_rng(20261122), []
     for _ in range(500):
-        A, H, unseen, words = known_pair(
+        A, H, unobservable, name = known_pair(
             rng, largest=int(rng.choice([8, 16, 24, 60], p=[0.4, 0.3, 0.2, 0.1]))
         )
         found = observability(A, H)
-        if (found.holds, found.rank) != (unseen == 0, len(A) - unseen):
-            wrong.append(f"{words}: {unseen} unseen, found {found.reason}")
+        if (found.holds, found.rank) != (unobservable == 0, len(A) - unobservable):
+            wrong.append(f"{name}: {unobservable} unobservable, found {found.reason}")
     assert not wrong, "\n".join(wrong)
 
 
-def test_a_defective_eigenvalue_is_no_yes():
+def test_defective_eigenvalue_is_not_reported_observable():
     Q = np.triu(np.ones((6, 6)))
     Q = Q @ Q.T
     A, B = np.round(Q @ np.diag(np.ones(5), 1) @ np.linalg.inv(Q)), Q[:, [3]]
@@ -47,14 +46,14 @@ def test_a_defective_eigenvalue_is_no_yes():
 
 
 @pytest.mark.parametrize("n", range(3, 13))
-def test_two_lost_states_of_a_rotated_chain(n):
+def test_two_unobservable_states_of_a_rotated_chain(n):
     A, H = rotated(np.diag(np.ones(n - 1), 1), np.eye(n)[[2]], n)
     found = observability(A, H)
     assert found.rank == n - 2
-    assert [m.eigenvalue for m in found.lost] == pytest.approx([0], abs=1e-6)
-    unseen = unobservable_subspace(A, H)
-    assert unseen.shape == (n, 2) and np.abs(H @ unseen).max() < 1e-10
-    assert np.linalg.norm(A @ unseen - unseen @ (unseen.T @ A @ unseen)) < 1e-7
+    assert [m.eigenvalue for m in found.hidden_modes] == pytest.approx([0], abs=1e-6)
+    basis = unobservable_subspace(A, H)
+    assert basis.shape == (n, 2) and np.abs(H @ basis).max() < 1e-10
+    assert np.linalg.norm(A @ basis - basis @ (basis.T @ A @ basis)) < 1e-7
 
 
 def motor():
@@ -96,7 +95,7 @@ def two_masses(k, m=1.0):
         ),
     ],
 )
-def test_units_are_no_reason_for_a_no(A, H, B):
+def test_bad_units_do_not_change_the_verdict(A, H, B):
     n = len(A)
     for found in (
         observability(A, H),
@@ -160,7 +159,7 @@ def test_margin_of_a_chain():
         assert observability(*rotated(A, H, seed)).margin == pytest.approx(least, rel=0.1)
 
 
-def test_an_entry_of_rounding_is_taken_as_zero_but_not_one_of_units():
+def test_entries_of_rounding_size_count_as_zero_but_not_small_units():
     A, H = np.array([[1.0, 1e-17], [1.0, 2.0]]), np.array([[1.0, 0.0]])
     found = observability(A, H)
     assert not found.holds and "zero within rounding" in found.reason
@@ -170,7 +169,7 @@ def test_an_entry_of_rounding_is_taken_as_zero_but_not_one_of_units():
     ).holds
 
 
-def test_what_is_split_off_doubtfully_is_told():
+def test_doubtful_splits_warn():
     A, H = np.diag([1.0, 1.0 + 1e-9]), np.array([[1.0, 1.0]])
     for function in (unobservable_subspace, observability_decomposition):
         with pytest.warns(UserWarning, match="nothing is split off, but a change"):
@@ -182,15 +181,15 @@ def test_what_is_split_off_doubtfully_is_told():
         assert controllable_subspace(np.eye(2), np.zeros((2, 1))).shape == (2, 0)
 
 
-def test_lost_numbers_of_a_large_pair():
+def test_hidden_eigenvalues_of_a_large_pair():
     values = np.arange(1.0, 31)
     H = np.ones((1, 30))
     H[0, 10:20] = 0
     A, H = rotated(np.diag(values), H, 1)
     found = observability(A, H)
-    assert sorted(m.eigenvalue for m in found.lost) == pytest.approx(values[10:20])
-    for mode in found.lost:
+    assert sorted(m.eigenvalue for m in found.hidden_modes) == pytest.approx(values[10:20])
+    for mode in found.hidden_modes:
         assert np.linalg.norm(A @ mode.vectors - mode.eigenvalue * mode.vectors) < 1e-10
     spiral = np.kron(np.diag([1.0, 3.0]), np.array([[0, 1], [-1, 0]]))
     found = observability(*rotated(spiral, np.array([[1.0, 0, 0, 0]]), 2))
-    assert sorted(m.eigenvalue.imag for m in found.lost) == pytest.approx([-3, 3])
+    assert sorted(m.eigenvalue.imag for m in found.hidden_modes) == pytest.approx([-3, 3])

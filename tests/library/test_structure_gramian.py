@@ -1,5 +1,4 @@
-"""The Gramian on an interval: known ones, its differential equation, exact against floats, and what
-is refused."""
+"""The Gramian on an interval: known values, its differential equation, floats, errors."""
 
 import numpy as np
 import pytest
@@ -25,7 +24,7 @@ DRIVEN = M([0, 1])
         (sp.zeros(2), sp.eye(2), 3, 3 * sp.eye(2)),
     ],
 )
-def test_known(A, B, duration, expected):
+def test_known_gramians(A, B, duration, expected):
     assert sp.simplify(controllability_gramian(A, B, duration) - expected) == sp.zeros(
         *expected.shape
     )
@@ -39,7 +38,7 @@ def test_known(A, B, duration, expected):
         (M([[0, 1], [-2, -3]]), M([[1, 0], [1, 1]])),
     ],
 )
-def test_its_differential_equation(A, B):
+def test_gramian_satisfies_its_differential_equation(A, B):
     W = controllability_gramian(A, B, T)
     assert sp.simplify(W.diff(T) - A * W - W * A.T - B * B.T) == sp.zeros(2)
     assert W.subs(T, 0).applyfunc(sp.simplify) == sp.zeros(2)
@@ -47,7 +46,7 @@ def test_its_differential_equation(A, B):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("duration", [1e-3, 1.0, 40.0])
-def test_floats_are_the_integral(duration):
+def test_float_gramian_equals_the_integral(duration):
     A, B = np.array([[0.0, 1.0], [-1.0, -0.5]]), np.array([0.0, 1.0])
     found = controllability_gramian(A, B, duration)
     integral, _ = quad_vec(
@@ -70,6 +69,6 @@ def test_floats_are_the_integral(duration):
         (CARRIAGE, M([[0, 1]]), 1, "B: expected a matrix with 2 rows"),
     ],
 )
-def test_refused(A, B, duration, message):
+def test_errors(A, B, duration, message):
     with pytest.raises(ValueError, match=message):
         controllability_gramian(A, B, duration)

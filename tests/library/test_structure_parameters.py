@@ -1,5 +1,4 @@
-"""For which parameters the rank is full, where it falls, and to what: the problems with parameters,
-and special shapes."""
+"""Parameters for which the rank is full, and the lower ranks elsewhere."""
 
 import itertools
 
@@ -191,7 +190,7 @@ OBSERVED = [
     [case[1:] for case in OBSERVED],
     ids=[case[0] for case in OBSERVED],
 )
-def test_observation(A, H, parameters, region, exceptions):
+def test_observability_conditions(A, H, parameters, region, exceptions):
     found = observability_conditions(A, M(H), parameters)
     assert found.region == region and exceptions in (None, set(found.exceptions))
     dual = controllability_conditions(A.T, M(H).T, parameters)
@@ -219,7 +218,7 @@ CONTROLLED = [
 @pytest.mark.parametrize(
     "A, B, parameter", [case[1:] for case in CONTROLLED], ids=[case[0] for case in CONTROLLED]
 )
-def test_control_agrees_with_the_rank_at_values(A, B, parameter):
+def test_controllability_conditions_agree_with_ranks_at_values(A, B, parameter):
     found = controllability_conditions(A, M(B), [parameter])
     special = {where.rhs: rank for where, rank in found.exceptions if where is not sp.true}
     for value in {*special, *range(-5, 6), half, sp.Rational(7, 3)}:
@@ -238,16 +237,15 @@ def test_pendulums_on_a_cart_2_35():
 
 
 def test_ranks_on_a_grid():
-    """All strata of three numbers: the rank of every point is told by the smallest pieces it lies
-    on."""
+    """The rank at every grid point is that of the smallest piece that contains the point."""
     x, y, z = sp.symbols("x y z")
     A, H = sp.diag(x, y, z), M([[1, 1, x]])
     found = observability_conditions(A, H, [x, y, z])
     for point in itertools.product((-1, 0, 1), repeat=3):
         values = dict(zip((x, y, z), point))
         rank = observability_matrix(A, H).subs(values).rank()
-        told = min([3, *(r for where, r in found.exceptions if where.subs(values) == sp.true)])
-        assert told == rank and (found.region.subs(values) == sp.true) == (rank == 3)
+        lowest = min([3, *(r for where, r in found.exceptions if where.subs(values) == sp.true)])
+        assert lowest == rank and (found.region.subs(values) == sp.true) == (rank == 3)
 
 
 RATIONAL = [
@@ -260,7 +258,7 @@ RATIONAL = [
 
 
 @pytest.mark.parametrize("A, H, undefined", RATIONAL)
-def test_where_an_entry_is_not_defined_is_excluded_and_said(A, H, undefined):
+def test_values_with_undefined_entries_are_excluded_and_named(A, H, undefined):
     found, N = observability_conditions(A, M(H), [a, b]), observability_matrix(A, M(H))
     below = [sp.denom(sp.together(entry)) for entry in (*A, *M(H))]
     for values in itertools.product([-2, -1, -half, 0, half, 1, sp.Rational(3, 2), 2], repeat=2):
@@ -271,12 +269,12 @@ def test_where_an_entry_is_not_defined_is_excluded_and_said(A, H, undefined):
             assert found.region.subs(point) == sp.false
             continue
         rank = N.subs(point).rank()
-        told = min([2, *(r for where, r in found.exceptions if where.subs(point) == sp.true)])
-        assert told == rank and (found.region.subs(point) == sp.true) == (rank == 2)
+        lowest = min([2, *(r for where, r in found.exceptions if where.subs(point) == sp.true)])
+        assert lowest == rank and (found.region.subs(point) == sp.true) == (rank == 2)
     assert sp.simplify_logic(sp.Equivalent(found.undefined, undefined)) == sp.true
 
 
-def test_signs_are_used_and_symbols_come_back():
+def test_assumptions_are_used_and_symbols_restored():
     p = sp.Symbol("p", positive=True)
     found = observability_conditions(M([[0, 1], [p + 1, 0]]), M([[p, 1 - p]]), [p])
     assert found.region.free_symbols <= {p}

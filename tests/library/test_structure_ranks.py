@@ -1,5 +1,4 @@
-"""The rank tests in exact arithmetic and in floats, for first-order and for mechanical systems;
-duality; errors."""
+"""Rank tests, exact and in floats, of first-order and mechanical systems; duality; errors."""
 
 import control
 import numpy as np
@@ -32,14 +31,14 @@ w, lam = sp.Symbol("omega"), sp.Symbol("lambda")
 # Exact systems
 
 
-def lost(found):
-    return {m.eigenvalue for m in found.lost}
+def hidden_eigenvalues(found):
+    return {m.eigenvalue for m in found.hidden_modes}
 
 
 def test_a_factor_without_closed_roots_is_given_itself():
     cubic = M([[0, 1, 0], [0, 0, 1], [1, 1, 0]])
     A, H = sp.diag(cubic, M([[5]])), M([[0, 0, 0, 1]])
-    (mode,) = observability(A, H).lost
+    (mode,) = observability(A, H).hidden_modes
     assert isinstance(mode.eigenvalue, sp.Poly) and mode.eigenvalue.as_expr() == lam**3 - lam - 1
     for root in sp.Poly(lam**3 - lam - 1, lam).nroots():
         v = np.array(mode.vectors.subs(lam, root).evalf(), dtype=complex)
@@ -49,56 +48,56 @@ def test_a_factor_without_closed_roots_is_given_itself():
             and v[3] == 0
         )
     assert "lambda**3" in observability(A, H).reason
-    (mode,) = controllability(A.T, H.T).lost
+    (mode,) = controllability(A.T, H.T).hidden_modes
     assert mode.vectors.shape == (1, 4)
 
 
 def test_complex_and_irrational_numbers():
     A = sp.diag(M([[0, 1], [-2, 0]]), M([[0, 1], [2, 0]]), M([[7]]))
     found = observability(A, M([[0, 0, 0, 0, 1]]))
-    assert found.rank == 1 and lost(found) == {
+    assert found.rank == 1 and hidden_eigenvalues(found) == {
         sp.sqrt(2),
         -sp.sqrt(2),
         sp.I * sp.sqrt(2),
         -sp.I * sp.sqrt(2),
     }
-    for mode in found.lost:
+    for mode in found.hidden_modes:
         assert (A * mode.vectors - mode.eigenvalue * mode.vectors).expand().is_zero_matrix
     root = sp.sqrt(2)
     assert observability(M([[root, 1], [0, -root]]), M([[1, root]])).holds
     assert not observability(M([[root, 0], [2, -root]]), M([[1, 0]])).holds
     found = observability(M([[0, root], [root, 0]]), M([[1, 1]]))
-    assert lost(found) == {-root} and found.rank == 1
+    assert hidden_eigenvalues(found) == {-root} and found.rank == 1
     # A field in which SymPy cannot factor.
     p = sp.Symbol("p", positive=True)
     found = observability(M([[0, sp.sqrt(p)], [sp.sqrt(p), 0]]), M([[1, 1]]))
-    assert lost(found) == {-sp.sqrt(p)} and found.rank == 1
+    assert hidden_eigenvalues(found) == {-sp.sqrt(p)} and found.rank == 1
 
 
-def test_symbols_are_generic_and_this_is_said():
+def test_generic_verdicts_with_symbols_are_marked():
     found = observability(sp.diag(M([[0, w], [-w, 0]]), M([[0, w], [-w, 0]])), M([[1, 0, 1, 0]]))
     assert (
         found.rank == 2
-        and lost(found) == {sp.I * w, -sp.I * w}
+        and hidden_eigenvalues(found) == {sp.I * w, -sp.I * w}
         and "general values" in found.reason
     )
     A, H = M([[0, 1], [0, w]]), M([[0, 1]])
-    assert observability(A, H).rank == 1 and lost(observability(A, H)) == {0}
+    assert observability(A, H).rank == 1 and hidden_eigenvalues(observability(A, H)) == {0}
     # The user's own lambda does no harm.
     found = observability(sp.diag(lam, lam), M([[1, 1]]))
-    assert lost(found) == {lam}
+    assert hidden_eigenvalues(found) == {lam}
     assert observer_canonical_form(M([[0, 1], [lam, 0]]), [1, 0]).polynomial.free_symbols > {lam}
 
 
-def test_several_vectors_at_one_number():
+def test_several_vectors_at_one_eigenvalue():
     found = observability(2 * sp.eye(3), M([[1, 1, 1]]))
-    (mode,) = found.lost
+    (mode,) = found.hidden_modes
     assert mode.eigenvalue == 2 and mode.vectors.shape == (3, 2) and mode.vectors.rank() == 2
 
 
 @st.composite
 def split_systems(draw, size=4):
-    """(A, H, k): an unseen part of order k hidden behind a unimodular transformation."""
+    """Return (A, H, k) with an unobservable part of order k, mixed by a unimodular matrix."""
     n = draw(st.integers(1, size))
     k, m = draw(st.integers(0, n)), draw(st.integers(1, 2))
     small = st.integers(-2, 2)
@@ -117,9 +116,8 @@ def split_systems(draw, size=4):
     return T.inv() * A * T, H * T, k
 
 
-def popov_degree(A, H):
-    """Degree of the greatest common divisor of the maximal minors of (A - lambda E; H): the
-    dimension not seen."""
+def unobservable_dimension(A, H):
+    """Return the degree of the gcd of the maximal minors of (A - lambda I; H)."""
     from itertools import combinations
 
     P = M.vstack(A - lam * sp.eye(A.rows), H)
@@ -136,9 +134,9 @@ def popov_degree(A, H):
 def test_exact_ranks(system):
     A, H, k = system
     found, n = observability(A, H), A.rows
-    assert found.rank <= n - k and found.rank == n - popov_degree(A, H)
-    assert found.holds == (not found.lost)
-    for mode in found.lost:
+    assert found.rank <= n - k and found.rank == n - unobservable_dimension(A, H)
+    assert found.holds == (not found.hidden_modes)
+    for mode in found.hidden_modes:
         if not isinstance(mode.eigenvalue, sp.Poly):
             v, number = np.array(mode.vectors.evalf(), dtype=complex), complex(mode.eigenvalue)
             Af, Hf = np.array(A, dtype=float), np.array(H, dtype=float)
@@ -148,11 +146,15 @@ def test_exact_ranks(system):
                 and np.allclose(Hf @ v, 0)
             )
     dual = controllability(A.T, H.T)
-    assert (dual.holds, dual.rank, lost(dual)) == (found.holds, found.rank, lost(found))
+    assert (dual.holds, dual.rank, hidden_eigenvalues(dual)) == (
+        found.holds,
+        found.rank,
+        hidden_eigenvalues(found),
+    )
     assert controllability_matrix(A.T, H.T) == observability_matrix(A, H).T
 
-    unseen, reached = unobservable_subspace(A, H), controllable_subspace(A.T, H.T)
-    assert unseen.cols + reached.cols == n and (unseen.T * reached).is_zero_matrix
+    unobservable, reached = unobservable_subspace(A, H), controllable_subspace(A.T, H.T)
+    assert unobservable.cols + reached.cols == n and (unobservable.T * reached).is_zero_matrix
     split = observability_decomposition(A, H)
     assert split.sizes == (found.rank, n - found.rank)
     assert (
@@ -165,7 +167,7 @@ def test_exact_ranks(system):
 
 
 @pytest.mark.parametrize("n", [6, 12, 20, 40])
-def test_different_numbers_are_seen_where_the_rank_of_kalman_matrix_fails(n):
+def test_pbh_test_decides_where_the_rank_of_the_kalman_matrix_fails(n):
     A, H = np.diag(np.arange(1.0, n + 1)), np.ones((1, n))
     found = observability(A, H)
     assert found.holds and found.rank == n and 0.4 < n * found.margin < 0.6
@@ -175,7 +177,7 @@ def test_different_numbers_are_seen_where_the_rank_of_kalman_matrix_fails(n):
 
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(split_systems(size=5))
-def test_floats_agree_with_exact_numbers(system):
+def test_float_verdicts_agree_with_exact_ones(system):
     A, H, _ = system
     exact, found = (
         observability(A, H),
@@ -189,7 +191,7 @@ def test_floats_agree_with_exact_numbers(system):
         else seen_margin < 1e-12 * (1 + float(A.norm()) + float(H.norm()))
     )
     Af, Hf = np.array(A, dtype=float), np.array(H, dtype=float)
-    for mode in found.lost:
+    for mode in found.hidden_modes:
         scale = 1e-6 * (1 + np.abs(Af).max())
         assert (
             np.abs(Af @ mode.vectors - mode.eigenvalue * mode.vectors).max() < scale
@@ -198,14 +200,13 @@ def test_floats_agree_with_exact_numbers(system):
 
 
 @pytest.mark.parametrize("position, rank", [(3, 1), (2, 2), (1, 3), (0, 4)])
-def test_a_multiple_number_in_floats(position, rank):
-    """Rounding spreads the eigenvalues of a Jordan block of order 4 over a circle of radius
-    1e-4."""
+def test_multiple_eigenvalue_in_floats(position, rank):
+    """Rounding spreads the eigenvalues of a 4 x 4 Jordan block over a circle of radius 1e-4."""
     Q = np.linalg.qr(np.random.default_rng(1).normal(size=(4, 4)))[0]
     A = Q @ (np.diag([2.0] * 4) + np.diag([1.0] * 3, 1)) @ Q.T
     found = observability(A, np.eye(4)[[position]] @ Q.T)
     assert found.rank == rank and (
-        found.holds or [m.eigenvalue for m in found.lost] == pytest.approx([2.0])
+        found.holds or [m.eigenvalue for m in found.hidden_modes] == pytest.approx([2.0])
     )
 
 
@@ -215,9 +216,11 @@ def test_subspaces_and_decompositions_of_floats():
     A[:6, 6:], H[:, :6] = 0, rng.normal(size=(2, 6))
     T = rng.normal(size=(9, 9))
     A, H = np.linalg.solve(T, A @ T), H @ T
-    unseen = unobservable_subspace(A, H)
-    assert unseen.shape == (9, 3) and np.abs(H @ unseen).max() < 1e-11
-    assert np.linalg.norm(A @ unseen - unseen @ (unseen.T @ A @ unseen)) < 1e-10 * np.linalg.norm(A)
+    unobservable = unobservable_subspace(A, H)
+    assert unobservable.shape == (9, 3) and np.abs(H @ unobservable).max() < 1e-11
+    assert np.linalg.norm(
+        A @ unobservable - unobservable @ (unobservable.T @ A @ unobservable)
+    ) < 1e-10 * np.linalg.norm(A)
     found = observability_decomposition(A, H)
     assert (
         found.sizes == (6, 3)
@@ -235,7 +238,7 @@ def test_subspaces_and_decompositions_of_floats():
     assert "T" in found._repr_latex_() and "margin" in observability(A, H).reason
 
 
-def test_numbers_near_the_tolerance_are_told():
+def test_margins_near_the_tolerance_are_reported():
     found = observability(np.diag([1.0, 1.0 + 1e-9]), np.array([[1.0, 1.0]]))
     assert found.holds and found.margin < 1e-9 and "small" in found.reason
     found = observability(np.diag([1.0, 1.0]), np.array([[1.0, 1.0]]))
@@ -305,23 +308,25 @@ MECHANICAL = {
 
 
 @pytest.mark.parametrize("name", MECHANICAL)
-def test_mechanical_observation(name):
+def test_mechanical_observability(name):
     Mass, D, K, H1, H2, numbers = MECHANICAL[name]
     found = mechanical_observability(Mass, D, K, H1, H2)
-    assert lost(found) == numbers and found.order == 4
+    assert hidden_eigenvalues(found) == numbers and found.order == 4
     A, _, H = first_order_form(Mass, D, K, H1=H1, H2=H2)
-    assert found.rank == observability(A, H).rank and numbers == lost(observability(A, H))
-    for mode in found.lost:
+    assert found.rank == observability(A, H).rank and numbers == hidden_eigenvalues(
+        observability(A, H)
+    )
+    for mode in found.hidden_modes:
         s, v = mode.eigenvalue, mode.vectors
         assert ((Mass * s**2 + D * s + K) * v).expand().is_zero_matrix and (
             (H1 + s * H2) * v
         ).expand().is_zero_matrix
     floats = mechanical_observability(*(np.array(m, dtype=float) for m in (Mass, D, K, H1, H2)))
     assert (floats.holds, floats.rank) == (found.holds, found.rank)
-    assert all(m.vectors.shape == (2, 1) for m in floats.lost)
+    assert all(m.vectors.shape == (2, 1) for m in floats.hidden_modes)
 
 
-def test_mechanical_control():
+def test_mechanical_controllability():
     M26, K26 = M([[2, 1], [1, 3]]), M([[3, 1], [1, -2]])
     assert mechanical_controllability(M26, sp.zeros(2), K26, M([2, 1])).holds
     beta = sp.Symbol("beta")
@@ -333,7 +338,7 @@ def test_mechanical_control():
         M([[1, 1], [1, 2]]), sp.zeros(2), M([[1, 1], [3, 3]]), M([1, 3])
     )
     assert at.rank == 2
-    for mode in at.lost:
+    for mode in at.hidden_modes:
         assert (
             (mode.vectors * (M([[1, 1], [1, 2]]) * mode.eigenvalue**2 + M([[1, 1], [3, 3]])))
             .expand()
@@ -344,7 +349,7 @@ def test_mechanical_control():
     D, K = M([[0, 2 * w], [-2 * w, 0]]), sp.diag(0, -3 * w**2)
     assert mechanical_controllability(sp.eye(2), D, K, M([1, 0])).holds
     radial = mechanical_controllability(sp.eye(2), D, K, M([0, 1]))
-    assert radial.rank == 3 and lost(radial) == {0}
+    assert radial.rank == 3 and hidden_eigenvalues(radial) == {0}
     # Problem 2.36, in the masses' general values.
     m1, m2, L1, L2, g = sp.symbols("m1 m2 l1 l2 g", positive=True)
     Mass, K = M([[(m1 + m2) * L1, m2 * L2], [L1, L2]]), -g * sp.diag(m1 + m2, 1)
@@ -455,7 +460,7 @@ def test_errors(call, message):
         call()
 
 
-def test_text_is_no_matrix():
+def test_text_is_refused_as_a_matrix():
     with pytest.raises(TypeError, match="H: expected a matrix"):
         observability(sp.eye(2), "x1")
 

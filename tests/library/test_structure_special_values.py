@@ -1,5 +1,4 @@
-"""Decompositions with parameters say for which values they hold: there everything holds, elsewhere
-something fails."""
+"""Decompositions with parameters hold exactly where their condition `where` is true."""
 
 import itertools
 
@@ -45,19 +44,22 @@ def holds(A, T, new):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("A, H", PAIRS)
-def test_by_observation_and_by_control(A, H):
-    seen, steered = observability_decomposition(A, H), controllability_decomposition(A.T, H.T)
-    k = seen.sizes[0]
-    assert steered.sizes == seen.sizes
-    told = set()
+def test_observability_and_controllability_decompositions(A, H):
+    by_outputs, by_inputs = (
+        observability_decomposition(A, H),
+        controllability_decomposition(A.T, H.T),
+    )
+    k = by_outputs.sizes[0]
+    assert by_inputs.sizes == by_outputs.sizes
+    verdicts = set()
     for values in itertools.product(VALUES, repeat=2):
         point = dict(zip((a, b), values))
         here, shown = at(A, point), at(H, point)
-        for found, system in ((seen, here), (steered, here and here.T)):
+        for found, system in ((by_outputs, here), (by_inputs, here and here.T)):
             right = holds(system, at(found.transformation, point), at(found.matrix, point))
             assert (found.where.subs(point) == sp.true) == right, (found.where, point)
-            told.add(right)
-            if right and found is seen:
+            verdicts.add(right)
+            if right and found is by_outputs:
                 outputs = at(found.outputs, point)
                 assert (
                     outputs[:, k:].is_zero_matrix and at(found.matrix, point)[:k, k:].is_zero_matrix
@@ -76,9 +78,11 @@ def test_by_observation_and_by_control(A, H):
                     controllability_matrix(at(found.matrix, point)[:k, :k], inputs[:k, :]).rank()
                     == k
                 )
-    for found in (seen, steered):
+    for found in (by_outputs, by_inputs):
         assert (r"\neq" in found._repr_latex_()) == (found.where != sp.true)
-    assert True in told and (False in told or seen.where == steered.where == sp.true)
+    assert True in verdicts and (
+        False in verdicts or by_outputs.where == by_inputs.where == sp.true
+    )
 
 
 @pytest.mark.parametrize(
@@ -115,7 +119,7 @@ def test_canonical_forms(A, H):
         (M([[0, 1, 0], [0, 0, a], [0, 0, b]]), M([[1, 0, 0], [0, a, 1]])),
     ],
 )
-def test_by_components(A, H, how):
+def test_component_decompositions(A, H, how):
     for found, system in (
         (decompose_by_outputs(A, H, how), A),
         (decompose_by_inputs(A.T, H.T, how), A.T),
@@ -128,7 +132,7 @@ def test_by_components(A, H, how):
             assert (found.where.subs(point) == sp.true) == right, (found.where, point)
 
 
-def test_without_symbols_there_is_nothing_to_say():
+def test_no_conditions_without_symbols():
     for A, H in (
         (M([[1, 1], [0, 2]]), M([[1, 0]])),
         (np.array([[1.0, 1], [0, 2]]), np.array([[1.0, 0]])),

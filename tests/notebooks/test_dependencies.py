@@ -14,6 +14,7 @@ from workbook.notebooks.dependencies import module_closure
 PIECES = [
     "from workbook import checks\nchecks.stability_region",
     "from workbook import checks\nchecks.basin_estimate\nchecks.report",
+    "from workbook import checks\nchecks.research.support_values",
     "from trajlib.stability import linearise\nlinearise",
     "from trajlib.stability import basin_estimate, hurwitz_minors",
     "from trajlib import plotting, stability\nplotting.style\nstability.limit_cycles",

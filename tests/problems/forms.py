@@ -20,17 +20,15 @@ from workbook.checks.contract.encoding import encode
 
 
 def forms(value, kind, symbols):
-    """{name: the answer in this form}: every way to hold it and every way to write its parts occurs
-    in at least one.
+    """Return {name: the answer in this form}; every way to hold and to write its parts occurs.
 
-    `symbols` are those of which a condition may be told as a set of values.
+    `symbols` are those of which a condition may be given as a set of values.
     """
     return dict(each_form(value, kind, symbols))
 
 
 def each_form(value, kind, symbols):
-    """The pairs of `forms`, each when it is asked for: whoever needs three of them has not to wait
-    for all."""
+    """Yield the pairs of `forms`, each computed when it is asked for."""
     for pair in itertools.zip_longest(
         *(changing(value, kind, symbols, ways) for ways in (WRITERS, HOLDERS))
     ):
@@ -39,8 +37,7 @@ def each_form(value, kind, symbols):
 
 
 def changing(value, kind, symbols, ways):
-    """The names of those `ways` that change the value, each to something that no other one
-    gives."""
+    """Yield the names of the `ways` that change the value, each to something new."""
     seen = {encode(value)}
     for name in ways:
         other = encode(changed(value, kind, symbols, [name]))
@@ -60,7 +57,7 @@ def changed(value, kind, symbols, names):
 
 
 def _written(value, kind, write, symbols):
-    """The value with each of its parts written in another way."""
+    """Return the value with each of its parts written in another way."""
     if isinstance(value, (list, tuple)):
         return type(value)(_written(part, _inner(kind), write, symbols) for part in value)
     if isinstance(value, dict):
@@ -75,7 +72,7 @@ def _written(value, kind, write, symbols):
 
 
 def _inner(kind):
-    """The kind of the parts of a list."""
+    """Return the kind of the parts of a list."""
     return kind.removeprefix("list of ") if kind.startswith("list of ") else "part"
 
 
@@ -148,7 +145,7 @@ def _sparse(value, kind):
 
 
 def _unordered(make):
-    """A set holds what has no order."""
+    """Return the parts as a set, where their order does not matter."""
 
     def hold(value, kind):
         if not kind.startswith("set") or not isinstance(value, (list, tuple)):
@@ -209,7 +206,7 @@ def _expression(rewrite):
 
 
 def _rational(rewrite):
-    """What is only for rational functions."""
+    """Return a writer that changes rational functions only."""
     return _expression(
         lambda part: rewrite(part) if part.is_rational_function(*part.free_symbols) else part
     )
@@ -227,7 +224,7 @@ def _float(part, kind, symbols):
 
 
 def _three_digits(part, kind, symbols):
-    """A number as somebody writes it down."""
+    """Return a number rounded to three digits."""
     number = isinstance(part, float) or (
         isinstance(part, sp.Expr) and part.is_number and part.is_real and part.is_finite
     )
@@ -235,7 +232,7 @@ def _three_digits(part, kind, symbols):
 
 
 def _relations(rewrite):
-    """A condition with each of its relations rewritten."""
+    """Return a condition with each of its relations rewritten."""
 
     def write(part, kind, symbols):
         relations = (

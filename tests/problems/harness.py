@@ -1,4 +1,4 @@
-"""Runs a master's cells by role and judges answers, each problem in a process of its own."""
+"""Run a master's cells by role and judge answers, each problem in a process of its own."""
 
 import ast
 import functools
@@ -7,12 +7,13 @@ import time
 import traceback
 
 import sympy as sp
-from calls import calls_noted, codes_that_note
+from call_recorder import recorded_calls, recording_codes
 from forms import each_form
 
 from workbook import checks
-from workbook.authoring.statements import reported_names
-from workbook.checks.contract.encoding import decode, encode
+from workbook.checks.contract.check_cells import reported_names
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.systems import Controlled
 
 #: What `_pace` is on the quiet machine that the limits of verdicts are for.
@@ -20,13 +21,13 @@ PACE = 0.155
 #: Solvers that an answer and its check must not share.
 OURS = ("trajlib.", "workbook.")
 SOLVERS = (*OURS, "control", "casadi", "scipy.linalg", "scipy.optimize", "sympy.solvers")
-codes_that_note(SOLVERS)  # each problem is solved and judged in processes forked from this one
+recording_codes(SOLVERS)  # each problem is solved and judged in processes forked from this one
 
 
-class Workbench:
-    """A master with its data in place: judges whatever is put in the place of its answers.
+class JudgedProblem:
+    """A master with its data in place, which judges any values of its answers.
 
-    Its own answers come from another process (`solve`), so that here nothing is known yet of what
+    Its own answers come from another process (`solve`), so that nothing is cached yet here of what
     checks compute.
     """
 
@@ -43,7 +44,7 @@ class Workbench:
         self._alone = alone(master)
 
     def judge(self, answers):
-        """Verdicts on `answers`; those left out are missing."""
+        """Return verdicts on `answers`; those left out are missing."""
         namespace = self.data | dict.fromkeys(self.master.answers, ...) | answers
         with checks.collecting() as verdicts:
             for source in self.master.code("check"):
@@ -51,68 +52,66 @@ class Workbench:
         return verdicts
 
     def judge_among_right(self, names, answers):
-        """Verdicts on the answers `names`, with the reference in the place of all that are not
-        among `answers`."""
+        """Return verdicts on the answers `names`, with the reference for all not in `answers`."""
         with checks.collecting() as verdicts:
             for name in names:
                 exec(self._alone[name], self.data | self.reference | answers)
         return verdicts
 
     def judge_one(self, name, value):
-        """The verdict on one answer, from its own check cell alone."""
+        """Return the verdict on one answer, from its own check cell alone."""
         with checks.collecting() as verdicts:
             exec(self._alone[name], self.data | self.reference | {name: value})
         return verdicts[name]
 
     def after(self, source):
-        """The names after a trial, which starts from the data and the reference."""
+        """Return the names after a trial, which begins with the data and the reference."""
         namespace = self.data | self.reference
         execute(source, "trial", namespace)
         return namespace
 
     @functools.cache
     def given(self, role):
-        """What the trials of a role give their answers, after the encoder."""
+        """Return the values that the trials of a role assign to their answers, after the encoder."""
         return [
             decode(encode(self.after(trial.source)[trial.name]))
             for trial in self.master.trials[role]
         ]
 
     def forms(self, name, value):
-        """Other forms of a value of an answer by their names: those of the same value once."""
+        """Return other forms of a value of an answer by their names, cached."""
         key = name, encode(value)
         if key not in self._forms:
             self._forms[key] = dict(self.each_form(name, value))
         return self._forms[key]
 
     def each_form(self, name, value):
-        """The same as pairs, each when it is asked for."""
+        """Yield the same as pairs, each computed when it is asked for."""
         return each_form(value, self.master.answers[name].kind, self.symbols(name))
 
     def check_arguments(self, name):
-        """(function name, data arguments, options) of the check of an answer, evaluated."""
+        """Return (function name, data arguments, options) of the check of an answer, evaluated."""
         call = self.calls[name]
         return (
-            call.func.attr,
+            ast.unparse(call.func).removeprefix("checks."),
             [self._value(arg) for arg in call.args[1:]],
             {k.arg: self._value(k.value) for k in call.keywords},
         )
 
     def symbols(self, name):
-        """The list of symbols given to the check of an answer that holds those of the answer, if
-        there is one alone."""
+        """Return the only list of symbols in the check's arguments with the answer's, or ()."""
         _, arguments, options = self.check_arguments(name)
         own = getattr(self.reference[name], "free_symbols", set())
-        given = [
-            one.state if isinstance(one, Controlled) else one
-            for one in (*arguments, *options.values())
+        values = [
+            value.state if isinstance(value, Controlled) else value
+            for value in (*arguments, *options.values())
         ]
         lists = [
             part
-            for part in given
+            for part in values
             if isinstance(part, (list, tuple))
             and own
-            and own <= {one for one in part if isinstance(one, sp.Symbol)}
+            and own <= {symbol for symbol in part if isinstance(symbol, sp.Symbol)}
         ]
         return lists[0] if len(lists) == 1 else ()
 
@@ -128,7 +127,7 @@ def data_of(master):
 
 
 def alone(master):
-    """The check cell of each answer with its report reduced to this answer, compiled."""
+    """Return the check cell of each answer with its report reduced to this answer, compiled."""
     return {
         name: compile(_only(source, name), "<check cell>", "exec")
         for source in master.code("check")
@@ -141,17 +140,18 @@ def execute(source, role, namespace):
 
 
 def check_calls(source):
-    """The call that judges each answer in a check cell, `checks.report(name=checks.f(name, ...))`,
-    by answer."""
+    """Return the call that judges each answer in a check cell, by answer.
+
+    The cell ends with `checks.report(name=checks.f(name, ...))`.
+    """
     report = ast.parse(source).body[-1].value
     return {keyword.arg: keyword.value for keyword in report.keywords}
 
 
 def solve(master):
-    """{"answers": what the answer cells give, encoded, "called": the functions called for it,
-    "seconds": of the processor}."""
+    """Return the encoded answers of a master, the functions called, the processor seconds."""
     namespace = data_of(master)
-    with calls_noted(SOLVERS, from_answers) as called:
+    with recorded_calls(SOLVERS, from_answers) as called:
         for source in master.code("answer"):
             execute(source, "answer", namespace)
     return {
@@ -162,15 +162,17 @@ def solve(master):
 
 
 def first_verdicts(master, answers):
-    """{name: seconds of the processor} that the first verdicts on the answers take, one after the
-    other, as it would on a quiet machine: where others work beside, the same computation takes
-    longer, and so does one that is known."""
-    bench, seconds = Workbench(master, answers), {}
-    bench.judge({})  # imports
+    """Return {name: processor seconds} of the first verdicts, one after the other.
+
+    The seconds are scaled to a quiet machine: where others work beside, the same computation takes
+    longer, and so does a known one.
+    """
+    problem, seconds = JudgedProblem(master, answers), {}
+    problem.judge({})  # imports
     paces = [_pace() for _ in range(4)][1:]
     for name in answers:
         start = time.process_time()
-        bench.judge_one(name, bench.reference[name])
+        problem.judge_one(name, problem.reference[name])
         seconds[name] = time.process_time() - start
     paces += [_pace() for _ in range(3)]
     slower = max(1.0, statistics.median(paces) / PACE)
@@ -178,7 +180,7 @@ def first_verdicts(master, answers):
 
 
 def _pace():
-    """Seconds of the processor that a computation takes which is always the same."""
+    """Return the processor seconds of a computation that is always the same."""
     start = time.process_time()
     table = {(k % 977, str(k)): k * k for k in range(120_000)}
     assert sum(square for (_, digits), square in sorted(table.items()) if digits.endswith("7")) > 0
@@ -186,27 +188,26 @@ def _pace():
 
 
 def each_part(master, answers, parts):
-    """{name: ["done", part(bench)] or ["error", its traceback]}, one after the other: what they
-    share is computed once.
+    """Return {name: ["done", part(problem)] or ["error", its traceback]}, one after the other.
 
-    Under "seconds" stands the processor time they took together.
+    What the parts share is computed once. "seconds" is the processor time of all.
     """
-    bench, found = Workbench(master, answers), {}
+    problem, results = JudgedProblem(master, answers), {}
     for name, part in parts.items():
         try:
-            found[name] = ["done", part(bench)]
+            results[name] = ["done", part(problem)]
         except Exception:
-            found[name] = ["error", traceback.format_exc(limit=-5)]
-    return found | {"seconds": ["done", time.process_time()]}
+            results[name] = ["error", traceback.format_exc(limit=-5)]
+    return results | {"seconds": ["done", time.process_time()]}
 
 
 def from_answers(module, caller):
-    """All calls of ours are heeded, and those of other solvers from an answer cell."""
+    """Return whether a call counts: all of ours, and of other solvers from an answer cell."""
     return module.startswith(OURS) or caller.f_code.co_filename == "<answer cell>"
 
 
 def from_checks(module, caller):
-    """The same from a check cell or a check."""
+    """Return whether a call counts: all of ours, and of other solvers from a check."""
     return (
         module.startswith(OURS)
         or caller.f_code.co_filename == "<check cell>"
@@ -215,7 +216,7 @@ def from_checks(module, caller):
 
 
 def _only(source, name):
-    """The check cell with its report reduced to one answer."""
+    """Return the check cell with its report reduced to one answer."""
     tree = ast.parse(source)
     report = tree.body[-1].value
     report.keywords = [keyword for keyword in report.keywords if keyword.arg == name]

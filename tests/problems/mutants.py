@@ -1,5 +1,4 @@
-"""Small changes of a right answer, of the kind that slips make: signs, factors, neighbours,
-strictness, order."""
+"""Small changes of a right answer, like slips: signs, factors, neighbours, strictness, order."""
 
 import itertools
 import random
@@ -32,10 +31,10 @@ EXCHANGED = {
 
 
 def mutants(value, kind="", most=24):
-    """Up to `most` mutants of an answer, always the same ones, each once."""
-    found = list(_mutants(value, kind))
-    random.Random(7).shuffle(found)
-    return list({repr(mutant): mutant for mutant in found[:most]}.values())
+    """Return up to `most` mutants of an answer, always the same ones, each once."""
+    variants = list(_mutants(value, kind))
+    random.Random(7).shuffle(variants)
+    return list({repr(mutant): mutant for mutant in variants[:most]}.values())
 
 
 def _mutants(value, kind):

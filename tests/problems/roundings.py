@@ -1,8 +1,7 @@
-"""The worked answer with its awkward numbers in decimals: rounded, which is right, and one per cent
-off, which is not.
+"""Reference answers with their awkward numbers in decimals.
 
-Awkward is a number that two digits do not say: a root, pi, a third. Whole numbers stay, and so do
-exponents.
+Rounded they are right, one per cent off they are not. A number is awkward if two digits do not give
+it: a root, pi, a third. Whole numbers stay, and so do exponents.
 """
 
 import sympy as sp
@@ -12,16 +11,15 @@ MOST = 2
 
 
 def roundings(value):
-    """Pairs (what was done, answer, verdict that is due); none of an answer without awkward
-    numbers."""
-    found = list(dict.fromkeys(_numbers(value)))
-    for digits in (3, 4, 6) if found else ():
+    """Yield (description, answer, verdict due); nothing for an answer without awkward numbers."""
+    awkward = list(dict.fromkeys(_numbers(value)))
+    for digits in (3, 4, 6) if awkward else ():
         yield (
             f"{digits} digits",
-            _put(value, {n: sp.Float(f"{float(n):.{digits - 1}e}") for n in found}),
+            _put(value, {n: sp.Float(f"{float(n):.{digits - 1}e}") for n in awkward}),
             "right",
         )
-    for number in found[:MOST]:
+    for number in awkward[:MOST]:
         off = sp.Float(f"{1.01 * float(number):.3e}")
         yield f"{number} one per cent larger", _put(value, {number: off}), "wrong"
 

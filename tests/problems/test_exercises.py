@@ -1,5 +1,4 @@
-"""The students' notebooks: in step with their masters, free of solutions, judged rightly by
-`workbook` and by nbgrader."""
+"""Students' notebooks match their masters, hold no solutions, and are judged correctly."""
 
 import base64
 import functools
@@ -63,13 +62,13 @@ def test_holds_no_solution(master):
 
 def test_mistakes_are_in_step_and_sealed(master):
     text = file_beside(master.exercise).read_text(encoding="utf-8")
-    said = json.loads(text)
-    assert said["of"] == origin(master), f"run `workbook exercises {master.number}`"
-    assert set(said["answers"]) <= set(master.answers)
+    mistakes = json.loads(text)
+    assert mistakes["of"] == origin(master), f"run `workbook exercises {master.number}`"
+    assert set(mistakes["answers"]) <= set(master.answers)
     shown = text.encode() + b"".join(
-        base64.b64decode(one)
-        for asked in said["answers"].values()
-        for one in asked["told"].values()
+        base64.b64decode(code)
+        for asked in mistakes["answers"].values()
+        for code in asked["told"].values()
     )
     for trial in master.trials["wrong"]:
         value = trial.source.rpartition("=")[2].strip()

@@ -1,5 +1,7 @@
-"""A notebook's check and the grader say the same of an answer, word by word, whatever object it is:
-an answer is judged as it crosses."""
+"""A notebook's check and the grader give the same verdict and message on any object.
+
+An answer is judged after it was encoded.
+"""
 
 import collections
 import decimal
@@ -13,10 +15,11 @@ import pytest
 import scipy.sparse
 import sympy as sp
 from forms import forms
-from harness import Workbench, solve
+from harness import JudgedProblem, solve
 
 from workbook.authoring import read
-from workbook.checks.contract.encoding import EncodingError, encode
+from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.traversal import EncodingError
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import in_child, judge_cells
 
@@ -34,7 +37,7 @@ class Word(str):
 
 
 def elementwise(change):
-    """The change of an answer that changes each of its numbers and words."""
+    """Return the change of an answer that changes each of its numbers and words."""
 
     def changed(value):
         if isinstance(value, (list, tuple)):
@@ -102,30 +105,29 @@ def test_notebook_and_grade_agree(number):
 
 
 def _disagreements(exercise, master, answers):
-    bench, found = Workbench(master, answers), []
-    for form, answers, expected in _turns(bench):
+    problem, disagreements = JudgedProblem(master, answers), []
+    for form, answers, expected in _turns(problem):
         here = {
             name: [verdict.status, verdict.message]
-            for name, verdict in bench.judge(answers).items()
+            for name, verdict in problem.judge(answers).items()
         }
         graded = judge_cells(
-            exercise.code("data", "check"), *_handed_over(answers), list(bench.reference)
+            exercise.code("data", "check"), *_handed_over(answers), list(problem.reference)
         )
         for name in answers:
             kept = expected in (here[name][0], "any") and (
                 expected != "invalid" or here[name][1].startswith("answer ")
             )
             if here[name] != graded[name][:2] or not kept:
-                found.append([form, name, here[name], graded[name]])
-    return found
+                disagreements.append([form, name, here[name], graded[name]])
+    return disagreements
 
 
-def _turns(bench):
-    """(form, answers, verdict): all answers in one form after another, whatever the verdict on it
-    is to be."""
+def _turns(problem):
+    """Yield (form, answers, verdict due): all answers in one form after another."""
     accepted = {
-        name: forms(value, bench.master.answers[name].kind, bench.symbols(name))
-        for name, value in bench.reference.items()
+        name: forms(value, problem.master.answers[name].kind, problem.symbols(name))
+        for name, value in problem.reference.items()
     }
     for turn in itertools.zip_longest(*(others.items() for others in accepted.values())):
         tried = {name: other for name, other in zip(accepted, turn) if other is not None}
@@ -136,20 +138,20 @@ def _turns(bench):
         )
     for changes, expected in ((EITHER, "any"), (REFUSED, "invalid")):
         for form, change in changes.items():
-            others = {name: change(value) for name, value in bench.reference.items()}
+            others = {name: change(value) for name, value in problem.reference.items()}
             yield (
                 form,
                 {
                     name: other
                     for name, other in others.items()
-                    if other is not bench.reference[name]
+                    if other is not problem.reference[name]
                 },
                 expected,
             )
 
 
 def _handed_over(answers):
-    """(encoded, unreadable) as a student's process hands them over."""
+    """Return (encoded, unreadable) as a student's process hands them over."""
     encoded, unreadable = {}, {}
     for name, value in answers.items():
         try:

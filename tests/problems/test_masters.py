@@ -1,6 +1,8 @@
-"""Every master keeps its promise: the reference is right, the untouched copy missing, wrong answers
-are wrong, other right forms right, and no mutant passes that an independent oracle does not prove
-right."""
+"""Every master meets the contract.
+
+The reference is right, the untouched copy missing, wrong answers are wrong, other right forms
+right, and no mutant passes that an independent oracle does not prove right.
+"""
 
 import ast
 import functools
@@ -14,20 +16,21 @@ import numpy as np
 import pytest
 import sympy as sp
 from adversarial.tables import rows_of
-from calls import calls_noted
-from foreign import judged_under_watch
+from call_recorder import recorded_calls
 from harness import SOLVERS, check_calls, each_part, first_verdicts, from_checks, solve
+from hostile_values import judge_hostile_values
 from mutants import mutants
-from nonsense import NOT_ASKED, entries, entry_at, nonsense
 from oracles import is_right
 from roundings import roundings
 from sympy.logic.boolalg import Boolean
+from undefined_values import NOT_ASKED, entries, entry_at, undefined_variants
 
 from workbook.authoring import master_paths, read
 from workbook.authoring.mistakes import question_of, sealed, sentence
 from workbook.authoring.scaffold import PLACEHOLDER
 from workbook.authoring.trials import trials_file
-from workbook.checks.contract.encoding import decode, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.mistakes import file_beside, name_of
 from workbook.mistakes.signature import Unlike, in_cases, signatures
 from workbook.notebooks import exercises
@@ -59,7 +62,7 @@ LIKE_ANOTHER = {"2.3": 1, "2.26": 3}
 HARDLY_MATTERS = {"5.35": {"angle"}, "5.62": {"d_cost"}, "5.65": {"control"}}
 #: Conditions that the statement takes for granted in one item and asks for in another, or has as a
 #: formula whose value is asked for.
-TOLD = {
+CONDITIONS_IN_DATA = {
     "1.2": {"b_stable"},
     "1.3": {"a_stable"},
     "3.3": {"c_speed_observable"},
@@ -67,11 +70,15 @@ TOLD = {
 }
 #: Wrong trials that are half of what is right, where a message tells their double: at most so far
 #: turns a direction.
-DOUBLED = {"5.11": {"time"}, "5.12": {"latest"}, "5.13": {"time"}}
+HALF_RIGHT = {"5.11": {"time"}, "5.12": {"latest"}, "5.13": {"time"}}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: What only states a system solves nothing.
-RECORDS = ("workbook.systems", "trajlib.pontryagin.statement")
+RECORDS = (
+    "workbook.systems",
+    "trajlib.pontryagin.optimal_control",
+    "trajlib.pontryagin.problem.statement",
+)
 #: And what loads a library solves nothing either.
 LAZY = "trajlib._lazy"
 
@@ -89,25 +96,25 @@ def _solved(path):
 
 
 @functools.cache
-def _found(path):
-    """What all tests of a problem look at, from one process, where optima are computed once."""
+def _results(path):
+    """Return what the tests of a problem examine, from one process with common optima."""
     return in_child(each_part, read(path), _solved(path)["answers"], PARTS, timeout=300)
 
 
-def found(master, part):
-    how, what = _found(master.path)[part]
-    assert how == "done", what
-    return what
+def result_of(master, part):
+    status, result = _results(master.path)[part]
+    assert status == "done", result
+    return result
 
 
-def test_the_reference_is_right_and_crosses_the_encoder(master):
-    seen = found(master, "reference")
-    for verdicts in (seen["master"], seen["exercise"]):
+def test_the_reference_is_right_after_encoding(master):
+    result = result_of(master, "reference")
+    for verdicts in (result["master"], result["exercise"]):
         assert {name: status for name, (status, *_) in verdicts.items()} == dict.fromkeys(
             master.answers, "right"
-        ), seen
+        ), result
     limit = VERDICT_SECONDS.get(master.number.split(".")[0], 1.0)
-    seconds = seen["seconds"]
+    seconds = result["seconds"]
     if max(seconds.values()) > limit:
         seconds = in_child(first_verdicts, master, _solved(master.path)["answers"], timeout=120)
     assert {name: taken for name, taken in seconds.items() if taken > limit} == {}, (
@@ -116,15 +123,15 @@ def test_the_reference_is_right_and_crosses_the_encoder(master):
 
 
 def test_a_condition_or_a_set_is_proved(master):
-    told = found(master, "reference")["master"]
-    assert {name for name in _decidable(master) if "proved" not in told[name][1]} == SAMPLED.get(
-        master.number, set()
-    )
+    verdicts = result_of(master, "reference")["master"]
+    assert {
+        name for name in _decidable(master) if "proved" not in verdicts[name][1]
+    } == SAMPLED.get(master.number, set())
     conditions = {
         name for name in _decidable(master) if not master.answers[name].kind.startswith("set")
     }
     assert all(
-        "proved for all values" in told[name][1]
+        "proved for all values" in verdicts[name][1]
         for name in conditions - SAMPLED.get(master.number, set())
     )
 
@@ -143,29 +150,30 @@ def _decidable(master):
     }
 
 
-def test_nobody_waits_long_for_one_problem(master):
-    taken = found(master, "seconds") + _solved(master.path)["seconds"]
+def test_the_tests_of_one_problem_take_little_time(master):
+    taken = result_of(master, "seconds") + _solved(master.path)["seconds"]
     assert taken < PROBLEM_SECONDS.get(master.number.split(".")[0], 20)
 
 
-def _reference(bench):
-    """By the master's check cells one at a time, and by those of the student's notebook as a grader
-    judges. Comes first, so that the times are those of first verdicts, and that nothing which is
-    called is kept from being seen by an earlier call. Other tests run beside: who seems slow is
-    timed again."""
-    answers = _encoded(bench)
+def _reference(problem):
+    """Judge the reference by the master's check cells one at a time, and as a grader does.
+
+    It comes first, so that the times are those of first verdicts, and no call is hidden because its
+    result is cached. Other tests run at the same time: verdicts that seem slow are timed again.
+    """
+    answers = _encoded(problem)
     # imports, which are no calls; nothing is known of the answers yet, as at a student's first
     # check
-    bench.judge({})
+    problem.judge({})
     verdicts, seconds = {}, {}
-    with calls_noted(SOLVERS, from_checks) as called:
-        for name, value in bench.reference.items():
+    with recorded_calls(SOLVERS, from_checks) as called:
+        for name, value in problem.reference.items():
             # not the clock on the wall: other tests run on the same machine
             start = time.process_time()
-            verdict = bench.judge_one(name, value)
+            verdict = problem.judge_one(name, value)
             seconds[name] = time.process_time() - start
             verdicts[name] = [verdict.status, verdict.message]
-    cells = exercises.find(bench.master.number).code("data", "check")
+    cells = exercises.find(problem.master.number).code("data", "check")
     return {
         "master": verdicts,
         "exercise": judge_cells(cells, answers, {}, list(answers)),
@@ -174,72 +182,78 @@ def _reference(bench):
     }
 
 
-def _encoded(bench):
-    return {name: encode(value).decode() for name, value in bench.reference.items()}
+def _encoded(problem):
+    return {name: encode(value).decode() for name, value in problem.reference.items()}
 
 
 def test_the_untouched_copy_is_missing(master):
-    assert found(master, "untouched") == dict.fromkeys(master.answers, "missing")
+    assert result_of(master, "untouched") == dict.fromkeys(master.answers, "missing")
 
 
-def _untouched(bench):
-    return {name: v.status for name, v in bench.judge({}).items()}
+def _untouched(problem):
+    return {name: v.status for name, v in problem.judge({}).items()}
 
 
-def test_wrong_trials_are_wrong_and_harm_no_other_answer(master):
+def test_wrong_trials_are_wrong_and_change_no_other_verdict(master):
     tried = {trial.name for trial in master.trials["wrong"]}
     assert tried == set(master.answers), "every answer needs a wrong trial"
-    seen = found(master, "wrong")
-    assert seen["harmed"] == []
+    result = result_of(master, "wrong")
+    assert result["changed"] == []
     assert (
-        seen["trials"] and [trial for trial in seen["trials"] if trial["status"] != "wrong"] == []
+        result["trials"]
+        and [trial for trial in result["trials"] if trial["status"] != "wrong"] == []
     )
-    for trial in seen["trials"]:
+    for trial in result["trials"]:
         assert len(trial["message"]) > 20 and trial["reference"] not in trial["message"], trial
-    told = {trial["answer"] for trial in seen["trials"] if trial["told"]}
-    assert told == DOUBLED.get(master.number, set()), seen["trials"]
+    revealing = {trial["answer"] for trial in result["trials"] if trial["revealed"]}
+    assert revealing == HALF_RIGHT.get(master.number, set()), result["trials"]
 
 
-def _wrong(bench):
-    """Every other answer is wrong, first one half of them and then the other, each in all its wrong
-    ways: the rest stay right, which is looked at in the first turn."""
-    trials, harmed, order = {}, [], list(bench.master.answers)
-    for trial in _values(bench, "wrong"):
+def _wrong(problem):
+    """Judge wrong trials: one half of the answers is wrong, then the other, in every way.
+
+    The rest stay right, which is verified in the first turn.
+    """
+    trials, changed, order = {}, [], list(problem.master.answers)
+    for trial in _values(problem, "wrong"):
         trials.setdefault(trial["answer"], []).append(trial)
     for half in (order[::2], order[1::2]):
         for turn in range(max((len(trials[name]) for name in half if name in trials), default=0)):
             tried = {name: trials[name][turn] for name in half if turn < len(trials.get(name, ()))}
             values = {name: trial["value"] for name, trial in tried.items()}
-            for name, verdict in bench.judge_among_right(tried if turn else order, values).items():
+            for name, verdict in problem.judge_among_right(
+                tried if turn else order, values
+            ).items():
                 if name in tried:
                     tried[name].update(
                         status=verdict.status,
                         message=verdict.message,
-                        told=_told_of(bench.reference[name], tried[name]["value"], verdict.message),
+                        revealed=_revealed_numbers(
+                            problem.reference[name], tried[name]["value"], verdict.message
+                        ),
                     )
                 elif verdict.status != "right":
-                    harmed.append(
+                    changed.append(
                         f"{name} is {verdict.status} beside "
                         f"{[trial['comment'] for trial in tried.values()]}"
                     )
     return {
         "trials": [_as_data(trial) for name in trials for trial in trials[name]],
-        "harmed": harmed,
+        "changed": changed,
     }
 
 
-def _told_of(right, wrong, message):
-    """Numbers of three digits or more in a message that are numbers of the right answer and not of
-    the wrong one."""
+def _revealed_numbers(right, wrong, message):
+    """Return numbers of three or more digits in a message that the right answer alone has."""
     rights, wrongs = _numbers(right), _numbers(wrong)
-    said = [
+    numbers = [
         number
         for number in re.findall(r"\d+\.?\d*", message)
         if len(number.replace(".", "").strip("0")) > 2
     ]
     return [
         number
-        for number in said
+        for number in numbers
         for true in rights
         if abs(float(number) - true) <= 5e-4 * true
         and not any(abs(float(number) - other) <= 5e-4 * other for other in wrongs)
@@ -247,78 +261,76 @@ def _told_of(right, wrong, message):
 
 
 def _numbers(answer):
-    found = [sp.sympify(entry_at(answer, place)) for place in entries(answer)]
-    return [abs(complex(number)) for number in found if number.is_number]
+    values = [sp.sympify(entry_at(answer, path)) for path in entries(answer)]
+    return [abs(complex(number)) for number in values if number.is_number]
 
 
 def test_every_form_of_an_answer_is_right(master):
-    seen = found(master, "forms")
-    assert {name for name, tried in seen["tried"].items() if tried} == set(master.answers)
-    assert seen["refused"] == []
+    result = result_of(master, "forms")
+    assert {name for name, tried in result["tried"].items() if tried} == set(master.answers)
+    assert result["refused"] == []
 
 
-def _forms(bench):
+def _forms(problem):
     tried, refused = {}, []
-    for name, text in _encoded(bench).items():
-        others = bench.forms(name, decode(text.encode()))
+    for name, text in _encoded(problem).items():
+        others = problem.forms(name, decode(text.encode()))
         tried[name] = list(others)
         for form, value in others.items():
-            verdict = bench.judge_one(name, value)
+            verdict = problem.judge_one(name, value)
             if verdict.status != "right":
                 refused.append(f"{name}, {form}: {value}: {verdict.status}: {verdict.message}")
     return {"tried": tried, "refused": refused}
 
 
 def test_right_trials_are_right(master):
-    assert [trial for trial in found(master, "right") if trial["status"] != "right"] == []
+    assert [trial for trial in result_of(master, "right") if trial["status"] != "right"] == []
 
 
-def _right(bench):
-    trials = _values(bench, "right")
+def _right(problem):
+    trials = _values(problem, "right")
     for trial in trials:
-        verdict = bench.judge_one(trial["answer"], trial["value"])
+        verdict = problem.judge_one(trial["answer"], trial["value"])
         trial.update(status=verdict.status, message=verdict.message)
     return list(map(_as_data, trials))
 
 
 def test_decimals_count_to_three_digits(master):
-    seen = found(master, "decimals")
-    assert [told for name, due, told in seen if due == "right"] == []
-    assert {name for name, due, _ in seen if due == "wrong"} <= HARDLY_MATTERS.get(
+    result = result_of(master, "decimals")
+    assert [description for name, due, description in result if due == "right"] == []
+    assert {name for name, due, _ in result if due == "wrong"} <= HARDLY_MATTERS.get(
         master.number, set()
-    ), seen
+    ), result
 
 
-def _decimals(bench):
-    """Answers with decimals of which the verdict is not the one due: (name, due, what was
-    found)."""
-    found = []
-    for name, text in _encoded(bench).items():
+def _decimals(problem):
+    """Return answers with decimals whose verdict is not the one due: (name, due, description)."""
+    unexpected = []
+    for name, text in _encoded(problem).items():
         for what, value, due in roundings(decode(text.encode())):
-            verdict = bench.judge_one(name, decode(encode(value)))
+            verdict = problem.judge_one(name, decode(encode(value)))
             if verdict.status != due:
-                found.append(
+                unexpected.append(
                     (name, due, f"{name}, {what}: {value} is {verdict.status}: {verdict.message}")
                 )
-    return found
+    return unexpected
 
 
-def test_who_gives_a_wrong_trial_is_told_its_mistake(master):
-    seen = found(master, "mistakes")
+def test_wrong_trials_get_the_sentence_of_their_mistake(master):
+    result = result_of(master, "mistakes")
     assert (
         json.loads(file_beside(master.exercise).read_text(encoding="utf-8"))["answers"]
-        == seen["sealed"]
+        == result["sealed"]
     ), f"run `workbook exercises {master.number}`"
-    assert len(seen["without name"]) == LIKE_ANOTHER.get(master.number, 0), seen["without name"]
-    assert seen["not recognised"] == [] and seen["right"] == []
+    assert len(result["without name"]) == LIKE_ANOTHER.get(master.number, 0), result["without name"]
+    assert result["not recognised"] == [] and result["right"] == []
 
 
-def _mistakes(bench):
-    """By the file beside the student's copy: every trial in its own form and three others, and no
-    right answer."""
-    master = bench.master
-    trials = list(zip(master.trials["wrong"], bench.given("wrong")))
-    answers = {name: decode(text.encode()) for name, text in _encoded(bench).items()}
+def _mistakes(problem):
+    """Look up every wrong trial, in its own form and three others, and all right answers."""
+    master = problem.master
+    trials = list(zip(master.trials["wrong"], problem.given("wrong")))
+    answers = {name: decode(text.encode()) for name, text in _encoded(problem).items()}
     result = {
         "sealed": sealed(master, answers, trials),
         "without name": [],
@@ -330,7 +342,7 @@ def _mistakes(bench):
         if text and name_of(master.number, trial.name, value) != text:
             result["without name"].append(f"{trial.name} = {value}")
         elif text:
-            known = _known(bench, trial.name, value, text)
+            known = _known(problem, trial.name, value, text)
             if sum(known.values()) < min(3, len(known)):
                 result["not recognised"].append(f"{trial.name} = {value}: {known}")
             # Given as cases, arcs may be like others, but are never told the sentence of another
@@ -342,53 +354,52 @@ def _mistakes(bench):
             ]
     right = [
         *answers.items(),
-        *zip((trial.name for trial in master.trials["right"]), bench.given("right")),
+        *zip((trial.name for trial in master.trials["right"]), problem.given("right")),
     ]
     forms = (
         (name, decode(encode(form)))
         for name, value in answers.items()
-        for form in bench.forms(name, value).values()
+        for form in problem.forms(name, value).values()
     )
     for name, value in [*right, *forms]:
-        if said := name_of(master.number, name, value):
-            result["right"].append(f"{name} = {value}: {said}")
+        if text := name_of(master.number, name, value):
+            result["right"].append(f"{name} = {value}: {text}")
     return result
 
 
-def _told(bench):
-    """The conditions asked for that a data cell gives a name to."""
+def _conditions_in_data(problem):
+    """Return the conditions asked for that a data cell gives a name to."""
     return sorted(
         name
-        for name, answer in bench.master.answers.items()
+        for name, answer in problem.master.answers.items()
         if answer.kind.startswith("condition")
         and any(
-            _alike(bench, name, value)
-            for value in bench.data.values()
+            _alike(problem, name, value)
+            for value in problem.data.values()
             if isinstance(value, Boolean)
         )
     )
 
 
-def _alike(bench, name, value):
-    question = question_of(bench.master, name, [bench.reference[name]])
+def _alike(problem, name, value):
+    question = question_of(problem.master, name, [problem.reference[name]])
     with suppress(Unlike):
         return not set(signatures(value, question)).isdisjoint(
-            signatures(bench.reference[name], question)
+            signatures(problem.reference[name], question)
         )
 
 
-def _known(bench, name, value, text):
-    """{form: whether this form of a wrong value is told the sentence}, as far as the third that
-    is."""
+def _known(problem, name, value, text):
+    """Return {form: whether it gets the sentence} of a wrong value, up to the third."""
     known = {}
-    for form, other in bench.each_form(name, value):
-        known[form] = name_of(bench.master.number, name, decode(encode(other))) == text
+    for form, other in problem.each_form(name, value):
+        known[form] = name_of(problem.master.number, name, decode(encode(other))) == text
         if sum(known.values()) == 3:
             break
     return known
 
 
-def test_every_mistake_has_a_name(master):
+def test_every_wrong_trial_has_a_sentence(master):
     notes = [
         f"{trial.name}: {trial.comment}"
         for trial in master.trials["wrong"]
@@ -399,36 +410,36 @@ def test_every_mistake_has_a_name(master):
     )
 
 
-def test_a_mistake_has_words_of_its_own(master):
+def test_the_sentence_on_a_mistake_is_not_on_the_page(master):
     page = master.path.read_text(encoding="utf-8")
-    told = [
+    sentences = [
         sentence(master, trial).partition("\n")[0]
         for trial in master.trials["wrong"]
         if sentence(master, trial)
     ]
-    assert [words for words in told if len(words) > 20 and words in page] == [], (
-        "the page says this to everybody"
+    assert [words for words in sentences if len(words) > 20 and words in page] == [], (
+        "the page shows this sentence to everybody"
     )
 
 
-def test_a_named_mistake_is_told_without_the_answer(master):
+def test_the_sentence_on_a_mistake_does_not_hold_the_answer(master):
     for trial in master.trials["wrong"]:
-        if said := sentence(master, trial):
-            words = set(re.findall(r"\w+", said.partition("\n")[0]))
+        if text := sentence(master, trial):
+            words = set(re.findall(r"\w+", text.partition("\n")[0]))
             named = "_" in trial.name and trial.name in words  # others are ordinary words
-            assert not named and len(said) < 400 and "right answer" not in said, said
+            assert not named and len(text) < 400 and "right answer" not in text, text
 
 
-def _values(bench, role):
-    """The trials of a role, each with what it gives its answer."""
+def _values(problem, role):
+    """Return the trials of a role, each with the value of its answer."""
     return [
         {
             "answer": trial.name,
             "comment": trial.comment,
             "value": value,
-            "reference": f"= {bench.reference[trial.name]}",
+            "reference": f"= {problem.reference[trial.name]}",
         }
-        for trial, value in zip(bench.master.trials[role], bench.given(role))
+        for trial, value in zip(problem.master.trials[role], problem.given(role))
     ]
 
 
@@ -436,31 +447,31 @@ def _as_data(trial):
     return {key: text for key, text in trial.items() if key != "value"}
 
 
-def test_no_mutant_passes_that_is_not_proved_right(master, record_property):
-    seen = found(master, "mutants")
-    record_property("mutants", seen["count"])
-    record_property("equivalent", seen["equivalent"])
-    assert seen["passed"] == [], "accepted, though not proved right"
-    assert seen["refused"] == [], "proved right, yet not accepted"
-    record_property("without value", seen["without value"])
-    assert seen["taken for answers"] == [], "infinite or undefined, yet not refused"
+def test_mutants_pass_only_if_proved_right(master, record_property):
+    result = result_of(master, "mutants")
+    record_property("mutants", result["count"])
+    record_property("equivalent", result["equivalent"])
+    assert result["passed"] == [], "accepted, though not proved right"
+    assert result["refused"] == [], "proved right, yet not accepted"
+    record_property("without value", result["without value"])
+    assert result["accepted"] == [], "infinite or undefined, yet not refused"
 
 
-def _mutants(bench):
+def _mutants(problem):
     result = {
         "count": 0,
         "equivalent": 0,
         "passed": [],
         "refused": [],
         "without value": 0,
-        "taken for answers": [],
+        "accepted": [],
     }
-    for name, reference in bench.reference.items():
-        check, arguments, options = bench.check_arguments(name)
-        kind = bench.master.answers[name].kind
+    for name, reference in problem.reference.items():
+        check, arguments, options = problem.check_arguments(name)
+        kind = problem.master.answers[name].kind
         for mutant in mutants(reference, kind):
             right = is_right(mutant, reference, check, arguments, options, kind)
-            verdict = bench.judge_one(name, mutant)
+            verdict = problem.judge_one(name, mutant)
             result["count"] += 1
             result["equivalent"] += right
             if verdict.status == "right" and not right:
@@ -469,26 +480,23 @@ def _mutants(bench):
                 result["refused"].append(f"{name} = {mutant}: {verdict.status}: {verdict.message}")
         # Not one of these is a value, so no oracle is asked: each has to be told that it is none,
         # and not left unchecked.
-        for what, mutant in nonsense(reference, [*arguments, *options.values()]):
-            verdict = bench.judge_one(name, mutant)
+        for what, mutant in undefined_variants(reference, [*arguments, *options.values()]):
+            verdict = problem.judge_one(name, mutant)
             result["without value"] += 1
             where = what.removeprefix("defined for ").removesuffix(" alone")
-            not_asked = verdict.status == "right" and (bench.master.number, where) in NOT_ASKED
+            not_asked = verdict.status == "right" and (problem.master.number, where) in NOT_ASKED
             if verdict.status not in ("wrong", "invalid") and not not_asked:
-                result["taken for answers"].append(
-                    f"{name}, {what}: {verdict.status}: {verdict.message}"
-                )
+                result["accepted"].append(f"{name}, {what}: {verdict.status}: {verdict.message}")
     return result
 
 
 def test_every_row_of_the_tables_has_the_verdict_due(master):
-    """The rows in `adversarial/` that are about this problem: what mathematics says of other
-    answers."""
+    """Judge the rows in `adversarial/` on this problem, with verdicts by mathematics."""
     rows = rows_of(master.number)
     assert [row.name for row in rows if row.name not in master.answers] == [], (
         "no answers of this problem"
     )
-    verdicts = found(master, "rows")
+    verdicts = result_of(master, "rows")
     assert [
         f"{row.name} = {row.code} is {status}, though {row.reason}: {message}"
         for row, (status, message) in zip(rows, verdicts, strict=True)
@@ -497,29 +505,28 @@ def test_every_row_of_the_tables_has_the_verdict_due(master):
     assert all(len(message) > 20 for status, message in verdicts)
 
 
-def _rows(bench):
-    """(status, message) of each row, which may use the names of the data cells."""
-    rows = rows_of(bench.master.number)
-    values = [decode(encode(eval(row.code, bench.data | {"np": np, "sp": sp}))) for row in rows]
-    verdicts = [bench.judge_one(row.name, value) for row, value in zip(rows, values)]
+def _rows(problem):
+    """Return (status, message) of each row, which may use the names of the data cells."""
+    rows = rows_of(problem.master.number)
+    values = [decode(encode(eval(row.code, problem.data | {"np": np, "sp": sp}))) for row in rows]
+    verdicts = [problem.judge_one(row.name, value) for row, value in zip(rows, values)]
     return [(verdict.status, verdict.message) for verdict in verdicts]
 
 
-def test_text_is_never_code(master):
-    """Texts that would run, were they evaluated, unpickled or imported anywhere in a check."""
-    assert found(master, "foreign")["texts"] == []
+def test_text_is_never_executed(master):
+    """Judge texts that would run if they were evaluated, unpickled or imported in a check."""
+    assert result_of(master, "hostile")["texts"] == []
 
 
-def test_no_number_at_all_is_never_right(master):
-    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, and an empty list has no wrong
-    element."""
-    assert found(master, "foreign")["nothing"] == [], (
+def test_values_that_are_no_numbers_are_never_right(master):
+    """NaN passes `not abs(x - y) > tolerance`, infinities cancel, an empty list is not wrong."""
+    assert result_of(master, "hostile")["nothing"] == [], (
         "what is truly right belongs into EMPTY_AND_RIGHT"
     )
 
 
-def test_odd_answers_are_the_students_affair_and_are_not_told_the_right_one(master):
-    assert found(master, "foreign")["odd"] == []
+def test_odd_answers_are_judged_and_no_example_is_right(master):
+    assert result_of(master, "hostile")["odd"] == []
 
 
 PARTS = {
@@ -531,14 +538,16 @@ PARTS = {
     "mutants": _mutants,
     "mistakes": _mistakes,
     "decimals": _decimals,
-    "told": _told,
+    "conditions in data": _conditions_in_data,
     "rows": _rows,
-    "foreign": judged_under_watch,
+    "hostile": judge_hostile_values,
 }
 
 
-def test_the_data_tell_no_condition_that_is_asked_for(master):
-    assert set(found(master, "told")) == TOLD.get(master.number, set())
+def test_data_hold_no_condition_that_is_asked_for(master):
+    assert set(result_of(master, "conditions in data")) == CONDITIONS_IN_DATA.get(
+        master.number, set()
+    )
 
 
 def test_nothing_is_left_of_the_template(master):
@@ -583,7 +592,7 @@ def test_check_cells_hold_no_answers(master):
 
 def test_answer_and_check_share_no_solver(master):
     answered = set(map(tuple, _solved(master.path)["called"]))
-    checked = set(map(tuple, found(master, "reference")["called"]))
+    checked = set(map(tuple, result_of(master, "reference")["called"]))
     assert answered and checked
     assert [
         call for call in answered if call[0].startswith("workbook.checks") and call[1] != "<module>"
@@ -593,5 +602,6 @@ def test_answer_and_check_share_no_solver(master):
         for call in answered & checked
         if call[0].startswith(SOLVERS)
         and not call[0].startswith("workbook.checks")
-        and call[0] not in (*RECORDS, LAZY)
+        and not call[0].startswith(RECORDS)
+        and call[0] != LAZY
     ] == []

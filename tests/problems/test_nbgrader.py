@@ -15,8 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def filled(number, names):
-    """The student's notebook of a problem with the reference answers of some names in the place of
-    the stubs."""
+    """Return the student's notebook of a problem with the reference answers of some names."""
     exercise = exercises.find(number)
     master = read(ROOT / "solutions" / exercise.path.parent.name / f"{exercise.path.stem}.md")
     notebook = json.loads(exercise.path.read_text(encoding="utf-8"))

@@ -16,7 +16,7 @@ import pytest
 from bs4 import BeautifulSoup
 from chromium import browser, moving_browser  # noqa: F401
 
-from workbook.grading.preloading import what_stays
+from workbook.grading.preloading import freeze_new_objects
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).parent
@@ -82,7 +82,7 @@ def pages_of():
 def pages(request, editions, pages_of):
     """The folder of an edition, and path -> parsed page; all tests of an edition share them."""
     root = getattr(editions, request.param)
-    with what_stays():
+    with freeze_new_objects():
         return root, {
             path: BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
             for path in pages_of(root)

@@ -14,20 +14,14 @@ from trajlib._lazy import lazy_names
 # No module is called like a name it exports: importing it would put the module in the place of the
 # function.
 _EXPORTS = {
-    "covariances": ["Moments", "moments_of_values"],
+    "covariances": ["Moments"],
     "linear_fit": ["LeastSquares", "least_squares"],
     "nonlinear_fit": ["GaussNewton", "gauss_newton"],
-    "fixes": [
-        "BearingFix",
-        "FixTest",
-        "SatelliteFix",
-        "bearing_fix",
-        "bearing_observability",
-        "satellite_fix",
-        "satellite_observability",
-    ],
-    "markov": ["DiscreteModel", "continuous_moments", "discrete_moments", "discretised"],
-    "stationary_covariance": [
+    "fix_observability": ["FixTest", "bearing_observability", "satellite_observability"],
+    "satellite_fixes": ["SatelliteFix", "satellite_fix"],
+    "bearing_fixes": ["BearingFix", "bearing_fix"],
+    "markov": ["DiscreteModel", "continuous_moments", "discrete_moments", "discretise"],
+    "stationary_covariances": [
         "StationaryCovariance",
         "discrete_stationary_covariance",
         "stationary_covariance",
@@ -35,16 +29,15 @@ _EXPORTS = {
     "correction": ["Correction", "corrected"],
     "discrete_filter": ["FilterRun", "KalmanFilter"],
     "continuous_filter": ["ContinuousFilter", "ContinuousRun"],
-    "mixed_time": ["Measurement", "MixedRun", "filter_measurements"],
+    "continuous_discrete": ["ContinuousDiscreteRun", "Measurement", "filter_measurements"],
     "stationary_filters": ["StationaryFilter", "discrete_stationary_filter", "stationary_filter"],
-    "fixed_gain": ["LeastGain", "discrete_error_covariance", "error_covariance", "least_gain"],
+    "fixed_gain": ["LeastGain", "error_covariance", "least_gain"],
     "shaping": ["ShapedProcess", "ShapingFilter", "shaping_filter", "with_shaping"],
     "interpolation": ["OptimalWeights", "optimal_weights"],
     "simulation": [
         "Consistency",
         "Paths",
         "covariance_consistency",
-        "error_consistency",
         "innovation_consistency",
         "simulate_continuous",
         "simulate_discrete",

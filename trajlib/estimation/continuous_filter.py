@@ -1,12 +1,15 @@
-"""The Kalman filter for continuous measurements, Theorem 4.3: its covariance P(t), exactly and
-without integration.
+"""Kalman-Bucy filter for continuous measurements (Theorem 4.3).
+
+The Riccati equation of its covariance is solved without integration:
 
     x~' = A x~ + K (z - H x~),    K = P H^T R^-1,    P' = A P + P A^T + Q - P S P,    S = H^T R^-1 H
 
-is made linear by P = Y X^-1 with X' = -A^T X + S Y, Y' = Q X + A Y, X(0) = E, Y(0) = P(0). In
+becomes linear by P = Y X^-1 with X' = -A^T X + S Y, Y' = Q X + A Y, X(0) = E, Y(0) = P(0). In
 floats the transition of a short step is written as P -> Q~ + F P (E + G P)^-1 F^T and doubled: all
 three matrices stay bounded, where X and Y grow without limit and lose P in rounding.
 """
+
+from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -14,29 +17,46 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import (
-    in_floats,
-    read_covariance,
-    read_matrix,
-    read_square,
-    read_vector,
-)
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
+from trajlib._arguments.symbols import exact_decimals
+from trajlib._real_symbols import as_real
+from trajlib._typing import ArrayLike, Matrix, MatrixLike, ScalarLike
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.exact_or_float import solve, symmetric
 from trajlib.estimation.modes import Modes, continuous_basis, exact_spectrum
 from trajlib.estimation.simulation import Paths, equal_steps, simulate_continuous
-from trajlib.estimation.stationary_filters import stationary_filter
-from trajlib.stability.systems import as_real, exact_decimals
+from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 
 
 @dataclass(frozen=True)
 class ContinuousFilter:
-    """The filter of x' = Ax + q, z = Hx + r with white noises (Kalman and Bucy).
+    """Kalman-Bucy filter of x' = Ax + q, z = Hx + r with white noises.
 
-    `A`: n x n; `H`: m x n; `Q`: n x n, the intensity of q, positive semidefinite; `R`: m x m, that
-    of r, positive definite. Exact, also with symbols, or floats. Raises ValueError for shapes that
-    do not fit and covariances that are none. Source: Theorem 4.3, example 4, problems 4.33 - 4.42.
+    Exact, also with symbols, or in floats.
 
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system.
+    H : matrix_like, shape (m, n)
+        Measurement matrix.
+    Q : matrix_like, shape (n, n)
+        Intensity of q, positive semidefinite.
+    R : matrix_like, shape (m, m)
+        Intensity of r, positive definite.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit or Q or R is no covariance.
+
+    Notes
+    -----
+    Source: Theorem 4.3, example 4, problems 4.33 - 4.42.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> t, p = sp.symbols("t p", positive=True)
     >>> filter = ContinuousFilter(0, 1, 0, 1)    # a constant
@@ -44,13 +64,13 @@ class ContinuousFilter:
     (p/(p*t + 1), -p**2)
     """
 
-    A: object
-    H: object
-    Q: object
-    R: object
+    A: MatrixLike
+    H: MatrixLike
+    Q: MatrixLike
+    R: MatrixLike
 
     def __post_init__(self):
-        floats = in_floats(self.A, self.H, self.Q, self.R)
+        floats = any_floats(self.A, self.H, self.Q, self.R)
         A = read_square(self.A, "A", floats)
         H = read_matrix(self.H, "H", None, A.shape[0], floats)
         Q = read_covariance(self.Q, "Q", A.shape[0], floats)
@@ -58,23 +78,56 @@ class ContinuousFilter:
         for name, matrix in zip("AHQR", (A, H, Q, R)):
             object.__setattr__(self, name, matrix)
 
-    def gain(self, P):
-        """K = P H^T R^-1, n x m, for the covariance P, n x n."""
+    def gain(self, P: MatrixLike) -> Matrix:
+        """Return the gain K = P H^T R^-1.
+
+        Parameters
+        ----------
+        P : matrix_like, shape (n, n)
+            Covariance.
+
+        Returns
+        -------
+        matrix, shape (n, m)
+        """
         return solve(self.R, self.H @ self._read(P)).T
 
-    def rate(self, P):
-        """The right side of the Riccati equation, n x n, for a covariance or a symmetric matrix of
-        symbols."""
+    def rate(self, P: MatrixLike) -> Matrix:
+        """Return the right side of the Riccati equation.
+
+        Parameters
+        ----------
+        P : matrix_like, shape (n, n)
+            Covariance, or a symmetric matrix of symbols.
+
+        Returns
+        -------
+        matrix, shape (n, n)
+        """
         P = self._read(P)
         S = self.H.T @ solve(self.R, self.H)
         return symmetric(self.A @ P + P @ self.A.T + self.Q - P @ S @ P)
 
-    def covariance(self, P, t):
-        """P(t) from P(0) = `P`, n x n; `t`: a number >= 0 or, for exact matrices, a symbol.
+    def covariance(self, P: MatrixLike, t: ScalarLike) -> Matrix:
+        """Return P(t) from P(0).
 
-        Raises ValueError for a P that is no covariance and a time that is negative,
-        NotImplementedError where the eigenvalues of the Hamiltonian matrix need more than square
-        roots.
+        Parameters
+        ----------
+        P : matrix_like, shape (n, n)
+            Covariance P(0).
+        t : scalar_like
+            Time, t >= 0; for exact matrices also a symbol.
+
+        Returns
+        -------
+        matrix, shape (n, n)
+
+        Raises
+        ------
+        ValueError
+            If P is no covariance or the time is negative.
+        NotImplementedError
+            If the eigenvalues of the Hamiltonian matrix need more than square roots.
         """
         P = self._read(P)
         t = exact_decimals(sp.sympify(t))
@@ -85,20 +138,37 @@ class ContinuousFilter:
             )
         S = self.H.T @ solve(self.R, self.H)
         return (
-            _moved(P, *_flow(self.A, S, self.Q, float(t)))
+            _propagated(P, *_flow(self.A, S, self.Q, float(t)))
             if floats
             else _closed_form(self.A, S, self.Q, P, t)
         )
 
-    def run(self, averages, times, start):
-        """Estimates from a record of z, or from several, given by averages over the steps between
-        the times.
+    def run(self, averages: ArrayLike, times: ArrayLike, start: Moments) -> ContinuousRun:
+        """Return estimates from averages of z over the steps between given times.
 
-        `averages`: N x m (N for one output), the integral of z over each step divided by its
-        length, or S x N x m for S records; `times`: N + 1 rising numbers; `start`: `Moments` of x
-        at the first. For arrays only. The covariances are exact; within a step the gain is that of
-        its middle, so that the estimates err by the square of the step. Returns `ContinuousRun`.
-        Raises ValueError for averages that are not finite and shapes that do not fit.
+        Parameters
+        ----------
+        averages : array_like, shape (N, m)
+            Integral of z over each step divided by its length; of shape (N,) for one output,
+            (S, N, m) for S records.
+        times : array_like, shape (N + 1,)
+            Increasing times.
+        start : Moments
+            Mean and covariance of x at the first time.
+
+        Returns
+        -------
+        ContinuousRun
+
+        Raises
+        ------
+        ValueError
+            If the filter is exact, averages are not finite or shapes do not fit.
+
+        Notes
+        -----
+        In floats only. The covariances are exact; within a step the gain is that of its middle, so
+        the error of the estimates is of second order in the step.
         """
         if not isinstance(self.A, np.ndarray):
             raise ValueError("A: expected arrays; a record is filtered in floats")
@@ -114,18 +184,34 @@ class ContinuousFilter:
             )
         if not (steps > 0).all():
             raise ValueError("times: expected rising numbers")
-        return _recorded(
+        return _filter_record(
             self, z, times, read_vector(start.mean, "mean", n, True), self._read(start.covariance)
         )
 
-    def simulate(self, start, times, paths, seed):
-        """States at the times and records of z between them, drawn together with their exact
-        distribution.
+    def simulate(self, start: Moments, times: ArrayLike, paths: int, seed: int) -> Paths:
+        """Draw states at the times and averages of z between them from their exact distribution.
 
-        `start`: `Moments` of x at the first time; `times`: N + 1 rising numbers; `paths`: S;
-        `seed`: a whole number. Returns `Paths` with the states, S x (N + 1) x n, and as
-        measurements the averages of z over the steps, S x N x m, as `run` takes them. For arrays
-        only.
+        Parameters
+        ----------
+        start : Moments
+            Mean and covariance of x at the first time.
+        times : array_like, shape (N + 1,)
+            Increasing times.
+        paths : int
+            Number S of paths.
+        seed : int
+            Seed of the random numbers.
+
+        Returns
+        -------
+        Paths
+            States, shape (S, N + 1, n), and as measurements the averages of z over the steps, shape
+            (S, N, m), as `run` takes them.
+
+        Raises
+        ------
+        ValueError
+            If the filter is exact: paths are drawn in floats.
         """
         if not isinstance(self.A, np.ndarray):
             raise ValueError("A: expected arrays; paths are drawn in floats")
@@ -143,8 +229,13 @@ class ContinuousFilter:
         averages = np.diff(drawn.states[:, :, n:], axis=1) / np.diff(drawn.times)[:, None]
         return Paths(drawn.times, drawn.states[:, :, :n], averages)
 
-    def stationary(self):
-        """The filter after a long time, as `stationary_filter` gives it."""
+    def stationary(self) -> StationaryFilter:
+        """Return the stationary filter, as `stationary_filter` does.
+
+        Returns
+        -------
+        StationaryFilter
+        """
         return stationary_filter(self.A, self.H, self.Q, self.R)
 
     def _read(self, P):
@@ -154,27 +245,36 @@ class ContinuousFilter:
 def _closed_form(A, S, Q, P, t):
     n = A.rows
     M = sp.Matrix(sp.BlockMatrix([[-A.T, S], [Q, A]]))
-    there, back = as_real(M, P)
-    M, P = M.xreplace(there), P.xreplace(there)
+    to_real, from_real = as_real(M, P)
+    M, P = M.xreplace(to_real), P.xreplace(to_real)
     modes = Modes(lambda v: M * v, exact_spectrum(M), sp.eye(n).col_join(P))
     both = modes.at(*continuous_basis(t))
     X, Y = both[:n, :], both[n:, :]
     covariance = (Y * X.adjugate() / X.det()).applyfunc(
         lambda e: sp.factor(sp.together(e)) if n == 1 else sp.together(e)
     )
-    return covariance.xreplace(back)
+    return covariance.xreplace(from_real)
 
 
 class ContinuousRun(NamedTuple):
-    """What a continuous filter made of a record: `times`: N + 1; `estimates`: (N + 1) x n, of S
-    records S x (N + 1) x n; `covariances`: of their errors, (N + 1) x n x n."""
+    """Result of a continuous filter for one record or several.
+
+    Attributes
+    ----------
+    times : ndarray, shape (N + 1,)
+        Times.
+    estimates : ndarray, shape (N + 1, n)
+        Estimates; of shape (S, N + 1, n) for S records.
+    covariances : ndarray, shape (N + 1, n, n)
+        Covariances of their errors.
+    """
 
     times: np.ndarray
     estimates: np.ndarray
     covariances: np.ndarray
 
 
-def _recorded(filter, z, times, x, P):
+def _filter_record(filter, z, times, x, P):
     from scipy.linalg import expm
 
     S, n = filter.H.T @ solve(filter.R, filter.H), len(x)
@@ -183,36 +283,39 @@ def _recorded(filter, z, times, x, P):
     x = np.broadcast_to(x, (*z.shape[:-2], n))
     estimates, covariances = [x], [P]
     for k, step in enumerate(steps):
-        middle = _moved(P, *halves[step])
+        middle = _propagated(P, *halves[step])
         gain = filter.gain(middle)
         # x~' = (A - KH) x~ + K z with a constant z, as one exponential
         m = gain.shape[1]
         both = expm(np.block([[filter.A - gain @ filter.H, gain], [np.zeros((m, n + m))]]) * step)
-        x, P = x @ both[:n, :n].T + z[..., k, :] @ both[:n, n:].T, _moved(middle, *halves[step])
+        x, P = (
+            x @ both[:n, :n].T + z[..., k, :] @ both[:n, n:].T,
+            _propagated(middle, *halves[step]),
+        )
         estimates.append(x)
         covariances.append(P)
     return ContinuousRun(times, np.stack(estimates, axis=-2), np.array(covariances))
 
 
 def _flow(A, S, Q, t):
-    """(F, G, Q~) of P(t) = Q~ + F P (E + G P)^-1 F^T."""
+    """Return (F, G, Q~) of P(t) = Q~ + F P (E + G P)^-1 F^T."""
     import scipy.linalg
 
-    n, one = len(A), np.eye(len(A))
+    n, identity = len(A), np.eye(len(A))
     M = np.block([[-A.T, S], [Q, A]])
     doublings = max(0, int(np.ceil(np.log2(max(np.abs(M).sum(axis=1).max() * t, 1)))))
     flow = scipy.linalg.expm(M * t / 2**doublings)
     inverse = np.linalg.inv(flow[:n, :n])
     F, G, noise = inverse.T, symmetric(inverse @ flow[:n, n:]), symmetric(flow[n:, :n] @ inverse)
     for _ in range(doublings):
-        left = F @ np.linalg.inv(one + noise @ G)
+        factor = F @ np.linalg.inv(identity + noise @ G)
         F, G, noise = (
-            left @ F,
-            symmetric(G + F.T @ np.linalg.solve(one + G @ noise, G @ F)),
-            symmetric(noise + left @ noise @ F.T),
+            factor @ F,
+            symmetric(G + F.T @ np.linalg.solve(identity + G @ noise, G @ F)),
+            symmetric(noise + factor @ noise @ F.T),
         )
     return F, G, noise
 
 
-def _moved(P, F, G, noise):
+def _propagated(P, F, G, noise):
     return symmetric(noise + F @ P @ np.linalg.solve(np.eye(len(P)) + G @ P, F.T))

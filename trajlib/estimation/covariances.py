@@ -1,28 +1,49 @@
 """Means and covariances of random vectors and of their linear images.
 
-For y = Bx + b the mean is B mu + b and the covariance B P B^T; nothing else of the distribution is
-needed.
+For y = Bx + b the mean is B mu + b and the covariance B P B^T, whatever the distribution of x.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_vector
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
+from trajlib._typing import Matrix, MatrixLike
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.stability.regions import latex_condition
 
 
 @dataclass(frozen=True)
 class Moments:
-    """The mean (n, a column; for floats a flat array) and the covariance (n x n) of a random
-    vector.
+    """Mean and covariance of a random vector.
 
-    Lists and scalars are read as exact, arrays as floats. `where` is the condition on symbols under
-    which a formula holds. Raises ValueError for shapes that do not fit and a covariance that is not
-    symmetric or has a negative direction. Source: Definitions 4.2 - 4.10 of the problem book.
+    Lists and scalars are read as exact, arrays as floats.
 
+    Parameters
+    ----------
+    mean : matrix_like
+        Mean, n components; kept as a column, for floats as a flat array.
+    covariance : matrix_like, shape (n, n)
+        Covariance matrix, positive semidefinite.
+    where : sympy.Boolean
+        Condition on symbols under which a formula holds.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or the covariance is not symmetric or not positive semidefinite.
+
+    Notes
+    -----
+    Source: Definitions 4.2 - 4.10 of the problem book. MATLAB: ``mean``, ``cov`` for a sample.
+
+    Examples
+    --------
     >>> x = Moments([1, 2], [[5, 1], [1, 3]])
     >>> x.transformed([[1, 1]]).covariance
     Matrix([[10]])
@@ -30,12 +51,12 @@ class Moments:
     sqrt(15)/15
     """
 
-    mean: object
-    covariance: object
-    where: object = sp.true
+    mean: MatrixLike
+    covariance: MatrixLike
+    where: sp.Basic = sp.true
 
     def __post_init__(self):
-        floats = in_floats(self.mean, self.covariance)
+        floats = any_floats(self.mean, self.covariance)
         mean = read_vector(self.mean, "mean", None, floats)
         object.__setattr__(self, "mean", mean)
         object.__setattr__(
@@ -43,16 +64,25 @@ class Moments:
         )
 
     @property
-    def deviations(self):
-        """Standard deviations, the roots of the diagonal; shape as the mean."""
+    def deviations(self) -> Matrix:
+        """Standard deviations of the components, of the shape of the mean."""
         if isinstance(self.covariance, np.ndarray):
             return np.sqrt(np.maximum(np.diag(self.covariance), 0))
         return self.covariance.diagonal().T.applyfunc(sp.sqrt)
 
     @property
-    def correlation(self):
-        """Coefficients of correlation, n x n (Definition 4.8). Raises ValueError if a variance is
-        zero."""
+    def correlation(self) -> Matrix:
+        """Matrix of the correlation coefficients, n x n.
+
+        Raises
+        ------
+        ValueError
+            If a variance is zero.
+
+        Notes
+        -----
+        Source: Definition 4.8.
+        """
         sigma, P = self.deviations, self.covariance
         if any(s == 0 for s in sigma):
             raise ValueError(
@@ -64,9 +94,21 @@ class Moments:
             sp.simplify
         )
 
-    def transformed(self, B, b=0):
-        """Moments of y = Bx + b, `B`: k x n, `b`: k components; covariance B P B^T."""
-        floats = in_floats(B, b, self.covariance)
+    def transformed(self, B: MatrixLike, b: MatrixLike = 0) -> Moments:
+        """Return the moments of y = Bx + b, with the covariance B P B^T.
+
+        Parameters
+        ----------
+        B : matrix_like, shape (k, n)
+            Matrix of the linear map.
+        b : matrix_like
+            Shift, k components.
+
+        Returns
+        -------
+        Moments
+        """
+        floats = any_floats(B, b, self.covariance)
         n = self.covariance.shape[0]
         B = read_matrix(B, "B", None, n, floats)
         P, mean = (
@@ -78,8 +120,18 @@ class Moments:
         )
         return trusted_moments(tidy(B @ mean + shift), symmetric(B @ P @ B.T), self.where)
 
-    def subs(self, *values):
-        """The moments with values, or other expressions, for their symbols."""
+    def subs(self, *values: Any) -> Moments:
+        """Return the moments with values, or other expressions, for their symbols.
+
+        Parameters
+        ----------
+        *values : object
+            Arguments of SymPy's ``subs``.
+
+        Returns
+        -------
+        Moments
+        """
         return trusted_moments(
             *(part.subs(*values) for part in (self.mean, self.covariance, self.where))
         )
@@ -91,50 +143,8 @@ class Moments:
 
 
 def trusted_moments(mean, covariance, where=sp.true):
-    """`Moments` of what has been computed here: nothing is read again, which for long formulas
-    takes time."""
+    """Return `Moments` of computed matrices without checking them again, which may be slow."""
     moments = object.__new__(Moments)
     for name, value in (("mean", mean), ("covariance", covariance), ("where", where)):
         object.__setattr__(moments, name, value)
     return moments
-
-
-def moments_of_values(values, probabilities=None):
-    """Moments of a vector that takes finitely many values, or of a sample (MATLAB: mean, cov).
-
-    `values`: a row for each value, N x n (a flat list for a scalar); `probabilities`: N numbers,
-    not negative, of sum 1. Without probabilities the values are a sample: all weigh the same and
-    the covariance is divided by N - 1. Returns `Moments`. Raises ValueError for what is no
-    distribution. Source: Definitions 4.2 - 4.10.
-
-    >>> import sympy as sp
-    >>> third, half = sp.Rational(1, 3), sp.Rational(1, 2)
-    >>> found = moments_of_values([[0, 0], [1, 1], [-1, 1]], [third, half, half*third])    # x and x^2
-    >>> found.mean.T, found.covariance[0, 1]
-    (Matrix([[1/3, 2/3]]), 1/9)
-    """
-    floats = in_floats(values, probabilities)
-    flat = np.ndim(values) == 1
-    table = read_matrix(values, "values", None, None, floats)
-    table = table.T if flat else table
-    count = table.shape[0]
-    if probabilities is None:
-        if count < 2:
-            raise ValueError("values: one value is no sample; give probabilities or more values")
-        weights = np.full(count, 1 / count) if floats else sp.ones(count, 1) / count
-    else:
-        weights = read_vector(probabilities, "probabilities", count, floats)
-        total = sum(weights)
-        if any(w.is_negative if not floats else w < 0 for w in weights):
-            raise ValueError("probabilities: expected numbers that are not negative")
-        if abs(total - 1) > 1e-9 if floats else sp.simplify(total - 1).is_zero is False:
-            raise ValueError(f"probabilities: expected the sum 1, got {total}")
-    mean = table.T @ weights
-    centred = (
-        table - np.outer(np.ones(count), mean) if floats else table - sp.ones(count, 1) * mean.T
-    )
-    weighted = centred * weights[:, None] if floats else sp.diag(*weights) * centred
-    covariance = symmetric(centred.T @ weighted)
-    if probabilities is None:
-        covariance = covariance * count / (count - 1)
-    return Moments(tidy(mean), covariance)

@@ -1,5 +1,4 @@
-"""The few operations of linear algebra that exact matrices and arrays do not share by their
-operators.
+"""Linear algebra for exact matrices and arrays where their operators differ.
 
 Products, sums and transposes are written once for both, with @ and .T.
 """
@@ -11,10 +10,10 @@ from sympy.polys.matrices.exceptions import DMNonInvertibleMatrixError
 
 
 def solve(S, B):
-    """S^-1 B for a square matrix; raises numpy's LinAlgError if it is singular."""
+    """Return S^-1 B for a square matrix; raise numpy's LinAlgError if it is singular."""
     if isinstance(S, np.ndarray):
         return np.linalg.solve(S, B)
-    # Over the field that the entries generate: exp(t) is one of its elements, and zero is known
+    # Over the field that the entries generate, with elements such as exp(t), zero is decided
     # exactly.
     wide = DomainMatrix.from_Matrix(S.row_join(B), extension=True).to_field()
     n = S.rows
@@ -26,7 +25,7 @@ def solve(S, B):
 
 
 def tidy(matrix):
-    """Exact entries in lowest terms; an array as it is."""
+    """Return exact entries in lowest terms; an array unchanged."""
     return matrix if isinstance(matrix, np.ndarray) else matrix.applyfunc(tidy_entry)
 
 
@@ -42,23 +41,25 @@ def tidy_entry(entry):
 
 
 def _with_one_root(entry, root):
-    """c + d root with rational c and d: SymPy's cancel does not know that the square of the root is
-    no root."""
+    """Return c + d root with rational c and d.
+
+    SymPy's cancel does not use that the square of the root is rational.
+    """
     y = sp.Dummy("y")
     square = y**2 - root.base
-    above, below = (
+    numerator, denominator = (
         sp.rem(part, square, y) for part in sp.fraction(sp.together(entry.subs(root, y)))
     )
-    mirrored = below.subs(y, -y)
-    below, above = (
-        sp.rem(sp.expand(below * mirrored), square, y),
-        sp.rem(sp.expand(above * mirrored), square, y),
+    conjugate = denominator.subs(y, -y)
+    denominator, numerator = (
+        sp.rem(sp.expand(denominator * conjugate), square, y),
+        sp.rem(sp.expand(numerator * conjugate), square, y),
     )
-    return sum(sp.factor(sp.cancel(above.coeff(y, k) / below)) * root**k for k in (0, 1))
+    return sum(sp.factor(sp.cancel(numerator.coeff(y, k) / denominator)) * root**k for k in (0, 1))
 
 
 def symmetric(matrix):
-    """Covariances are symmetric exactly, not but for rounding."""
+    """Return a covariance made exactly symmetric."""
     return (matrix + matrix.T) / 2 if isinstance(matrix, np.ndarray) else tidy(matrix)
 
 
@@ -74,7 +75,7 @@ def stack(*matrices):
 
 
 def latex(value):
-    """LaTeX of a matrix, an array (rounded) or an expression."""
+    """Return LaTeX of a matrix, an array (rounded) or an expression."""
     if isinstance(value, (np.ndarray, float)):
         rounded = np.round(value, 6)
         return sp.latex(sp.Matrix(rounded) if np.ndim(rounded) else float(rounded))

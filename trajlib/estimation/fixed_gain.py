@@ -1,62 +1,72 @@
-"""Filters with a gain of one's own: the covariance of their errors, and the gain that makes it
-least.
+"""Filters with a given gain: the covariance of their errors, and the gain of least variance.
 
 With any K the errors of x~' = A x~ + K (z - H x~) obey d' = (A - KH) d + q - Kr, a Markov process
-with the noise intensity Q + K R K^T; so its stationary covariance is a matter of Lyapunov's
-equation. The least one is the Kalman filter's, for every entry of the diagonal at once, if K is
-free; a gain of few parameters may come less far.
+with the noise intensity Q + K R K^T, so their stationary covariance solves a Lyapunov equation. The
+least one is the Kalman filter's, for every entry of the diagonal at once, if K is free; a gain with
+few parameters may not attain it.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
-from trajlib.estimation.exact_or_float import identity_like, latex, symmetric
-from trajlib.estimation.stationary_covariance import (
-    discrete_stationary_covariance,
-    stationary_covariance,
-)
-from trajlib.stability.systems import read_symbols
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.symbols import read_symbols
+from trajlib._typing import MatrixLike, Scalar
+from trajlib.estimation.exact_or_float import latex, symmetric
+from trajlib.estimation.stationary_covariances import StationaryCovariance, stationary_covariance
 
 
-def error_covariance(A, H, Q, R, K):
-    """The stationary covariance of the errors with the gain K, whatever K is.
+def error_covariance(
+    A: MatrixLike, H: MatrixLike, Q: MatrixLike, R: MatrixLike, K: MatrixLike
+) -> StationaryCovariance:
+    """Return the stationary covariance of the errors of a filter with the gain K.
 
-    `A`: n x n; `H`: m x n; `Q`: n x n and `R`: m x m, intensities; `K`: n x m (a flat list or a
-    scalar for one output). Exact, also with symbols (those of the gain among them), or floats.
-    Returns `StationaryCovariance`, which says "none" where A - KH is not asymptotically stable.
-    Raises ValueError for shapes that do not fit. Source: problem 4.42.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system; exact, also with symbols (in the gain, too), or floats.
+    H : matrix_like, shape (m, n)
+        Measurement matrix.
+    Q : matrix_like, shape (n, n)
+        Intensity of the process noise, positive semidefinite.
+    R : matrix_like, shape (m, m)
+        Intensity of the measurement noise, positive definite.
+    K : matrix_like, shape (n, m)
+        Gain; for one output also a flat list or a scalar.
 
+    Returns
+    -------
+    StationaryCovariance
+        False where A - KH is not asymptotically stable.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit.
+
+    Notes
+    -----
+    Source: problem 4.42.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> K = sp.Symbol("K")
-    >>> found = error_covariance(-1, 1, 2, 1, K)    # problem 4.42
-    >>> found.covariance[0], found.where
+    >>> limit = error_covariance(-1, 1, 2, 1, K)    # problem 4.42
+    >>> limit.covariance[0], limit.where
     ((K**2 + 2)/(2*(K + 1)), K > -1)
     """
-    A, H, Q, R, K = _read(A, H, Q, R, K, "A")
+    A, H, Q, R, K = _read(A, H, Q, R, K)
     return stationary_covariance(A - K @ H, symmetric(Q + K @ R @ K.T))
 
 
-def discrete_error_covariance(Phi, H, Q, R, K):
-    """The stationary covariance of the errors before a correction with the gain `K`, whatever it
-    is.
-
-    The process is x(i + 1) = Phi x(i) + q(i). Arguments, result and errors as for
-    `error_covariance`, with covariances `Q` and `R` instead of intensities.
-
-    >>> discrete_error_covariance(1, 1, 1, 1, 1).covariance[0]    # trust the measurement: P^+ = R
-    2
-    """
-    Phi, H, Q, R, K = _read(Phi, H, Q, R, K, "Phi")
-    kept = Phi @ (identity_like(Phi) - K @ H)
-    return discrete_stationary_covariance(kept, symmetric(Q + Phi @ K @ R @ K.T @ Phi.T))
-
-
-def _read(A, H, Q, R, K, name):
-    floats = in_floats(A, H, Q, R, K)
-    A = read_square(A, name, floats)
+def _read(A, H, Q, R, K):
+    floats = any_floats(A, H, Q, R, K)
+    A = read_square(A, "A", floats)
     n = A.shape[0]
     H = read_matrix(H, "H", None, n, floats)
     m = H.shape[0]
@@ -75,13 +85,18 @@ def _read(A, H, Q, R, K, name):
 
 @dataclass(frozen=True)
 class LeastGain:
-    """Values of the parameters of a gain that make a variance least.
+    """Parameters of a gain that minimise a variance.
 
-    `values`: {symbol: value}; `variance`: what is reached.
+    Attributes
+    ----------
+    values : dict
+        Value of each symbol.
+    variance : scalar
+        Least variance.
     """
 
     values: dict
-    variance: object
+    variance: Scalar
 
     def _repr_latex_(self):
         parts = [f"{sp.latex(symbol)} = {latex(value)}" for symbol, value in self.values.items()]
@@ -90,16 +105,38 @@ class LeastGain:
         )
 
 
-def least_gain(covariance, parameters, component=None):
-    """The parameters of a gain for which the variance of a component, or the sum of all, is least.
+def least_gain(
+    covariance: StationaryCovariance, parameters: sp.Symbol | Iterable, component: int | None = None
+) -> LeastGain:
+    """Return the parameters of a gain that minimise the variance of a component or their sum.
 
-    `covariance`: the `StationaryCovariance` of `error_covariance` with symbols in K; `parameters`:
-    these symbols; `component`: the number of a state, from 0, left out for the trace. Exact: the
-    stationary points inside `where` are found and compared; towards its border the variance grows
-    without limit, or the least value is not reached and that is said. Returns `LeastGain`. Raises
-    ValueError if there is no stationary covariance, or other symbols stand in it without a known
-    sign where one is needed, or no least value is reached. Source: problem 4.42.
+    Parameters
+    ----------
+    covariance : StationaryCovariance
+        Result of `error_covariance` with symbols in K.
+    parameters : sympy.Symbol or iterable of sympy.Symbol
+        These symbols.
+    component : int, optional
+        Index of a state, from 0; left out, the trace is minimised.
 
+    Returns
+    -------
+    LeastGain
+
+    Raises
+    ------
+    ValueError
+        If there is no stationary covariance, if the sign of another symbol is needed and not known,
+        or if no least value is attained.
+
+    Notes
+    -----
+    Exact: the stationary points inside `covariance.where` are found and compared. Towards its
+    border the variance grows without bound, or the least value is not attained, which is an error.
+    Source: problem 4.42.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> K = sp.Symbol("K")
     >>> least_gain(error_covariance(-1, 1, 2, 1, K), [K])
@@ -111,35 +148,38 @@ def least_gain(covariance, parameters, component=None):
     P = covariance.covariance
     if isinstance(P, np.ndarray):
         raise ValueError("covariance: expected an exact one with symbols in the gain")
-    real = {p: sp.Dummy(p.name, real=True) for p in parameters}
-    back = {new: old for old, new in real.items()}
-    cost = sp.together((P.trace() if component is None else P[component, component]).xreplace(real))
-    where = covariance.where.xreplace(real)
-    gradient = [sp.numer(sp.together(cost.diff(p))) for p in real.values()]
-    inside = []
-    for point in sp.solve(gradient, list(real.values()), dict=True):
-        place = dict(point.items())
-        if len(place) < len(real) or any(value.is_real is False for value in place.values()):
+    to_real = {p: sp.Dummy(p.name, real=True) for p in parameters}
+    from_real = {new: old for old, new in to_real.items()}
+    cost = sp.together(
+        (P.trace() if component is None else P[component, component]).xreplace(to_real)
+    )
+    where = covariance.where.xreplace(to_real)
+    gradient = [sp.numer(sp.together(cost.diff(p))) for p in to_real.values()]
+    minima = []
+    for point in sp.solve(gradient, list(to_real.values()), dict=True):
+        values = dict(point.items())
+        if len(values) < len(to_real) or any(value.is_real is False for value in values.values()):
             continue
-        holds = sp.simplify(where.subs(place))
+        holds = sp.simplify(where.subs(values))
         minors = [
-            sp.simplify(sp.hessian(cost, list(real.values()))[:k, :k].det().subs(place))
-            for k in range(1, len(real) + 1)
+            sp.simplify(sp.hessian(cost, list(to_real.values()))[:k, :k].det().subs(values))
+            for k in range(1, len(to_real) + 1)
         ]
         if holds == sp.false or any(minor.is_positive is False for minor in minors):
             continue
-        inside.append((place, sp.simplify(cost.subs(place))))
-    known = [(place, value) for place, value in inside if not value.free_symbols]
-    if len(known) == len(inside) > 1:
-        inside = [min(known, key=lambda one: float(one[1]))]
-    if len(inside) != 1:
+        minima.append((values, sp.simplify(cost.subs(values))))
+    numeric = [(values, variance) for values, variance in minima if not variance.free_symbols]
+    if len(numeric) == len(minima) > 1:
+        minima = [min(numeric, key=lambda minimum: float(minimum[1]))]
+    if len(minima) != 1:
         raise ValueError(
-            f"parameters: {len(inside)} points inside {covariance.where} may be minima; give the "
+            f"parameters: {len(minima)} points inside {covariance.where} may be minima; give the "
             "other symbols values or signs (positive=True)"
-            if inside
+            if minima
             else f"parameters: no minimum is reached inside {covariance.where}"
         )
-    place, value = inside[0]
+    values, variance = minima[0]
     return LeastGain(
-        {back[p]: sp.simplify(v).xreplace(back) for p, v in place.items()}, value.xreplace(back)
+        {from_real[p]: sp.simplify(v).xreplace(from_real) for p, v in values.items()},
+        variance.xreplace(from_real),
     )

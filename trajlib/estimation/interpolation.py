@@ -1,9 +1,8 @@
-"""Optimal interpolation, smoothing and prediction of a stationary process from its correlation
-function alone.
+"""Optimal interpolation, smoothing and prediction of stationary processes.
 
 The linear estimate of x(t) from z_i = x(t_i) + r_i of least variance has the weights w with (K + R)
 w = k(t), where K_ij = k(t_i - t_j) and k(t)_i = k(t - t_i); its error has the variance k(0) -
-k(t)^T w. Between the moments this interpolates (with R: smooths), after them it predicts.
+k(t)^T w. Between the times t_i this interpolates (with R: smooths), after them it predicts.
 """
 
 from dataclasses import dataclass
@@ -11,24 +10,44 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_vector
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_vector
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
+from trajlib._typing import ArrayLike, Matrix, MatrixLike, Scalar, ScalarLike
 from trajlib.estimation.exact_or_float import latex, solve
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 
 @dataclass(frozen=True)
 class OptimalWeights:
-    """The estimate of x(t) is the sum of weights[i] z_i, for a process of mean zero.
+    """Weights of the estimate of x(t), the sum of weights[i] z_i, for a process of mean zero.
 
-    `weights`: N of them (a column; for floats with T times T x N); `variance`: of the error (T).
-    With a symbol for t both are Piecewise, a formula between each two moments.
+    With a symbol for t both attributes are Piecewise, with a formula between neighbouring times.
+
+    Attributes
+    ----------
+    weights : matrix
+        N weights (a column; for floats with T times an array of shape (T, N)).
+    variance : scalar
+        Variance of the error (for floats an array of shape (T,)).
     """
 
-    weights: object
-    variance: object
+    weights: Matrix
+    variance: Scalar
 
-    def estimate(self, z, mean=0):
-        """x~(t) from the N measurements, for a process with a known constant mean."""
+    def estimate(self, z: MatrixLike, mean: ScalarLike = 0) -> Scalar | np.ndarray:
+        """Return x~(t) from the measurements, for a process with a known constant mean.
+
+        Parameters
+        ----------
+        z : matrix_like
+            N measurements.
+        mean : scalar_like
+            Mean of the process.
+
+        Returns
+        -------
+        scalar or ndarray
+        """
         if isinstance(self.weights, np.ndarray):
             return mean + self.weights @ (
                 read_vector(np.asarray(z, float), "z", self.weights.shape[-1], True) - mean
@@ -40,27 +59,54 @@ class OptimalWeights:
         return rf"$\displaystyle w = {latex(self.weights)},\quad \sigma^2 = {latex(self.variance)}$"
 
 
-def optimal_weights(correlation, tau, times, t, noise=0):
-    """Weights of the best linear estimate of x(t) from measurements at `times` (simple kriging,
-    Wiener).
+def optimal_weights(
+    correlation: sp.Expr,
+    tau: sp.Symbol,
+    times: MatrixLike,
+    t: ScalarLike | ArrayLike,
+    noise: MatrixLike = 0,
+) -> OptimalWeights:
+    """Return the weights of the best linear estimate of x(t) from measurements at given times.
 
-    `correlation`: an expression in the symbol `tau` for tau >= 0, even in it; `times`: N numbers,
-    distinct unless there is noise; `t`: a number, a symbol (exact times only), or an array of T
-    times for floats; `noise`: variance of the errors of measurement, or their covariance, N x N.
-    Returns `OptimalWeights`. Raises ValueError where the correlation matrix of the moments is not
-    positive definite: a moment given twice, or a function that is no correlation. Source: problem
-    4.31.
+    Parameters
+    ----------
+    correlation : sympy.Expr
+        Even correlation function, given for tau >= 0.
+    tau : sympy.Symbol
+        Time difference.
+    times : matrix_like
+        N times of measurements, distinct unless there is noise.
+    t : scalar_like or array_like
+        A number, a symbol (for exact times only), or an array of T times for floats.
+    noise : matrix_like, shape (N, N)
+        Variance of the errors of measurement, or their covariance.
 
+    Returns
+    -------
+    OptimalWeights
+
+    Raises
+    ------
+    ValueError
+        If the correlation matrix of the times is not positive definite, for a time given twice or a
+        function that is no correlation.
+
+    Notes
+    -----
+    Also called simple kriging, or the Wiener filter. Source: problem 4.31.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> tau, t = sp.symbols("tau t", real=True)
-    >>> found = optimal_weights(sp.exp(-tau), tau, [1, 2, 3], t)    # problem 4.31
-    >>> [w.subs(t, 4) for w in found.weights], sp.simplify(found.variance.subs(t, 4))
+    >>> best = optimal_weights(sp.exp(-tau), tau, [1, 2, 3], t)    # problem 4.31
+    >>> [w.subs(t, 4) for w in best.weights], sp.simplify(best.variance.subs(t, 4))
     ([0, 0, exp(-1)], 1 - exp(-2))
     """
     (tau,) = read_symbols(tau, "tau")
     correlation = exact_decimals(read_expression(correlation, "correlation"))
-    if in_floats(times, noise, t):
-        return _floats(correlation, tau, times, t, noise)
+    if any_floats(times, noise, t):
+        return _float_weights(correlation, tau, times, t, noise)
     times = read_vector(times, "times", None, False)
     if times.free_symbols:
         raise ValueError("times: expected numbers")
@@ -69,17 +115,21 @@ def optimal_weights(correlation, tau, times, t, noise=0):
         len(times), len(times), lambda i, j: correlation.subs(tau, abs(times[i] - times[j]))
     )
     K = read_covariance(
-        K + _noise(noise, len(times), False), "correlation", len(times), False, definite=True
+        K + _noise_covariance(noise, len(times), False),
+        "correlation",
+        len(times),
+        False,
+        definite=True,
     )
-    edges = sorted(times, key=float)
+    sorted_times = sorted(times, key=float)
     if t.is_number:
         return _between(correlation, tau, times, K, t, t)
     pieces = []
-    for low, high in zip([None, *edges], [*edges, None]):
-        middle = high - 1 if low is None else low + 1 if high is None else (low + high) / 2
+    for low, high in zip([None, *sorted_times], [*sorted_times, None]):
+        representative = high - 1 if low is None else low + 1 if high is None else (low + high) / 2
         pieces.append(
             (
-                _between(correlation, tau, times, K, t, middle),
+                _between(correlation, tau, times, K, t, representative),
                 sp.true if high is None else t <= high,
             )
         )
@@ -94,38 +144,38 @@ def optimal_weights(correlation, tau, times, t, noise=0):
     )
 
 
-def _between(correlation, tau, times, K, t, place):
-    """The formulas for a t on the same side of all moments as `place`."""
-    k = sp.Matrix([correlation.subs(tau, t - s if place >= s else s - t) for s in times])
-    weights = solve(K, k.applyfunc(lambda e: sp.expand(e, power_exp=True))).applyfunc(_short)
-    return OptimalWeights(weights, _short(correlation.subs(tau, 0) - k.dot(weights)))
+def _between(correlation, tau, times, K, t, representative):
+    """Return the formulas for a t on the same side of all times as `representative`."""
+    k = sp.Matrix([correlation.subs(tau, t - s if representative >= s else s - t) for s in times])
+    weights = solve(K, k.applyfunc(lambda e: sp.expand(e, power_exp=True))).applyfunc(_shortest)
+    return OptimalWeights(weights, _shortest(correlation.subs(tau, 0) - k.dot(weights)))
 
 
-def _short(entry):
+def _shortest(entry):
     return sp.powsimp(sp.factor(sp.cancel(sp.expand(entry, power_exp=True))))
 
 
-def _noise(noise, count, floats):
+def _noise_covariance(noise, count, floats):
     if np.ndim(noise) == 0 and not isinstance(noise, sp.MatrixBase):
         noise = np.eye(count) * float(noise) if floats else sp.eye(count) * noise
     return read_covariance(noise, "noise", count, floats)
 
 
-def _floats(correlation, tau, times, t, noise):
+def _float_weights(correlation, tau, times, t, noise):
     times = read_vector(np.asarray(times, dtype=float), "times", None, True)
     t = np.asarray(t, dtype=float)
     function = sp.lambdify(tau, correlation, "numpy")
 
-    def at(gaps):
+    def correlation_at(gaps):
         return np.broadcast_to(function(np.abs(gaps)), gaps.shape).astype(float)
 
     K = read_covariance(
-        at(times[:, None] - times) + _noise(noise, len(times), True),
+        correlation_at(times[:, None] - times) + _noise_covariance(noise, len(times), True),
         "correlation",
         len(times),
         True,
         definite=True,
     )
-    k = at(t[..., None] - times)
+    k = correlation_at(t[..., None] - times)
     weights = np.linalg.solve(K, k.reshape(-1, len(times)).T).T.reshape(k.shape)
     return OptimalWeights(weights, float(function(0.0)) - (k * weights).sum(axis=-1))

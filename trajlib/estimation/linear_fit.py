@@ -1,19 +1,23 @@
-"""Least squares for z = Hx + r, with the weights R^-1 and with measurements that arrive later.
+"""Linear least squares for z = Hx + r with the weights R^-1, also recursively.
 
     x~ = (H^T R^-1 H)^-1 H^T R^-1 z,    P = (H^T R^-1 H)^-1
 
-A later measurement corrects what is there, x~ + K (z - H x~) with K = P H^T (H P H^T + R)^-1, and
-gives the same numbers as all measurements at once. Floats go through the singular values of the
-whitened H, whose condition is the root of that of the normal equations; exact numbers through the
-normal equations.
+A later measurement corrects the estimate, x~ + K (z - H x~) with K = P H^T (H P H^T + R)^-1, and
+gives the same numbers as all measurements at once. Floats use the singular values of the whitened
+H, whose condition number is the root of that of the normal equations; exact numbers use the normal
+equations.
 """
+
+from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_measurement
+from trajlib._arguments.covariances import read_measurement
+from trajlib._arguments.matrices import any_floats
+from trajlib._typing import Matrix, MatrixLike, Scalar
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.exact_or_float import latex, solve, symmetric, tidy
@@ -22,65 +26,113 @@ from trajlib.structure import exact
 
 @dataclass(frozen=True)
 class LeastSquares:
-    """An estimate by least squares.
+    """Estimate by least squares.
 
-    - `estimate`: n components; `covariance`: n x n, that of its error if R is that of the
-      measurements (with R left out: in units of the common variance of the measurements);
-    - `residuals`: z - H x~ of the measurements that came last;
-    - `misfit`: the weighted sum of squares (z - H x~)^T R^-1 (z - H x~) at the minimum, with the
-      prior's share;
-    - `excess`: how many measurements there are beyond those that determine x. The misfit divided by
-      it estimates the common variance if R was left out, and is near 1 if R is right.
+    Attributes
+    ----------
+    estimate : matrix
+        Estimate x~, n components.
+    covariance : matrix, shape (n, n)
+        Covariance of its error if R is that of the measurements; with R left out, in units of the
+        common variance of the measurements.
+    residuals : matrix
+        z - H x~ of the latest measurements.
+    misfit : scalar
+        Weighted sum of squares (z - H x~)^T R^-1 (z - H x~) at the minimum, with the prior's part.
+    degrees_of_freedom : int
+        Number of measurements less the number of unknowns. The misfit divided by it estimates the
+        common variance if R was left out, and is near 1 if R is right.
     """
 
-    estimate: object
-    covariance: object
-    residuals: object
-    misfit: object
-    excess: int
+    estimate: Matrix
+    covariance: Matrix
+    residuals: Matrix
+    misfit: Scalar
+    degrees_of_freedom: int
 
     @property
-    def moments(self):
-        """Estimate and covariance as `Moments`, a prior for others."""
+    def moments(self) -> Moments:
+        """Estimate and covariance as `Moments`, a prior for other functions."""
         return Moments(self.estimate, self.covariance)
 
-    def updated(self, H, z, R=None):
-        """The estimate with further measurements z = Hx + r, whose errors do not correlate with the
-        earlier ones.
+    def updated(self, H: MatrixLike, z: MatrixLike, R: MatrixLike = None) -> LeastSquares:
+        """Return the estimate with further measurements z = Hx + r.
 
-        `H`: k x n, `z`: k numbers, `R`: k x k positive definite (left out: the unit matrix).
-        Returns `LeastSquares`, the same as from all measurements at once.
+        Parameters
+        ----------
+        H : matrix_like, shape (k, n)
+            Measurement matrix.
+        z : matrix_like
+            k measurements.
+        R : matrix_like, shape (k, k), optional
+            Covariance of r, positive definite; left out, the unit matrix.
+
+        Returns
+        -------
+        LeastSquares
+            The same as from all measurements at once.
+
+        Notes
+        -----
+        Errors of the further measurements must be uncorrelated with the earlier ones.
         """
         return _corrected(self, H, z, R)
 
     def _repr_latex_(self):
-        shown = sp.Matrix(self.estimate) if isinstance(self.estimate, np.ndarray) else self.estimate
-        return rf"$\displaystyle \tilde x = {latex(shown)},\quad P = {latex(self.covariance)}$"
+        estimate = (
+            sp.Matrix(self.estimate) if isinstance(self.estimate, np.ndarray) else self.estimate
+        )
+        return rf"$\displaystyle \tilde x = {latex(estimate)},\quad P = {latex(self.covariance)}$"
 
 
-def least_squares(H, z, R=None, prior=None):
-    """The unbiased linear estimate of least variance from z = Hx + r (MATLAB: lscov; H \\ z).
+def least_squares(
+    H: MatrixLike, z: MatrixLike, R: MatrixLike = None, prior: Moments | None = None
+) -> LeastSquares:
+    r"""Return the unbiased linear estimate of least variance from z = Hx + r.
 
-    `H`: m x n, `z`: m numbers, `R`: m x m, the covariance of r, positive definite; left out, the
-    measurements are equally accurate and uncorrelated and R is the unit matrix. `prior`: `Moments`
-    of x from before, whose errors do not correlate with r; its covariance may be singular. Exact or
-    floats; symbols may stand in z and, where they do not spoil the rank, in H and R. Returns
-    `LeastSquares`. Raises ValueError if the columns of H are dependent (it names a combination that
-    the measurements do not show) and there is no prior, for shapes that do not fit, and if R is not
-    a positive definite covariance. Source: (4.1), (4.2) and the formulas below; the book's M[rr^T]
-    = R.
+    Parameters
+    ----------
+    H : matrix_like, shape (m, n)
+        Measurement matrix; exact or floats. Symbols are allowed where the rank does not depend on
+        them.
+    z : matrix_like
+        m measurements, also with symbols.
+    R : matrix_like, shape (m, m), optional
+        Covariance of r, positive definite; left out, the measurements are equally accurate and
+        uncorrelated, and R is the unit matrix.
+    prior : Moments, optional
+        Earlier knowledge of x, with errors that are uncorrelated with r; its covariance may be
+        singular.
 
-    >>> found = least_squares([[1, 1], [1, -1], [1, 2]], [2, 0, 4])    # problem 4.10
-    >>> found.estimate.T, found.misfit
+    Returns
+    -------
+    LeastSquares
+
+    Raises
+    ------
+    ValueError
+        If the columns of H are dependent (the message has a combination that the measurements do
+        not determine) and there is no prior, if shapes do not fit, or if R is no positive definite
+        covariance.
+
+    Notes
+    -----
+    MATLAB: ``lscov``, ``H \ z``. Source: (4.1), (4.2) and the formulas below; the book's M[rr^T] =
+    R.
+
+    Examples
+    --------
+    >>> fit = least_squares([[1, 1], [1, -1], [1, 2]], [2, 0, 4])    # problem 4.10
+    >>> fit.estimate.T, fit.misfit
     (Matrix([[8/7, 9/7]]), 2/7)
     >>> trend = least_squares([[1, 0], [1, 1]], [2, 1]).updated([1, 2], 4)    # problem 4.11
     >>> trend.estimate.T, trend.covariance[1, 1]
     (Matrix([[4/3, 1]]), 1/2)
     """
     if prior is not None:
-        known = LeastSquares(prior.mean, prior.covariance, [], 0, 0)
-        return _corrected(known, H, z, R)
-    floats = in_floats(H, z, R)
+        earlier = LeastSquares(prior.mean, prior.covariance, [], 0, 0)
+        return _corrected(earlier, H, z, R)
+    floats = any_floats(H, z, R)
     H, z, R = read_measurement(H, z, R, None, floats)
     if floats:
         estimate, covariance = _fit_floats(H, z, R)
@@ -96,17 +148,17 @@ def _fit_exact(H, z, R):
     weighted = H if R == sp.eye(R.rows) else solve(R, H)
     normal = (H.T * weighted).applyfunc(sp.expand)
     try:
-        both = solve(normal, sp.eye(H.cols).row_join(weighted.T * z))
+        solution = solve(normal, sp.eye(H.cols).row_join(weighted.T * z))
     except np.linalg.LinAlgError:
-        unseen = exact.null_columns(H)
-        raise ValueError(_not_determined(unseen[:, 0].tolist())) from None
-    return both[:, -1], both[:, :-1]
+        null_space = exact.null_columns(H)
+        raise ValueError(_not_determined(null_space[:, 0].tolist())) from None
+    return solution[:, -1], solution[:, :-1]
 
 
 def _fit_floats(H, z, R):
     factor = np.linalg.cholesky(R)
     whitened = np.linalg.solve(factor, np.column_stack([H, z]))
-    # Columns of norm one: what is in small units is not taken for missing.
+    # Columns of norm one, so that small units do not look like a rank deficit.
     lengths = np.linalg.norm(whitened[:, :-1], axis=0)
     scale = np.where(lengths > 0, lengths, 1)
     U, s, Vt = np.linalg.svd(whitened[:, :-1] / scale, full_matrices=False)
@@ -132,14 +184,14 @@ def _weighted_square(residuals, R):
     return tidy(residuals.T * solve(R, residuals))[0, 0]
 
 
-def _corrected(known, H, z, R):
-    after = corrected(Moments(known.estimate, known.covariance), z, H, R)
+def _corrected(earlier, H, z, R):
+    after = corrected(Moments(earlier.estimate, earlier.covariance), z, H, R)
     floats = isinstance(after.covariance, np.ndarray)
     H, z, _ = read_measurement(H, z, R, None, floats)
     return LeastSquares(
         after.estimate,
         after.covariance,
         tidy(z - H @ after.estimate),
-        known.misfit + _weighted_square(after.innovation, after.innovation_covariance),
-        known.excess + H.shape[0],
+        earlier.misfit + _weighted_square(after.innovation, after.innovation_covariance),
+        earlier.degrees_of_freedom + H.shape[0],
     )

@@ -1,29 +1,29 @@
-"""Linear motions in closed form, exactly, also where eigenvalues are zero, repeated or sums to
-zero.
+"""Closed-form solutions of linear equations, also for repeated or opposite eigenvalues.
 
-For a linear operator M with the eigenvalues l_1, ..., l_N (each as often as it counts) Putzer's
-resolvent is
+For a linear operator M with the eigenvalues l_1, ..., l_N (with multiplicity) Putzer's resolvent is
 
     (sE - M)^-1 v = sum over k of (M - l_1 E)...(M - l_{k-1} E) v / ((s - l_1)...(s - l_k))
 
-and its partial fractions c/(s - l)^{j+1} are read as t^j e^{lt}/j! in continuous time and as C(k,
-j) l^{k-j} in discrete time (for l = 0: 1 at k = j, else 0). No eigenvector is needed, so nothing
-breaks where one is missing.
+and its partial fractions c/(s - l)^{j+1} correspond to t^j e^{lt}/j! in continuous time and to C(k,
+j) l^{k-j} in discrete time (for l = 0: 1 at k = j, else 0). No eigenvectors are needed, so
+defective matrices are no exception.
 """
 
 import sympy as sp
 
+from trajlib._real_symbols import vanishes
 from trajlib.estimation.exact_or_float import tidy, tidy_entry
 from trajlib.stability.inequalities import equation
-from trajlib.stability.systems import vanishes
 
 
 def exact_spectrum(A):
-    """The eigenvalues of an exact matrix, each as often as it counts. Raises NotImplementedError if
-    they cannot be written with square roots."""
-    polynomial, found = A.charpoly(), []
+    """Return the eigenvalues of an exact matrix, with multiplicity.
+
+    Raises NotImplementedError if they cannot be written with square roots.
+    """
+    polynomial, eigenvalues = A.charpoly(), []
     s = polynomial.gen
-    for factor, times in sp.factor_list(polynomial.as_expr(), s)[1]:
+    for factor, multiplicity in sp.factor_list(polynomial.as_expr(), s)[1]:
         factor = sp.Poly(factor, s)
         if factor.degree() == 0:
             continue
@@ -42,12 +42,12 @@ def exact_spectrum(A):
                     f"A: the roots of {shown} cannot be written with square roots; give the "
                     "matrices as arrays of floats"
                 )
-        found += [sp.radsimp(sp.expand(root)) for root in roots] * times
-    return found
+        eigenvalues += [sp.radsimp(sp.expand(root)) for root in roots] * multiplicity
+    return eigenvalues
 
 
 def sums(eigenvalues):
-    """Those of X -> AX + XA^T on symmetric matrices."""
+    """Return the eigenvalues of X -> AX + XA^T on symmetric matrices."""
     return [
         sp.radsimp(sp.expand(a + b))
         for i, a in enumerate(eigenvalues)
@@ -56,7 +56,7 @@ def sums(eigenvalues):
 
 
 def products(eigenvalues):
-    """Those of X -> AXA^T on symmetric matrices."""
+    """Return the eigenvalues of X -> AXA^T on symmetric matrices."""
     return [
         sp.radsimp(sp.expand(a * b))
         for i, a in enumerate(eigenvalues)
@@ -65,16 +65,16 @@ def products(eigenvalues):
 
 
 class Modes:
-    """The partial fractions of (sE - M)^-1 start; `where`: the condition on symbols under which
-    they hold.
+    """Partial fractions of (sE - M)^-1 start.
 
-    `apply`: X -> MX on matrices of the shape of `start`; `eigenvalues`: all of M, as often as they
-    count.
+    `apply`: X -> MX on matrices of the shape of `start`; `eigenvalues`: all of M, with
+    multiplicity; `where`: the condition on symbols under which they hold.
     """
 
-    def __init__(self, apply, eigenvalues, start):
+    def __init__(self, apply, eigenvalues, start) -> None:
         self.values, order = _distinct(eigenvalues)
-        self.terms, self._below = {}, set()
+        self.terms: dict = {}
+        self._denominators: set = set()
         fraction, rest = None, start
         for i in order:
             fraction = self._divided(fraction, i)
@@ -88,10 +88,10 @@ class Modes:
         self.terms = {
             key: tidy(matrix) for key, matrix in self.terms.items() if not matrix.is_zero_matrix
         }
-        self.where = _nonzero(self._below)
+        self.where = _nonzero(self._denominators)
 
     def _divided(self, fraction, i):
-        """Partial fractions of the product with 1/(s - l_i)."""
+        """Return the partial fractions of the product with 1/(s - l_i)."""
         if fraction is None:
             return {(i, 0): sp.Integer(1)}
         product = {}
@@ -100,30 +100,30 @@ class Modes:
                 _add(product, (k, j + 1), coefficient)
                 continue
             gap = sp.radsimp(sp.expand(self.values[i] - self.values[k]))
-            self._below.add(gap)
+            self._denominators.add(gap)
             for power in range(j + 1):
                 _add(product, (k, power), -coefficient / gap ** (j - power + 1))
             _add(product, (i, 0), coefficient / gap ** (j + 1))
         return {key: tidy_entry(c) for key, c in product.items()}
 
     def at(self, basis, complex_basis):
-        """The sum of all terms; `basis(l, j)`, and for a complex l its real and imaginary part
-        `complex_basis(l, j)`.
+        """Return the sum of all terms.
 
-        A pair of conjugate eigenvalues gives twice the real part of one of them.
+        `basis(l, j)` is the function of a term, `complex_basis(l, j)` its real and imaginary part
+        for a complex l. A pair of conjugate eigenvalues gives twice the real part of one of them.
         """
-        total, done = None, set()
+        total, paired = None, set()
         for (i, j), matrix in self.terms.items():
-            if (i, j) in done:
+            if (i, j) in paired:
                 continue
             value = self.values[i]
             if value.has(sp.I) and not vanishes(sp.im(value)):
-                mirror = next(
+                partner = next(
                     k
                     for k, other in enumerate(self.values)
                     if vanishes(other - sp.conjugate(value))
                 )
-                done.add((mirror, j))
+                paired.add((partner, j))
                 real, imaginary = complex_basis(value, j)
                 parts = [
                     matrix.applyfunc(lambda e, k=k: sp.radsimp(sp.expand(e)).as_real_imag()[k])
@@ -141,31 +141,33 @@ def _add(terms, key, value):
 
 
 def _distinct(eigenvalues):
-    """The values without repetition, and for each eigenvalue the number of its value."""
+    """Return the distinct values, and for each eigenvalue the index of its value."""
     values, order = [], []
     for value in eigenvalues:
-        same = next((k for k, other in enumerate(values) if vanishes(value - other)), None)
-        if same is None:
+        known = next((k for k, other in enumerate(values) if vanishes(value - other)), None)
+        if known is None:
             values.append(value)
-        order.append(len(values) - 1 if same is None else same)
-    # What is repeated comes together, so that partial fractions stay short.
+        order.append(len(values) - 1 if known is None else known)
+    # Repeated eigenvalues are adjacent, so that partial fractions stay short.
     return values, sorted(order)
 
 
-def _nonzero(below):
-    """The condition that none of the expressions vanishes, written without square roots."""
+def _nonzero(denominators):
+    """Return the condition that no expression vanishes, written without square roots."""
     factors = set()
-    for gap in below:
-        left = sp.numer(sp.together(gap))
-        for root in [p for p in left.atoms(sp.Pow) if p.exp == sp.S.Half and p.free_symbols]:
+    for gap in denominators:
+        condition = sp.numer(sp.together(gap))
+        for root in [p for p in condition.atoms(sp.Pow) if p.exp == sp.S.Half and p.free_symbols]:
             y = sp.Dummy("y")
-            left = sp.resultant(left.subs(root, y), y**2 - root.base, y)
-        factors |= {f for f, _ in sp.factor_list(left)[1] if f.free_symbols and not f.is_nonzero}
+            condition = sp.resultant(condition.subs(root, y), y**2 - root.base, y)
+        factors |= {
+            f for f, _ in sp.factor_list(condition)[1] if f.free_symbols and not f.is_nonzero
+        }
     return sp.And(*(sp.Not(equation(factor)) for factor in factors))
 
 
 def continuous_basis(t):
-    """t^j e^{lt}/j! and its real and imaginary part."""
+    """Return t^j e^{lt}/j! and its real and imaginary part, as functions of (l, j)."""
 
     def plain(value, j):
         return t**j * sp.exp(value * t) / sp.factorial(j)
@@ -179,7 +181,7 @@ def continuous_basis(t):
 
 
 def discrete_basis(k):
-    """C(k, j) l^{k-j} and its real and imaginary part, for whole k >= 0."""
+    """Return C(k, j) l^{k-j} and its real and imaginary part, for integers k >= 0."""
 
     def choose(j):
         return sp.prod([k - i for i in range(j)]) / sp.factorial(j)

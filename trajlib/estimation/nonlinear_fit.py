@@ -1,21 +1,22 @@
-"""Least squares for z = h(x) + r by the iteration of Gauss and Newton, with what it has reached
-said honestly.
+"""Nonlinear least squares for z = h(x) + r by the Gauss-Newton method.
 
 Each step solves the linear problem z - h(x) = H dx + r, H the Jacobian at x. With S the sum of the
-whitened residuals times the second derivatives of h, the iteration contracts by the greatest
-modulus of an eigenvalue of (H^T H)^-1 S at the solution: as fast as Newton's only where the
+whitened residuals times the second derivatives of h, the iteration contracts by the largest modulus
+of an eigenvalue of (H^T H)^-1 S at the solution: as fast as Newton's method only where the
 residuals vanish or h is linear, and not at all from 1 on. So steps are shortened where they would
-overshoot, and a point where they end is called a minimum only if H^T H - S is positive definite
-there.
+overshoot, and the limit is called a minimum only if H^T H - S is positive definite there.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import read_covariance, read_vector
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import read_vector
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
+from trajlib._typing import ArrayLike
 
 #: How often a step is shortened before the misfit counts as no longer falling.
 HALVINGS = 40
@@ -23,15 +24,26 @@ HALVINGS = 40
 
 @dataclass(frozen=True)
 class GaussNewton:
-    """Where the iteration ended; true in an `if` only if it converged to a local minimum of the
-    misfit.
+    """Result of the iteration; true in an `if` only if it converged to a local minimum.
 
-    - `estimate`: n floats; `covariance`: n x n, (H^T R^-1 H)^-1 there, that of the error to first
-      order;
-    - `residuals`: z - h(x); `misfit`: their weighted sum of squares;
-    - `steps`: the length of each step; `rate`: by what factor undamped steps shrink near the
-      solution (from 1 on they do not converge by themselves);
-    - `converged` and, in words, `reason`.
+    Attributes
+    ----------
+    estimate : ndarray, shape (n,)
+        Last point.
+    covariance : ndarray, shape (n, n)
+        (H^T R^-1 H)^-1 there, the covariance of the error to first order.
+    residuals : ndarray, shape (m,)
+        z - h(x).
+    misfit : float
+        Their weighted sum of squares.
+    steps : tuple of float
+        Lengths of the steps.
+    rate : float
+        Factor by which undamped steps shrink near the solution; from 1 on they do not converge.
+    converged : bool
+        Whether a local minimum was reached.
+    reason : str
+        Outcome in words.
     """
 
     estimate: np.ndarray
@@ -50,18 +62,54 @@ class GaussNewton:
         return f"{self.reason}: {np.round(self.estimate, 8).tolist()}, misfit {self.misfit:.6g}"
 
 
-def gauss_newton(h, z, variables, start, R=None, *, tolerance=1e-10, most_steps=100):
-    """The minimum of (z - h(x))^T R^-1 (z - h(x)) near `start` (MATLAB: lsqnonlin, nlinfit).
+def gauss_newton(
+    h: Iterable,
+    z: ArrayLike,
+    variables: sp.Symbol | Iterable,
+    start: ArrayLike,
+    R: ArrayLike | None = None,
+    *,
+    tolerance: float = 1e-10,
+    max_steps: int = 100,
+) -> GaussNewton:
+    """Return the minimum of (z - h(x))^T R^-1 (z - h(x)) near an initial guess.
 
-    `h`: m SymPy expressions in the n symbols `variables`, of which the Jacobian and the second
-    derivatives are formed exactly; `z`: m numbers; `start`: n numbers; `R`: m x m positive
-    definite, left out the unit matrix. The iteration ends with a step shorter than `tolerance`
-    times the length of x (in units of `start`, at least 1), or after `most_steps`. Returns
-    `GaussNewton`, in floats; whether it converged has to be asked. Raises ValueError where the
-    columns of the Jacobian are dependent at `start`, where h is not finite there, and for shapes
-    that do not fit. Source: "Nonlinear least squares", section 4; its remark that the iteration is
-    as fast as Newton's holds for residuals that vanish.
+    Parameters
+    ----------
+    h : iterable of sympy.Expr
+        m expressions, whose first and second derivatives are formed exactly.
+    z : array_like
+        m measurements.
+    variables : sympy.Symbol or iterable of sympy.Symbol
+        n unknowns.
+    start : array_like
+        Initial guess, n numbers.
+    R : array_like, shape (m, m), optional
+        Covariance of r, positive definite; left out, the unit matrix.
+    tolerance : float
+        The iteration ends with a step shorter than this times the length of x (at least 1, and at
+        least that of `start`).
+    max_steps : int
+        Largest number of steps.
 
+    Returns
+    -------
+    GaussNewton
+        In floats; check its truth value for convergence.
+
+    Raises
+    ------
+    ValueError
+        If the columns of the Jacobian are dependent at `start`, h is not finite there, or shapes do
+        not fit.
+
+    Notes
+    -----
+    MATLAB: ``lsqnonlin``, ``nlinfit``. Source: "Nonlinear least squares", section 4; its remark
+    that the iteration is as fast as Newton's holds for vanishing residuals.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> x, y = sp.symbols("x y")
     >>> fit = gauss_newton([x**2 + y**2, x - y], [5, 1], [x, y], [1, 0])
@@ -69,13 +117,13 @@ def gauss_newton(h, z, variables, start, R=None, *, tolerance=1e-10, most_steps=
     (True, [2.0, 1.0], True)
     """
     variables = read_symbols(variables, "variables")
-    h = sp.Matrix([exact_decimals(read_expression(e, "h")) for e in h])
-    strangers = h.free_symbols - set(variables)
-    if strangers:
+    functions = sp.Matrix([exact_decimals(read_expression(e, "h")) for e in h])
+    foreign = functions.free_symbols - set(variables)
+    if foreign:
         raise ValueError(
-            f"h: it also has {', '.join(sorted(map(str, strangers)))}; give these values"
+            f"h: it also has {', '.join(sorted(map(str, foreign)))}; give these values"
         )
-    m, n = h.rows, len(variables)
+    m, n = functions.rows, len(variables)
     z = read_vector(np.asarray(z, dtype=float), "z", m, True)
     x = read_vector(np.asarray(start, dtype=float), "start", n, True)
     R = (
@@ -83,14 +131,13 @@ def gauss_newton(h, z, variables, start, R=None, *, tolerance=1e-10, most_steps=
         if R is None
         else read_covariance(np.asarray(R, dtype=float), "R", m, True, definite=True)
     )
-    return _iterate(_Whitened(h, z, variables, R), x, tolerance, most_steps)
+    return _iterate(_Whitened(functions, z, variables, R), x, tolerance, max_steps)
 
 
 class _Whitened:
-    """Residuals, Jacobian and second derivatives, multiplied by the inverse of the Cholesky factor
-    of R."""
+    """Residuals, Jacobian and second derivatives, whitened by the Cholesky factor of R."""
 
-    def __init__(self, h, z, variables, R):
+    def __init__(self, h, z, variables, R) -> None:
         self.factor, self.z = np.linalg.cholesky(R), z
         n = len(variables)
         self.shape = (h.rows, n)
@@ -109,7 +156,7 @@ class _Whitened:
         return np.linalg.solve(self.factor, self._at(1, x).reshape(self.shape))
 
     def curvature(self, x, residuals):
-        """The sum of the residuals times the second derivatives, n x n."""
+        """Return the sum of the residuals times the second derivatives, n x n."""
         second = self._at(2, x).reshape(len(residuals), -1)
         return (np.linalg.solve(self.factor.T, residuals) @ second).reshape(
             self.shape[1], self.shape[1]
@@ -119,7 +166,7 @@ class _Whitened:
         return np.array(self.functions[k](x), dtype=float)
 
 
-def _iterate(problem, x, tolerance, most_steps):
+def _iterate(problem, x, tolerance, max_steps):
     residuals = problem.residuals(x)
     if not np.isfinite(residuals).all():
         raise ValueError(f"start: h is not finite at {x.tolist()}")
@@ -146,26 +193,28 @@ def _iterate(problem, x, tolerance, most_steps):
             reason = "converged"
         elif not share:
             reason = "not converged: no shorter step lowers the misfit"
-        elif len(steps) >= most_steps:
-            reason = f"not converged: after {most_steps} steps the last one still has the length {steps[-1]:.3g}"
+        elif len(steps) >= max_steps:
+            reason = f"not converged: after {max_steps} steps the last one still has the length {steps[-1]:.3g}"
     return _result(problem, x, residuals, steps, reason)
 
 
 def _shortened(problem, x, residuals, step, descent):
-    """The share of a step that lowers the misfit without overshooting, and what is there; 0 if no
-    share does.
+    """Return the share of a step that lowers the misfit without overshooting, or 0.
 
-    Near a minimum the misfit is flat to rounding, but its slope along the step is not: it begins at
-    -descent, and a share is too long if it comes to more than half of that with the other sign.
+    Also returned are the point and the residuals there. Near a minimum the misfit is flat to
+    rounding, but its slope along the step is not: it begins at -descent, and a share is too long if
+    it comes to more than half of that with the other sign.
     """
     share, misfit = 1.0, residuals @ residuals
     for _ in range(HALVINGS):
-        place = x + share * step
-        moved = problem.residuals(place)
-        if np.isfinite(moved).all() and moved @ moved <= misfit * (1 + 1e-13):
-            slope = -(moved @ (problem.jacobian(place) @ step))
+        point = x + share * step
+        new_residuals = problem.residuals(point)
+        if np.isfinite(new_residuals).all() and new_residuals @ new_residuals <= misfit * (
+            1 + 1e-13
+        ):
+            slope = -(new_residuals @ (problem.jacobian(point) @ step))
             if slope <= descent / 2 + 1e-13 * misfit:
-                return share, place, moved
+                return share, point, new_residuals
             share *= min(max(descent / (descent + slope), 0.1), 0.9)
         else:
             share /= 2

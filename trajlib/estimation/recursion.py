@@ -1,17 +1,30 @@
-"""x_{k+1} = F x_k + u_k for many k at once: blocks of steps by one matrix product, their ends by
-the same recursion."""
+"""Linear recursion x_{k+1} = F x_k + u_k, computed in blocks.
+
+The steps of a block take one matrix product, the final states of the blocks the same recursion.
+"""
 
 import numpy as np
 
-#: Steps in a block: a product costs BLOCK n multiplications a step and component, a step alone
+#: Steps in a block: a product costs BLOCK n multiplications a step and component, a single step
 #: costs a call.
 BLOCK = 8
 
 
-def recursion(F, u, start):
-    """x_0, ..., x_N of x_{k+1} = F x_k + u_k, for several series beside each other.
+def recursion(F: np.ndarray, u: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """Return x_0, ..., x_N of x_{k+1} = F x_k + u_k for several series beside each other.
 
-    `F`: n x n; `u`: S x N x n; `start`: S x n. Returns S x (N + 1) x n.
+    Parameters
+    ----------
+    F : ndarray, shape (n, n)
+        Matrix of the recursion.
+    u : ndarray, shape (S, N, n)
+        Inputs of S series.
+    start : ndarray, shape (S, n)
+        Initial states x_0.
+
+    Returns
+    -------
+    ndarray, shape (S, N + 1, n)
     """
     series, count, n = u.shape
     states = np.empty((series, count + 1, n))
@@ -23,7 +36,7 @@ def recursion(F, u, start):
     powers = [np.eye(n)]
     for _ in range(BLOCK):
         powers.append(F @ powers[-1])
-    # From the inputs of a block to its states, as if it began with zero: rows x_1, ..., x_BLOCK.
+    # From the inputs of a block to its states for the initial state zero: rows x_1, ..., x_BLOCK.
     response = np.zeros((BLOCK, n, BLOCK, n))
     for j in range(BLOCK):
         for i in range(j + 1):
@@ -31,7 +44,7 @@ def recursion(F, u, start):
     blocks = -(-count // BLOCK)
     padded = np.zeros((series, blocks * BLOCK, n))
     padded[:, :count] = u
-    # Plain matrices: products of stacks are taken one by one.
+    # Plain matrices, since products of stacks are computed one by one.
     within = padded.reshape(series * blocks, BLOCK * n) @ response.reshape(BLOCK * n, BLOCK * n).T
     ends = recursion(powers[BLOCK], within.reshape(series, blocks, BLOCK * n)[:, :, -n:], start)
     within += ends[:, :-1].reshape(-1, n) @ np.concatenate(powers[1:]).T
@@ -40,8 +53,10 @@ def recursion(F, u, start):
 
 
 def varying_recursion(F, u, start):
-    """The same with a matrix for each step, `F`: N x n x n: chunks beside each other, then their
-    ends in turn."""
+    """Return the same for a matrix of each step, `F` of shape (N, n, n).
+
+    Chunks of steps are computed beside each other, then their final states in turn.
+    """
     series, count, n = u.shape
     width = int(np.ceil(np.sqrt(count)))
     chunks = -(-count // width)
@@ -53,16 +68,15 @@ def varying_recursion(F, u, start):
         matrices.reshape(chunks, width, n, n),
         inputs.reshape(series, chunks, width, n),
     )
-    # What a chunk does to the state it begins with, and what its inputs add, after each of its
-    # steps.
-    reach, forced = np.empty_like(matrices), np.empty_like(inputs)
+    # Transition from the initial state of a chunk, and response to its inputs, after each step.
+    transitions, forced = np.empty_like(matrices), np.empty_like(inputs)
     product, state = np.broadcast_to(np.eye(n), (chunks, n, n)), np.zeros((series, chunks, n))
     for k in range(width):
         product = matrices[:, k] @ product
         state = np.einsum("cij,scj->sci", matrices[:, k], state) + inputs[:, :, k]
-        reach[:, k], forced[:, :, k] = product, state
-    begins = [start]
+        transitions[:, k], forced[:, :, k] = product, state
+    initial = [start]
     for c in range(chunks - 1):
-        begins.append(begins[-1] @ reach[c, -1].T + forced[:, c, -1])
-    states = forced + np.einsum("ckij,scj->scki", reach, np.stack(begins, axis=1))
+        initial.append(initial[-1] @ transitions[c, -1].T + forced[:, c, -1])
+    states = forced + np.einsum("ckij,scj->scki", transitions, np.stack(initial, axis=1))
     return np.concatenate([start[:, None], states.reshape(series, -1, n)[:, :count]], axis=1)

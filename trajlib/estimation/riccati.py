@@ -1,4 +1,4 @@
-"""Algebraic Riccati equations solved exactly: the stabilising branch from a spectral factor.
+"""Exact solution of algebraic Riccati equations by spectral factorisation.
 
 The stabilising P spans, as (E; P), the invariant subspace of the Hamiltonian matrix that belongs to
 its eigenvalues in the left half-plane. Their polynomial p is a factor of the characteristic
@@ -15,10 +15,10 @@ Hamiltonian matrix by z = (1 + s)/(1 - s), also for a singular Phi.
 import numpy as np
 import sympy as sp
 
+from trajlib._real_symbols import as_real, vanishes
 from trajlib.estimation.exact_or_float import solve
 from trajlib.stability.inequalities import equation, positive
 from trajlib.stability.regions import stability_conditions
-from trajlib.stability.systems import as_real, vanishes
 
 
 def continuous_hamiltonian(A, H, Q, R):
@@ -27,7 +27,10 @@ def continuous_hamiltonian(A, H, Q, R):
 
 
 def discrete_hamiltonian(Phi, H, Q, R):
-    """None if the pencil has the eigenvalue z = -1: then there is no stabilising solution."""
+    """Return the Hamiltonian matrix of the symplectic pencil; None if -1 is an eigenvalue.
+
+    In that case there is no stabilising solution.
+    """
     n, S = Phi.rows, H.T * solve(R, H)
     left = sp.Matrix(sp.BlockMatrix([[Phi.T, sp.zeros(n)], [-Q, sp.eye(n)]]))
     right = sp.Matrix(sp.BlockMatrix([[sp.eye(n), S], [sp.zeros(n), Phi]]))
@@ -38,26 +41,32 @@ def discrete_hamiltonian(Phi, H, Q, R):
 
 
 class Stabilising:
-    """The stabilising solution for a Hamiltonian matrix: `P`, None if there is none, and `where` it
-    holds.
+    """Stabilising solution for a Hamiltonian matrix.
 
-    P stands in auxiliary symbols for the roots; `finished` puts a matrix of such entries in lowest
-    terms and in the symbols that were given.
+    `P` is the solution, None if there is none, and `where` the condition under which it holds. P is
+    written in auxiliary symbols for the roots; `in_given_symbols` puts a matrix of such entries in
+    lowest terms and in the given symbols.
     """
 
     def __init__(self, hamiltonian):
-        self._roots, self._conditions, self._back, self.P, self.where = [], [], {}, None, sp.false
+        self._roots, self._conditions, self._from_real, self.P, self.where = (
+            [],
+            [],
+            {},
+            None,
+            sp.false,
+        )
         if hamiltonian is None:
             return
-        there, self._back = as_real(hamiltonian)
-        M = hamiltonian.xreplace(there)
+        to_real, self._from_real = as_real(hamiltonian)
+        M = hamiltonian.xreplace(to_real)
         factor = self._stable_factor(M)
         if factor is None or any(condition == sp.false for condition in self._conditions):
             return
         self._solve(M, factor)
 
     def _stable_factor(self, M):
-        """Coefficients of p, highest power first; None if an eigenvalue lies on the axis."""
+        """Return the coefficients of p, highest first; None for an eigenvalue on the axis."""
         polynomial = M.charpoly()
         s = polynomial.gen
         parts = [
@@ -76,13 +85,15 @@ class Stabilising:
             else:
                 parts = [(g, k) for g, k in parts if g != mirrored]
                 piece = (
-                    self._half(f * mirrored) if f.degree() <= 2 else self._stable_one(f, mirrored)
+                    self._half(f * mirrored)
+                    if f.degree() <= 2
+                    else self._stable_factor_of_pair(f, mirrored)
                 )
             product = product * piece**times
         return product.all_coeffs()
 
     def _half(self, even):
-        """The half of an even polynomial with its roots on the left."""
+        """Return the factor of an even polynomial with its roots on the left."""
         s = even.gen
         if even.degree() == 2:
             return sp.Poly(s + self._root(-even.nth(0)), s)
@@ -108,25 +119,27 @@ class Stabilising:
                 )
         return half
 
-    def _stable_one(self, f, mirrored):
+    def _stable_factor_of_pair(self, f, mirrored):
         if not f.free_symbols_in_domain:
-            for one in (f, mirrored):
-                if stability_conditions(one.as_expr(), [], symbol=f.gen).region == sp.true:
-                    return one
+            for factor in (f, mirrored):
+                if stability_conditions(factor.as_expr(), [], symbol=f.gen).region == sp.true:
+                    return factor
         raise NotImplementedError(
             f"the stationary covariance needs the roots of {f.as_expr()}; give the matrices as "
             "arrays of floats"
         )
 
     def _root(self, square):
-        """The positive root; an auxiliary symbol if it is none of the field, and the condition that
-        it is one."""
+        """Return the positive root, and record the condition that it exists.
+
+        It is an auxiliary symbol unless it is an element of the field.
+        """
         square = sp.factor(square)
-        shown = square.xreplace(dict(self._roots_in_full()))
-        if not shown.free_symbols:
-            self._conditions.append(sp.sympify(bool(sp.N(shown, 40) > sp.Float("1e-30"))))
-        elif not shown.is_positive:
-            self._conditions.append(_positive(shown))
+        value = square.xreplace(dict(self._expanded_roots()))
+        if not value.free_symbols:
+            self._conditions.append(sp.sympify(bool(sp.N(value, 40) > sp.Float("1e-30"))))
+        elif not value.is_positive:
+            self._conditions.append(_positive(value))
         root = sp.sqrt(sp.sqrtdenest(square)) if not square.free_symbols else sp.sqrt(square)
         if not root.atoms(sp.Pow) - square.atoms(sp.Pow) or root.is_Rational:
             return root
@@ -134,7 +147,7 @@ class Stabilising:
         self._roots.append((symbol, square))
         return symbol
 
-    def _roots_in_full(self):
+    def _expanded_roots(self):
         full = {}
         for symbol, square in self._roots:
             full[symbol] = sp.sqrt(square.xreplace(full))
@@ -152,40 +165,39 @@ class Stabilising:
         W, V = W.extract(rows, list(range(n))), V.extract(rows, list(range(n)))
         P = -(W.adjugate() * V / W.det()).applyfunc(self._reduced)
         self.P = ((P + P.T) / 2).applyfunc(self._reduced)
-        below = sp.lcm_list([sp.denom(sp.together(entry)) for entry in self.P])
-        apart = [
+        denominator = sp.lcm_list([sp.denom(sp.together(entry)) for entry in self.P])
+        conditions = [
             sp.Not(equation(f))
-            for f, _ in sp.factor_list(below)[1]
+            for f, _ in sp.factor_list(denominator)[1]
             if f.free_symbols
             and not f.is_nonzero
             and not f.has(*(symbol for symbol, _ in self._roots))
         ]
-        self.where = sp.And(*self._conditions, *apart).xreplace(self._back)
+        self.where = sp.And(*self._conditions, *conditions).xreplace(self._from_real)
 
     def _independent(self, W):
-        """Numbers of n rows of W that are independent where the conditions hold; None if there are
-        none."""
+        """Return the indices of n independent rows of W, or None."""
         symbols = sorted(W.free_symbols - {symbol for symbol, _ in self._roots}, key=str)
-        full, rng = self._roots_in_full(), np.random.default_rng(1)
+        roots, rng = self._expanded_roots(), np.random.default_rng(1)
         symbols = sorted(
-            set(symbols).union(*(root.free_symbols for root in full.values())), key=str
+            set(symbols).union(*(root.free_symbols for root in roots.values())), key=str
         )
         for _ in range(60):
             signs = [
                 1 if s.is_positive else -1 if s.is_negative else rng.choice([-1, 1])
                 for s in symbols
             ]
-            place = {
+            point = {
                 s: sign * sp.Rational(int(rng.integers(1, 40)), 7)
                 for s, sign in zip(symbols, signs)
             }
-            if not all(c.subs(place) == sp.true for c in self._conditions):
+            if not all(c.subs(point) == sp.true for c in self._conditions):
                 continue
-            values = {symbol: sp.N(root.subs(place), 30) for symbol, root in full.items()}
-            there = np.array(W.subs(place).subs(values).evalf(20).tolist(), dtype=complex)
-            rows, size = [], np.abs(there).max()
-            for i in range(len(there)):
-                if np.linalg.svd(there[[*rows, i]], compute_uv=False)[-1] > 1e-10 * size:
+            values = {symbol: sp.N(root.subs(point), 30) for symbol, root in roots.items()}
+            values_of_W = np.array(W.subs(point).subs(values).evalf(20).tolist(), dtype=complex)
+            rows, size = [], np.abs(values_of_W).max()
+            for i in range(len(values_of_W)):
+                if np.linalg.svd(values_of_W[[*rows, i]], compute_uv=False)[-1] > 1e-10 * size:
                     rows.append(i)
                 if len(rows) == W.cols:
                     return rows
@@ -193,29 +205,35 @@ class Stabilising:
         return None
 
     def _reduced(self, entry):
-        """An entry with each auxiliary symbol at most in the first power and in no denominator."""
+        """Return an entry linear in each auxiliary symbol, with none in the denominator."""
         for k in range(len(self._roots) - 1, -1, -1):
             symbol, square = self._roots[k]
             if entry.has(symbol):
                 relation = symbol**2 - square
-                above, below = (
+                numerator, denominator = (
                     sp.rem(part, relation, symbol) for part in sp.fraction(sp.together(entry))
                 )
-                mirrored = below.subs(symbol, -symbol)
-                above, below = (
-                    sp.rem(sp.expand(part * mirrored), relation, symbol) for part in (above, below)
+                conjugate = denominator.subs(symbol, -symbol)
+                numerator, denominator = (
+                    sp.rem(sp.expand(part * conjugate), relation, symbol)
+                    for part in (numerator, denominator)
                 )
                 return sum(
-                    self._reduced(above.coeff(symbol, i) / below) * symbol**i for i in (0, 1)
+                    self._reduced(numerator.coeff(symbol, i) / denominator) * symbol**i
+                    for i in (0, 1)
                 )
         return sp.factor(sp.cancel(entry)) if entry.free_symbols else sp.radsimp(sp.expand(entry))
 
-    def finished(self, matrix):
-        return matrix.applyfunc(self._reduced).xreplace(self._roots_in_full()).xreplace(self._back)
+    def in_given_symbols(self, matrix):
+        return (
+            matrix.applyfunc(self._reduced)
+            .xreplace(self._expanded_roots())
+            .xreplace(self._from_real)
+        )
 
 
 def _positive(expression):
-    """expression > 0, in lowest terms where it is a polynomial or a fraction of such."""
+    """Return expression > 0, in lowest terms for polynomials and rational functions."""
     if (
         expression.atoms(sp.Pow) and any(not p.exp.is_Integer for p in expression.atoms(sp.Pow))
     ) or expression.has(sp.Abs):

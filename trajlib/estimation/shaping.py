@@ -1,55 +1,95 @@
-"""Shaping filters: a correlated noise as the output of a linear system driven by white noise.
+"""Shaping filters: correlated noise as the output of a linear system driven by white noise.
 
 A process with the correlation D e^{-a |tau|} obeys w' = -aw + q with the intensity 2aD and the
-variance D from the beginning; for a = 0 it is a constant of the variance D. A sum of such
-correlations is that of independent processes. The states of the noise are then estimated beside
-those of the system.
+initial variance D; for a = 0 it is a constant of the variance D. A sum of such correlations belongs
+to a sum of independent processes. The states of the noise are then estimated together with those of
+the system.
 """
 
 from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_matrix, read_square
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
+from trajlib._typing import MatrixLike, ScalarLike
 from trajlib.estimation.exact_or_float import stack
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 
 
 @dataclass(frozen=True)
 class ShapingFilter:
-    """w' = A w + q, noise = H w: `A`: k x k, `H`: 1 x k, `Q`: k x k, the intensity of q,
-    `covariance`: k x k, that of w at all times."""
+    """Linear system w' = A w + q with the output noise = H w.
 
-    A: object
-    H: object
-    Q: object
-    covariance: object
+    Attributes
+    ----------
+    A : sympy.Matrix, shape (k, k)
+        Diagonal matrix of the system.
+    H : sympy.Matrix, shape (1, k)
+        Output matrix.
+    Q : sympy.Matrix, shape (k, k)
+        Intensity of q.
+    covariance : sympy.Matrix, shape (k, k)
+        Covariance of w at all times.
+    """
 
-    def correlation(self, tau):
-        """The correlation function of the noise at tau >= 0; A is diagonal."""
+    A: sp.Matrix
+    H: sp.Matrix
+    Q: sp.Matrix
+    covariance: sp.Matrix
+
+    def correlation(self, tau: ScalarLike) -> sp.Expr:
+        """Return the correlation function of the noise.
+
+        Parameters
+        ----------
+        tau : scalar_like
+            Time difference, tau >= 0.
+
+        Returns
+        -------
+        sympy.Expr
+        """
         return sum(
             self.H[k] ** 2 * self.covariance[k, k] * sp.exp(self.A[k, k] * tau)
             for k in range(self.A.rows)
         )
 
 
-def shaping_filter(correlation, tau):
-    """The system that makes a noise with the given correlation function from white noise.
+def shaping_filter(correlation: sp.Expr, tau: sp.Symbol) -> ShapingFilter:
+    """Return the system that makes a noise with a given correlation function from white noise.
 
-    `correlation`: an expression in the symbol `tau` >= 0, a sum of terms D e^{-a tau} with D > 0
-    and a >= 0 (symbols with assumptions, or numbers); the function is even in tau. Returns
-    `ShapingFilter`. Raises ValueError for other functions. Source: problems 4.41 - 4.43; "forming
-    equation" in the hint to 4.43.
+    Parameters
+    ----------
+    correlation : sympy.Expr
+        Even function, given for tau >= 0 as a sum of terms D e^{-a tau} with D > 0 and a >= 0
+        (numbers, or symbols with assumptions).
+    tau : sympy.Symbol
+        Time difference.
 
+    Returns
+    -------
+    ShapingFilter
+
+    Raises
+    ------
+    ValueError
+        If the function has another form.
+
+    Notes
+    -----
+    Source: problems 4.41 - 4.43; "forming equation" in the hint to 4.43.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> tau = sp.Symbol("tau")
-    >>> found = shaping_filter(8*sp.exp(-tau), tau)    # problem 4.41
-    >>> found.A, found.Q, found.covariance
+    >>> shaping = shaping_filter(8*sp.exp(-tau), tau)    # problem 4.41
+    >>> shaping.A, shaping.Q, shaping.covariance
     (Matrix([[-1]]), Matrix([[16]]), Matrix([[8]]))
     """
     (tau,) = read_symbols(tau, "tau")
     correlation = exact_decimals(read_expression(correlation, "correlation"))
-    terms = {}
+    terms: dict = {}
     for term in sp.Add.make_args(sp.expand(correlation)):
         size, rate = term, sp.Integer(0)
         for power in [f for f in sp.Mul.make_args(sp.powsimp(term)) if isinstance(f, sp.exp)]:
@@ -84,49 +124,87 @@ def shaping_filter(correlation, tau):
 
 @dataclass(frozen=True)
 class ShapedProcess:
-    """A system with the states of its noise below its own: `A`, `Q`: square, of n + k; `H`: m x (n
-    + k), None if no H was given; `noise_covariance`: k x k, with which the states of the noise
-    begin."""
+    """System augmented by the states of its noise, which stand below its own.
 
-    A: object
-    Q: object
-    H: object
-    noise_covariance: object
+    Attributes
+    ----------
+    A : sympy.Matrix, shape (n + k, n + k)
+        Matrix of the augmented system.
+    Q : sympy.Matrix, shape (n + k, n + k)
+        Intensity of its white noise.
+    H : sympy.Matrix or None, shape (m, n + k)
+        Measurement matrix, None if no H was given.
+    noise_covariance : sympy.Matrix, shape (k, k)
+        Initial covariance of the states of the noise.
+    """
+
+    A: sp.Matrix
+    Q: sp.Matrix
+    H: sp.Matrix | None
+    noise_covariance: sp.Matrix
 
 
-def with_shaping(A, shaping, B=None, Q=None, H=None, C=None):
-    """The system x' = Ax + Bw + q, z = Hx + Cw + r with a noise w made by a shaping filter.
+def with_shaping(
+    A: MatrixLike,
+    shaping: ShapingFilter,
+    B: MatrixLike = None,
+    Q: MatrixLike = None,
+    H: MatrixLike = None,
+    C: MatrixLike = None,
+) -> ShapedProcess:
+    """Return the system x' = Ax + Bw + q, z = Hx + Cw + r augmented by a shaping filter for w.
 
-    `A`: n x n; `shaping`: `ShapingFilter` with k states; `B`: n x 1, where the noise enters the
-    equations, None if it does not; `Q`: n x n, the intensity of a further white noise, None for
-    none; `H`: m x n and `C`: m x 1, where it enters the measurements. Exact. Returns
-    `ShapedProcess`. Raises ValueError for shapes that do not fit.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system, exact.
+    shaping : ShapingFilter
+        Shaping filter with k states.
+    B : matrix_like, shape (n, 1), optional
+        Where the noise enters the equations; left out, it does not.
+    Q : matrix_like, shape (n, n), optional
+        Intensity of a further white noise.
+    H : matrix_like, shape (m, n), optional
+        Measurement matrix.
+    C : matrix_like, shape (m, 1), optional
+        Where the noise enters the measurements.
 
+    Returns
+    -------
+    ShapedProcess
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit or a matrix is an array.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> tau = sp.Symbol("tau")
-    >>> found = with_shaping(0, shaping_filter(8*sp.exp(-tau), tau), B=1, H=1)    # problem 4.41
-    >>> found.A, found.H
+    >>> process = with_shaping(0, shaping_filter(8*sp.exp(-tau), tau), B=1, H=1)    # problem 4.41
+    >>> process.A, process.H
     (Matrix([
     [0,  1],
     [0, -1]]), Matrix([[1, 0]]))
     """
-    if in_floats(A, B, Q, H, C):
+    if any_floats(A, B, Q, H, C):
         raise ValueError("A: expected exact matrices (SymPy)")
     A = read_square(A, "A", False)
     n, k = A.rows, shaping.A.rows
     B = sp.zeros(n, 1) if B is None else _column(B, "B", n)
-    larger = stack(A.row_join(B * shaping.H), sp.zeros(k, n).row_join(shaping.A))
-    noise = sp.diag(sp.zeros(n) if Q is None else read_matrix(Q, "Q", n, n, False), shaping.Q)
+    augmented = stack(A.row_join(B * shaping.H), sp.zeros(k, n).row_join(shaping.A))
+    intensity = sp.diag(sp.zeros(n) if Q is None else read_matrix(Q, "Q", n, n, False), shaping.Q)
     output = None
     if H is not None:
         H = read_matrix(H, "H", None, n, False)
         C = sp.zeros(H.rows, 1) if C is None else _column(C, "C", H.rows)
         output = H.row_join(C * shaping.H)
-    return ShapedProcess(larger, noise, output, shaping.covariance)
+    return ShapedProcess(augmented, intensity, output, shaping.covariance)
 
 
-def _column(given, name, length):
-    matrix = read_matrix(given, name, None, None, False)
+def _column(entries, name, length):
+    matrix = read_matrix(entries, name, None, None, False)
     matrix = matrix.T if matrix.rows == 1 and length != 1 else matrix
     if matrix.shape != (length, 1):
         raise ValueError(

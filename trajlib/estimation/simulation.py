@@ -1,40 +1,92 @@
-"""Sample paths, and whether a filter's errors are as large as it says.
+"""Sample paths, and consistency of a filter's errors with its covariances.
 
 Errors of the estimates and innovations, divided by their covariances, have squares that are
-chi-squared if the model is right; their means over independent paths lie in known limits.
-Continuous processes are drawn by their exact discrete counterparts, so that the length of the step
-does not matter.
+chi-squared if the model is right, so their means over independent paths lie in known limits.
+Continuous processes are drawn by their exact discrete counterparts, so the length of the step does
+not matter.
 """
 
 from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.estimation.arguments import read_covariance, read_matrix, read_square, read_vector
-from trajlib.estimation.markov import discretised
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import read_matrix, read_square, read_vector
+from trajlib._typing import ArrayLike
+from trajlib.estimation.covariances import Moments
+from trajlib.estimation.discrete_filter import FilterRun
+from trajlib.estimation.markov import discretise
 
 
 @dataclass(frozen=True, repr=False)
 class Paths:
-    """Drawn paths: `times`: N; `states`: S x N x n; `measurements`: S x N x m, None if no H was
-    given."""
+    """Sample paths: S paths of N steps.
+
+    Attributes
+    ----------
+    times : ndarray, shape (N,)
+        Times, or step numbers.
+    states : ndarray, shape (S, N, n)
+        States.
+    measurements : ndarray or None, shape (S, N, m)
+        Measurements, None if no H was given.
+    """
 
     times: np.ndarray
     states: np.ndarray
-    measurements: object
+    measurements: np.ndarray | None
 
     def __repr__(self):
         return f"Paths: {self.states.shape[0]} of {self.states.shape[1]} steps, {self.states.shape[2]} states"
 
 
-def simulate_discrete(Phi, Q, start, steps, paths, seed, H=None, R=None):
-    """Paths of x_{i+1} = Phi x_i + q_i with z_i = H x_i + r_i, all noises normal.
+def simulate_discrete(
+    Phi: ArrayLike,
+    Q: ArrayLike,
+    start: Moments,
+    steps: int,
+    paths: int,
+    seed: int,
+    H: ArrayLike | None = None,
+    R: ArrayLike | None = None,
+) -> Paths:
+    """Draw paths of x_{i+1} = Phi x_i + q_i with z_i = H x_i + r_i, all noises normal.
 
-    `Phi`, `Q`: n x n; `start`: `Moments` of x_0; `steps` and `paths`: N and S; `seed`: a whole
-    number, the same for the same paths; `H`: m x n and `R`: m x m, positive semidefinite, for
-    measurements. In floats. Returns `Paths`. Raises ValueError for shapes that do not fit and
-    covariances that are none. Source: Definition 4.12.
+    Parameters
+    ----------
+    Phi : array_like, shape (n, n)
+        Transition matrix.
+    Q : array_like, shape (n, n)
+        Covariance of q_i, positive semidefinite.
+    start : Moments
+        Mean and covariance of x_0.
+    steps : int
+        Number N of states in a path.
+    paths : int
+        Number S of paths.
+    seed : int
+        Seed of the random numbers; the same seed gives the same paths.
+    H : array_like, shape (m, n), optional
+        Measurement matrix; left out, nothing is measured.
+    R : array_like, shape (m, m), optional
+        Covariance of r_i, positive semidefinite; needed with H.
 
+    Returns
+    -------
+    Paths
+        In floats.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit or Q or R is no covariance.
+
+    Notes
+    -----
+    Source: Definition 4.12.
+
+    Examples
+    --------
     >>> from trajlib.estimation import Moments
     >>> drawn = simulate_discrete(0.5, 3, Moments(0, 4), 50, 2000, seed=1)
     >>> bool(abs(drawn.states.var() - 4) < 0.1)    # the process is stationary
@@ -42,18 +94,62 @@ def simulate_discrete(Phi, Q, start, steps, paths, seed, H=None, R=None):
     """
     Phi = read_square(np.asarray(Phi, dtype=float), "Phi", True)
     Q = read_covariance(np.asarray(Q, dtype=float), "Q", len(Phi), True)
-    return _drawn(
-        [Phi] * (steps - 1), [_root(Q)] * (steps - 1), start, np.arange(steps), paths, seed, H, R
+    return _draw(
+        [Phi] * (steps - 1),
+        [_square_root(Q)] * (steps - 1),
+        start,
+        np.arange(steps),
+        paths,
+        seed,
+        H,
+        R,
     )
 
 
-def simulate_continuous(A, Q, start, times, paths, seed, H=None, R=None):
-    """Paths of x' = Ax + q at the given times, with measurements z_i = H x(t_i) + r_i at each of
-    them.
+def simulate_continuous(
+    A: ArrayLike,
+    Q: ArrayLike,
+    start: Moments,
+    times: ArrayLike,
+    paths: int,
+    seed: int,
+    H: ArrayLike | None = None,
+    R: ArrayLike | None = None,
+) -> Paths:
+    """Draw paths of x' = Ax + q at given times, with measurements z_i = H x(t_i) + r_i at each.
 
-    `A`: n x n; `Q`: n x n, the intensity of q; `start`: `Moments` at the first time; `times`: N
-    rising numbers; the rest as for `simulate_discrete`. The paths have the exact distribution at
-    these times, whatever their distances. Returns `Paths`. Source: Definition 4.13.
+    Parameters
+    ----------
+    A : array_like, shape (n, n)
+        Matrix of the system.
+    Q : array_like, shape (n, n)
+        Intensity of q, positive semidefinite.
+    start : Moments
+        Mean and covariance of x at the first time.
+    times : array_like, shape (N,)
+        Times that do not decrease.
+    paths : int
+        Number S of paths.
+    seed : int
+        Seed of the random numbers.
+    H : array_like, shape (m, n), optional
+        Measurement matrix; left out, nothing is measured.
+    R : array_like, shape (m, m), optional
+        Covariance of r_i, positive semidefinite; needed with H.
+
+    Returns
+    -------
+    Paths
+        In floats, with the exact distribution at these times, however far apart they are.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, Q or R is no covariance, or times decrease.
+
+    Notes
+    -----
+    Source: Definition 4.13.
     """
     A = read_square(np.asarray(A, dtype=float), "A", True)
     Q = read_covariance(np.asarray(Q, dtype=float), "Q", len(A), True)
@@ -61,9 +157,9 @@ def simulate_continuous(A, Q, start, times, paths, seed, H=None, R=None):
     if (np.diff(times) < 0).any():
         raise ValueError("times: expected rising numbers")
     steps = equal_steps(times)
-    models = {step: discretised(A, Q, step) for step in np.unique(steps)}
-    roots = {step: _root(model.Q) for step, model in models.items()}
-    return _drawn(
+    models = {step: discretise(A, Q, step) for step in np.unique(steps)}
+    roots = {step: _square_root(model.Q) for step, model in models.items()}
+    return _draw(
         [models[step].Phi for step in steps],
         [roots[step] for step in steps],
         start,
@@ -76,18 +172,18 @@ def simulate_continuous(A, Q, start, times, paths, seed, H=None, R=None):
 
 
 def equal_steps(times):
-    """The differences of times; those that differ by rounding alone are equal."""
+    """Return the differences of times, equal where they differ by rounding only."""
     steps = np.diff(times)
     unit = np.abs(times).max(initial=0.0) * 1e-13 or 1.0
     return np.round(steps / unit) * unit
 
 
-def _drawn(Phis, roots, start, times, paths, seed, H, R):
+def _draw(Phis, roots, start, times, paths, seed, H, R):
     rng = np.random.default_rng(seed)
     n = start.covariance.shape[0]
     P = read_covariance(start.covariance, "covariance", n, True)
     states = np.empty((paths, len(times), n))
-    x = read_vector(start.mean, "mean", n, True) + rng.normal(size=(paths, n)) @ _root(P).T
+    x = read_vector(start.mean, "mean", n, True) + rng.normal(size=(paths, n)) @ _square_root(P).T
     for k in range(len(times)):
         states[:, k] = x
         if k < len(Phis):
@@ -96,23 +192,32 @@ def _drawn(Phis, roots, start, times, paths, seed, H, R):
     if H is not None:
         H = read_matrix(np.asarray(H, dtype=float), "H", None, n, True)
         R = read_covariance(np.asarray(R, dtype=float), "R", len(H), True)
-        measurements = states @ H.T + rng.normal(size=(paths, len(times), len(H))) @ _root(R).T
+        measurements = (
+            states @ H.T + rng.normal(size=(paths, len(times), len(H))) @ _square_root(R).T
+        )
     return Paths(times, states, measurements)
 
 
-def _root(P):
-    """A square root, also of a singular covariance."""
+def _square_root(P):
+    """Return a square root, also of a singular covariance."""
     values, vectors = np.linalg.eigh(P)
     return vectors * np.sqrt(np.maximum(values, 0))
 
 
 @dataclass(frozen=True)
 class Consistency:
-    """Whether squares of normalised errors are as large as they should be; true in an `if` if their
-    mean lies inside.
+    """Mean square of normalised errors with its limits; true in an `if` if it lies inside.
 
-    `mean`: of the squares; `expected`: what it should be; `low`, `high`: limits that it keeps with
-    the probability `level` if the model is right.
+    Attributes
+    ----------
+    mean : float
+        Mean of the squares.
+    expected : float
+        Its expectation for the right model.
+    low, high : float
+        Limits that it keeps with the probability `level` if the model is right.
+    level : float
+        This probability.
     """
 
     mean: float
@@ -132,44 +237,57 @@ class Consistency:
         )
 
 
-def innovation_consistency(run, level=0.999):
-    """Are the innovations of a `FilterRun` as large as their covariances say? (NIS test.)
+def innovation_consistency(run: FilterRun, level: float = 0.999) -> Consistency:
+    """Test whether the innovations of a filter agree with their covariances (NIS test).
 
-    For the right model they are independent, and the sum of their normalised squares is chi-squared
-    with as many degrees of freedom as numbers were measured. Returns `Consistency` for the mean a
-    step.
+    Parameters
+    ----------
+    run : FilterRun
+        Result of `KalmanFilter.run`.
+    level : float
+        Probability with which the right model passes.
+
+    Returns
+    -------
+    Consistency
+        For the mean over the steps.
+
+    Notes
+    -----
+    For the right model the innovations are independent, and the sum of their normalised squares is
+    chi-squared with as many degrees of freedom as numbers were measured.
     """
     return _consistency(
         run.normalised_innovations.sum(), int(run.measured.sum()), run.measured.size, level
     )
 
 
-def error_consistency(run, states, level=0.999):
-    """Are the errors of a `FilterRun` as large as its covariances say? (NEES test, over independent
-    paths.)
+def covariance_consistency(
+    errors: ArrayLike, covariance: ArrayLike, level: float = 0.999
+) -> Consistency:
+    """Test whether independent errors agree with a covariance (NEES test).
 
-    `run`: of S series; `states`: S x N x n, the true ones. Errors of one path depend on one
-    another, so the last step alone is judged. Returns `Consistency` for the mean a path. Raises
-    ValueError if there is one series.
-    """
-    states = np.asarray(states, dtype=float)
-    if run.estimates.ndim != 3 or states.shape != run.estimates.shape:
-        raise ValueError(
-            f"states: expected several series and the shape {run.estimates.shape}, got "
-            f"{states.shape}"
-        )
-    return covariance_consistency(
-        (run.estimates - states)[:, -1], run._steps[1][run.kinds[:, -1]], level
-    )
+    Parameters
+    ----------
+    errors : array_like, shape (S, n)
+        Errors of mean zero; of shape (S,) for one component.
+    covariance : array_like, shape (n, n)
+        One covariance for all, or one for each of shape (S, n, n).
+    level : float
+        Probability with which the right covariance passes.
 
+    Returns
+    -------
+    Consistency
+        For the mean of e^T P^-1 e.
 
-def covariance_consistency(errors, covariance, level=0.999):
-    """Are independent errors as large as a covariance says? (NEES test.)
+    Raises
+    ------
+    ValueError
+        If shapes do not fit.
 
-    `errors`: S x n, or S for one component, of mean zero; `covariance`: n x n, one for all or one
-    for each, S x n x n. Returns `Consistency` for the mean of e^T P^-1 e. Raises ValueError for
-    shapes that do not fit.
-
+    Examples
+    --------
     >>> errors = np.random.default_rng(1).normal(size=(4000, 1))
     >>> bool(covariance_consistency(2*errors, [[4]])), bool(covariance_consistency(2*errors, [[3.6]]))
     (True, False)

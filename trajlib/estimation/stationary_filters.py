@@ -1,13 +1,12 @@
-"""Stationary Kalman filters, Theorems 4.2 and 4.4: the gain to which the filter tends after a long
-time.
+"""Stationary Kalman filters, Theorems 4.2 and 4.4: the limit of the gain after a long time.
 
     A P + P A^T + Q - P H^T R^-1 H P = 0,                                          K = P H^T R^-1
     P = Phi P Phi^T + Q - Phi P H^T (H P H^T + R)^-1 H P Phi^T,   K = P H^T (H P H^T + R)^-1,   P+ = (E - KH) P
 
-Of the solutions the one is taken that makes the errors of the filter asymptotically stable. It
-exists if and only if (A, H) is detectable and no mode on the border of stability is free of noise;
-observability and controllability by the noise, which the theorems ask for, are enough for it and
-make P positive definite.
+The stabilising solution is returned, for which the errors of the filter are asymptotically stable.
+It exists if and only if (A, H) is detectable and the noise drives every mode on the border of
+stability; observability, and controllability by the noise, which the theorems assume, are
+sufficient and make P positive definite.
 """
 
 from dataclasses import dataclass
@@ -15,12 +14,14 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._typing import Matrix, MatrixLike
 from trajlib.estimation.exact_or_float import identity_like, latex, solve, symmetric
 from trajlib.estimation.riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
 from trajlib.stability.regions import latex_condition
-from trajlib.stability.systems import as_prose
 from trajlib.structure.rank_tests import controllability, observability
+from trajlib.typesetting import escape_markdown
 
 #: Errors that decay by less than this share of the size of the matrix count as not decaying, in
 #: floats.
@@ -29,21 +30,30 @@ BORDER = 1e-9
 
 @dataclass(frozen=True)
 class StationaryFilter:
-    """A stationary filter; false in an `if` if there is none.
+    """Stationary filter; false in an `if` if there is none.
 
-    - `covariance`: n x n, of the error of the estimate: P in continuous time; in discrete time P^-,
-      before the measurement, and `corrected` is P^+, after it (None in continuous time);
-    - `gain`: K, n x m; `errors`: n x n, the matrix of the errors, A - KH or Phi (E - KH), whose
-      modes decay;
-    - `where`: the condition on symbols under which all this holds; `reason`: what there is, or why
-      there is nothing.
+    Attributes
+    ----------
+    covariance : matrix or None, shape (n, n)
+        Covariance of the error of the estimate: P in continuous time, P^- (before the measurement)
+        in discrete time.
+    corrected : matrix or None, shape (n, n)
+        P^+ (after the measurement) in discrete time, None in continuous time.
+    gain : matrix or None, shape (n, m)
+        Gain K.
+    errors : matrix or None, shape (n, n)
+        Stable matrix of the error equations, A - KH or Phi (E - KH).
+    where : sympy.Boolean
+        Condition on symbols under which all this holds.
+    reason : str
+        What kind of filter it is, or why there is none.
     """
 
-    covariance: object
-    corrected: object
-    gain: object
-    errors: object
-    where: object
+    covariance: Matrix
+    corrected: Matrix
+    gain: Matrix
+    errors: Matrix
+    where: sp.Basic
     reason: str
 
     def __bool__(self):
@@ -51,7 +61,7 @@ class StationaryFilter:
 
     def _repr_markdown_(self):
         if not self:
-            return as_prose(self.reason)
+            return escape_markdown(self.reason)
         parts = {"P": self.covariance, "P^+": self.corrected, "K": self.gain}
         shown = r",\quad ".join(
             f"{name} = {latex(part)}" for name, part in parts.items() if part is not None
@@ -60,23 +70,48 @@ class StationaryFilter:
         return rf"$\displaystyle {shown}{where}$"
 
 
-def stationary_filter(A, H, Q, R):
-    """The stationary filter of x' = Ax + q, z = Hx + r (MATLAB: lqe, kalman; python-control: lqe).
+def stationary_filter(
+    A: MatrixLike, H: MatrixLike, Q: MatrixLike, R: MatrixLike
+) -> StationaryFilter:
+    """Return the stationary filter of x' = Ax + q, z = Hx + r.
 
-    `A`: n x n; `H`: m x n; `Q`: n x n, the intensity of q, positive semidefinite; `R`: m x m, that
-    of r, positive definite. Exact, also with symbols, or floats. Exact results are found for those
-    spectra that square roots can express, always for n <= 2. Returns `StationaryFilter`, for
-    general values of the symbols, with the condition under which it holds: at the values that
-    `where` excludes substitute them and ask again. Raises ValueError for shapes and covariances
-    that are none, NotImplementedError for exact spectra beyond square roots. Source: Theorem 4.4,
-    example 4, problems 4.33 - 4.41.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system; exact, also with symbols, or floats.
+    H : matrix_like, shape (m, n)
+        Measurement matrix.
+    Q : matrix_like, shape (n, n)
+        Intensity of q, positive semidefinite.
+    R : matrix_like, shape (m, m)
+        Intensity of r, positive definite.
 
+    Returns
+    -------
+    StationaryFilter
+        For general values of the symbols, with the condition under which it holds; for the values
+        that `where` excludes, substitute them and call it again.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit or Q or R is no covariance.
+    NotImplementedError
+        If an exact spectrum needs more than square roots, which is possible for n > 2 only.
+
+    Notes
+    -----
+    MATLAB: ``lqe``, ``kalman``; python-control: ``lqe``. Source: Theorem 4.4, example 4, problems
+    4.33 - 4.41.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> a, Q, R = sp.symbols("a Q R", positive=True)
     >>> stationary_filter(a, 1, Q, R).covariance[0]    # example 4
     sqrt(R)*sqrt(Q + R*a**2) + R*a
-    >>> found = stationary_filter([[-1, 1], [0, 0]], [[1, 0]], sp.diag(0, sp.Rational(9, 4)), 1)    # problem 4.36
-    >>> found.gain.T, found.errors
+    >>> result = stationary_filter([[-1, 1], [0, 0]], [[1, 0]], sp.diag(0, sp.Rational(9, 4)), 1)    # problem 4.36
+    >>> result.gain.T, result.errors
     (Matrix([[1, 3/2]]), Matrix([
     [  -2, 1],
     [-3/2, 0]]))
@@ -86,17 +121,43 @@ def stationary_filter(A, H, Q, R):
     return _stationary(A, H, Q, R, "A", _Continuous)
 
 
-def discrete_stationary_filter(Phi, H, Q, R):
-    """The stationary filter of x_{i+1} = Phi x_i + q_i, z_i = H x_i + r_i (MATLAB: dlqe;
-    python-control: dlqe).
+def discrete_stationary_filter(
+    Phi: MatrixLike, H: MatrixLike, Q: MatrixLike, R: MatrixLike
+) -> StationaryFilter:
+    """Return the stationary filter of x_{i+1} = Phi x_i + q_i, z_i = H x_i + r_i.
 
-    `Phi`: n x n, also singular; `H`: m x n; `Q`, `R`: covariances of q_i and r_i. The gain is that
-    of the correction, x~+ = x~- + K (z - H x~-); the gain of the one-step predictor is Phi K.
-    Returns and raises as `stationary_filter`. Source: Theorem 4.2, problems 4.22 - 4.25.
+    Parameters
+    ----------
+    Phi : matrix_like, shape (n, n)
+        Transition matrix, which may be singular.
+    H : matrix_like, shape (m, n)
+        Measurement matrix.
+    Q : matrix_like, shape (n, n)
+        Covariance of q_i, positive semidefinite.
+    R : matrix_like, shape (m, m)
+        Covariance of r_i, positive definite.
 
+    Returns
+    -------
+    StationaryFilter
+        As for `stationary_filter`.
+
+    Raises
+    ------
+    ValueError, NotImplementedError
+        As for `stationary_filter`.
+
+    Notes
+    -----
+    The gain is that of the correction, x~+ = x~- + K (z - H x~-); the gain of the one-step
+    predictor is Phi K. MATLAB: ``dlqe``; python-control: ``dlqe``. Source: Theorem 4.2, problems
+    4.22 - 4.25.
+
+    Examples
+    --------
     >>> import sympy as sp
-    >>> found = discrete_stationary_filter([[0, 1], [0, 1]], [[0, 1]], sp.diag(0, 2), 1)    # problem 4.22
-    >>> found.covariance, found.gain.T
+    >>> result = discrete_stationary_filter([[0, 1], [0, 1]], [[0, 1]], sp.diag(0, 2), 1)    # problem 4.22
+    >>> result.covariance, result.gain.T
     (Matrix([
     [-1 + sqrt(3), -1 + sqrt(3)],
     [-1 + sqrt(3),  1 + sqrt(3)]]), Matrix([[-5 + 3*sqrt(3), -1 + sqrt(3)]]))
@@ -105,16 +166,16 @@ def discrete_stationary_filter(Phi, H, Q, R):
 
 
 def _stationary(A, H, Q, R, name, time):
-    floats = in_floats(A, H, Q, R)
+    floats = any_floats(A, H, Q, R)
     A = read_square(A, name, floats)
     n = A.shape[0]
     H = read_matrix(H, "H", None, n, floats)
     Q = read_covariance(Q, "Q", n, floats)
     R = read_covariance(R, "R", H.shape[0], floats, definite=True)
-    found = _floats(A, H, Q, R, time) if floats else _exact(A, H, Q, R, time)
-    if found is None:
-        return StationaryFilter(None, None, None, None, sp.false, _why_none(A, H, Q, time))
-    return StationaryFilter(*found, _which(A, H, Q, found[-1]))
+    solution = _floats(A, H, Q, R, time) if floats else _exact(A, H, Q, R, time)
+    if solution is None:
+        return StationaryFilter(None, None, None, None, sp.false, _reason_for_none(A, H, Q, time))
+    return StationaryFilter(*solution, _kind(A, H, Q, solution[-1]))
 
 
 def _exact(A, H, Q, R, time):
@@ -122,7 +183,9 @@ def _exact(A, H, Q, R, time):
     if solution.P is None:
         return None
     parts = time.parts(A, H, R, solution.P)
-    return *(part if part is None else solution.finished(part) for part in parts), solution.where
+    return *(
+        part if part is None else solution.in_given_symbols(part) for part in parts
+    ), solution.where
 
 
 def _floats(A, H, Q, R, time):
@@ -138,9 +201,9 @@ def _floats(A, H, Q, R, time):
     )
 
 
-def _which(A, H, Q, where):
-    seen, driven = bool(observability(A, H)), bool(controllability(A, Q))
-    told = {
+def _kind(A, H, Q, where):
+    observable, controllable = bool(observability(A, H)), bool(controllability(A, Q))
+    kinds = {
         (
             True,
             True,
@@ -153,13 +216,15 @@ def _which(A, H, Q, where):
             False,
         ): "detectable, not observable; not all modes are driven by noise, so P may be singular",
     }
-    general = "" if where == sp.true else f"; where {where}"
-    return f"a stationary filter: {told[seen, driven]}{general}"
+    condition = "" if where == sp.true else f"; where {where}"
+    return f"a stationary filter: {kinds[observable, controllable]}{condition}"
 
 
-def _why_none(A, H, Q, time):
-    """Popov's criterion at the eigenvalues that do not decay, in floats; only the words depend on
-    it."""
+def _reason_for_none(A, H, Q, time):
+    """Return the reason why there is no stationary filter.
+
+    It comes from the PBH test, in floats, at the eigenvalues that do not decay.
+    """
     if not isinstance(A, np.ndarray):
         if (A.free_symbols | H.free_symbols | Q.free_symbols) or not A.is_Matrix:
             return (
@@ -212,15 +277,25 @@ class _Discrete:
 
     @staticmethod
     def parts(A, H, R, P):
-        spread = H @ P @ H.T + R
+        innovation_covariance = H @ P @ H.T + R
         if isinstance(P, np.ndarray):
-            gain = solve(spread, H @ P).T
+            gain = solve(innovation_covariance, H @ P).T
         else:
-            # The entries stand in auxiliary symbols for roots, which no field knows: Cramer's rule.
-            gain = P * H.T * spread.adjugate() / spread.det()
-        kept = identity_like(P) - gain @ H
-        after = kept @ P @ kept.T + gain @ R @ gain.T if isinstance(P, np.ndarray) else kept * P
-        return P, symmetric(after) if isinstance(P, np.ndarray) else after, gain, A @ kept
+            # Cramer's rule: the entries have auxiliary symbols for roots, which no field of SymPy
+            # has.
+            gain = P * H.T * innovation_covariance.adjugate() / innovation_covariance.det()
+        reduction = identity_like(P) - gain @ H
+        corrected = (
+            reduction @ P @ reduction.T + gain @ R @ gain.T
+            if isinstance(P, np.ndarray)
+            else reduction * P
+        )
+        return (
+            P,
+            symmetric(corrected) if isinstance(P, np.ndarray) else corrected,
+            gain,
+            A @ reduction,
+        )
 
     @staticmethod
     def rate(matrix):

@@ -14,21 +14,28 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_exact_matrix, read_observed
+from trajlib._types import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
+from trajlib.structure.decomposition import named_matrices
 from trajlib.structure.measurement_errors import with_measurement_error
-from trajlib.structure.pairs import read_controlled, read_exact_rectangle, read_observed
-from trajlib.structure.splitting import named_matrices
 
 
 @dataclass(frozen=True)
 class EstimateLoop:
-    """A plant under feedback by an estimate.
+    """A plant under feedback by an estimate of its state.
 
-    - `errors`: the matrix of (x; d), block-triangular, d the error of the estimate (with that of w
-      below it);
-    - `estimates`: for measurements without error the matrix of (x; e), plant and observer as they
-      are built (3.8), (3.9); with an error that of (x; w; e), which also has the eigenvalues of S;
-    - `regulator` and `observer`: the blocks A + BK and A - LH.
+    Attributes
+    ----------
+    errors : sympy.Matrix
+        Matrix of (x; d), block triangular, d the error of the estimate (with that of w below it).
+    estimates : sympy.Matrix
+        For measurements without error the matrix of (x; e), plant and observer as they are built (3.8),
+        (3.9); with an error that of (x; w; e), which also has the eigenvalues of S.
+    regulator : sympy.Matrix
+        The block A + BK.
+    observer : sympy.Matrix
+        The block A - LH.
     """
 
     errors: sp.Matrix
@@ -36,9 +43,19 @@ class EstimateLoop:
     regulator: sp.Matrix
     observer: sp.Matrix
 
-    def polynomials(self, symbol):
-        """The characteristic polynomials of the regulator and of the observer; that of `errors` is
-        their product."""
+    def polynomials(self, symbol: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+        """Return the characteristic polynomials of the regulator and of the observer.
+
+        Parameters
+        ----------
+        symbol : sympy.Symbol
+            Variable of the polynomials.
+
+        Returns
+        -------
+        tuple of sympy.Expr
+            The two polynomials; their product is that of `errors`.
+        """
         return characteristic_polynomial(self.regulator, symbol), characteristic_polynomial(
             self.observer, symbol
         )
@@ -49,14 +66,51 @@ class EstimateLoop:
         )
 
 
-def feedback_by_estimate(A, B, H, K, L, S=None, c=None):
-    """The loop of plant, observer and u = K e (MATLAB: reg(sys, -K, L) closed).
+def feedback_by_estimate(
+    A: MatrixLike,
+    B: MatrixLike,
+    H: MatrixLike,
+    K: MatrixLike,
+    L: MatrixLike,
+    S: MatrixLike | None = None,
+    c: MatrixLike | None = None,
+) -> EstimateLoop:
+    """Return the closed loop of a plant, its observer and u = K e.
 
-    `A`: n x n, `B`: n x s, `H`: m x n, `K`: s x n, `L`: n x m, exact. With `S`: k x k and `c`: m x
-    k the measurement has the error c w, w' = S w (a constant: S = [[0]]), and `L` is (n + k) x m.
-    Returns `EstimateLoop`. Raises ValueError for shapes that do not fit. Source: equations (3.8) -
-    (3.10), example 8 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu, exact.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    H : matrix_like, shape (m, n)
+        Matrix of the output z = Hx.
+    K : matrix_like, shape (s, n)
+        Gain of the regulator, u = Ke.
+    L : matrix_like, shape (n, m), with `S` shape (n + k, m)
+        Gain of the observer.
+    S : matrix_like, shape (k, k), optional
+        Matrix of the error of measurement, w' = S w (a constant: [[0]]).
+    c : matrix_like, shape (m, k), optional
+        The measurement is z = Hx + c w.
 
+    Returns
+    -------
+    EstimateLoop
+        The matrices of the loop.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or if only one of `S` and `c` is given.
+
+    Notes
+    -----
+    MATLAB: ``reg(sys, -K, L)``, closed. Source: equations (3.8) - (3.10), example 8 of the problem
+    book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> s, k1, k2, l1, l2 = sp.symbols("s k1 k2 l1 l2")
     >>> loop = feedback_by_estimate(sp.Matrix([[0, 1], [0, -1]]), sp.Matrix([0, 1]), sp.Matrix([[1, 0]]),
@@ -69,7 +123,7 @@ def feedback_by_estimate(A, B, H, K, L, S=None, c=None):
     """
     A, B = (matrix.T for matrix in read_controlled(A, B))
     A, H = read_observed(A, H)
-    K, L = read_exact_rectangle(K, "K"), read_exact_rectangle(L, "L", flat="column")
+    K, L = read_exact_matrix(K, "K"), read_exact_matrix(L, "L", flat="column")
     if (S is None) != (c is None):
         raise ValueError("S, c: expected both or neither")
     n, m = A.rows, H.rows

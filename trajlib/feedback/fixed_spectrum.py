@@ -1,10 +1,9 @@
-"""Eigenvalues that no gain moves, and what they forbid: stabilisability, detectability, the best
-margin.
+"""Fixed eigenvalues: stabilisability, detectability and the best margin of stability.
 
-A mode that the control does not reach keeps its eigenvalue under u = Kx, and one that the output
-does not show keeps it in the errors of every observer; the others can be put anywhere (Theorems 3.1
-and 3.3 for the part that is left). So the best margin is that of the slowest fixed mode, and
-infinite if there is none.
+A mode that is uncontrollable keeps its eigenvalue under u = Kx, and one that is unobservable keeps
+it in the errors of every observer; the others can be put anywhere (Theorems 3.1 and 3.3 for the
+part that is left). So the best margin is that of the slowest fixed mode, and infinite if there is
+none.
 """
 
 from dataclasses import dataclass
@@ -12,43 +11,70 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import as_prose
+from trajlib._types import MatrixLike
+from trajlib.structure.pbh import HiddenMode
 from trajlib.structure.rank_tests import controllability, observability
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
 class FixedSpectrum:
-    """What no gain changes; true in an `if` if the rest can be made asymptotically stable.
+    """The fixed eigenvalues; true in an `if` if all of them decay.
 
-    - `modes`: tuple of `LostMode`, the fixed eigenvalues, each with its vectors (rows w, no control
-      changes w x, or columns v, a motion exp(lambda t) v is not seen);
-    - `obstacles`: those of them that do not decay, Re lambda >= 0;
-    - `margin`: the greatest margin that some gain gives (Definition 1.5: Re lambda <= -margin),
-      `sp.oo` (for floats `inf`) if nothing is fixed; zero or negative where there are obstacles;
-    - `reason`: the verdict in words.
+    Attributes
+    ----------
+    modes : tuple of HiddenMode
+        The fixed eigenvalues, each with its vectors: rows w, no control changes w x, or columns v, the
+        output of the motion v exp(lambda t) is zero.
+    obstacles : tuple of HiddenMode
+        Those of them that do not decay, Re lambda >= 0.
+    margin : sympy.Expr or float
+        The greatest margin that some gain gives (Definition 1.5: Re lambda <= -margin); `sp.oo` (for
+        floats `inf`) if nothing is fixed; zero or negative where there are obstacles.
+    reason : str
+        The verdict in words.
     """
 
-    modes: tuple
-    obstacles: tuple
-    margin: object
+    modes: tuple[HiddenMode, ...]
+    obstacles: tuple[HiddenMode, ...]
+    margin: sp.Expr | float
     reason: str
 
     def __bool__(self):
         return not self.obstacles
 
     def _repr_markdown_(self):
-        return as_prose(self.reason)
+        return escape_markdown(self.reason)
 
 
-def stabilisability(A, B=None):
-    """Can u = Kx stabilise x' = Ax + Bu, and how fast? (MATLAB: none; PBH test at the eigenvalues
-    with Re >= 0.)
+def stabilisability(A: MatrixLike, B: MatrixLike | None = None) -> FixedSpectrum:
+    """Decide whether u = Kx can stabilise x' = Ax + Bu, and with what margin.
 
-    `A`: n x n, `B`: n x s, exact or floats. With symbols the verdict is for general values, and the
-    real parts of fixed eigenvalues must have a known sign. Returns `FixedSpectrum`. Raises
-    ValueError for shapes that do not fit and for signs that are not known. Source: Definition 3.1,
-    Theorem 3.2 with its remark, examples 5 and 6.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Exact or floats, or a StateSpace, which has its own `B`. With symbols the verdict is for general
+        values, and the real parts of fixed eigenvalues must have a known sign.
+    B : matrix_like, shape (n, s), optional
+        Matrix of the control.
 
+    Returns
+    -------
+    FixedSpectrum
+        True in an `if` if the system is stabilisable.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or if the sign of a real part is not known.
+
+    Notes
+    -----
+    MATLAB has no word for it; it is the PBH test at the eigenvalues with Re lambda >= 0. Source:
+    Definition 3.1, Theorem 3.2 with its remark, examples 5 and 6 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = stabilisability(sp.Matrix([[0, 1], [0, -1]]), sp.Matrix([1, 0]))
     >>> bool(found), found.margin
@@ -57,14 +83,32 @@ def stabilisability(A, B=None):
     return _fixed(controllability(A, B), "stabilisable", "no control changes it")
 
 
-def detectability(A, H=None):
-    """Is there an asymptotic observer of x' = Ax, z = Hx, and how fast can it be? (MATLAB: none;
-    PBH test.)
+def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
+    """Decide whether x' = Ax, z = Hx has an asymptotic observer, and with what margin.
 
-    `A`: n x n, `H`: m x n, exact or floats, as in `stabilisability`. Returns `FixedSpectrum`.
-    Raises ValueError for shapes that do not fit and for signs that are not known. Source: Theorem
-    3.1 and example 3 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Exact or floats, or a StateSpace, which has its own `H`; symbols as in `stabilisability`.
+    H : matrix_like, shape (m, n), optional
+        Matrix of the output.
 
+    Returns
+    -------
+    FixedSpectrum
+        True in an `if` if the system is detectable.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or if the sign of a real part is not known.
+
+    Notes
+    -----
+    MATLAB has no word for it (PBH test). Source: Theorem 3.1 and example 3 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = detectability(sp.Matrix([[1, 0], [0, -2]]), sp.Matrix([[0, 1]]))
     >>> bool(found), found.margin, found.obstacles[0].vectors.T
@@ -73,14 +117,36 @@ def detectability(A, H=None):
     return _fixed(observability(A, H), "detectable", "no output shows it")
 
 
-def best_margin(A, B=None, H=None):
-    """The greatest margin of u = Kx (given B), of an observer (given H), of a feedback by the
-    estimate (given both).
+def best_margin(
+    A: MatrixLike, B: MatrixLike | None = None, H: MatrixLike | None = None
+) -> sp.Expr | float:
+    """Return the greatest margin of a regulator, an observer or an observer-based feedback.
 
-    The margin is that of Definition 1.5, Re lambda <= -margin; `sp.oo` if every margin can be had.
-    Arguments and errors as in `stabilisability` and `detectability`. Source: examples 3, 6 and 9 of
-    the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system, exact or floats.
+    B : matrix_like, shape (n, s), optional
+        Matrix of the control, for u = Kx.
+    H : matrix_like, shape (m, n), optional
+        Matrix of the output, for an observer; with `B` for a feedback by the estimate.
 
+    Returns
+    -------
+    sympy.Expr or float
+        The margin of Definition 1.5, Re lambda <= -margin; `sp.oo` if every margin is possible.
+
+    Raises
+    ------
+    ValueError
+        If neither `B` nor `H` is given, and as `stabilisability` and `detectability`.
+
+    Notes
+    -----
+    Source: examples 3, 6 and 9 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> A = sp.Matrix([[-1, 2, 1], [0, 3, 2], [-1, -2, -3]])
     >>> B, H = sp.Matrix([1, 1, -1]), sp.Matrix([[0, 2, 1]])
@@ -94,28 +160,32 @@ def best_margin(A, B=None, H=None):
         for test, matrix in ((stabilisability, B), (detectability, H))
         if matrix is not None
     ]
-    return min((test.margin for test in tests), key=lambda margin: margin)
+    return min(test.margin for test in tests)
 
 
-def _fixed(test, word, why):
-    rates = [_slowest(mode.eigenvalue) for mode in test.lost]
-    obstacles = tuple(mode for mode, rate in zip(test.lost, rates) if not _decays(rate, mode))
+def _fixed(test, word, explanation):
+    rates = [_slowest(mode.eigenvalue) for mode in test.hidden_modes]
+    obstacles = tuple(
+        mode for mode, rate in zip(test.hidden_modes, rates) if not _decays(rate, mode)
+    )
     if not rates:
         margin = sp.oo if test.margin is None else np.inf
         return FixedSpectrum((), (), margin, f"{word}, with any margin: no eigenvalue is fixed")
     margin = -_greatest(rates)
-    names = list(dict.fromkeys(_named(mode.eigenvalue) for mode in obstacles or test.lost))
+    names = list(dict.fromkeys(_named(mode.eigenvalue) for mode in obstacles or test.hidden_modes))
     named = ", ".join(names)
     if obstacles:
-        reason = f"not {word}: a mode with {named} does not decay, and {why}"
+        reason = f"not {word}: a mode with {named} does not decay, and {explanation}"
     else:
         are = "is" if len(names) == 1 else "are"
-        reason = f"{word}, with a margin of at most {margin}: {named} {are} fixed, and {why}"
-    return FixedSpectrum(tuple(test.lost), obstacles, margin, reason)
+        reason = (
+            f"{word}, with a margin of at most {margin}: {named} {are} fixed, and {explanation}"
+        )
+    return FixedSpectrum(tuple(test.hidden_modes), obstacles, margin, reason)
 
 
 def _slowest(eigenvalue):
-    """The real part of an eigenvalue; of several conjugate ones the greatest."""
+    """Return the real part of an eigenvalue; of several conjugate ones the greatest."""
     if isinstance(eigenvalue, sp.Poly):
         if eigenvalue.domain.is_Composite or eigenvalue.free_symbols_in_domain:
             raise ValueError(

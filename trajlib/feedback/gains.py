@@ -12,40 +12,51 @@ Gura). Several outputs are first joined to one by a chain of Heymann: it gives s
 not all. Regulators are the same for the transposed system with K = -L^T.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
+from trajlib._types import ExprLike, MatrixLike
 from trajlib.feedback.fixed_spectrum import detectability, stabilisability
 from trajlib.stability.hurwitz import characteristic_polynomial
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 from trajlib.structure import exact
-from trajlib.structure.pairs import is_float_array, read_controlled, read_observed
-from trajlib.structure.popov import visible_symbol
-from trajlib.structure.splitting import observability_decomposition
+from trajlib.structure.decomposition import observability_decomposition
+from trajlib.structure.pbh import visible_symbol
 
 
 @dataclass(frozen=True)
 class GainFamily:
-    """The gains with which the closed loop has the characteristic polynomial `polynomial` in
-    `symbol`.
+    """The gains that give the closed loop a prescribed characteristic polynomial.
 
-    - `gain`: K, s x n, or L, n x m; it contains the symbols `free`, any values of which will do
-      (none if no eigenvalue is fixed);
-    - `fixed`: the factor of the polynomial that no gain changes, 1 if there is none;
-    - `complete`: whether these are all such gains; with several controls (outputs) there are more.
+    Attributes
+    ----------
+    gain : sympy.Matrix
+        K, s x n, or L, n x m; it contains the symbols `free`, any values of which are admissible.
+    free : tuple of sympy.Symbol
+        The free symbols of `gain`; empty if no eigenvalue is fixed.
+    polynomial : sympy.Expr
+        The characteristic polynomial of the closed loop in `symbol`.
+    symbol : sympy.Symbol
+        The variable of `polynomial` and `fixed`.
+    fixed : sympy.Expr
+        The factor of the polynomial that no gain changes, 1 if there is none.
+    complete : bool
+        Whether these are all such gains; with several controls (outputs) there are more.
     """
 
     gain: sp.Matrix
-    free: tuple
+    free: tuple[sp.Symbol, ...]
     polynomial: sp.Expr
     symbol: sp.Symbol
     fixed: sp.Expr
     complete: bool
 
     @property
-    def simplest(self):
-        """The gain with zero for everything that is free."""
+    def simplest(self) -> sp.Matrix:
+        """Return the gain with zero for all free symbols."""
         return self.gain.subs(dict.fromkeys(self.free, 0))
 
     def _repr_latex_(self):
@@ -56,20 +67,53 @@ class GainFamily:
         return rf"$\displaystyle {sp.latex(self.gain, symbol_names=upright)}:\quad {sp.latex(polynomial)}$"
 
 
-def observer(A, H, polynomial=None, symbol=None, *, eigenvalues=None, margin=None):
-    """All L for which A - LH has a prescribed spectrum (MATLAB: place(A', C', p)', acker).
+def observer(
+    A: MatrixLike,
+    H: MatrixLike,
+    polynomial: ExprLike | sp.Poly | None = None,
+    symbol: sp.Symbol | None = None,
+    *,
+    eigenvalues: Sequence[ExprLike] | None = None,
+    margin: ExprLike | None = None,
+) -> GainFamily:
+    """Return all gains L for which A - LH has a prescribed spectrum.
 
-    `A`: n x n, `H`: m x n, SymPy matrices, also with symbols (then generic). Prescribed is one of
+    One of `polynomial`, `eigenvalues` and `margin` prescribes it.
 
-    - `polynomial` in `symbol`, of degree n or, without the fixed factor, of degree rank N; its
-      coefficients may be symbols;
-    - `eigenvalues`: as many numbers, conjugate ones in pairs;
-    - `margin` mu: what is not fixed goes to -mu.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax; exact, also with symbols (then the result holds for general values).
+    H : matrix_like, shape (m, n)
+        Matrix of the output z = Hx; exact.
+    polynomial : sympy.Expr or sympy.Poly, optional
+        Characteristic polynomial of degree n or, without the fixed factor, of degree rank N; its
+        coefficients may be symbols.
+    symbol : sympy.Symbol, optional
+        Variable of `polynomial`; may be left out if it is its only symbol.
+    eigenvalues : sequence of number, optional
+        As many numbers as the degree of `polynomial` would be, conjugate ones in pairs.
+    margin : float or sympy.Expr, optional
+        mu: every eigenvalue that is not fixed goes to -mu.
 
-    Returns `GainFamily`. Raises ValueError if a fixed eigenvalue is not a root of the polynomial,
-    or is slower than the margin; it names the mode. Source: Theorem 3.1 and examples 1 - 3 of the
-    problem book.
+    Returns
+    -------
+    GainFamily
+        The gains L, n x m, with symbols for what is free.
 
+    Raises
+    ------
+    ValueError
+        If a fixed eigenvalue is not a root of the polynomial or is slower than the margin (the message
+        names the mode), if not exactly one prescription is given, if shapes do not fit, or for floats.
+
+    Notes
+    -----
+    MATLAB: ``place(A', C', p)'``, ``acker``. Source: Theorem 3.1 and examples 1 - 3 of the problem
+    book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> s, b1, b2 = sp.symbols("s beta1 beta2")
     >>> observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 0]]), s**2 + b1*s + b2, s).gain.T
@@ -82,13 +126,51 @@ def observer(A, H, polynomial=None, symbol=None, *, eigenvalues=None, margin=Non
     return _family(A, H, _Prescription(polynomial, symbol, eigenvalues, margin), detectability, "N")
 
 
-def regulator(A, B, polynomial=None, symbol=None, *, eigenvalues=None, margin=None):
-    """All K for which A + BK has a prescribed spectrum (MATLAB: -place(A, B, p), -acker).
+def regulator(
+    A: MatrixLike,
+    B: MatrixLike,
+    polynomial: ExprLike | sp.Poly | None = None,
+    symbol: sp.Symbol | None = None,
+    *,
+    eigenvalues: Sequence[ExprLike] | None = None,
+    margin: ExprLike | None = None,
+) -> GainFamily:
+    """Return all gains K for which A + BK has a prescribed spectrum.
 
-    `A`: n x n, `B`: n x s; the spectrum is prescribed as in `observer`. Note the sign, u = Kx.
-    Returns `GainFamily`. Raises ValueError as `observer` does. Source: Theorem 3.3 and examples 4 -
-    6 of the problem book.
+    One of `polynomial`, `eigenvalues` and `margin` prescribes it.
 
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; exact, also with symbols (then the result holds for general values).
+    B : matrix_like, shape (n, s)
+        Matrix of the control; exact.
+    polynomial : sympy.Expr or sympy.Poly, optional
+        Characteristic polynomial of degree n or, without the fixed factor, of degree rank W.
+    symbol : sympy.Symbol, optional
+        Variable of `polynomial`; may be left out if it is its only symbol.
+    eigenvalues : sequence of number, optional
+        As many numbers as the degree of `polynomial` would be, conjugate ones in pairs.
+    margin : float or sympy.Expr, optional
+        mu: every eigenvalue that is not fixed goes to -mu.
+
+    Returns
+    -------
+    GainFamily
+        The gains K, s x n, with symbols for what is free.
+
+    Raises
+    ------
+    ValueError
+        As `observer`.
+
+    Notes
+    -----
+    The sign is u = Kx. MATLAB: ``-place(A, B, p)``, ``-acker(A, B, p)``. Source: Theorem 3.3 and
+    examples 4 - 6 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> s = sp.Symbol("s")
     >>> regulator(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1]), s**2 + 2*s + 1, s).gain
@@ -111,30 +193,32 @@ def _transposed_test(A, H):
     return stabilisability(A.T, H.T)
 
 
-def _family(A, H, wanted, test, kalman):
+def _family(A, H, prescription, test, kalman):
     if is_float_array(A):
         raise ValueError("A: expected exact matrices (SymPy)")
     parts = observability_decomposition(A, H)
-    seen, unseen = parts.sizes
+    observable, unobservable = parts.sizes
     (A11, H1), A22 = parts.part, parts.rest
-    symbol = wanted.symbol or visible_symbol(A, H)
-    fixed = characteristic_polynomial(A22, symbol) if unseen else sp.Integer(1)
-    movable = wanted.movable(symbol, seen, fixed, lambda: test(A, H), kalman)
+    symbol = prescription.symbol or visible_symbol(A, H)
+    fixed = characteristic_polynomial(A22, symbol) if unobservable else sp.Integer(1)
+    movable = prescription.movable(symbol, observable, fixed, lambda: test(A, H), kalman)
     # What has to hold is T L = L1 in the rows of xi: some entries of L stay free, the others
     # follow.
-    rows = parts.transformation[:seen, :]
-    bound = list(exact.independent_rows(rows.T)) if seen else []
+    rows = parts.transformation[:observable, :]
+    bound = list(exact.independent_rows(rows.T)) if observable else []
     unbound = [i for i in range(A.rows) if i not in bound]
     used = {s.name for s in A.free_symbols | H.free_symbols | movable.as_expr().free_symbols}
-    free = sp.Matrix(unseen, H.rows, sp.symbols(_names(unseen * H.rows, used)))
+    free = sp.Matrix(unobservable, H.rows, sp.symbols(_names(unobservable * H.rows, used)))
     gain = sp.zeros(A.rows, H.rows)
     for i, row in enumerate(unbound):
         gain[row, :] = free[i, :]
-    if seen:
-        rest = _unique_gain(A11, H1, movable) - rows.extract(list(range(seen)), unbound) * free
-        found = exact.product(exact.inverse(rows.extract(list(range(seen)), bound)), rest)
+    if observable:
+        rest = (
+            _unique_gain(A11, H1, movable) - rows.extract(list(range(observable)), unbound) * free
+        )
+        gain_rows = exact.product(exact.inverse(rows.extract(list(range(observable)), bound)), rest)
         for i, row in enumerate(bound):
-            gain[row, :] = found[i, :].applyfunc(_readable)
+            gain[row, :] = gain_rows[i, :].applyfunc(_readable)
     polynomial = sp.expand(movable.as_expr() * fixed)
     return GainFamily(gain, tuple(free), polynomial, symbol, fixed, H.rows == 1)
 
@@ -150,8 +234,7 @@ def _names(count, used):
 
 
 def _unique_gain(A, H, polynomial):
-    """L with det(lambda E - A + LH) = polynomial for an observable pair; a choice if there are
-    several outputs."""
+    """Return L with det(lambda I - A + LH) = polynomial, a choice if there are several outputs."""
     if H.rows == 1:
         return _ackermann(A, H, polynomial)
     joined, weights = _heymann(A.T, H.T)
@@ -161,7 +244,7 @@ def _unique_gain(A, H, polynomial):
 
 
 def _ackermann(A, h, polynomial):
-    """phi(A) N^-1 e, from the last column of N^-1 by Horner's rule."""
+    """Return phi(A) N^-1 e, from the last column of N^-1 by Horner's rule."""
     n = A.rows
     rows = [h]
     while len(rows) < n:
@@ -174,8 +257,7 @@ def _ackermann(A, h, polynomial):
 
 
 def _heymann(F, G):
-    """K and q for which (F + GK, Gq) is controllable by one control, for a controllable pair (F,
-    G)."""
+    """Return K and q such that (F + GK, Gq) is controllable, for a controllable pair (F, G)."""
     n, s = G.shape
     first = next(j for j in range(s) if any(G[:, j]))
     states, inputs = G[:, first], []
@@ -190,7 +272,7 @@ def _heymann(F, G):
 
 
 class _Prescription:
-    """The spectrum as the caller asks for it."""
+    """The prescribed spectrum: a polynomial, eigenvalues or a margin."""
 
     def __init__(self, polynomial, symbol, eigenvalues, margin):
         if sum(part is not None for part in (polynomial, eigenvalues, margin)) != 1:
@@ -211,11 +293,11 @@ class _Prescription:
             (self.symbol,) = self.polynomial.free_symbols
 
     def movable(self, symbol, degree, fixed, test, kalman):
-        """The monic polynomial that the part of order `degree` has to get."""
+        """Return the monic characteristic polynomial prescribed for the part of order `degree`."""
         if self.margin is not None:
-            found = test()
-            if found.modes and sp.sympify(found.margin < self.margin) is sp.true:
-                raise ValueError(f"margin: {self.margin} cannot be had; {found.reason}")
+            fixed_spectrum = test()
+            if fixed_spectrum.modes and sp.sympify(fixed_spectrum.margin < self.margin) is sp.true:
+                raise ValueError(f"margin: {self.margin} cannot be had; {fixed_spectrum.reason}")
             return sp.Poly((symbol + self.margin) ** degree, symbol)
         if self.eigenvalues is not None:
             wanted = sp.Poly(

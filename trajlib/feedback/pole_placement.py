@@ -1,5 +1,4 @@
-"""Gains on arrays: eigenvalues of A + BK placed in floating point, and how far the numbers can be
-trusted.
+"""Pole placement in floating point, with an estimate of its accuracy.
 
 With one control the gain is unique, K = -e^T W^-1 psi(A) (Ackermann), and only the arithmetic is in
 question. The formula loses as many digits as Kalman's matrix W has in its condition, thirty and
@@ -25,11 +24,13 @@ of floats have ended, and a smaller gain does less harm.
 
 import warnings
 from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from trajlib.structure.pairs import read_controlled
+from trajlib._arguments.matrices import read_controlled
+from trajlib._types import MatrixLike
 from trajlib.structure.rank_tests import controllability
 from trajlib.structure.scaling import balanced
 
@@ -37,7 +38,7 @@ from trajlib.structure.scaling import balanced
 FIRST, LAST = 50, 1600
 #: Two computations agree if no entry of the gain differs by more than this share.
 AGREED = 1e-18
-#: How many matrices G are tried for chains of Jordan.
+#: How many matrices G are tried for Jordan chains.
 TRIED = 40
 #: From this ratio of units on, SciPy is asked in balanced units as well.
 UNEVEN = 100
@@ -48,19 +49,28 @@ EPS = np.finfo(float).eps
 
 @dataclass(frozen=True)
 class Placement:
-    """A gain of floats with what is known of its accuracy.
+    """A gain of floats with the accuracy of the eigenvalues that it gives.
 
-    - `gain`: K, s x n, of u = Kx;
-    - `wanted`: the eigenvalues asked for; `reached`: those of A + BK as NumPy computes them, in the
-      same order;
-    - `distance`: the greatest one between the two;
-    - `residual`: the greatest share of its norm by which A + BK, in balanced units, has to be
-      changed so that a number asked for is an eigenvalue; of the size of rounding, 1e-16, at best;
-    - `condition`: that of the eigenvectors of A + BK, in the same units; infinite or huge if some
-      are missing, as for an eigenvalue that comes more often than there are controls;
-    - `uncertainty`: by how much the rounding of the entries of A + BK may move an eigenvalue (bound
-      of Bauer and Fike), for one control with the gain that would be exact. Where it is not small
-      beside what was asked for, floats do not hold a gain that does better.
+    Attributes
+    ----------
+    gain : numpy.ndarray, shape (s, n)
+        K of u = Kx.
+    wanted : numpy.ndarray, shape (n,)
+        The eigenvalues asked for.
+    reached : numpy.ndarray, shape (n,)
+        The eigenvalues of A + BK as NumPy computes them, in the order of `wanted`.
+    distance : float
+        The greatest distance between the two.
+    residual : float
+        The greatest share of its norm by which A + BK, in balanced units, has to be changed so that an
+        eigenvalue asked for is exact; of the size of rounding, 1e-16, at best.
+    condition : float
+        Condition number of the eigenvectors of A + BK, in the same units; infinite or huge if some are
+        missing, as for an eigenvalue that is repeated more often than there are controls.
+    uncertainty : float
+        By how much the rounding of the entries of A + BK may move an eigenvalue (Bauer-Fike bound), for
+        one control with the gain that would be exact. Where it is not small beside the eigenvalues, no
+        gain of floats does better.
     """
 
     gain: np.ndarray
@@ -72,16 +82,36 @@ class Placement:
     uncertainty: float
 
 
-def place(A, B, eigenvalues):
-    """K with the eigenvalues of A + BK as asked for, repeated ones too (MATLAB: -place(A, B, p),
-    -acker(A, B, p)).
+def place(A: MatrixLike, B: MatrixLike, eigenvalues: Sequence[complex]) -> Placement:
+    """Return a gain K of floats such that A + BK has given eigenvalues, repeated ones too.
 
-    `A`: n x n, `B`: n x s arrays, or a python-control StateSpace and None; `eigenvalues`: n
-    numbers, conjugate ones in pairs. Note the sign, u = Kx. Returns `Placement`. For an observer L
-    = -place(A.T, H.T, eigenvalues).gain.T. Raises ValueError for a pair that is not controllable,
-    with the mode that cannot be moved, and for eigenvalues that are not n or not in pairs. Source:
-    Theorem 3.3 of the problem book.
+    Parameters
+    ----------
+    A : array_like, shape (n, n)
+        Matrix of x' = Ax + Bu, or a python-control StateSpace (then `B` may be None).
+    B : array_like, shape (n, s)
+        Matrix of the control.
+    eigenvalues : sequence of n numbers
+        The eigenvalues of A + BK, conjugate ones in pairs.
 
+    Returns
+    -------
+    Placement
+        The gain and its accuracy.
+
+    Raises
+    ------
+    ValueError
+        If the pair is not controllable (the message names the mode that cannot be moved), if the
+        eigenvalues are not n finite numbers or not in pairs, or if no gain was found.
+
+    Notes
+    -----
+    The sign is u = Kx. For an observer L = -place(A.T, H.T, eigenvalues).gain.T. MATLAB:
+    ``-place(A, B, p)``, ``-acker(A, B, p)``. Source: Theorem 3.3 of the problem book.
+
+    Examples
+    --------
     >>> import numpy as np
     >>> found = place(np.array([[0.0, 1.0], [1.0, 0.0]]), np.array([[0.0], [1.0]]), [-1, -1])
     >>> print(found.gain)
@@ -110,7 +140,7 @@ def place(A, B, eigenvalues):
     placed = [_judged(A, B, gain, wanted) for gain in gains if gain is not None]
     if not placed:
         raise ValueError("eigenvalues: no gain was found that gives them")
-    best = min(placed, key=lambda found: found.distance)
+    best = min(placed, key=lambda placement: placement.distance)
     if B.shape[1] > 1:
         return best
     return (
@@ -130,25 +160,25 @@ def _read(eigenvalues, n):
 
 
 def _single(A, b, wanted):
-    """The gain for one control, correct in all digits of its floats."""
+    """Return the gain for one control, correct in all digits of its floats."""
     digits, last = FIRST, None
     while digits <= LAST:
-        found = _ackermann(A, b, wanted, digits)
-        if found is not None and last is not None:
+        gain = _ackermann(A, b, wanted, digits)
+        if gain is not None and last is not None:
             # zero, but for its rounding
-            small = [abs(new) <= 1e-10 * abs(old) for new, old in zip(found, last)]
+            small = [abs(new) <= 1e-10 * abs(old) for new, old in zip(gain, last)]
             if all(
                 tiny or abs(new - old) <= AGREED * abs(new)
-                for new, old, tiny in zip(found, last, small)
+                for new, old, tiny in zip(gain, last, small)
             ):
-                return np.array([0.0 if tiny else float(new) for new, tiny in zip(found, small)])
-        digits, last = 2 * digits, found
+                return np.array([0.0 if tiny else float(new) for new, tiny in zip(gain, small)])
+        digits, last = 2 * digits, gain
     raise ValueError(f"A, B: {LAST} digits do not tell this pair from one that is not controllable")
 
 
 def _ackermann(A, b, wanted, digits):
-    """-e^T W^-1 psi(A) with so many digits, or None if W is singular for them."""
-    import mpmath
+    """Return -e^T W^-1 psi(A) with so many digits, or None if W is singular for them."""
+    import mpmath  # type: ignore[import-untyped]
 
     with mpmath.workdps(digits):
         exact = [[mpmath.mpf(x) for x in row] for row in A.tolist()]
@@ -177,8 +207,7 @@ def _ackermann(A, b, wanted, digits):
 
 
 def _scipy(A, B, wanted):
-    """SciPy's gain, or None where it refuses, as for an eigenvalue that comes more often than there
-    are controls."""
+    """Return SciPy's gain, or None for an eigenvalue repeated more often than it allows."""
     from scipy.signal import place_poles
 
     with warnings.catch_warnings():
@@ -191,10 +220,9 @@ def _scipy(A, B, wanted):
 
 
 def _again(A, B, gain, wanted):
-    """The gain from eigenvectors that belong to the eigenvalues exactly: SciPy's are left a little
-    off by its search.
+    """Return the gain from eigenvectors corrected once: SciPy's are left a little off by its search.
 
-    With g = K v for the vectors v of the loop, (lambda E - A) v' = B g gives vectors close to them,
+    With g = K v for the vectors v of the loop, (lambda I - A) v' = B g gives vectors close to them,
     and K' v' = g.
     """
     values, vectors = np.linalg.eig(A + B @ gain)
@@ -207,15 +235,14 @@ def _again(A, B, gain, wanted):
                 for value, push in zip(wanted, pushes.T)
             ]
         )
-        found = np.linalg.solve(ahead.T, pushes.T).T.real
+        corrected = np.linalg.solve(ahead.T, pushes.T).T.real
     except np.linalg.LinAlgError:
         return None
-    return found if np.isfinite(found).all() else None
+    return corrected if np.isfinite(corrected).all() else None
 
 
 def _uneven(A, B):
-    """Whether the units of the states or of the controls differ so much that others may do
-    better."""
+    """Whether the units of states or controls differ so much that others may do better."""
     _, _, units, pushes, _ = _in_units(A, B)
     return max(sizes.max() / sizes.min() for sizes in (units, pushes)) > UNEVEN
 
@@ -227,18 +254,20 @@ def _in_good_units(method, A, B, wanted):
 
 
 def _in_units(A, B):
-    """(A, B) with x = D y, u = R v and time in the units of `balanced`; D, R and the rate."""
-    found = balanced(A.T, B.T)  # of the dual pair: its states are measured in the inverse units
-    units = 1 / found.units
-    scaled, inputs = A * units / units[:, None] / found.rate, B / units[:, None] / found.rate
+    """Return A, B in balanced units, x = D y, u = R v, with D, R and the unit of time."""
+    balance = balanced(A.T, B.T)  # of the dual pair: its states are measured in the inverse units
+    units = 1 / balance.units
+    scaled, inputs = A * units / units[:, None] / balance.rate, B / units[:, None] / balance.rate
     sizes = np.linalg.norm(inputs, axis=0)
     pushes = 1 / np.where(sizes > 0, sizes, 1)
-    return scaled, inputs * pushes, units, pushes, found.rate
+    return scaled, inputs * pushes, units, pushes, balance.rate
 
 
 def _by_chains(A, B, wanted):
-    """A gain under which the loop has chains of Jordan, as many for each eigenvalue as there are
-    controls, or all that are needed: the best conditioned of those tried, or None."""
+    """Return the best conditioned gain that gives the loop Jordan chains, or None.
+
+    Each eigenvalue has as many chains as there are controls, or as are needed.
+    """
     from scipy.linalg import solve_sylvester
 
     n, s = B.shape
@@ -259,8 +288,7 @@ def _by_chains(A, B, wanted):
 
 
 def _jordan(wanted, most):
-    """A real matrix with these eigenvalues, each in at most `most` chains of nearly equal
-    lengths."""
+    """Return a real matrix with these eigenvalues, each in at most `most` Jordan chains."""
     blocks = []
     for value, times in Counter(value for value in wanted.tolist() if value.imag >= 0).items():
         chains = min(times, most)
@@ -277,14 +305,15 @@ def _jordan(wanted, most):
             for length in lengths
         ]
     n = sum(map(len, blocks))
-    found, place_of = np.zeros((n, n)), 0
+    matrix, start = np.zeros((n, n)), 0
     for block in blocks:
-        found[place_of : place_of + len(block), place_of : place_of + len(block)] = block
-        place_of += len(block)
-    return found
+        matrix[start : start + len(block), start : start + len(block)] = block
+        start += len(block)
+    return matrix
 
 
 def _judged(A, B, gain, wanted):
+    """Return the `Placement` of a gain."""
     loop = A + B @ gain
     # Units in which the loop is judged: they change no eigenvalue.
     found = balanced(loop, np.zeros((1, len(loop))))
@@ -308,8 +337,8 @@ def _judged(A, B, gain, wanted):
     )
 
 
-def _matched(wanted, found):
-    """The order in which the numbers found are next to those wanted, all together."""
+def _matched(wanted, values):
+    """Return the order in which `values` are closest to `wanted`, all together."""
     from scipy.optimize import linear_sum_assignment
 
-    return linear_sum_assignment(abs(np.subtract.outer(wanted, found)))[1]
+    return linear_sum_assignment(abs(np.subtract.outer(wanted, values)))[1]

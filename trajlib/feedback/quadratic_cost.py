@@ -1,15 +1,14 @@
-"""Linear regulators with a quadratic cost: for all time (LQR), up to an end, and by a measurement
-with noise (LQG).
+"""Linear regulators with a quadratic cost: infinite (LQR) and finite horizon, and with noise (LQG).
 
-For x' = Ax + Bu the cost is J = integral of (x^T G x + u^T N u) dt, with the end given plus x(T)^T
+For x' = Ax + Bu the cost is J = integral of (x^T G x + u^T N u) dt, with a final time T plus x(T)^T
 F x(T). Its least value from x is x^T S x, the law u = Kx has K = -N^-1 B^T S, and S obeys the
 Riccati equation
 
     -S' = A^T S + S A + G - S B N^-1 B^T S,    S(T) = F,
 
-without S' for all time. It is that of a filter's covariance for (A^T, B^T, G, N) with time turned
-round, and is solved there. A factor before the whole cost, as 1/2, changes neither S nor K: then J
-= x^T S x / 2.
+without S' for the infinite horizon. It is that of a filter's covariance for (A^T, B^T, G, N) with
+time reversed, and is solved there. A factor before the whole cost, as 1/2, changes neither S nor K:
+then J = x^T S x / 2.
 """
 
 from dataclasses import dataclass
@@ -17,28 +16,39 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.estimation.arguments import in_floats, read_covariance, read_matrix, read_square
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._types import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 from trajlib.stability.regions import latex_condition
-from trajlib.stability.systems import as_prose
-from trajlib.structure.splitting import observability_decomposition
+from trajlib.structure.decomposition import observability_decomposition
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
 class QuadraticRegulator:
-    """The best linear law u = Kx for a quadratic cost; false in an `if` if there is none.
+    """The optimal linear law u = Kx for a quadratic cost; false in an `if` if there is none.
 
-    - `cost`: S, n x n, the least cost from x is x^T S x; `gain`: K, s x n; `loop`: A + BK;
-    - `where`: the condition on symbols under which all this holds; `reason`: what there is, or why
-      there is nothing.
+    Attributes
+    ----------
+    cost : matrix, shape (n, n)
+        S; the least cost from x is x^T S x. None if there is no law.
+    gain : matrix, shape (s, n)
+        K of u = Kx.
+    loop : matrix, shape (n, n)
+        A + BK.
+    where : sympy.Basic
+        The condition on symbols under which all this holds.
+    reason : str
+        What the law is, or why there is none.
     """
 
-    cost: object
-    gain: object
-    loop: object
-    where: object
+    cost: Matrix
+    gain: Matrix
+    loop: Matrix
+    where: sp.Basic
     reason: str
 
     def __bool__(self):
@@ -46,35 +56,62 @@ class QuadraticRegulator:
 
     def _repr_markdown_(self):
         if not self:
-            return as_prose(self.reason)
+            return escape_markdown(self.reason)
         shown = rf"S = {latex(self.cost)},\quad K = {latex(self.gain)}"
         where = "" if self.where == sp.true else rf",\quad {latex_condition(self.where)}"
         return rf"$\displaystyle {shown}{where}$"
 
 
-def lqr(A, B, G, N, stable=True):
-    """The law u = Kx of least cost for all time (MATLAB: -lqr(A, B, G, N); python-control: -lqr(A,
-    B, G, N)[0]).
+def lqr(
+    A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike, stable: bool = True
+) -> QuadraticRegulator:
+    """Return the linear law u = Kx of least quadratic cost for all time.
 
-    `A`: n x n; `B`: n x s; `G`: n x n, positive semidefinite; `N`: s x s, positive definite. Exact,
-    also with symbols, or floats. Note the sign, u = Kx. With `stable` the best of the laws that
-    bring every state to zero, from the stabilising solution of the Riccati equation; there is one
-    if and only if (A, B) is stabilisable and the cost sees every mode on the imaginary axis. With
-    `stable=False` the best of all, whatever becomes of states that the cost does not see: the least
-    S >= 0 that solves the equation. Returns `QuadraticRegulator`, for general values of symbols.
-    Raises ValueError for shapes that do not fit and weights that are none, NotImplementedError for
-    exact spectra beyond square roots. Source: section 5.4 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; exact, also with symbols (then for general values), or floats.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    G : matrix_like, shape (n, n)
+        Weight of the state, positive semidefinite.
+    N : matrix_like, shape (s, s)
+        Weight of the control, positive definite.
+    stable : bool, default True
+        If true, the best of the laws that bring every state to zero, from the stabilising solution of
+        the Riccati equation; it exists if and only if (A, B) is stabilisable and every mode on the
+        imaginary axis is observable in the cost. If false, the best of all laws, also where states that
+        are unobservable in the cost do not decay: the least S >= 0 that solves the equation.
 
+    Returns
+    -------
+    QuadraticRegulator
+        False in an `if`, with a reason, if there is no such law.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or a weight is not symmetric or not positive (semi)definite.
+    NotImplementedError
+        For exact spectra beyond square roots.
+
+    Notes
+    -----
+    The sign is u = Kx. MATLAB: ``-lqr(A, B, G, N)``; python-control: ``-lqr(A, B, G, N)[0]``. Source:
+    section 5.4 of the problem book.
+
+    Examples
+    --------
     >>> lqr(1, 1, 1, 2).gain    # problem 5.63
     Matrix([[-sqrt(6)/2 - 1]])
     >>> lqr(1, 1, 0, 1).gain[0], lqr(1, 1, 0, 1, stable=False).gain[0]
     (-2, 0)
     >>> print(lqr([[0, 1], [0, 1]], [0, 1], [[0, 0], [0, 1]], 1).reason)    # problem 5.67b
-    no stabilising law of least cost: a mode on the imaginary axis is not seen by the cost
+    no stabilising law of least cost: a mode on the imaginary axis is unobservable in the cost
     """
     A, B, G, N = _read(A, B, G, N)
     if not stable:
-        return _without_the_unseen(A, B, G, N)
+        return _without_unobserved_states(A, B, G, N)
     filter = stationary_filter(A.T, B.T, G, N)
     if not filter:
         # with a cost that sees everything
@@ -86,7 +123,7 @@ def lqr(A, B, G, N, stable=True):
             sp.false,
             "no stabilising law of least cost: "
             + (
-                "a mode on the imaginary axis is not seen by the cost"
+                "a mode on the imaginary axis is unobservable in the cost"
                 if controlled
                 else "not stabilisable, a mode that does not decay is not controlled"
             ),
@@ -101,14 +138,47 @@ def lqr(A, B, G, N, stable=True):
     )
 
 
-def finite_lqr(A, B, G, N, F, left):
-    """The law u = K(t) x of least cost up to an end T, where x^T F x is paid, at the time T -
-    `left`.
+def finite_lqr(
+    A: MatrixLike,
+    B: MatrixLike,
+    G: MatrixLike,
+    N: MatrixLike,
+    F: MatrixLike,
+    time_to_go: ExprLike,
+) -> QuadraticRegulator:
+    """Return the law u = K(t) x of least cost up to a final time T, at one instant before it.
 
-    `F`: n x n, positive semidefinite; `left`: a number >= 0 or, for exact matrices, a symbol; the
-    rest and the errors as for `lqr`. Returns `QuadraticRegulator`. Source: section 5.4 of the
-    problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; exact or floats.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    G : matrix_like, shape (n, n)
+        Weight of the state, positive semidefinite.
+    N : matrix_like, shape (s, s)
+        Weight of the control, positive definite.
+    F : matrix_like, shape (n, n)
+        Weight of the final state, x(T)^T F x(T); positive semidefinite.
+    time_to_go : float or sympy.Expr
+        T - t >= 0: a number or, for exact matrices, a symbol.
 
+    Returns
+    -------
+    QuadraticRegulator
+        S, K and A + BK at the instant T - `time_to_go`.
+
+    Raises
+    ------
+    ValueError, NotImplementedError
+        As `lqr`.
+
+    Notes
+    -----
+    The sign is u = Kx. Source: section 5.4 of the problem book.
+
+    Examples
+    --------
     >>> left = sp.Symbol("left", positive=True)
     >>> finite_lqr(0, 1, 0, 1, 1, left).gain[0]
     -1/(left + 1)
@@ -121,7 +191,7 @@ def finite_lqr(A, B, G, N, F, left):
         A.shape[0],
         isinstance(A, np.ndarray),
     )
-    cost = dual.covariance(F, left)
+    cost = dual.covariance(F, time_to_go)
     gain = -(
         N.inv() * B.T * cost if isinstance(cost, sp.MatrixBase) else np.linalg.solve(N, B.T @ cost)
     )
@@ -132,37 +202,82 @@ def finite_lqr(A, B, G, N, F, left):
 
 @dataclass(frozen=True)
 class StochasticRegulator:
-    """The best feedback by a measurement with noise, u = Ke, e' = (A + BK - LH) e + Lz; false in an
-    `if` if none.
+    """The optimal feedback by a measurement with noise; false in an `if` if there is none.
 
-    - `regulator`: `QuadraticRegulator`, as if the state were known; `filter`: `StationaryFilter`,
-      with the gain L and the covariance P of x - e, as if there were no control: the separation
-      theorem;
-    - `controller`: A + BK - LH, n x n;
-    - `price`: lim M[x^T G x + u^T N u] = tr(SQ) + tr(P K^T N K); `known`: the first term, what the
-      noise costs if the state is known.
+    It is u = Ke, e' = (A + BK - LH) e + Lz.
+
+    Attributes
+    ----------
+    regulator : QuadraticRegulator
+        The regulator for a known state.
+    filter : StationaryFilter
+        The filter without control, with the gain L and the covariance P of x - e (separation theorem).
+    controller : matrix, shape (n, n)
+        A + BK - LH.
+    cost : sympy.Expr or float
+        lim E[x^T G x + u^T N u] = tr(SQ) + tr(P K^T N K); None if there is no feedback.
+    cost_of_known_state : sympy.Expr or float
+        The first term, tr(SQ): the cost with noise if the state is known.
     """
 
     regulator: QuadraticRegulator
     filter: StationaryFilter
-    controller: object
-    price: object
-    known: object
+    controller: Matrix
+    cost: sp.Expr | float | None
+    cost_of_known_state: sp.Expr | float | None
 
     def __bool__(self):
-        return self.price is not None
+        return self.cost is not None
 
 
-def lqg(A, B, H, G, N, Q, R):
-    """The best feedback for x' = Ax + Bu + q, z = Hx + r and the cost lim M[x^T G x + u^T N u]
-    (MATLAB: lqg).
+def lqg(
+    A: MatrixLike,
+    B: MatrixLike,
+    H: MatrixLike,
+    G: MatrixLike,
+    N: MatrixLike,
+    Q: MatrixLike,
+    R: MatrixLike,
+) -> StochasticRegulator:
+    """Return the optimal feedback for x' = Ax + Bu + q, z = Hx + r and a quadratic cost.
 
-    `H`: m x n; `Q`: n x n, the intensity of q; `R`: m x m, that of r; the rest and the errors as
-    for `lqr`. Returns `StochasticRegulator`. Source: section 5.4 of the problem book, with Theorem
-    4.4.
+    The cost is lim E[x^T G x + u^T N u].
 
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system; exact or floats.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    H : matrix_like, shape (m, n)
+        Matrix of the measurement.
+    G : matrix_like, shape (n, n)
+        Weight of the state, positive semidefinite.
+    N : matrix_like, shape (s, s)
+        Weight of the control, positive definite.
+    Q : matrix_like, shape (n, n)
+        Intensity of the white noise q.
+    R : matrix_like, shape (m, m)
+        Intensity of the white noise r.
+
+    Returns
+    -------
+    StochasticRegulator
+        Regulator, filter, controller and cost.
+
+    Raises
+    ------
+    ValueError, NotImplementedError
+        As `lqr`.
+
+    Notes
+    -----
+    MATLAB: ``lqg``. Source: section 5.4 of the problem book, with Theorem 4.4.
+
+    Examples
+    --------
     >>> found = lqg([[0, 1], [-1, 0]], [0, 1], [[0, 1]], sp.diag(0, 1), 1, sp.diag(0, 4), 1)    # problem 5.70
-    >>> found.regulator.gain, found.filter.gain.T, found.price
+    >>> found.regulator.gain, found.filter.gain.T, found.cost
     (Matrix([[0, -1]]), Matrix([[0, 2]]), 6)
     """
     filter = stationary_filter(A, H, Q, R)
@@ -183,7 +298,7 @@ def lqg(A, B, H, G, N, Q, R):
 
 
 def _read(A, B, G, N):
-    floats = in_floats(A, B, G, N)
+    floats = any_floats(A, B, G, N)
     A = read_square(A, "A", floats)
     n = A.shape[0]
     flat = np.ndim(B if floats or isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
@@ -197,23 +312,26 @@ def _read(A, B, G, N):
     )
 
 
-def _without_the_unseen(A, B, G, N):
-    """What the cost does not see is left out: of the rest, y = Ty x, every mode is seen, and S is
-    unique."""
+def _without_unobserved_states(A, B, G, N):
+    """Return the law for the part that is observable in the cost, where S is unique."""
     split = observability_decomposition(A, G)
     n, floats = split.sizes[0], isinstance(A, np.ndarray)
     if not n:
         zero = B.T * 0
         return QuadraticRegulator(
-            G * 0, zero, A + B @ zero, sp.true, "the cost sees nothing: no control costs least"
+            G * 0,
+            zero,
+            A + B @ zero,
+            sp.true,
+            "no state is observable in the cost: u = 0 costs least",
         )
     T = split.transformation
     back = np.linalg.inv(T) if floats else T.inv()
-    seen, into = T[:n, :], back[:, :n]
-    part = lqr((T @ A @ back)[:n, :n], seen @ B, symmetric(into.T @ G @ into), N)
+    observable, into = T[:n, :], back[:, :n]
+    part = lqr((T @ A @ back)[:n, :n], observable @ B, symmetric(into.T @ G @ into), N)
     if not part:
         return part
-    cost, gain = symmetric(seen.T @ part.cost @ seen), tidy(part.gain @ seen)
+    cost, gain = symmetric(observable.T @ part.cost @ observable), tidy(part.gain @ observable)
     return QuadraticRegulator(
         cost, gain, tidy(A + B @ gain), part.where, part.reason.replace("stabilising ", "")
     )

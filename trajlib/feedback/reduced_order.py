@@ -1,4 +1,4 @@
-"""The observer that estimates only what is not measured (Luenberger).
+"""The reduced-order observer, which estimates only what is not measured (Luenberger).
 
 Take z and y = Cx for coordinates, x = Pz + Qy. Then y' = A22 y + A21 z + B2 u, and z' - A11 z - B1
 u = A12 y is known of y. The estimate of y is p + Gz with
@@ -9,22 +9,35 @@ in which no derivative of z is needed; its error obeys d' = (A22 - G A12) d, and
 is observable exactly when (A, H) is.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
+from trajlib._types import ExprLike, MatrixLike
 from trajlib.feedback.gains import GainFamily, observer
 from trajlib.structure import exact
-from trajlib.structure.pairs import is_float_array, read_controlled, read_observed
 
 
 @dataclass(frozen=True)
 class ReducedObserver:
-    """p' = `matrix` p + `by_output` z + `by_control` u, with the estimate `state_by_p` p +
-    `state_by_output` z of x.
+    """The observer p' = `matrix` p + `by_output` z + `by_control` u.
 
-    `matrix` is that of the errors too; `family` holds the gains G and what is free in them, which
-    the simplest member leaves out; `coordinates` is C, the rows of y = Cx.
+    The estimate of x is `state_by_p` p + `state_by_output` z.
+
+    Attributes
+    ----------
+    matrix : sympy.Matrix, shape (n - m, n - m)
+        Matrix of p and also of the errors.
+    by_output, by_control : sympy.Matrix
+        Matrices of z and u in the equation of p.
+    state_by_p, state_by_output : sympy.Matrix
+        Matrices of p and z in the estimate of x.
+    coordinates : sympy.Matrix
+        C, the rows of y = Cx.
+    family : GainFamily
+        The gains G with their free symbols, which are zero in the matrices above.
     """
 
     matrix: sp.Matrix
@@ -36,15 +49,52 @@ class ReducedObserver:
     family: GainFamily
 
 
-def reduced_observer(A, B, H, polynomial=None, symbol=None, *, eigenvalues=None, margin=None):
-    """An observer of order n - m for m independent outputs, with a prescribed spectrum (MATLAB:
-    place on a block).
+def reduced_observer(
+    A: MatrixLike,
+    B: MatrixLike,
+    H: MatrixLike,
+    polynomial: ExprLike | sp.Poly | None = None,
+    symbol: sp.Symbol | None = None,
+    *,
+    eigenvalues: Sequence[ExprLike] | None = None,
+    margin: ExprLike | None = None,
+) -> ReducedObserver:
+    """Return an observer of order n - m for m independent outputs, with a prescribed spectrum.
 
-    `A`: n x n, `B`: n x s, `H`: m x n of rank m < n, exact; the spectrum is prescribed as in
-    `observer`, of order n - m. Returns `ReducedObserver`. Raises ValueError for outputs that depend
-    on one another or tell the whole state, for shapes that do not fit, and as `observer` does.
-    Source: added; after D. G. Luenberger.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu, exact.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    H : matrix_like, shape (m, n)
+        Matrix of the output z = Hx, of rank m < n.
+    polynomial : sympy.Expr or sympy.Poly, optional
+        Characteristic polynomial of order n - m, as in `observer`.
+    symbol : sympy.Symbol, optional
+        Variable of `polynomial`.
+    eigenvalues : sequence of number, optional
+        The eigenvalues, as in `observer`.
+    margin : float or sympy.Expr, optional
+        The margin, as in `observer`.
 
+    Returns
+    -------
+    ReducedObserver
+        The observer with the simplest of its gains.
+
+    Raises
+    ------
+    ValueError
+        If the outputs depend on one another or determine the whole state, if shapes do not fit, and as
+        `observer`.
+
+    Notes
+    -----
+    MATLAB: ``place`` on a block. Source: added to the problem book; after D. G. Luenberger.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = reduced_observer(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([0, 1]), sp.Matrix([[1, 0]]), margin=2)
     >>> found.matrix, found.by_output, found.by_control

@@ -1,29 +1,29 @@
-"""The guaranteed step: every node stands for a closed cell of headings and speeds, and nothing is
-rounded inwards.
+"""Guaranteed step: each node represents a closed cell of headings and speeds.
 
-What holds before a step and after it: **each state (x, y, psi, V) that agrees with the measurements
-has a cell with (psi, V) in it whose section holds (x, y).** Let the cell be |psi - psi_j| <= a, |V
-- V_l| <= b, with a = dpsi/2, b = dV/2, and the step have the length D.
+Rounding is outwards. The invariant before and after a step: **each state (x, y, psi, V) compatible
+with the measurements has a cell with (psi, V) in it whose section contains (x, y).** Let the cell
+be |psi - psi_j| <= a, |V - V_l| <= b, with a = dpsi/2, b = dV/2, and the step have the length D.
 
 - *Speed.* At the time s of the step V(s) lies between V_l - b + mu1 s and V_l + b + mu2 s. The
   nodes move by D (mu1 + mu2)/2, and dV = D (mu2 - mu1)/2, so that V(D) differs from the moved node
   by at most b + dV: it lies in the cell, or in the next one below or above. All three get the
   section.
-- *Heading.* |psi(s) - psi_j| <= a + kappa s, kappa = k/V_min, with V_min the least speed of the
+- *Heading.* |psi(s) - psi_j| <= a + kappa s, kappa = k/V_min, with V_min the smallest speed of the
   step. So psi(D) lies in one of the cells j - r, ..., j + r, r = ceil(kappa D/dpsi). All of them
   get the section.
-- *Place.* For each normal n = (sin phi, cos phi) and d = |psi_j - phi|
+- *Position.* For each normal n = (sin phi, cos phi) and d = |psi_j - phi|
 
-      n (displacement) = integral of V(s) cos(psi(s) - phi) <= integral of V(s) c(s) <= integral of Vmax c+ - Vmin c-,
+      n (displacement) = integral of V(s) cos(psi(s) - phi) <= integral of V(s) c(s) <= integral of
+      Vmax c+ - Vmin c-,
 
-where c(s) = cos(max(d - a - kappa s, 0)) = c+ - c-. The last integrals are known in closed form
-(`trajlib.infosets.turning`) if Vmax and Vmin are replaced by their values at the end of each of a
-few parts of the step. The support values of the section grow by this bound.
-- *Measurement.* The true place lies in its section and in the measured region, so in their
+  where c(s) = cos(max(d - a - kappa s, 0)) = c+ - c-. The last integrals have a closed form
+  (`trajlib.infosets.turning`) if Vmax and Vmin are replaced by their values at the end of each of a
+  few parts of the step. The support values of the section grow by this bound.
+- *Measurement.* The true position lies in its section and in the measured region, so in their
   intersection, which is never made smaller by rounding. Only cells whose intersection is empty are
   dropped.
 
-Nodes and r are computed with rounding: cells are taken wider by a millionth of their width on each
+Nodes and r are computed with rounding: cells are widened by a millionth of their width on each
 side, and no step takes more than 2e-12 of it, so that 1e5 steps are covered. Support values are
 rounded upwards.
 """
@@ -31,11 +31,11 @@ rounded upwards.
 import numpy as np
 
 from trajlib.infosets.polygons import EPS
-from trajlib.infosets.sections import FULL, arc_of
-from trajlib.infosets.turning import apart, cosine_parts
+from trajlib.infosets.sections import FULL, covering_arc
+from trajlib.infosets.turning import angle_between, cosine_parts
 
-#: Of a cell's half width, for the rounding of nodes and reaches; and what a reach may be below its
-#: bound, in nodes.
+#: Factor of a cell's half width for the rounding of nodes and reaches, and tolerance of a reach, in
+#: nodes.
 WIDER, SHORT = 1 + 2e-6, 1e-12
 #: Parts of a step, in each of which the bounds on the speed are constant.
 PARTS = 4
@@ -45,19 +45,25 @@ ROUNDED = 64
 
 
 class Cells:
-    """Sections over cells of headings and speeds. `speed_step` = 0 and `mu` = (0, 0): one row, the
-    speed is known."""
+    """Sections over cells of headings and speeds.
+
+    With `speed_step` = 0 and `mu` = (0, 0) there is one row, for a known speed.
+    """
 
     def __init__(self, section, k, mu, speeds, dt, headings, arc, wrapped=True):
         self.k, self.mu, self.dt, self.m = k, mu, dt, len(section)
         self.heading_step = FULL / headings
         self.speed_step = dt * (mu[1] - mu[0]) / 2
         self.circle, self.wrapped = headings, wrapped
-        low, width = speeds[0], speeds[1] - speeds[0]
-        rows = max(int(np.ceil(width / self.speed_step * (1 - 1e-12))), 1) if self.speed_step else 1
+        lowest, speed_width = speeds[0], speeds[1] - speeds[0]
+        rows = (
+            max(int(np.ceil(speed_width / self.speed_step * (1 - 1e-12))), 1)
+            if self.speed_step
+            else 1
+        )
         # nodes are first + steps*drift + index*step: computed anew each time, so that rounding does
         # not add up
-        self._first_speed, self._row, self._steps = low + self.speed_step / 2, 0, 0
+        self._first_speed, self._row, self._steps = lowest + self.speed_step / 2, 0, 0
         self._first_heading, self._column = arc[0] + self.heading_step / 2, 0
         columns = min(max(int(np.ceil(arc[1] / self.heading_step * (1 - 1e-12))), 1), headings)
         self.values = np.tile(section, (rows, columns, 1))
@@ -81,8 +87,8 @@ class Cells:
         )
 
     def advance(self):
-        low = self.speeds - WIDER * self.speed_step / 2
-        slowest = low + self.mu[0] * self.dt
+        lowest = self.speeds - WIDER * self.speed_step / 2
+        slowest = lowest + self.mu[0] * self.dt
         if slowest[0] <= 0:
             raise ValueError(
                 f"the least possible speed after the next step is {slowest[0]:.4g}, but the model "
@@ -94,18 +100,21 @@ class Cells:
                 f"dt: a step may turn the slowest vehicle by {turn[0]:.3g} rad, more than half a "
                 f"circle; take dt below {self.dt * np.pi / turn[0]:.3g}"
             )
-        moved = self.values + self._displacements(low, turn / self.dt)
-        moved += EPS * (8 * moved.max() + ROUNDED * self.speeds[-1] * self.dt * (1 + 1 / turn[-1]))
-        moved = self._turned(moved, np.ceil(turn / self.heading_step - SHORT).astype(int))
-        self.values = self._accelerated(moved) if self.speed_step else moved
+        grown = self.values + self._displacements(lowest, turn / self.dt)
+        grown += EPS * (8 * grown.max() + ROUNDED * self.speeds[-1] * self.dt * (1 + 1 / turn[-1]))
+        grown = self._turned(grown, np.ceil(turn / self.heading_step - SHORT).astype(int))
+        self.values = self._accelerated(grown) if self.speed_step else grown
         self._steps += 1
 
     def _displacements(self, low, rate):
-        """Bounds on n (displacement) for all rows, columns and normals. The angles psi_j - phi_i
-        are multiples of 2 pi/lcm(headings, normals) up to a constant: each is computed once."""
+        """Return bounds on n (displacement) for all rows, columns and normals.
+
+        The angles psi_j - phi_i are multiples of 2 pi/lcm(headings, normals) up to a constant: each
+        is computed once.
+        """
         shared, (rows, columns, m) = self._divisor, self.values.shape
         angle = (
-            apart(self.headings[0] + FULL * np.arange(shared) / shared)
+            angle_between(self.headings[0] + FULL * np.arange(shared) / shared)
             - WIDER * self.heading_step / 2
         )
         high = low + WIDER * self.speed_step
@@ -120,20 +129,20 @@ class Cells:
         return total[:, index % shared]
 
     def _turned(self, values, reach):
-        """Hulls over the neighbours on both sides, `reach` of them in each row."""
-        most = int(reach.max())
+        """Return hulls over the neighbours on both sides, `reach` of them in each row."""
+        max_reach = int(reach.max())
         if self._closed:
-            padded = np.concatenate([values[:, -most:], values, values[:, :most]], axis=1)
+            padded = np.concatenate([values[:, -max_reach:], values, values[:, :max_reach]], axis=1)
         else:
-            ends = np.full((len(values), 2 * most, self.m), -np.inf)
+            ends = np.full((len(values), 2 * max_reach, self.m), -np.inf)
             padded = np.concatenate([ends, values, ends], axis=1)
-            self._column -= most
-        count = padded.shape[1] - 2 * most
-        result = padded[:, most : most + count].copy()
-        for offset in range(1, most + 1):
+            self._column -= max_reach
+        count = padded.shape[1] - 2 * max_reach
+        result = padded[:, max_reach : max_reach + count].copy()
+        for offset in range(1, max_reach + 1):
             # slow rows come first and turn furthest
             rows = slice(0, int(np.sum(reach >= offset)))
-            for start in (most - offset, most + offset):
+            for start in (max_reach - offset, max_reach + offset):
                 np.maximum(result[rows], padded[rows, start : start + count], out=result[rows])
         return self._folded(result) if self.wrapped else result
 
@@ -142,18 +151,18 @@ class Cells:
         return self.wrapped and self.values.shape[1] == self.circle
 
     def _folded(self, values):
-        """With columns of the same heading put together, where there are more than a circle has."""
+        """Join columns of the same heading, if there are more than a circle has."""
         if values.shape[1] <= self.circle:
             return values
         result = values[:, : self.circle].copy()
         for start in range(self.circle, values.shape[1], self.circle):
-            more = values[:, start : start + self.circle]
-            part = result[:, : more.shape[1]]
-            np.maximum(part, more, out=part)
+            further = values[:, start : start + self.circle]
+            part = result[:, : further.shape[1]]
+            np.maximum(part, further, out=part)
         return result
 
     def _accelerated(self, values):
-        """Hulls over the rows below and above, with a row more at either end."""
+        """Return hulls over the rows below and above, with a further row at either end."""
         result = np.full((len(values) + 2, *values.shape[1:]), -np.inf)
         for shift in range(3):
             part = result[shift : shift + len(values)]
@@ -161,28 +170,29 @@ class Cells:
         self._row -= 1
         return result
 
-    def settle(self):
-        """Drop rows and columns that are empty at the ends; a circle is opened in its widest
-        gap."""
-        there = ~np.isneginf(self.values[..., 0])
-        rows, columns = np.flatnonzero(there.any(axis=1)), np.flatnonzero(there.any(axis=0))
+    def trim(self):
+        """Drop rows and columns that are empty at the ends; open a circle in its widest gap."""
+        possible = ~np.isneginf(self.values[..., 0])
+        rows, columns = np.flatnonzero(possible.any(axis=1)), np.flatnonzero(possible.any(axis=0))
         first, last = columns[0], columns[-1]
         if self._closed and len(columns) < self.circle:
             gaps = np.append(columns[1:], columns[0] + self.circle) - columns
             widest = int(np.argmax(gaps))
             first, last = columns[widest] + gaps[widest], columns[widest] + self.circle
-        kept = np.arange(first, last + 1) % self.values.shape[1]
-        self.values = self.values[rows[0] : rows[-1] + 1, kept]
+        columns_kept = np.arange(first, last + 1) % self.values.shape[1]
+        self.values = self.values[rows[0] : rows[-1] + 1, columns_kept]
         self._row, self._column = self._row + int(rows[0]), self._column + int(first)
 
     def sections_at(self, heading, speed=None):
-        """The sections of all cells that hold a heading and a speed, shape (count, m)."""
+        """Return the sections of all cells that contain a heading and a speed, shape (count, m)."""
         rows = (
             np.flatnonzero(np.abs(self.speeds - speed) <= WIDER * self.speed_step / 2)
             if self.speed_step
             else [0]
         )
-        columns = np.flatnonzero(apart(self.headings - heading) <= WIDER * self.heading_step / 2)
+        columns = np.flatnonzero(
+            angle_between(self.headings - heading) <= WIDER * self.heading_step / 2
+        )
         return self.values[np.ix_(rows, columns)].reshape(-1, self.m)
 
     def speed_bounds(self):
@@ -196,6 +206,6 @@ class Cells:
         columns = ~np.isneginf(self.values[..., 0]).all(axis=0)
         if self._closed and columns.all():
             return 0.0, FULL
-        low, high = arc_of(self.headings[columns] % FULL)
+        low, high = covering_arc(self.headings[columns] % FULL)
         half = self.heading_step / 2
         return (low - half, high + half) if high - low + 2 * half < FULL else (0.0, FULL)

@@ -1,11 +1,18 @@
-"""The error of a set that has become empty."""
+"""Error for a set that has become empty."""
 
 
 class EmptyInformationSet(ValueError):
-    """No state agrees with all measurements: one of them, or a bound of the model, is wrong.
-    `time`: of the measurement that left nothing."""
+    """Raised if no state is compatible with all measurements.
 
-    def __init__(self, time):
+    One of the measurements, or a bound of the model, is wrong.
+
+    Parameters
+    ----------
+    time : float
+        Time of the measurement after which the set is empty.
+    """
+
+    def __init__(self, time: float) -> None:
         self.time = time
         super().__init__(
             f"no state agrees with the measurement at t = {time:g} and those before it: a bound on "

@@ -1,36 +1,60 @@
-"""The information set of a vehicle whose speed is known and constant: states (x, y, psi).
+"""Information set of a vehicle with known constant speed: states (x, y, psi).
 
 As published, headings are not bound to a grid: a section of the heading psi is moved along the
 exact arcs of u = -1, 0, 1 to psi + D k u/V, and sections of close headings are replaced by their
-hull at the mean heading. Three controls reach less than all, and a mean is not the heading that a
-state has: this is no enclosure. The guaranteed mode takes cells of headings,
-`trajlib.infosets.cells` with one row.
+hull at the mean heading. Three controls reach less than all, and no state needs to have the mean
+heading: this is no enclosure. The guaranteed mode uses cells of headings, `trajlib.infosets.cells`
+with one row.
 """
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_count, read_positive
+from trajlib._typing import ArrayLike
 from trajlib.infosets import arguments
 from trajlib.infosets.cells import Cells
+from trajlib.infosets.polygons import SupportPolygons
 from trajlib.infosets.polygons import normals as unit_normals
-from trajlib.infosets.regions import read_region
-from trajlib.infosets.sections import FULL, Bounds, Sections, arc_of
-from trajlib.infosets.turning import apart
+from trajlib.infosets.regions import Region, read_region
+from trajlib.infosets.sections import FULL, Bounds, Sections, covering_arc
+from trajlib.infosets.turning import angle_between
 
 
 class ConstantSpeedInformationSet(Sections):
-    """All states (x, y, psi) that agree with what was measured, for a known constant speed (no
-    MATLAB word).
+    """Set of all states (x, y, psi) compatible with the measurements, for a known speed.
 
-    `region`: where (x, y) is at the start; `speed`: V; `k`: greatest lateral acceleration;
-    `heading_range`: (low, high) in radians or one heading, all if None; `dt`: the step; `normals`:
-    m. `headings`: nodes on the circle; as published, sections are merged within 2 pi/headings.
-    `wrapped=False`: headings that differ by full turns are kept apart, which gives smaller sets.
-    `mode`: "guaranteed" encloses all motions with |u| <= 1; "published" is section 6 of the paper
-    and does not.
+    Parameters
+    ----------
+    region : Region or array_like
+        Initial set of (x, y): a `Region`, or points of a convex polygon.
+    speed : float
+        Speed V.
+    k : float
+        Largest lateral acceleration.
+    dt : float
+        Step of time.
+    headings : int
+        Nodes on the circle; as published, sections are merged within 2 pi/headings.
+    heading_range : float or tuple, optional
+        Initial headings, (low, high) in radians or a single one; all if left out.
+    normals : int
+        Number m of normals of the polygons.
+    mode : {"guaranteed", "published"}
+        "guaranteed" encloses all motions with |u| <= 1; "published" is section 6 of the paper and
+        does not.
+    wrapped : bool
+        Whether headings that differ by full turns are identified; otherwise the sets are smaller.
 
+    Raises
+    ------
+    ValueError
+        If arguments do not fit or a step may turn the vehicle by half a circle.
+
+    Examples
+    --------
     >>> from trajlib.infosets import Region
-    >>> here = ConstantSpeedInformationSet(Region.disc([0, 0], 50), speed=200, k=5, heading_range=0.0, headings=720)
-    >>> here.advance(10).contains([0, 2000, 0]), here.contains([0, 1900, 0])
+    >>> states = ConstantSpeedInformationSet(Region.disc([0, 0], 50), speed=200, k=5, heading_range=0.0, headings=720)
+    >>> states.advance(10).contains([0, 2000, 0]), states.contains([0, 1900, 0])
     (True, False)
     """
 
@@ -38,22 +62,25 @@ class ConstantSpeedInformationSet(Sections):
 
     def __init__(
         self,
-        region,
+        region: Region | ArrayLike,
         *,
-        speed,
-        k,
-        dt=1.0,
-        headings=600,
-        heading_range=None,
-        normals=12,
-        mode="guaranteed",
-        wrapped=True,
-    ):
-        self.mode, self.k = arguments.mode(mode), arguments.positive(k, "k", "length/time^2")
-        self.dt = arguments.positive(dt, "dt", "time")
-        self.speed = arguments.positive(speed, "speed", "length/time")
-        headings = arguments.count(headings, "headings", 8)
-        self.normals = arguments.count(normals, "normals", 3)
+        speed: float,
+        k: float,
+        dt: float = 1.0,
+        headings: int = 600,
+        heading_range: float | tuple | None = None,
+        normals: int = 12,
+        mode: str = "guaranteed",
+        wrapped: bool = True,
+    ) -> None:
+        self.mode, self.k = (
+            arguments.read_mode(mode),
+            read_positive(k, "k", "length/time^2"),
+        )
+        self.dt = read_positive(dt, "dt", "time")
+        self.speed = read_positive(speed, "speed", "length/time")
+        headings = read_count(headings, "headings", 8)
+        self.normals = read_count(normals, "normals", 3)
         if self.k * self.dt / self.speed >= np.pi:
             raise ValueError(
                 f"dt: a step may turn the vehicle by {self.k * self.dt / self.speed:.3g} rad, more "
@@ -61,11 +88,13 @@ class ConstantSpeedInformationSet(Sections):
             )
         section, arc = (
             read_region(region, self.normals).values,
-            arguments.arc(heading_range, "heading_range"),
+            arguments.read_arc(heading_range, "heading_range"),
         )
         self._steps = 0
         if mode == "published":
-            self._grid = Floating(section, self.speed, self.k, self.dt, headings, arc, wrapped)
+            self._grid = FloatingHeadings(
+                section, self.speed, self.k, self.dt, headings, arc, wrapped
+            )
         else:
             self._grid = Cells(
                 section,
@@ -79,30 +108,46 @@ class ConstantSpeedInformationSet(Sections):
             )
 
     @property
-    def heading_nodes(self):
-        """The headings of `sections`, radians; in [0, 2 pi) if wrapped."""
+    def heading_nodes(self) -> np.ndarray:
+        """Headings of `sections`, radians; in [0, 2 pi) if wrapped."""
         return self._grid.headings
 
-    def projection(self, onto="xy"):
-        """`"xy"`: all sections that are not empty, SupportPolygons. `"psi"`: their headings."""
+    def projection(self, onto: str = "xy") -> SupportPolygons | np.ndarray:
+        """Return the projection on the plane or on the heading.
+
+        Parameters
+        ----------
+        onto : {"xy", "psi"}
+            "xy": all sections that are not empty. "psi": their headings.
+
+        Returns
+        -------
+        SupportPolygons or ndarray
+        """
         if onto == "xy":
-            return self._kept()
+            return self._nonempty()
         if onto != "psi":
             raise ValueError(f'onto: expected "xy" or "psi", got {onto!r}')
         return self.heading_nodes[~self.sections.empty.reshape(-1)]
 
-    def bounds(self):
-        """Intervals of x, y and psi; in the guaranteed mode they hold the true ones."""
-        return Bounds(*self._extent(), self._grid.heading_bounds())
+    def bounds(self) -> Bounds:
+        """Return intervals of x, y and psi; in the guaranteed mode they contain the true ones.
+
+        Returns
+        -------
+        Bounds
+        """
+        x, y = self._extent()
+        return Bounds(x, y, self._grid.heading_bounds())
 
     def __repr__(self):
-        there = int(np.sum(~self.sections.empty))
+        count = int(np.sum(~self.sections.empty))
         return (
-            f"{self.mode} information set at t = {self.time:g}: {there} sections, {self.bounds()}"
+            f"{self.mode} information set at t = {self.time:g}: {count} sections, {self.bounds()}"
         )
 
 
-class Floating:
+class FloatingHeadings:
     """Sections at headings of any value, as published."""
 
     def __init__(self, section, speed, k, dt, headings, arc, wrapped):
@@ -134,8 +179,10 @@ class Floating:
         self._merge(np.concatenate(headings), np.concatenate(values))
 
     def _merge(self, headings, values):
-        """One section for each group of headings whose neighbours are closer than half the width;
-        no group is wider than the width."""
+        """Merge groups of headings whose neighbours are closer than half the width.
+
+        No group is wider than the width.
+        """
         if self.wrapped:
             headings = headings % FULL
         order = np.argsort(headings, kind="stable")
@@ -149,17 +196,16 @@ class Floating:
         self.headings = np.add.reduceat(headings, starts) / sizes
         self.values = np.maximum.reduceat(values, starts, axis=0)
 
-    def settle(self):
+    def trim(self):
         """Drop the empty sections."""
-        there = ~np.isneginf(self.values[:, 0])
-        self.headings, self.values = self.headings[there], self.values[there]
+        possible = ~np.isneginf(self.values[:, 0])
+        self.headings, self.values = self.headings[possible], self.values[possible]
 
     def sections_at(self, heading):
-        """The section of the nearest heading, shape (1, m); none if it is further than the
-        width."""
-        distance = apart(self.headings - heading)
+        """Return the section of the nearest heading within the width, shape (1, m) or (0, m)."""
+        distance = angle_between(self.headings - heading)
         nearest = int(np.argmin(distance))
         return self.values[nearest : nearest + int(distance[nearest] <= self.width)]
 
     def heading_bounds(self):
-        return arc_of(self.headings % FULL)
+        return covering_arc(self.headings % FULL)

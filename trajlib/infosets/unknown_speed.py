@@ -1,35 +1,64 @@
-"""The information set of a vehicle whose speed is not known: states (x, y, psi, V)."""
+"""Information set of a vehicle with unknown speed: states (x, y, psi, V)."""
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_count, read_interval, read_positive
+from trajlib._typing import ArrayLike
 from trajlib.infosets import arguments
 from trajlib.infosets.cells import Cells
+from trajlib.infosets.polygons import SupportPolygons
 from trajlib.infosets.published import Nodes
-from trajlib.infosets.regions import read_region
+from trajlib.infosets.regions import Region, read_region
 from trajlib.infosets.sections import FULL, Bounds, Sections
 
 
 class InformationSet(Sections):
-    """All states (x, y, psi, V) that agree with what was measured (no MATLAB word).
+    """Set of all states (x, y, psi, V) compatible with the measurements.
 
-    `region`: where (x, y) is at the start, a `Region` or points of a convex polygon. `k`: greatest
-    lateral acceleration; `mu` = (mu1, mu2): bounds on V', mu1 < 0 < mu2; `speeds` = (low, high): of
-    V at the start; `heading_range`: of psi at the start, (low, high) in radians or one heading, all
-    if None. `dt`: the step D. `headings`: nodes on the circle; `normals`: m of the polygons.
+    Parameters
+    ----------
+    region : Region or array_like
+        Initial set of (x, y): a `Region`, or points of a convex polygon.
+    k : float
+        Largest lateral acceleration.
+    mu : tuple of float
+        Bounds (mu1, mu2) on V', mu1 < 0 < mu2.
+    speeds : tuple of float
+        Initial speeds (low, high), low > 0.
+    dt : float
+        Step of time D.
+    headings : int
+        Nodes on the circle.
+    heading_range : float or tuple, optional
+        Initial headings, (low, high) in radians or a single one; all if left out.
+    normals : int
+        Number m of normals of the polygons.
+    mode : {"guaranteed", "published"}
+        See the notes.
+    max_speeds : int, optional
+        Largest number N_V of nodes of speed of the published mode, 20 if left out.
 
-    `mode="guaranteed"` encloses all motions of the model, with u(t) and w(t) of any kind within
-    their bounds. A node stands for a cell around it; in a step a section grows by a bound on the
+    Raises
+    ------
+    ValueError
+        If arguments do not fit.
+
+    Notes
+    -----
+    "guaranteed" encloses all motions of the model, with u(t) and w(t) of any kind within their
+    bounds. A node represents a cell around it; in a step a section grows by a bound on the
     displacement from its whole cell and is given to all cells that can be reached, so that each
-    true state stays in a section of its cell (the proof: `trajlib.infosets.cells`).
-    `mode="published"` is the algorithm of the paper, sections 3 and 4. It is quicker and may lose
-    the true state; `max_speeds`: its N_V, 20 if left out.
+    true state stays in a section of its cell (the proof: `trajlib.infosets.cells`). "published" is
+    the algorithm of the paper, sections 3 and 4. It is faster and may lose the true state.
 
+    Examples
+    --------
     >>> from trajlib.infosets import Region
-    >>> place = InformationSet(Region.box([0, 0], 400), k=6, mu=(-1, 3), speeds=(180, 200), headings=120,
-    ...                        heading_range=(0, 0.5))
-    >>> place.advance(20).bounds().speed
+    >>> states = InformationSet(Region.box([0, 0], 400), k=6, mu=(-1, 3), speeds=(180, 200), headings=120,
+    ...                         heading_range=(0, 0.5))
+    >>> states.advance(20).bounds().speed
     (160.0, 260.0)
-    >>> place.measure(Region.box([1000, 3800], 400)).contains([900, 3900, 0.3, 195])
+    >>> states.measure(Region.box([1000, 3800], 400)).contains([900, 3900, 0.3, 195])
     True
     """
 
@@ -37,40 +66,44 @@ class InformationSet(Sections):
 
     def __init__(
         self,
-        region,
+        region: Region | ArrayLike,
         *,
-        k,
-        mu,
-        speeds,
-        dt=1.0,
-        headings=600,
-        heading_range=None,
-        normals=12,
-        mode="guaranteed",
-        max_speeds=None,
-    ):
-        self.mode, self.k = arguments.mode(mode), arguments.positive(k, "k", "length/time^2")
-        self.dt = arguments.positive(dt, "dt", "time")
-        self.mu = arguments.pair(mu, "mu", "(mu1, mu2)")
+        k: float,
+        mu: tuple,
+        speeds: tuple,
+        dt: float = 1.0,
+        headings: int = 600,
+        heading_range: float | tuple | None = None,
+        normals: int = 12,
+        mode: str = "guaranteed",
+        max_speeds: int | None = None,
+    ) -> None:
+        self.mode, self.k = (
+            arguments.read_mode(mode),
+            read_positive(k, "k", "length/time^2"),
+        )
+        self.dt = read_positive(dt, "dt", "time")
+        self.mu = read_interval(mu, "mu", "(mu1, mu2)")
         if not self.mu[0] < 0 < self.mu[1]:
             raise ValueError(
                 f"mu: expected mu1 < 0 < mu2, got {mu!r}; a speed that is known and constant is "
                 "for ConstantSpeedInformationSet"
             )
-        speeds = arguments.pair(speeds, "speeds")
+        speeds = read_interval(speeds, "speeds")
         if speeds[0] <= 0:
             raise ValueError(f"speeds: the model needs V > 0, got {speeds[0]:g}")
-        headings = arguments.count(headings, "headings", 8)
-        self.normals = arguments.count(normals, "normals", 3)
+        headings = read_count(headings, "headings", 8)
+        self.normals = read_count(normals, "normals", 3)
         section, arc = (
             read_region(region, self.normals).values,
-            arguments.arc(heading_range, "heading_range"),
+            arguments.read_arc(heading_range, "heading_range"),
         )
         self._steps = 0
         common = section, self.k, self.mu, speeds, self.dt, headings, arc
         if mode == "published":
             self._grid = Nodes(
-                *common, arguments.count(20 if max_speeds is None else max_speeds, "max_speeds", 4)
+                *common,
+                read_count(20 if max_speeds is None else max_speeds, "max_speeds", 4),
             )
         elif max_speeds is not None:
             raise ValueError(
@@ -80,31 +113,47 @@ class InformationSet(Sections):
             self._grid = Cells(*common)
 
     @property
-    def speed_nodes(self):
-        """The nodes of speed, one a row of `sections`."""
+    def speed_nodes(self) -> np.ndarray:
+        """Nodes of speed, one a row of `sections`."""
         return self._grid.speeds
 
     @property
-    def heading_nodes(self):
-        """The nodes of heading in [0, 2 pi), one a column of `sections`."""
+    def heading_nodes(self) -> np.ndarray:
+        """Nodes of heading in [0, 2 pi), one a column of `sections`."""
         return self._grid.headings % FULL
 
-    def projection(self, onto="xy"):
-        """`"xy"`: all sections that are not empty, SupportPolygons whose union is the projection on
-        the plane. `"psi-V"`: the nodes (psi, V) at which they stand, shape (count, 2)."""
+    def projection(self, onto: str = "xy") -> SupportPolygons | np.ndarray:
+        """Return the projection on the plane or on heading and speed.
+
+        Parameters
+        ----------
+        onto : {"xy", "psi-V"}
+            "xy": all sections that are not empty; their union is the projection. "psi-V": their
+            nodes (psi, V), shape (count, 2).
+
+        Returns
+        -------
+        SupportPolygons or ndarray
+        """
         if onto == "xy":
-            return self._kept()
+            return self._nonempty()
         if onto != "psi-V":
             raise ValueError(f'onto: expected "xy" or "psi-V", got {onto!r}')
         rows, columns = np.nonzero(~self.sections.empty)
         return np.column_stack([self.heading_nodes[columns], self.speed_nodes[rows]])
 
-    def bounds(self):
-        """Intervals of all four coordinates; in the guaranteed mode they hold the true ones."""
-        return Bounds(*self._extent(), self._grid.heading_bounds(), self._grid.speed_bounds())
+    def bounds(self) -> Bounds:
+        """Return intervals of all coordinates; in the guaranteed mode they contain the true ones.
+
+        Returns
+        -------
+        Bounds
+        """
+        x, y = self._extent()
+        return Bounds(x, y, self._grid.heading_bounds(), self._grid.speed_bounds())
 
     def __repr__(self):
-        there = int(np.sum(~self.sections.empty))
+        count = int(np.sum(~self.sections.empty))
         return (
-            f"{self.mode} information set at t = {self.time:g}: {there} sections, {self.bounds()}"
+            f"{self.mode} information set at t = {self.time:g}: {count} sections, {self.bounds()}"
         )

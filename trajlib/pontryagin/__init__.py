@@ -16,10 +16,10 @@ True
 
 from trajlib._lazy import lazy_names
 
-# No module of this folder is called like a name it exports: importing it would put the module in
-# the place of the function.
+# No module or package of this folder is called like a name it exports: importing it would put the
+# module in the place of the function. So `synthesis` lies in `planar_synthesis`.
 _EXPORTS = {
-    "statement": ["Problem"],
+    "optimal_control": ["Problem"],
     "functionals": [
         "control_problem",
         "end_conditions",
@@ -28,12 +28,13 @@ _EXPORTS = {
         "momenta",
         "natural_conditions",
     ],
-    "derivation": ["Conditions"],
-    "extremal": ["Extremal"],
-    "comparison": ["Comparison", "compare"],
-    "certificate": ["Certificate", "certify"],
-    "proof": ["Proof", "Enclosure"],
-    "errors": [
+    "problem.derivation": ["Conditions"],
+    "indirect.extremal": ["Extremal"],
+    "indirect.comparison": ["Comparison", "compare"],
+    "verification.certificate": ["Certificate", "certify"],
+    "verification.proof": ["Proof"],
+    "verification.ball_arithmetic": ["Enclosure"],
+    "problem.errors": [
         "PontryaginError",
         "Infeasible",
         "Unbounded",
@@ -43,7 +44,8 @@ _EXPORTS = {
         "NotConverged",
         "StartOnTarget",
     ],
-    "elimination": ["ControlField"],
-    "planar.synthesis": ["Synthesis", "synthesis"],
+    "problem.elimination": ["ControlField"],
+    "planar_synthesis.synthesis": ["Synthesis"],
+    "planar_synthesis.construction": ["synthesis"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

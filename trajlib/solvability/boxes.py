@@ -1,4 +1,4 @@
-"""A guaranteed smallest singular value for a whole class of motions: all parameters of a box.
+"""Guaranteed lower bound of the smallest singular value for all parameters in a box.
 
 Take a cell with the centre p0 and half sides r_k, C = A(p0) and a matrix G with G C = E, nearly. By
 the mean value theorem, entry by entry, G A(p) = E + F with |F| <= sum_k r_k |G dA/dp_k| for all p
@@ -6,16 +6,18 @@ of the cell, and from |A v| >= |G A v|/|G|
 
     s_min(A(p)) >= (1 - |F|)/|G|,        |G| = 1/s_min(C).
 
-The derivatives are enclosed by intervals rounded outwards, and what rounding may do to G C, to the
-products and to |G| is added. Cells whose bound is not good enough are halved. What comes out is a
-proof by computer, as far as the libraries keep their promises.
+The derivatives are enclosed by intervals rounded outwards, and bounds on the rounding errors of G
+C, of the products and of |G| are added. Cells whose bound is not sufficient are halved. The result
+is a proof by computer, provided that the libraries round as documented.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
 
+from trajlib._typing import ArrayLike
 from trajlib.solvability.intervals import FUNCTIONS, Interval
 from trajlib.solvability.rounding import EPS, threshold
 
@@ -25,9 +27,19 @@ BATCH = 256
 
 @dataclass(frozen=True, repr=False)
 class Guarantee:
-    """`lower`: no matrix of the box has a smaller singular value below it. `upper`: the smallest
-    one met at the centre of a cell, at the parameters `where`. `proved`: whether lower > 0, so that
-    the problem is solvable in the whole box. `cells`: how many were looked at."""
+    """Bounds of the smallest singular value in a box of parameters, the result of `guarantee`.
+
+    Attributes
+    ----------
+    lower : float
+        Lower bound for all parameters in the box.
+    upper : float
+        Smallest value found at the centre of a cell.
+    where : dict
+        Parameters of that centre by name.
+    cells : int
+        Number of cells examined.
+    """
 
     lower: float
     upper: float
@@ -35,7 +47,8 @@ class Guarantee:
     cells: int
 
     @property
-    def proved(self):
+    def proved(self) -> bool:
+        """Whether lower > 0, so that the problem is solvable in the whole box."""
         return self.lower > 0
 
     def __repr__(self):
@@ -51,24 +64,51 @@ class Guarantee:
         )
 
 
-def guarantee(matrix, box, *, scaling=None, ratio=0.5, cells=20000):
-    """Lower bound of the smallest singular value of a SymPy matrix for all parameters in a box.
+def guarantee(
+    matrix: sp.Matrix,
+    box: Mapping,
+    *,
+    scaling: ArrayLike | None = None,
+    ratio: float = 0.5,
+    cells: int = 20000,
+) -> Guarantee:
+    """Return a lower bound of the smallest singular value of a matrix over a box.
 
-    `matrix`: n x m, in the symbols of `box`, made of + - * /, whole powers, sqrt, sin, cos, exp,
-    log; weight it first. `box`: symbol -> (low, high). `scaling`: m numbers by which the columns
-    are divided; their norms at the middle of the box if left out. The search ends when lower >=
-    ratio*upper, or after so many `cells`.
+    Parameters
+    ----------
+    matrix : sympy.Matrix, shape (n, m)
+        Matrix in the symbols of `box`, made of + - * /, integer powers, sqrt, sin, cos, exp, log;
+        weighted, if weights are wanted.
+    box : mapping
+        Interval (low, high) of each symbol.
+    scaling : array_like, shape (m,), optional
+        Numbers by which the columns are divided; their norms at the middle of the box if left out.
+    ratio : float
+        The search ends when lower >= ratio*upper; 0 < ratio < 1.
+    cells : int
+        The search ends after this number of cells.
 
+    Returns
+    -------
+    Guarantee
+
+    Raises
+    ------
+    ValueError
+        If arguments do not fit or the matrix has other symbols or functions.
+
+    Examples
+    --------
     >>> a = sp.Symbol("a")
-    >>> found = guarantee(sp.Matrix([[1, 0], [0, a]]), {a: (1, 3)}, scaling=[1, 1])
-    >>> found.proved, 0.5 <= found.lower <= 1
+    >>> bounds = guarantee(sp.Matrix([[1, 0], [0, a]]), {a: (1, 3)}, scaling=[1, 1])
+    >>> bounds.proved, 0.5 <= bounds.lower <= 1
     (True, True)
     """
     matrix = sp.Matrix(matrix)
-    low, high = _ends(box)
-    strangers = matrix.free_symbols - set(box)
-    if strangers:
-        raise ValueError(f"box: no interval for {', '.join(sorted(map(str, strangers)))}")
+    box_low, box_high = _box_ends(box)
+    others = matrix.free_symbols - set(box)
+    if others:
+        raise ValueError(f"box: no interval for {', '.join(sorted(map(str, others)))}")
     n, m = matrix.shape
     if n < m or m == 0:
         raise ValueError(f"matrix: {n} rows cannot determine {m} unknowns")
@@ -76,11 +116,13 @@ def guarantee(matrix, box, *, scaling=None, ratio=0.5, cells=20000):
         raise ValueError(f"ratio: expected a number between 0 and 1, got {ratio}")
     symbols = list(box)
     values, slopes = (
-        _enclosed([matrix], symbols),
-        _enclosed([matrix.diff(symbol) for symbol in symbols], symbols),
+        _enclosure([matrix], symbols),
+        _enclosure([matrix.diff(symbol) for symbol in symbols], symbols),
     )
     if scaling is None:
-        middle = values(low[None] / 2 + high[None] / 2, low[None] / 2 + high[None] / 2)
+        middle = values(
+            box_low[None] / 2 + box_high[None] / 2, box_low[None] / 2 + box_high[None] / 2
+        )
         scaling = np.linalg.norm(middle.low[0, 0], axis=0)
     scaling = np.asarray(scaling, dtype=float)
     if scaling.shape != (m,) or not ((scaling > 0) & np.isfinite(scaling)).all():
@@ -89,44 +131,48 @@ def guarantee(matrix, box, *, scaling=None, ratio=0.5, cells=20000):
             "middle of the box needs one"
         )
 
-    begin, end = low[None], high[None]
-    accepted, best, where, count = np.inf, np.inf, low / 2 + high / 2, 0
+    lows, highs = box_low[None], box_high[None]
+    accepted, best, where, count = np.inf, np.inf, box_low / 2 + box_high / 2, 0
     bounds = np.array([-np.inf])
-    while begin.size:
-        some = slice(0, BATCH)
-        a, b = begin[some], end[some]
-        certain, found, sides = _judged(values, slopes, a, b, scaling)
+    while lows.size:
+        batch = slice(0, BATCH)
+        a, b = lows[batch], highs[batch]
+        new_bounds, smallest, sides = _cell_bounds(values, slopes, a, b, scaling)
         count += len(a)
-        if found.min() < best:
-            k = int(np.argmin(found))
-            best, where = found[k], a[k] / 2 + b[k] / 2
-        enough = certain >= ratio * best
-        if enough.any():
-            accepted = min(accepted, certain[enough].min())
-        a, b, certain, sides = a[~enough], b[~enough], certain[~enough], sides[~enough]
-        begin, end, bounds = begin[BATCH:], end[BATCH:], bounds[BATCH:]
+        if smallest.min() < best:
+            k = int(np.argmin(smallest))
+            best, where = smallest[k], a[k] / 2 + b[k] / 2
+        sufficient = new_bounds >= ratio * best
+        if sufficient.any():
+            accepted = min(accepted, new_bounds[sufficient].min())
+        a, b, new_bounds, sides = (
+            a[~sufficient],
+            b[~sufficient],
+            new_bounds[~sufficient],
+            sides[~sufficient],
+        )
+        lows, highs, bounds = lows[BATCH:], highs[BATCH:], bounds[BATCH:]
         if count >= cells or best == 0:
             # the cells that are left keep the bounds of the cells they come from
-            accepted = min([accepted, *bounds, *certain])
+            accepted = min([accepted, *bounds, *new_bounds])
             break
         rows, middle = np.arange(len(a)), a / 2 + b / 2
         left, right = b.copy(), a.copy()
         left[rows, sides] = right[rows, sides] = middle[rows, sides]
-        begin, end = np.concatenate([begin, a, right]), np.concatenate([end, left, b])
-        bounds = np.concatenate([bounds, certain, certain])
+        lows, highs = np.concatenate([lows, a, right]), np.concatenate([highs, left, b])
+        bounds = np.concatenate([bounds, new_bounds, new_bounds])
     return Guarantee(
         float(accepted), float(best), dict(zip(map(str, symbols), where.tolist())), count
     )
 
 
-def _judged(values, slopes, a, b, scaling):
-    """For each cell: a lower bound of s_min in it, s_min at its centre, and the side whose halving
-    helps most."""
+def _cell_bounds(values, slopes, a, b, scaling):
+    """Return for each cell a lower bound of s_min, s_min at its centre, and the side to halve."""
     centre = a / 2 + b / 2
     half = np.nextafter(np.maximum(b - centre, centre - a), np.inf)
-    at = values(centre, centre)
-    C, C_radius = _middle_and_radius(at, scaling)
-    D, D_radius = _middle_and_radius(slopes(a, b), scaling)
+    centre_values = values(centre, centre)
+    C, C_radius = _centre_and_radius(centre_values, scaling)
+    D, D_radius = _centre_and_radius(slopes(a, b), scaling)
     C, C_radius = C[:, 0], C_radius[:, 0]
     _, n, m = C.shape
     usable = (
@@ -134,15 +180,15 @@ def _judged(values, slopes, a, b, scaling):
         & np.isfinite(D).all(axis=(1, 2, 3))
         & np.isfinite(D_radius).all(axis=(1, 2, 3))
     )
-    found = np.full(len(a), np.inf)
+    smallest = np.full(len(a), np.inf)
     defined = np.isfinite(C).all(axis=(1, 2))
     s = np.linalg.svd(C[defined], compute_uv=False)
-    found[defined] = s[:, -1]
-    certain, sides = (
+    smallest[defined] = s[:, -1]
+    bounds, sides = (
         np.full(len(a), -np.inf),
         np.argmax((b - a) / (np.abs(a) + np.abs(b) + 1e-300), axis=1),
     )
-    usable[usable] &= found[usable] > EPS * n
+    usable[usable] &= smallest[usable] > EPS * n
     if usable.any():
         C, C_radius, D, D_radius, half = (
             C[usable],
@@ -155,31 +201,31 @@ def _judged(values, slopes, a, b, scaling):
         size = np.abs(G)
         # of a sum of n products
         slack = 2 * n * EPS
-        wrong = np.abs(G @ C - np.eye(m)) + size @ (C_radius + slack * np.abs(C))
+        defect = np.abs(G @ C - np.eye(m)) + size @ (C_radius + slack * np.abs(C))
         parts = half[:, :, None, None] * (
             np.abs(G[:, None] @ D) + size[:, None] @ (D_radius + slack * np.abs(D))
         )
-        beta = np.linalg.norm(wrong + parts.sum(axis=1), axis=(1, 2)) * (1 + slack)
+        beta = np.linalg.norm(defect + parts.sum(axis=1), axis=(1, 2)) * (1 + slack)
         norm = np.linalg.norm(G, 2, axis=(1, 2)) * (1 + 1 / threshold(max(m, 2), max(n, 2)))
-        certain[usable] = (1 - beta) / norm * (1 - 8 * EPS)
+        bounds[usable] = (1 - beta) / norm * (1 - 8 * EPS)
         sides[usable] = np.argmax(np.linalg.norm(parts, axis=(2, 3)), axis=1)
-    return certain, found, sides
+    return bounds, smallest, sides
 
 
-def _middle_and_radius(enclosure, scaling):
+def _centre_and_radius(enclosure, scaling):
     with np.errstate(invalid="ignore", over="ignore"):
         middle = (enclosure.low / 2 + enclosure.high / 2) / scaling
-        reach = np.maximum(enclosure.high / scaling - middle, middle - enclosure.low / scaling)
-        return middle, np.nextafter(reach * (1 + 4 * EPS) + 4 * EPS * np.abs(middle), np.inf)
+        radius = np.maximum(enclosure.high / scaling - middle, middle - enclosure.low / scaling)
+        return middle, np.nextafter(radius * (1 + 4 * EPS) + 4 * EPS * np.abs(middle), np.inf)
 
 
-def _ends(box):
+def _box_ends(box):
     ends = []
-    for symbol, pair in box.items():
-        low, high = (float(end) for end in pair)
+    for symbol, interval in box.items():
+        low, high = (float(end) for end in interval)
         if not (np.isfinite([low, high]).all() and low < high):
             raise ValueError(
-                f"box: expected finite (low, high) with low < high for {symbol}, got {pair}"
+                f"box: expected finite (low, high) with low < high for {symbol}, got {interval}"
             )
         ends.append((low, high))
     if not ends:
@@ -187,28 +233,32 @@ def _ends(box):
     return np.array(ends).T
 
 
-def _enclosed(matrices, symbols):
-    """A function (low, high), shapes (cells, parameters) -> Interval of shape (cells, matrices, n,
-    m)."""
+def _enclosure(matrices, symbols):
+    """Return a function (low, high) of shapes (cells, parameters) to Intervals.
+
+    Their shape is (cells, matrices, n, m).
+    """
     shape = matrices[0].shape
     common, reduced = sp.cse(
         [entry for matrix in matrices for entry in matrix], symbols=sp.numbered_symbols("common_")
     )
-    known, steps = list(symbols), []
+    symbols_so_far, steps = list(symbols), []
     for symbol, expression in common:
-        steps.append(_function(expression, known))
-        known.append(symbol)
-    last = [_function(entry, known) for entry in reduced]
+        steps.append(_function(expression, symbols_so_far))
+        symbols_so_far.append(symbol)
+    entries = [_function(entry, symbols_so_far) for entry in reduced]
 
     def enclosure(low, high):
         values = [Interval(a, b) for a, b in zip(low.T, high.T)]
         for step in steps:
             values.append(step(*values))
-        found = [entry(*values) for entry in last]
-        found = [value if isinstance(value, Interval) else Interval(value) for value in found]
+        enclosures = [entry(*values) for entry in entries]
+        enclosures = [
+            value if isinstance(value, Interval) else Interval(value) for value in enclosures
+        ]
         cells = len(low)
         ends = (
-            np.stack([np.broadcast_to(getattr(value, end), cells) for value in found], axis=1)
+            np.stack([np.broadcast_to(getattr(value, end), cells) for value in enclosures], axis=1)
             for end in ("low", "high")
         )
         return Interval(*(part.reshape(cells, len(matrices), *shape) for part in ends))

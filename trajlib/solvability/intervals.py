@@ -1,10 +1,9 @@
-"""Interval arithmetic on NumPy arrays, rounded outwards: what is computed contains every true
-value.
+"""Interval arithmetic on NumPy arrays, rounded outwards.
 
-Sums, products, quotients and square roots of machine numbers are correctly rounded, so one step to
-the neighbouring number is enough. NumPy's sin, cos, exp, log and powers are right to four units in
-the last place, so six steps are taken. Where an expression may not be defined the ends become
-infinite or nan, so that nothing is concluded from it.
+Results contain all true values. Sums, products, quotients and square roots of floats are correctly
+rounded, so one step to the neighbouring number is sufficient. NumPy's sin, cos, exp, log and powers
+are accurate to four units in the last place, so six steps are taken. Where an expression may not be
+defined the ends become infinite or nan, so that nothing is concluded from it.
 """
 
 import numpy as np

@@ -1,16 +1,14 @@
-"""Constants of the rounding errors of orthogonal reflections (Malyshev 1991, as quoted by Kryzhko
-and Glushakova).
+"""Constants of the rounding errors of orthogonal reflections.
 
-For n rows, m >= 2 unknowns, a relative precision eps of the machine numbers and a condition number
-mu
+For n rows, m >= 2 unknowns, a relative precision eps of the floats and a condition number mu
 
     K = sqrt(m) (2m - 3) (4n + 27),        mu* = 1/((K + 11) eps),
     |dx| <= (K + 8n + 58) eps mu/(1 - (K + 4n + 30) eps mu) |x|        for consistent equations.
 
-The last line has the form (a + b) mu/(1 - a mu), which is what a computation gives that is exact
-for a matrix and a right-hand side with relative errors a = (K + 4n + 30) eps and b = (4n + 28) eps.
-With these two numbers the bound extends to equations with a residual r, which the paper leaves out:
-see `trajlib.solvability.reflections`.
+The last line has the form (a + b) mu/(1 - a mu), the bound for a computation that is exact for a
+matrix and a right-hand side with relative errors a = (K + 4n + 30) eps and b = (4n + 28) eps. With
+these two numbers the bound extends to equations with a residual r, which the paper leaves out: see
+`trajlib.solvability.householder`. Source: Malyshev (1991), as quoted by Kryzhko and Glushakova.
 """
 
 import math
@@ -21,10 +19,24 @@ import numpy as np
 EPS = float(np.finfo(float).eps)
 
 
-def reflection_constant(m, n):
-    """K = sqrt(m) (2m - 3) (4n + 27) for m unknowns and n scalar rows (rows, not epochs).
+def reflection_constant(m: int, n: int) -> float:
+    """Return the constant K = sqrt(m) (2m - 3) (4n + 27).
 
-    m = 1 has no K: the factor 2m - 3 would be negative.
+    Parameters
+    ----------
+    m : int
+        Number of unknowns, 2 or more (for m = 1 the factor 2m - 3 would be negative).
+    n : int
+        Number of scalar rows (rows, not epochs).
+
+    Returns
+    -------
+    float
+
+    Raises
+    ------
+    ValueError
+        If m < 2 or n < m.
     """
     m, n = _sizes(m, n)
     if m == 1:
@@ -35,10 +47,23 @@ def reflection_constant(m, n):
     return math.sqrt(m) * (2 * m - 3) * (4 * n + 27)
 
 
-def threshold(m, n, eps=EPS):
-    """mu*: a condition number computed to be below it proves that the matrix has full rank.
-    Infinite for m = 1.
+def threshold(m: int, n: int, eps: float = EPS) -> float:
+    """Return mu*, the condition number below which a computed one proves full rank.
 
+    Parameters
+    ----------
+    m, n : int
+        Numbers of unknowns and of scalar rows.
+    eps : float
+        Relative precision of the floats.
+
+    Returns
+    -------
+    float
+        Infinite for m = 1.
+
+    Examples
+    --------
     >>> f"{threshold(6, 100):.3g}"
     '4.78e+11'
     """
@@ -48,13 +73,31 @@ def threshold(m, n, eps=EPS):
     return 1 / ((reflection_constant(m, n) + 11) * eps)
 
 
-def rounding_bound(m, n, mu, eps=EPS):
-    """The number by which rounding changes the solution of consistent equations at most, relative
-    to its norm.
+def rounding_bound(m: int, n: int, mu: float, eps: float = EPS) -> float:
+    """Return the bound on the relative change of a solution of consistent equations by rounding.
 
-    Infinite where the bound does not hold, for mu >= 1/((K + 4n + 30) eps); this limit is a little
-    below mu*.
+    Parameters
+    ----------
+    m, n : int
+        Numbers of unknowns and of scalar rows.
+    mu : float
+        Condition number, 1 or more.
+    eps : float
+        Relative precision of the floats.
 
+    Returns
+    -------
+    float
+        Relative to the norm of the solution. Infinite where the bound does not hold, for mu >=
+        1/((K + 4n + 30) eps); this limit is a little below mu*.
+
+    Raises
+    ------
+    ValueError
+        If mu < 1 or n < m.
+
+    Examples
+    --------
     >>> f"{rounding_bound(6, 100, 1e6):.2g}"
     '2.3e-06'
     """
@@ -67,10 +110,9 @@ def rounding_bound(m, n, mu, eps=EPS):
 
 
 def backward_errors(m, n, eps=EPS):
-    """(a, b): relative errors of matrix and right-hand side to which the rounding errors of
-    reflections amount.
+    """Return relative backward errors (a, b) of matrix and right-hand side by reflections.
 
-    For m = 1 there is nothing but one reflection, and K = 0 is put into the same formulas.
+    For m = 1 there is a single reflection, and K = 0 is used in the same formulas.
     """
     eps = _precision(eps)
     m, n = _sizes(m, n)

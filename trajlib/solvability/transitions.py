@@ -1,21 +1,46 @@
-"""Transition matrices that are known exactly, and the stacked matrix of all measurements."""
+"""Exact transition matrices, and the stacked matrix of all measurements."""
+
+from collections.abc import Callable
 
 import numpy as np
 
-from trajlib.solvability.arguments import read_matrix, read_times
+from trajlib._arguments.numbers import read_numeric_matrix, read_times
+from trajlib._typing import ArrayLike
 
 
-def transition(A, times, reference=None):
-    """Phi(t_i, t_s) = exp(A (t_i - t_s)) for a constant matrix A (MATLAB: expm); shape (k, m, m).
+def transition(A: ArrayLike, times: ArrayLike, reference: float | None = None) -> np.ndarray:
+    """Return the transition matrices exp(A (t_i - t_s)) of a constant matrix A.
 
-    `times`: k increasing times; `reference`: t_s, the first of them if left out.
+    Parameters
+    ----------
+    A : array_like, shape (m, m)
+        Matrix of the system x' = A x.
+    times : array_like, shape (k,)
+        Increasing times.
+    reference : float, optional
+        Reference time t_s, the first of the times if left out.
 
+    Returns
+    -------
+    ndarray, shape (k, m, m)
+
+    Raises
+    ------
+    ValueError
+        If A is not square or times do not increase.
+
+    Notes
+    -----
+    MATLAB: ``expm``.
+
+    Examples
+    --------
     >>> transition([[0, 1], [0, 0]], [0, 2])[1].tolist()
     [[1.0, 2.0], [0.0, 1.0]]
     """
     from scipy.linalg import expm
 
-    A = read_matrix(A, "A")
+    A = read_numeric_matrix(A, "A")
     if A.shape[0] != A.shape[1]:
         raise ValueError(f"A: expected a square matrix, got shape {A.shape}")
     times = read_times(times)
@@ -23,13 +48,34 @@ def transition(A, times, reference=None):
     return expm(A * since[:, None, None])
 
 
-def clohessy_wiltshire(rate, times, reference=None):
-    """Exact transition matrices of the motion near a circular orbit, in axes that turn with it at
-    the angular `rate`.
+def clohessy_wiltshire(rate: float, times: ArrayLike, reference: float | None = None) -> np.ndarray:
+    """Return the exact transition matrices of the motion near a circular orbit.
 
+    Parameters
+    ----------
+    rate : float
+        Angular velocity w of the orbit and of the axes, positive.
+    times : array_like, shape (k,)
+        Increasing times.
+    reference : float, optional
+        Reference time t_s, the first of the times if left out.
+
+    Returns
+    -------
+    ndarray, shape (k, 6, 6)
+
+    Raises
+    ------
+    ValueError
+        If the rate is not positive or times do not increase.
+
+    Notes
+    -----
     Unknowns: x outwards, y forwards, z along the axis of the orbit, then their velocities. The
-    equations are x'' = 3 w^2 x + 2 w y', y'' = -2 w x', z'' = -w^2 z. Shape (k, 6, 6).
+    equations are x'' = 3 w^2 x + 2 w y', y'' = -2 w x', z'' = -w^2 z.
 
+    Examples
+    --------
     >>> phi = clohessy_wiltshire(0.5, [0.0, 4*np.pi])[1]       # after a revolution only y has moved
     >>> [(i, j, round(float(value)/np.pi, 9)) for (i, j), value in np.ndenumerate(phi - np.eye(6)) if abs(value) > 1e-9]
     [(1, 0, -12.0), (1, 4, -12.0)]
@@ -41,7 +87,7 @@ def clohessy_wiltshire(rate, times, reference=None):
     a = w * (times - (times[0] if reference is None else float(reference)))
     s, c, one, o = np.sin(a), np.cos(a), np.ones_like(a), np.zeros_like(a)
     # written so, 1 - cos a and sin a - a keep their digits for small angles
-    half, drift = 2 * np.sin(a / 2) ** 2, _sine_without_its_angle(a)
+    half, drift = 2 * np.sin(a / 2) ** 2, _sine_minus_angle(a)
     return np.moveaxis(
         np.array(
             [
@@ -58,7 +104,8 @@ def clohessy_wiltshire(rate, times, reference=None):
     )
 
 
-def _sine_without_its_angle(a):
+def _sine_minus_angle(a):
+    """Return sin a - a without cancellation."""
     square = a * a
     series = 1.0
     for k in (15, 13, 11, 9, 7, 5):
@@ -66,13 +113,40 @@ def _sine_without_its_angle(a):
     return np.where(np.abs(a) < 0.5, -a * square / 6 * series, np.sin(a) - a)
 
 
-def stack(H, Phi, times=None, reference=None):
-    """The stacked matrix Htilde = [H_1 Phi_1; ...; H_k Phi_k], shape (k r, m).
+def stack(
+    H: ArrayLike | Callable,
+    Phi: ArrayLike | Callable,
+    times: ArrayLike | None = None,
+    reference: float | None = None,
+) -> np.ndarray:
+    """Return the stacked matrix Htilde = [H_1 Phi_1; ...; H_k Phi_k].
 
-    `H`: shape (k, r, m), or (r, m) for the same measurement each time, or a function H(t). `Phi`:
-    shape (k, m, m), or a function Phi(t, t_s). `times`, `reference`: needed for functions only.
+    Parameters
+    ----------
+    H : array_like or callable, shape (k, r, m)
+        Measurement matrices; of shape (r, m) for the same each time; or a function H(t).
+    Phi : array_like or callable, shape (k, m, m)
+        Transition matrices, or a function Phi(t, t_s).
+    times : array_like, shape (k,), optional
+        Increasing times, needed for functions.
+    reference : float, optional
+        Reference time t_s for functions, the first of the times if left out.
+
+    Returns
+    -------
+    ndarray, shape (k r, m)
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit.
+
+    Notes
+    -----
     Source: (3), (4) of the paper.
 
+    Examples
+    --------
     >>> stack([[1, 0]], transition([[0, 1], [0, 0]], [0, 1, 2])).tolist()
     [[1.0, 0.0], [1.0, 1.0], [1.0, 2.0]]
     """

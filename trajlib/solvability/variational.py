@@ -1,19 +1,20 @@
-"""Linearisation about a reference motion: the equations of variation are integrated together with
-the motion itself.
+"""Linearisation about a reference motion, by integrating it with its variational equations.
 
     x' = f(t, x),        Phi' = (df/dx) Phi,  Phi(t_s, t_s) = E,        H_i = (dh/dx)(t_i, x(t_i)).
 
-The derivatives are CasADi's, exact to rounding. The integration is not exact, and what it does
-wrong goes into the stacked matrix: a matrix without full rank gets it by errors of the integrator.
-So every entry comes with an estimate of its error.
+The derivatives are CasADi's, exact to rounding. The integration is not exact, and its errors enter
+the stacked matrix: they may give full rank to a matrix that does not have it. So every entry has an
+estimate of its error.
 """
 
 import warnings
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib.solvability.arguments import read_names, read_times
+from trajlib._arguments.numbers import read_names, read_times
+from trajlib._typing import ArrayLike
 from trajlib.solvability.transitions import stack
 
 #: The error of each entry is found from a second integration whose tolerance is smaller by this
@@ -28,11 +29,26 @@ _OUTSIDE = 1e100
 
 @dataclass(frozen=True)
 class Linearisation:
-    """A reference motion with its variations at k times; what `linearise` returns.
+    """Reference motion with its variations at k times, the result of `linearise`.
 
-    `motion`: states, shape (k, m). `predicted`: what would be measured, shape (k, r). `H`: shape
-    (k, r, m). `Phi`: shape (k, m, m). `error`: estimated errors of the entries of `matrix`, shape
-    (k r, m). `names`, `units`: of the unknowns.
+    Attributes
+    ----------
+    times : ndarray, shape (k,)
+        Times of the measurements.
+    reference : float
+        Reference time t_s.
+    motion : ndarray, shape (k, m)
+        States.
+    predicted : ndarray, shape (k, r)
+        Predicted measurements.
+    H : ndarray, shape (k, r, m)
+        Derivatives of the measurements by the state.
+    Phi : ndarray, shape (k, m, m)
+        Transition matrices.
+    error : ndarray, shape (k r, m)
+        Estimated errors of the entries of `matrix`.
+    names, units : tuple of str
+        Names and units of the unknowns.
     """
 
     times: np.ndarray
@@ -42,26 +58,61 @@ class Linearisation:
     H: np.ndarray
     Phi: np.ndarray
     error: np.ndarray
-    names: tuple
-    units: tuple
+    names: Sequence[str]
+    units: Sequence[str]
 
     @property
-    def matrix(self):
-        """The stacked matrix Htilde, shape (k r, m)."""
+    def matrix(self) -> np.ndarray:
+        """Stacked matrix Htilde, shape (k r, m)."""
         return stack(self.H, self.Phi)
 
 
-def linearise(f, h, state, times, *, reference=None, breaks=(), rtol=1e-10, names=None, units=None):
-    """Linearise x' = f(t, x), z = h(t, x) about the motion through `state` at the time `reference`
-    (the first time if left out).
+def linearise(
+    f: Callable,
+    h: Callable,
+    state: ArrayLike,
+    times: ArrayLike,
+    *,
+    reference: float | None = None,
+    breaks: ArrayLike = (),
+    rtol: float = 1e-10,
+    names: Sequence | None = None,
+    units: Sequence | None = None,
+) -> Linearisation:
+    """Return the linearisation of x' = f(t, x), z = h(t, x) about a motion.
 
-    `f`, `h`: functions of the time and of a list of m components that return lists; they are called
-    once, with CasADi symbols, so they may use NumPy and CasADi functions and operators, but no `if`
-    on their arguments (use `casadi.if_else`). `times`: increasing times of the measurements.
-    `breaks`: times at which f jumps. `rtol`: relative tolerance of the integration (the result is
-    `TIGHTER` times tighter; what this changes is the estimate of its error). `names`, `units`:
-    words for the unknowns.
+    Parameters
+    ----------
+    f, h : callable
+        Functions of the time and of a list of m components that return lists. They are called once,
+        with CasADi symbols, so they may use NumPy and CasADi functions and operators, but no `if`
+        on their arguments (use `casadi.if_else`).
+    state : array_like, shape (m,)
+        State of the motion at the time `reference`.
+    times : array_like, shape (k,)
+        Increasing times of the measurements.
+    reference : float, optional
+        Reference time, the first of the times if left out.
+    breaks : array_like
+        Times at which f jumps.
+    rtol : float
+        Relative tolerance of the integration. The result is 100 times more accurate; the difference
+        is the estimate of its error.
+    names, units : sequence of str, optional
+        Names and units of the unknowns.
 
+    Returns
+    -------
+    Linearisation
+
+    Raises
+    ------
+    ValueError
+        If f or h is not finite or cannot be called with CasADi symbols, the motion cannot be
+        continued, or arguments do not fit.
+
+    Examples
+    --------
     >>> line = linearise(lambda t, x: [x[1], 0], lambda t, x: [x[0]**2], [3.0, 1.0], [0, 1, 2])
     >>> line.matrix.round(9).tolist(), line.predicted.ravel().round(9).tolist()
     ([[6.0, 0.0], [8.0, 8.0], [10.0, 20.0]], [9.0, 16.0, 25.0])
@@ -93,15 +144,16 @@ def linearise(f, h, state, times, *, reference=None, breaks=(), rtol=1e-10, name
     peaks = np.abs(run(1e-6, np.full(start.size, SMALLEST))).max(axis=0)
     absolute = rtol * np.maximum(peaks, SMALLEST)
     coarse, fine = run(rtol, absolute), run(rtol / TIGHTER, absolute / TIGHTER)
-    (rough, _, _, _), (matrix, motion, predicted, parts) = (
+    (coarse_matrix, _, _, _), (matrix, motion, predicted, parts) = (
         _stacked(measured, times, values, m) for values in (coarse, fine)
     )
-    error = np.abs(matrix - rough) + 4 * np.finfo(float).eps * np.abs(matrix)
-    return Linearisation(times, reference, motion, predicted, *parts, error, names, units)
+    error = np.abs(matrix - coarse_matrix) + 4 * np.finfo(float).eps * np.abs(matrix)
+    H, Phi = parts
+    return Linearisation(times, reference, motion, predicted, H, Phi, error, names, units)
 
 
 def _compiled(f, h, m):
-    """CasADi functions: (t, [x, Phi]) -> rates, and (t, x) -> (h, dh/dx)."""
+    """Return CasADi functions (t, [x, Phi]) -> rates, and (t, x) -> (h, dh/dx)."""
     import casadi as ca
 
     t, x, variations = ca.SX.sym("t"), ca.SX.sym("x", m), ca.SX.sym("Phi", m, m)
@@ -153,9 +205,9 @@ def _stacked(measured, times, values, m):
     outputs, slopes = measured.map(times.size)(times, motion.T)
     predicted = outputs.full().T
     H = slopes.full().reshape(-1, times.size, m).transpose(1, 0, 2)
-    bad = ~np.isfinite(predicted).all(axis=1) | ~np.isfinite(H).all(axis=(1, 2))
-    if bad.any():
-        k = int(np.flatnonzero(bad)[0])
+    not_finite = ~np.isfinite(predicted).all(axis=1) | ~np.isfinite(H).all(axis=(1, 2))
+    if not_finite.any():
+        k = int(np.flatnonzero(not_finite)[0])
         raise ValueError(
             f"h: the measurement or its derivative is not finite at t = {times[k]:g}, where the "
             f"state is {motion[k].round(6).tolist()}"
@@ -164,36 +216,38 @@ def _stacked(measured, times, values, m):
 
 
 def _integrated(rates, start, reference, times, breaks, rtol, atol):
-    """States with variations at all times, forwards and backwards from the reference time, leg by
-    leg between the breaks."""
+    """Return states with variations at all times, in both directions from the reference time.
+
+    The integration goes from break to break.
+    """
     values = np.empty((times.size, start.size))
     values[times == reference] = start
     for sign in (1, -1):
-        ahead = np.flatnonzero(sign * (times - reference) > 0)
-        if ahead.size == 0:
+        remaining = np.flatnonzero(sign * (times - reference) > 0)
+        if remaining.size == 0:
             continue
-        last = times[ahead[-1 if sign > 0 else 0]]
+        last = times[remaining[-1 if sign > 0 else 0]]
         inner = [b for b in breaks[::sign] if sign * (b - reference) > 0 and sign * (last - b) > 0]
         state, begin = start, reference
         for end in [*inner, last]:
-            here = ahead[(sign * (times[ahead] - begin) > 0) & (sign * (times[ahead] - end) <= 0)][
-                ::sign
-            ]
-            inside = _leg(rates, state, begin, end, np.append(times[here], end), rtol, atol)
-            values[here], state, begin = inside[:-1], inside[-1], end
+            passed = remaining[
+                (sign * (times[remaining] - begin) > 0) & (sign * (times[remaining] - end) <= 0)
+            ][::sign]
+            states = _leg(rates, state, begin, end, np.append(times[passed], end), rtol, atol)
+            values[passed], state, begin = states[:-1], states[-1], end
     return values
 
 
-def _leg(rates, state, begin, end, at, rtol, atol):
+def _leg(rates, state, begin, end, times, rtol, atol):
     from scipy.integrate import solve_ivp
 
     low, high = sorted((begin, end))
-    # at a break f is that of this side
+    # at a break the limit of f from this side
     low, high = np.nextafter(low, high), np.nextafter(high, low)
 
     def rate(t, y):
         rate.share = max(rate.share, (t - begin) / (end - begin))
-        # The method halves its step where a trial goes wrong, but nan would never let it end.
+        # The method halves its step where a trial fails, but with nan it would never end.
         return np.nan_to_num(
             rates(min(max(t, low), high), y).full()[:, 0],
             nan=_OUTSIDE,
@@ -202,14 +256,18 @@ def _leg(rates, state, begin, end, at, rtol, atol):
         )
 
     rate.share = 0.0
-    asked = np.unique(at)[:: 1 if end > begin else -1]
-    found = solve_ivp(
-        rate, (begin, end), state, method="DOP853", t_eval=asked, rtol=rtol, atol=atol
+    output_times = np.unique(times)[:: 1 if end > begin else -1]
+    solution = solve_ivp(
+        rate, (begin, end), state, method="DOP853", t_eval=output_times, rtol=rtol, atol=atol
     )
-    if not found.success or not np.isfinite(found.y).all():
+    if not solution.success or not np.isfinite(solution.y).all():
         reached = begin + (end - begin) * rate.share
         raise ValueError(
             f"f: the motion could not be continued beyond t = {reached:g} on the way to {end:g} "
-            f"({found.message}); does it leave the domain of f there?"
+            f"({solution.message}); does it leave the domain of f there?"
         )
-    return found.y.T[np.searchsorted(asked if end > begin else -asked, at if end > begin else -at)]
+    return solution.y.T[
+        np.searchsorted(
+            output_times if end > begin else -output_times, times if end > begin else -times
+        )
+    ]

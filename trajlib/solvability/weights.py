@@ -1,14 +1,18 @@
-"""Weights of the measurements: multiplication by L^{-1}, where W = L L^T (as good as W^{-1/2}, from
-which it differs by a rotation)."""
+"""Weights of the measurements: multiplication by L^{-1}, where W = L L^T.
+
+It differs from W^{-1/2} by a rotation only.
+"""
 
 import numpy as np
 
 
 class Weights:
-    """W as n variances, as a full matrix, as k blocks (k, r, r) of its diagonal, or None for unit
-    variances."""
+    """Covariance W as n variances, a full matrix, k blocks (k, r, r) of its diagonal, or None.
 
-    def __init__(self, W, n):
+    None means unit variances.
+    """
+
+    def __init__(self, W, n) -> None:
         self.n = n
         self.factor = None
         if W is None:
@@ -17,7 +21,7 @@ class Weights:
         if not np.isfinite(W).all():
             raise ValueError("W: its entries must be finite; leave out what was not measured")
         if W.ndim == 1:
-            self._sized(W.size, W.shape)
+            self._check_size(W.size, W.shape)
             if (W <= 0).any():
                 k = int(np.flatnonzero(W <= 0)[0])
                 raise ValueError(
@@ -33,12 +37,12 @@ class Weights:
                 f"W: expected {n} variances, a matrix ({n}, {n}) or square blocks (k, r, r), got "
                 f"shape {W.shape}"
             )
-        self._sized(W.shape[0] * W.shape[1], W.shape)
+        self._check_size(W.shape[0] * W.shape[1], W.shape)
         if np.abs(W - W.transpose(0, 2, 1)).max() > 1e-10 * np.abs(W).max():
             raise ValueError("W: a covariance matrix is symmetric, this one is not")
-        lowest = np.linalg.eigvalsh(W)
-        if (lowest[:, 0] <= 1e-15 * W.shape[1] * np.abs(lowest).max(axis=1)).any():
-            k = int(np.argmin(lowest[:, 0]))
+        spectra = np.linalg.eigvalsh(W)
+        if (spectra[:, 0] <= 1e-15 * W.shape[1] * np.abs(spectra).max(axis=1)).any():
+            k = int(np.argmin(spectra[:, 0]))
             where = f"block {k} of W" if W.shape[0] > 1 else "W"
             if not W[k].any():
                 raise ValueError(
@@ -46,33 +50,33 @@ class Weights:
                     "weigh; leave W out"
                 )
             raise ValueError(
-                f"{where} is not positive definite: its smallest eigenvalue is {lowest[k, 0]:.3g}. "
+                f"{where} is not positive definite: its smallest eigenvalue is {spectra[k, 0]:.3g}. "
                 "Some combination of the measurements would have no error or a negative variance"
             )
         self.factor = np.linalg.cholesky(W)
 
-    def _sized(self, size, shape):
+    def _check_size(self, size, shape):
         if size != self.n:
             raise ValueError(
                 f"W: of shape {shape} it is for {size} scalar measurements, but there are {self.n}"
             )
 
     def apply(self, rows):
-        """L^{-1} times a vector or matrix with n rows."""
-        return self._solved(rows, transposed=False)
+        """Return L^{-1} times a vector or matrix with n rows."""
+        return self._solve(rows, transposed=False)
 
     def apply_transposed(self, rows):
-        """L^{-T} times a vector or matrix with n rows."""
-        return self._solved(rows, transposed=True)
+        """Return L^{-T} times a vector or matrix with n rows."""
+        return self._solve(rows, transposed=True)
 
     def apply_absolute(self, rows):
-        """|L^{-1}| times bounds with n rows."""
+        """Return |L^{-1}| times bounds with n rows."""
         if self.factor is None or self.factor.ndim == 1:
             return self.apply(rows)
         k, r, _ = self.factor.shape
         return (np.abs(np.linalg.inv(self.factor)) @ rows.reshape(k, r, -1)).reshape(rows.shape)
 
-    def _solved(self, rows, transposed):
+    def _solve(self, rows, transposed):
         if self.factor is None:
             return rows
         if self.factor.ndim == 1:

@@ -24,6 +24,8 @@ from itertools import combinations
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
+from trajlib._real_symbols import as_real, restore_names, vanishes
 from trajlib.stability.inequalities import sign_of
 from trajlib.stability.lyapunov import (
     barbashin_krasovskii,
@@ -33,15 +35,7 @@ from trajlib.stability.lyapunov import (
     separate_parts,
 )
 from trajlib.stability.real_solutions import solve_real
-from trajlib.stability.systems import (
-    as_prose,
-    as_real,
-    exact_decimals,
-    read_expression,
-    read_field,
-    vanishes,
-    with_names,
-)
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -75,10 +69,8 @@ class BasinEstimate:
 
     def _repr_markdown_(self):
         if self.level == sp.oo:
-            return f"the whole space ({as_prose(self.reason)})"
-        return (
-            f"$V = {sp.latex(self.V)} < {sp.latex(_short(self.level))}$ ({as_prose(self.reason)})"
-        )
+            return f"the whole space ({escape_markdown(self.reason)})"
+        return f"$V = {sp.latex(self.V)} < {sp.latex(_short(self.level))}$ ({escape_markdown(self.reason)})"
 
 
 def basin_estimate(V, field, state, constraint=None):
@@ -103,11 +95,11 @@ def basin_estimate(V, field, state, constraint=None):
     field, state = read_field(field, state)
     V = exact_decimals(read_expression(V, "V"))
     field = [exact_decimals(f) for f in field]
-    there, back = as_real(V, *field, *state)
+    to_real, back = as_real(V, *field, *state)
     V, field, real_state = (
-        V.xreplace(there),
-        [f.xreplace(there) for f in field],
-        tuple(there.get(x, x) for x in state),
+        V.xreplace(to_real),
+        [f.xreplace(to_real) for f in field],
+        tuple(to_real.get(x, x) for x in state),
     )
     origin = dict.fromkeys(real_state, 0)
     if not all(vanishes(f.subs(origin)) for f in field):
@@ -117,25 +109,25 @@ def basin_estimate(V, field, state, constraint=None):
     definite = is_positive_definite(V, real_state)
     if definite.condition is not sp.true:
         raise ValueError(
-            with_names(f"V: it is not known to be positive definite ({definite.reason})", back)
+            restore_names(f"V: it is not known to be positive definite ({definite.reason})", back)
         )
     rate = lyapunov_derivative(V, field, real_state)
     try:
         curves = [
             *_sign_changes(rate, real_state),
             *_trajectories(V, field, real_state),
-            *_boundaries(constraint, real_state, there),
+            *_boundaries(constraint, real_state, to_real),
         ]
         obstacles = _obstacles(V, field, real_state, curves)
         level, met, reason = _first_level(V, obstacles, real_state)
     except ValueError as error:
-        raise ValueError(with_names(str(error), back)) from None
+        raise ValueError(restore_names(str(error), back)) from None
     return BasinEstimate(
         V.xreplace(back),
         state,
         level.xreplace(back),
         tuple(tuple(v.xreplace(back) for v in point) for point in met),
-        with_names(reason, back),
+        restore_names(reason, back),
     )
 
 
@@ -162,14 +154,14 @@ def _sign_changes(rate, state):
                 1: is_positive_definite(g, state).condition,
                 -1: is_positive_definite(-g, state).condition,
             }
-            mine = next((s for s, condition in near.items() if condition is sp.true), None)
+            factor_sign = next((s for s, condition in near.items() if condition is sp.true), None)
         else:
-            mine = sign_of(value)
-        if mine is None:
+            factor_sign = sign_of(value)
+        if factor_sign is None:
             raise ValueError(
                 f"V: its derivative {rate} changes sign near the origin, or is not known to keep it"
             )
-        sign *= mine
+        sign *= factor_sign
         if kind == "curve":
             yield g, f"V' changes its sign on {g} = 0"
     if sign > 0:
@@ -192,22 +184,25 @@ def _trajectories(V, field, state):
     M = barbashin_krasovskii(V, field, state)
     if M.only_origin is None:
         raise ValueError(f"V: {M.reason}")
-    for what, _condition in M.others:
-        if isinstance(what, sp.Basic) and not isinstance(what, sp.Tuple):
-            if what.lhs.subs(dict.fromkeys(state, 0)) == 0:
+    for trajectory, _condition in M.others:
+        if isinstance(trajectory, sp.Basic) and not isinstance(trajectory, sp.Tuple):
+            if trajectory.lhs.subs(dict.fromkeys(state, 0)) == 0:
                 raise ValueError(
-                    f"V: its derivative vanishes on whole trajectories of {what} next to the origin"
+                    f"V: its derivative vanishes on whole trajectories of {trajectory} next to the origin"
                 )
-            yield what.lhs - what.rhs, f"{what} consists of trajectories with V' = 0"
+            yield (
+                trajectory.lhs - trajectory.rhs,
+                f"{trajectory} consists of trajectories with V' = 0",
+            )
 
 
-def _boundaries(constraint, state, there):
+def _boundaries(constraint, state, to_real):
     if constraint is None:
         return
     for relation in sp.And.make_args(sp.sympify(constraint)):
         if not isinstance(relation, (sp.Gt, sp.Ge, sp.Lt, sp.Le)):
             raise ValueError(f"constraint: expected inequalities joined by And, got {constraint}")
-        inside = (relation.gts - relation.lts).xreplace(there)
+        inside = (relation.gts - relation.lts).xreplace(to_real)
         if sign_of(inside.subs(dict.fromkeys(state, 0))) != 1:
             raise ValueError(f"constraint: the origin does not satisfy {relation}")
         yield inside, f"the boundary of the constraint {relation}"
@@ -217,25 +212,25 @@ def _obstacles(V, field, state, curves):
     """The points that can stop the growth, as pairs (point, what it is)."""
     gradient = [sp.diff(V, x) for x in state]
     systems = [(list(field), "another equilibrium"), (gradient, "a critical point of V")]
-    for g, what in curves:
+    for g, kind in curves:
         normal = [sp.diff(g, x) for x in state]
         parallel = [
             gradient[i] * normal[j] - gradient[j] * normal[i]
             for i, j in combinations(range(len(state)), 2)
         ]
-        systems.append(([g, *parallel], what))
-    found = {}
-    for system, what in systems:
+        systems.append(([g, *parallel], kind))
+    obstacles = {}
+    for system, kind in systems:
         solutions = solve_real(system, state)
         if solutions.unsolved:
             raise ValueError(
-                f"V: not all obstacles could be found exactly ({what}); substitute numbers"
+                f"V: not all obstacles could be found exactly ({kind}); substitute numbers"
             )
         for values, condition in solutions.branches:
             free = dict.fromkeys((x for x in state if x not in values), sp.Integer(0))
             if not all(vanishes(sp.diff(V.subs(values), x)) for x in free):
                 raise ValueError(
-                    f"V: {what} comes in whole lines {values}, on which V is not constant"
+                    f"V: {kind} comes in whole lines {values}, on which V is not constant"
                 )
             # A whole curve with one value of V, such as a circle, is represented by its point on an
             # axis.
@@ -247,13 +242,13 @@ def _obstacles(V, field, state, curves):
                 continue
             if condition is not sp.true:
                 raise ValueError(
-                    f"V: whether {what} is there depends on {condition}; declare the signs of the "
+                    f"V: whether {kind} is there depends on {condition}; declare the signs of the "
                     "parameters (positive=True, negative=True) or substitute numbers"
                 )
             for point in _members(tuple(values[x] for x in state), solutions.integers):
                 if any(v != 0 for v in point):
-                    found.setdefault(point, what)
-    return list(found.items())
+                    obstacles.setdefault(point, kind)
+    return list(obstacles.items())
 
 
 def _members(point, integers):
@@ -388,13 +383,13 @@ def _descent(V, state):
             def arrived(_, x):
                 return np.linalg.norm(x) - 1e-2 * size
 
-            def lost(_, x):
+            def left(_, x):
                 return np.linalg.norm(x) - 50 * size
 
-            arrived.terminal = lost.terminal = True
+            arrived.terminal = left.terminal = True
             # LSODA rests cheaply where the descent ends in another minimum.
             end = solve_ivp(
-                down, (0, 1e5), start, "LSODA", events=(arrived, lost), rtol=1e-6, atol=1e-9 * size
+                down, (0, 1e5), start, "LSODA", events=(arrived, left), rtol=1e-6, atol=1e-9 * size
             ).t_events
             if end[0].size:
                 return True

@@ -22,15 +22,11 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib.stability.hurwitz import (
-    characteristic_polynomial,
-    hurwitz_minors,
-    is_float_array,
-    read_exact_matrix,
-    read_float_matrix,
-)
+from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
+from trajlib._real_symbols import as_real, restore_names
+from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors
 from trajlib.stability.inequalities import sign_of
-from trajlib.stability.systems import as_prose, as_real, with_names
+from trajlib.typesetting import escape_markdown
 
 
 @dataclass(frozen=True)
@@ -56,17 +52,17 @@ class LinearStability:
     """The verdict on x' = Ax: "asymptotically stable", "stable" (not asymptotically), "unstable" or
     "undecided".
 
-    `responsible`: the modes that decide it (tuple of `Mode`); `reason` in words; `margin`: for
+    `deciding_modes`: the modes that decide it (tuple of `Mode`); `reason` in words; `margin`: for
     floats the computed -max Re lambda, for exact matrices None.
     """
 
     verdict: str
-    responsible: tuple
+    deciding_modes: tuple
     reason: str
     margin: float | None = None
 
     def _repr_markdown_(self):
-        return f"{self.verdict}: {as_prose(self.reason)}"
+        return f"{self.verdict}: {escape_markdown(self.reason)}"
 
 
 def linear_stability(A):
@@ -88,25 +84,25 @@ def linear_stability(A):
     'stable'
     """
     if is_float_array(A):
-        return _from_floats(read_float_matrix(A))
-    A = read_exact_matrix(A)
-    there, back = as_real(A)
-    modes = _modes(A.xreplace(there), sp.Symbol("lambda"))
-    verdict, responsible, reason = _verdict(modes)
+        return _from_floats(read_float_matrix(A, square=True))
+    A = read_exact_matrix(A, square=True)
+    to_real, back = as_real(A)
+    modes = _modes(A.xreplace(to_real), sp.Symbol("lambda"))
+    verdict, deciding_modes, reason = _verdict(modes)
     return LinearStability(
-        verdict, tuple(_restored(m, back) for m in responsible), with_names(reason, back)
+        verdict, tuple(_restored(m, back) for m in deciding_modes), restore_names(reason, back)
     )
 
 
 def _verdict(modes):
-    """(verdict, responsible modes, reason): the first of these cases that is present decides."""
+    """(verdict, deciding_modes modes, reason): the first of these cases that is present decides."""
 
-    def those(side, semisimple=(True, False, None)):
+    def on_side(side, semisimple=(True, False, None)):
         return [m for m in modes if m.side == side and m.semisimple in semisimple]
 
-    if right := those("right"):
+    if right := on_side("right"):
         return "unstable", right, f"{_named(right)}: there is a root with positive real part"
-    if defective := those("axis", (False,)):
+    if defective := on_side("axis", (False,)):
         return (
             "unstable",
             defective,
@@ -116,7 +112,7 @@ def _verdict(modes):
                 for m in defective
             ),
         )
-    if unknown := those("unknown"):
+    if unknown := on_side("unknown"):
         return (
             "undecided",
             unknown,
@@ -125,13 +121,13 @@ def _verdict(modes):
                 "declare their signs or ask stability_conditions"
             ),
         )
-    if doubtful := those("axis", (None,)):
+    if doubtful := on_side("axis", (None,)):
         return (
             "undecided",
             doubtful,
             f"whether {_named(doubtful)} is semisimple depends on the parameters",
         )
-    if axis := those("axis"):
+    if axis := on_side("axis"):
         return (
             "stable",
             axis,
@@ -213,8 +209,8 @@ def _eigenvalues(f, side):
         return tuple(sp.roots(f))
     if not (f.domain.is_ZZ or f.domain.is_QQ):
         return ()
-    wanted = {"right": lambda r: sp.re(r.evalf()) > 0}.get(side, lambda r: True)
-    return tuple(r for r in f.all_roots() if wanted(r))
+    chosen = {"right": lambda r: sp.re(r.evalf()) > 0}.get(side, lambda r: True)
+    return tuple(r for r in f.all_roots() if chosen(r))
 
 
 def _restored(mode, back):
@@ -246,10 +242,10 @@ def _from_floats(A):
         )
 
     if distance <= rounding:
-        near = np.abs(eigenvalues.real) <= np.sqrt(np.finfo(float).eps) * scale
+        doubtful = np.abs(eigenvalues.real) <= np.sqrt(np.finfo(float).eps) * scale
         return LinearStability(
             "undecided",
-            modes(near, "unknown"),
+            modes(doubtful, "unknown"),
             f"a change of A by {distance:.1e}, within rounding, brings an eigenvalue to the "
             "imaginary axis; give the matrix exactly (SymPy)",
             margin,

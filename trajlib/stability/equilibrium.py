@@ -10,9 +10,10 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, join_names, read_field, read_symbols
+from trajlib._real_symbols import as_real
 from trajlib.stability.inequalities import nonnegative, positive, tidied
 from trajlib.stability.real_solutions import solve_real
-from trajlib.stability.systems import as_real, exact_decimals, read_field, read_symbols
 
 
 @dataclass(frozen=True)
@@ -80,22 +81,22 @@ def equilibria(field, state, parameters=(), domain=None):
     """
     field, state = read_field(field, state)
     parameters = read_symbols(parameters, "parameters")
-    strangers = set().union(*(f.free_symbols for f in field)) - set(state) - set(parameters)
-    if strangers:
+    undeclared = set().union(*(f.free_symbols for f in field)) - set(state) - set(parameters)
+    if undeclared:
         raise ValueError(
-            f"parameters: the field also has {', '.join(sorted(map(str, strangers)))}; "
+            f"parameters: the field also has {join_names(undeclared)}; "
             "name every symbol that is not a state variable"
         )
     field = [exact_decimals(f) for f in field]
-    there, back = as_real(*field, *state)
-    unknowns = [there.get(x, x) for x in state]
+    to_real, back = as_real(*field, *state)
+    unknowns = [to_real.get(x, x) for x in state]
     windows = _read_domain(domain, state)
-    found = solve_real([f.xreplace(there) for f in field], unknowns)
+    solutions = solve_real([f.xreplace(to_real) for f in field], unknowns)
 
     points, conditions = [], []
-    for values, condition in found.branches:
+    for values, condition in solutions.branches:
         point = tuple(values.get(x, x) for x in unknowns)
-        for inside, more in _within(point, windows, found.integers):
+        for inside, more in _within(point, windows, solutions.integers):
             joined = tidied(sp.And(condition, more))
             if joined is not sp.false:
                 points.append(tuple(_shortest(v).xreplace(back) for v in inside))
@@ -103,26 +104,28 @@ def equilibria(field, state, parameters=(), domain=None):
     order = sorted(
         range(len(points)), key=lambda i: (conditions[i] is not sp.true, _position(points[i]))
     )
-    integers = tuple(n for n in found.integers if any(v.has(n) for p in points for v in p))
+    integers = tuple(n for n in solutions.integers if any(v.has(n) for p in points for v in p))
     return Equilibria(
         state,
         tuple(points[i] for i in order),
         tuple(conditions[i] for i in order),
         integers,
-        not found.unsolved,
-        _reason(found, back),
+        not solutions.unsolved,
+        _reason(solutions, back),
     )
 
 
-def _reason(found, back):
-    if found.unsolved:
-        equations = (f"{e.xreplace(back)} = 0 for {x.xreplace(back)}" for e, x in found.unsolved)
+def _reason(solutions, back):
+    if solutions.unsolved:
+        equations = (
+            f"{e.xreplace(back)} = 0 for {x.xreplace(back)}" for e, x in solutions.unsolved
+        )
         return (
             "not all were found; no closed form is known here for the real roots of "
             + ", ".join(equations)
         )
-    exceptions = sorted(f"{e.xreplace(back)} != 0" for e in found.nonzero)
-    exceptions += ["parameters in general position"] * found.generic
+    exceptions = sorted(f"{e.xreplace(back)} != 0" for e in solutions.nonzero)
+    exceptions += ["parameters in general position"] * solutions.generic
     if exceptions:
         return "every equation was solved exactly, for " + ", ".join(exceptions)
     return "every equation was solved exactly"
@@ -151,11 +154,9 @@ def _read_domain(domain, state):
             "domain: expected a dict from state symbols to SymPy Interval, "
             f"such as {{{state[0]}: Interval(0, 1)}}; got {domain!r}"
         )
-    strangers = set(domain) - set(state)
-    if strangers:
-        raise ValueError(
-            f"domain: {', '.join(sorted(map(str, strangers)))} is not a state variable"
-        )
+    others = set(domain) - set(state)
+    if others:
+        raise ValueError(f"domain: {join_names(others)} is not a state variable")
     return {state.index(x): interval for x, interval in domain.items()}
 
 

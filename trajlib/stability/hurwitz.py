@@ -20,7 +20,8 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
+from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
+from trajlib._arguments.symbols import exact_decimals, join_names, read_expression, read_symbols
 
 
 def characteristic_polynomial(A, symbol):
@@ -38,11 +39,11 @@ def characteristic_polynomial(A, symbol):
     """
     (symbol,) = read_symbols(symbol, "symbol")
     if is_float_array(A):
-        A = read_float_matrix(A)
+        A = read_float_matrix(A, square=True)
         return sum(
             (float(c) * symbol ** (len(A) - i) for i, c in enumerate(np.poly(A))), sp.Integer(0)
         )
-    A = read_exact_matrix(A)
+    A = read_exact_matrix(A, square=True)
     if symbol in A.free_symbols:
         raise ValueError(f"symbol: {symbol} stands in the matrix itself; choose another name")
     domain_matrix = DomainMatrix.from_Matrix(A)
@@ -175,7 +176,7 @@ def _from_expression(poly, symbol):
         return [_real_coefficient(poly)]
     if symbol is None:
         if len(poly.free_symbols) > 1:
-            names = ", ".join(sorted(map(str, poly.free_symbols)))
+            names = join_names(poly.free_symbols)
             raise ValueError(f"symbol: say which symbol the polynomial is in (it has: {names})")
         (symbol,) = poly.free_symbols
     (symbol,) = read_symbols(symbol, "symbol")
@@ -198,34 +199,3 @@ def with_positive_lead(coefficients):
     lead = coefficients[0]
     negative = lead < 0 if isinstance(lead, Fraction) else lead.is_negative
     return [-c for c in coefficients] if negative else list(coefficients)
-
-
-def is_float_array(A):
-    return isinstance(A, np.ndarray) and A.dtype.kind in "fiuc"
-
-
-def read_float_matrix(A):
-    if A.ndim != 2 or A.shape[0] != A.shape[1] or not len(A):
-        raise ValueError(f"A: expected a square matrix, got shape {A.shape}")
-    if A.dtype.kind == "c":
-        raise ValueError("A: expected a real matrix")
-    if not np.all(np.isfinite(A)):
-        raise ValueError("A: expected finite entries")
-    return A.astype(float)
-
-
-def read_exact_matrix(A):
-    """Return A (SymPy matrix, list of rows or array of objects) as a square real SymPy matrix with
-    exact entries."""
-    try:
-        A = sp.Matrix(A)
-    except (TypeError, ValueError, sp.SympifyError):
-        raise TypeError(f"A: expected a matrix, got {A!r}") from None
-    if A.rows != A.cols or not A.rows:
-        raise ValueError(f"A: expected a square matrix, got shape {A.shape}")
-    A = A.applyfunc(exact_decimals)
-    if A.has(sp.nan, sp.oo, -sp.oo, sp.zoo):
-        raise ValueError("A: expected finite entries")
-    if A.has(sp.I) or any(entry.is_real is False for entry in A):
-        raise ValueError("A: expected a real matrix")
-    return A

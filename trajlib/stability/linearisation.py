@@ -8,7 +8,8 @@ motion.
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import read_field, read_symbols, read_vector, vanishes
+from trajlib._arguments.symbols import join_names, read_expressions, read_field, read_symbols
+from trajlib._real_symbols import vanishes
 
 
 def linearise(field, state, at, inputs=(), inputs_at=()):
@@ -29,7 +30,9 @@ def linearise(field, state, at, inputs=(), inputs_at=()):
     """
     field, state = read_field(field, state)
     inputs = read_symbols(inputs, "inputs")
-    values = read_vector(at, len(state), "at") + read_vector(inputs_at, len(inputs), "inputs_at")
+    values = read_expressions(at, len(state), "at") + read_expressions(
+        inputs_at, len(inputs), "inputs_at"
+    )
     point = dict(zip(state + inputs, values))
     floats = isinstance(at, np.ndarray) and at.dtype.kind in "fiu"
     residual = sp.Matrix([_at(f, point, "field") for f in field])
@@ -47,7 +50,7 @@ def linearise(field, state, at, inputs=(), inputs_at=()):
         if A.free_symbols | B.free_symbols:
             raise ValueError(
                 "at: floats need a field without further symbols; substitute numbers for "
-                f"{', '.join(sorted(map(str, A.free_symbols | B.free_symbols)))} first"
+                f"{join_names(A.free_symbols | B.free_symbols)} first"
             )
         A, B = (np.array(M.tolist(), dtype=float).reshape(M.shape) for M in (A, B))
     return (A, B) if inputs else A
@@ -77,9 +80,9 @@ def linearise_along(field, state, motion, time, inputs=(), inputs_along=()):
     (time,) = read_symbols(time, "time")
     if time in state or time in inputs:
         raise ValueError(f"time: {time} is also a state variable or an input")
-    motion = read_vector(motion, len(state), "motion")
+    motion = read_expressions(motion, len(state), "motion")
     point = dict(
-        zip(state + inputs, motion + read_vector(inputs_along, len(inputs), "inputs_along"))
+        zip(state + inputs, motion + read_expressions(inputs_along, len(inputs), "inputs_along"))
     )
     residual = sp.Matrix([sp.diff(y, time) - _at(f, point, "field") for y, f in zip(motion, field)])
     if not all(map(vanishes, residual)):
@@ -99,10 +102,10 @@ def _jacobians(field, state, inputs):
     return f.jacobian(state), B
 
 
-def _at(expression, point, what):
+def _at(expression, point, name):
     value = expression.subs(point, simultaneous=True)
     if value.has(sp.nan, sp.zoo, sp.oo, -sp.oo):
-        raise ValueError(f"at: {what} {expression} is not defined there")
+        raise ValueError(f"at: {name} {expression} is not defined there")
     return value
 
 

@@ -9,19 +9,12 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_field, read_symbols
+from trajlib._real_symbols import as_real, restore_names, vanishes
 from trajlib.flows import lie_derivative
 from trajlib.stability.inequalities import positive, sign_of, tidied
 from trajlib.stability.real_solutions import solve_real
-from trajlib.stability.systems import (
-    as_prose,
-    as_real,
-    exact_decimals,
-    read_expression,
-    read_field,
-    read_symbols,
-    vanishes,
-    with_names,
-)
+from trajlib.typesetting import escape_markdown
 
 
 def lyapunov_derivative(V, field, state):
@@ -70,7 +63,7 @@ class Definiteness:
     def _repr_markdown_(self):
         if self.verdict == "depends on parameters":
             return f"positive definite if ${sp.latex(self.condition)}$"
-        return f"{self.verdict}: {as_prose(self.reason)}"
+        return f"{self.verdict}: {escape_markdown(self.reason)}"
 
 
 def is_positive_definite(V, state):
@@ -92,8 +85,8 @@ def is_positive_definite(V, state):
     """
     state = read_symbols(state, "state")
     V = exact_decimals(read_expression(V, "V"))
-    there, back = as_real(V, *state)
-    V, real_state = V.xreplace(there), [there.get(x, x) for x in state]
+    to_real, back = as_real(V, *state)
+    V, real_state = V.xreplace(to_real), [to_real.get(x, x) for x in state]
     at_zero = V.subs(dict.fromkeys(real_state, 0))
     if not vanishes(at_zero):
         return Definiteness(sp.false, f"V(0) = {at_zero.xreplace(back)} is not zero")
@@ -106,7 +99,7 @@ def is_positive_definite(V, state):
     for part, variables in separate_parts(V, real_state):
         condition, reason = _definite_part(part, variables)
         if condition is None or condition is sp.false:
-            return Definiteness(condition, with_names(reason, back))
+            return Definiteness(condition, restore_names(reason, back))
         conditions.append(condition)
     condition = tidied(sp.And(*conditions)).xreplace(back)
     return Definiteness(
@@ -122,16 +115,16 @@ def separate_parts(V, state):
     variables)."""
     groups = []
     for term in sp.Add.make_args(sp.expand(V)):
-        mine, variables = [term], [x for x in state if term.has(x)]
+        terms, variables = [term], [x for x in state if term.has(x)]
         if not variables:
             continue
         for group in [g for g in groups if set(g[1]) & set(variables)]:
             groups.remove(group)
-            mine, variables = (
-                group[0] + mine,
+            terms, variables = (
+                group[0] + terms,
                 [x for x in state if x in set(group[1]) | set(variables)],
             )
-        groups.append((mine, variables))
+        groups.append((terms, variables))
     parts = [(sp.Add(*terms), variables) for terms, variables in groups]
     return [(part - part.subs(dict.fromkeys(variables, 0)), variables) for part, variables in parts]
 
@@ -186,13 +179,13 @@ def _definite_in_one(part, x):
         derivative = sp.diff(part, x, order).subs(x, 0)
         if derivative == 0:
             return from_order(order + 1)
-        here = positive(derivative) if order % 2 == 0 else sp.false
+        condition_here = positive(derivative) if order % 2 == 0 else sp.false
         vanishes = sp.Eq(derivative, 0)
-        if here is sp.true or vanishes is sp.false or sign_of(derivative):
-            return here
+        if condition_here is sp.true or vanishes is sp.false or sign_of(derivative):
+            return condition_here
         beyond = from_order(order + 1)
         # Where a coefficient vanishes for some value of a parameter the next one decides.
-        return here if beyond is None else sp.Or(here, sp.And(vanishes, beyond))
+        return condition_here if beyond is None else sp.Or(condition_here, sp.And(vanishes, beyond))
 
     condition = from_order(1)
     if condition is None:
@@ -218,7 +211,8 @@ class ZeroDerivativeSet:
     reason: str
 
     def _repr_markdown_(self):
-        return f"$\\dot V = {sp.latex(self.derivative)},\\quad M: {sp.latex(self.zero_set)}$ ({as_prose(self.reason)})"
+        formulas = rf"\dot V = {sp.latex(self.derivative)},\quad M: {sp.latex(self.zero_set)}"
+        return f"${formulas}$ ({escape_markdown(self.reason)})"
 
 
 def barbashin_krasovskii(V, field, state):
@@ -239,15 +233,18 @@ def barbashin_krasovskii(V, field, state):
     rate = lyapunov_derivative(V, field, state)
     field, state = read_field(field, state)
     field = [exact_decimals(f) for f in field]
-    there, back = as_real(rate, *field, *state)
-    real_field, real_state = [f.xreplace(there) for f in field], [there.get(x, x) for x in state]
+    to_real, back = as_real(rate, *field, *state)
+    real_field, real_state = (
+        [f.xreplace(to_real) for f in field],
+        [to_real.get(x, x) for x in state],
+    )
     if rate == 0:
         return ZeroDerivativeSet(
             rate, sp.true, (), sp.false, "V' vanishes identically: every trajectory lies in M"
         )
 
     equations, others, doubts, assumed = [], [], [], set()
-    for g, _, kind in derivative_factors(rate.xreplace(there), real_state):
+    for g, _, kind in derivative_factors(rate.xreplace(to_real), real_state):
         if kind == "parameter":
             assumed.add(g)
             continue
@@ -256,17 +253,17 @@ def barbashin_krasovskii(V, field, state):
         )
         if kind == "definite":
             continue
-        found, doubt = _trajectories_within(g, real_field, real_state)
-        others += found
+        trajectories, doubt = _trajectories_within(g, real_field, real_state)
+        others += trajectories
         doubts += [doubt] if doubt else []
     others = tuple(
         (
-            what.xreplace(back)
-            if isinstance(what, sp.Basic)
-            else tuple(v.xreplace(back) for v in what),
+            trajectory.xreplace(back)
+            if isinstance(trajectory, sp.Basic)
+            else tuple(v.xreplace(back) for v in trajectory),
             condition.xreplace(back),
         )
-        for what, condition in dict(others).items()
+        for trajectory, condition in dict(others).items()
     )
     zero_set = sp.Or(*equations).xreplace(back)
     present = sp.Or(*(condition for _, condition in others))
@@ -274,7 +271,7 @@ def barbashin_krasovskii(V, field, state):
     reason = "; ".join(doubts) or (
         "M holds no whole trajectory but the origin"
         if present is sp.false
-        else f"M also holds {', '.join(str(what) for what, _ in others)}"
+        else f"M also holds {', '.join(str(trajectory) for trajectory, _ in others)}"
     )
     if assumed:
         reason += ", for " + ", ".join(sorted(f"{g.xreplace(back)} != 0" for g in assumed))
@@ -315,13 +312,13 @@ def _trajectories_within(g, field, state):
     system = [g]
     for _ in state:
         system.append(sp.expand(lie_derivative(system[-1], dict(zip(state, field)))))
-        found = solve_real(system, state)
-        if found.unsolved:
+        solutions = solve_real(system, state)
+        if solutions.unsolved:
             return [], f"the trajectories in {g} = 0 were not decided"
-        if all(len(values) == len(state) for values, _ in found.branches):
+        if all(len(values) == len(state) for values, _ in solutions.branches):
             break
     others = []
-    for values, condition in found.branches:
+    for values, condition in solutions.branches:
         if len(values) < len(state):
             return others, f"the trajectories in {g} = 0 were not decided"
         point = tuple(values[x] for x in state)

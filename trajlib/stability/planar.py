@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.hurwitz import is_float_array, read_exact_matrix
+from trajlib._arguments.matrices import is_float_array, read_exact_matrix
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
+from trajlib._real_symbols import as_real
 from trajlib.stability.inequalities import equation, positive, sign_of, tidied
 from trajlib.stability.real_solutions import definedness
 from trajlib.stability.regions import latex_condition
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
-from trajlib.stability.systems import as_real, exact_decimals, read_expression, read_field
 
 
 @dataclass(frozen=True)
@@ -67,11 +68,11 @@ def classify_planar(A):
     """
     if is_float_array(A):
         return _classify_floats(np.asarray(A, dtype=float))
-    A = read_exact_matrix(A)
+    A = read_exact_matrix(A, square=True)
     if A.rows != 2:
         raise ValueError(f"A: expected a 2 x 2 matrix, got shape {A.shape}")
-    there, back = as_real(A)
-    real = A.xreplace(there)
+    to_real, back = as_real(A)
+    real = A.xreplace(to_real)
     exists = [r.reduced({}) for entry in real for r in definedness(entry)]
     rows = []
     for condition, kind in _table(real):
@@ -211,13 +212,13 @@ def dulac(field, state, multiplier=1, region=None):
         raise ValueError(f"state: expected a planar system, got {len(state)} variables")
     B = exact_decimals(read_expression(multiplier, "multiplier"))
     divergence = sp.simplify(sum(sp.diff(B * exact_decimals(f), x) for f, x in zip(field, state)))
-    there, _back = as_real(divergence, *state, *([] if region is None else [sp.sympify(region)]))
+    to_real, _back = as_real(divergence, *state, *([] if region is None else [sp.sympify(region)]))
     known = []
     for relation in () if region is None else sp.And.make_args(sp.sympify(region)):
         if not isinstance(relation, (sp.Gt, sp.Ge, sp.Lt, sp.Le)):
             raise ValueError(f"region: expected inequalities joined by And, got {region}")
-        known.append((relation.gts - relation.lts).xreplace(there))
-    sign = _sign_on(divergence.xreplace(there), known)
+        known.append((relation.gts - relation.lts).xreplace(to_real))
+    sign = _sign_on(divergence.xreplace(to_real), known)
     return DulacTest(divergence, sign, True if sign not in (None, "zero", "changes") else None)
 
 

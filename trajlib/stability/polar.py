@@ -10,17 +10,11 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_field, read_symbols
+from trajlib._real_symbols import as_real, restore_names
 from trajlib.stability.inequalities import sign_factors
 from trajlib.stability.real_solutions import solve_real
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
-from trajlib.stability.systems import (
-    as_real,
-    exact_decimals,
-    read_expression,
-    read_field,
-    read_symbols,
-    with_names,
-)
 
 
 def polar_form(field, state, r, phi):
@@ -119,24 +113,24 @@ def limit_cycles(radial_rate, r, angular_rate=None):
         else exact_decimals(read_expression(angular_rate, "angular_rate"))
     )
     radius = sp.Dummy("r", positive=True)
-    there, back = as_real(radial, *([] if angular is None else [angular]))
-    there[r], back[radius] = radius, r
-    radial = radial.xreplace(there)
-    angular = None if angular is None else angular.xreplace(there)
+    to_real, back = as_real(radial, *([] if angular is None else [angular]))
+    to_real[r], back[radius] = radius, r
+    radial = radial.xreplace(to_real)
+    angular = None if angular is None else angular.xreplace(to_real)
 
-    found = solve_real([radial], [radius])
-    if found.unsolved or found.integers:
+    solutions = solve_real([radial], [radius])
+    if solutions.unsolved or solutions.integers:
         raise ValueError(
             f"radial_rate: the zeros of {radial_rate} could not all be found; substitute numbers"
         )
     try:
         cycles = [
             cycle
-            for values, condition in found.branches
+            for values, condition in solutions.branches
             if (cycle := _cycle(radial, angular, radius, values[radius], condition))
         ]
     except ValueError as error:
-        raise ValueError(with_names(str(error), back)) from None
+        raise ValueError(restore_names(str(error), back)) from None
     cycles = [
         LimitCycle(
             c.radius.xreplace(back),

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 
 import sympy as sp
 
+from trajlib._real_symbols import vanishes
 from trajlib.stability.inequalities import nonnegative, nonzero, positive, tidied
-from trajlib.stability.systems import vanishes
 
 
 class Unsolved(Exception):
@@ -168,9 +168,9 @@ def _solve(equations, unknowns, values, requirements, result):
 
 def _factors(equation, unknowns, result):
     _, factors = sp.factor_list(_one_logarithm(equation))
-    mine = [f for f, _ in factors if f.free_symbols & set(unknowns)]
-    result.suppose_nonzero(f for f, _ in factors if f.free_symbols and f not in mine)
-    return mine
+    with_unknowns = [f for f, _ in factors if f.free_symbols & set(unknowns)]
+    result.suppose_nonzero(f for f, _ in factors if f.free_symbols and f not in with_unknowns)
+    return with_unknowns
 
 
 def _one_logarithm(equation):
@@ -228,12 +228,12 @@ def _cost(equation, unknown, unknowns):
 def real_roots(equation, x, result):
     """Real roots of equation = 0 in x as pairs (value, requirements); raises `Unsolved`."""
     equation = sp.numer(sp.together(equation))
-    found = {}
+    roots = {}
     for factor, _ in sp.factor_list(_one_logarithm(equation))[1]:
         if x in factor.free_symbols:
             for value, needed in _roots_of_factor(factor, x, result):
-                found.setdefault(value, needed)
-    return list(found.items())
+                roots.setdefault(value, needed)
+    return list(roots.items())
 
 
 def _roots_of_factor(factor, x, result):
@@ -272,18 +272,18 @@ def _polynomial_roots(poly, shown):
     step = sp.gcd_list([m for (m,), _ in poly.terms()])
     if step > 1:
         z = sp.Dummy("z", real=True)
-        found = []
+        roots = []
         for value, needed in _polynomial_roots(
             sp.Poly({(m // step,): c for (m,), c in poly.terms()}, z), shown
         ):
             if step % 2:
-                found.append((sp.real_root(value, step), needed))
+                roots.append((sp.real_root(value, step), needed))
             else:
                 root = sp.root(_short(value), step)
-                found += [
+                roots += [
                     (r, (*needed, Requirement(value, ">="))) for r in dict.fromkeys((root, -root))
                 ]
-        return found
+        return roots
     if poly.degree() == 1:
         slope, constant = poly.all_coeffs()
         return [(_short(-constant / slope), ())]

@@ -12,21 +12,17 @@ from fractions import Fraction
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.hurwitz import (
-    characteristic_polynomial,
-    hurwitz_minors,
-    is_float_array,
-    read_coefficients,
-    read_exact_matrix,
-)
-from trajlib.stability.inequalities import conjunction, sign_of
-from trajlib.stability.systems import (
-    as_real,
+from trajlib._arguments.matrices import is_float_array, read_exact_matrix
+from trajlib._arguments.symbols import (
     exact_decimals,
+    join_names,
     read_expression,
+    read_expressions,
     read_symbols,
-    read_vector,
 )
+from trajlib._real_symbols import as_real
+from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors, read_coefficients
+from trajlib.stability.inequalities import conjunction, sign_of
 
 
 def shift(poly, margin, symbol=None):
@@ -113,10 +109,10 @@ class StabilityConditions:
         if isinstance(point, Mapping):
             missing = set(self.parameters) - set(point)
             if missing:
-                raise ValueError(f"point: no value for {', '.join(sorted(map(str, missing)))}")
+                raise ValueError(f"point: no value for {join_names(missing)}")
             values = [point[s] for s in self.parameters]
         else:
-            values = read_vector(point, len(self.parameters), "point")
+            values = read_expressions(point, len(self.parameters), "point")
         exact = {s: _exact_number(v) for s, v in zip(self.parameters, values)}
         verdict = self.region.subs(exact, simultaneous=True)
         if verdict not in (sp.true, sp.false):
@@ -162,10 +158,10 @@ def stability_conditions(poly_or_matrix, parameters, margin=0, symbol=None):
     margin = exact_decimals(read_expression(margin, "margin"))
     coefficients, symbol = _read_equation(poly_or_matrix, symbol)
     named = set(parameters) | {symbol}
-    strangers = set().union(margin.free_symbols, *(c.free_symbols for c in coefficients)) - named
-    if strangers:
+    undeclared = set().union(margin.free_symbols, *(c.free_symbols for c in coefficients)) - named
+    if undeclared:
         raise ValueError(
-            f"parameters: the equation also has {', '.join(sorted(map(str, strangers)))}; "
+            f"parameters: the equation also has {join_names(undeclared)}; "
             "name every symbol that is not a number"
         )
     if margin.is_real is False or margin.is_negative:
@@ -178,7 +174,9 @@ def _read_equation(poly_or_matrix, symbol):
         poly_or_matrix = sp.Matrix(poly_or_matrix)
     if isinstance(poly_or_matrix, sp.MatrixBase):
         symbol = sp.Symbol("lambda") if symbol is None else read_symbols(symbol, "symbol")[0]
-        poly_or_matrix = characteristic_polynomial(read_exact_matrix(poly_or_matrix), symbol)
+        poly_or_matrix = characteristic_polynomial(
+            read_exact_matrix(poly_or_matrix, square=True), symbol
+        )
     coefficients = read_coefficients(poly_or_matrix, symbol)
     if isinstance(coefficients[0], Fraction):
         coefficients = [sp.Rational(c.numerator, c.denominator) for c in coefficients]
@@ -215,8 +213,8 @@ def _polynomial(coefficients, symbol):
 def _region(coefficients, parameters, margin):
     """The reduced region and whether its emptiness is decided."""
     shifted = _shifted(coefficients, margin)
-    there, back = as_real(*shifted)
-    real, symbols = [c.xreplace(there) for c in shifted], [there.get(p, p) for p in parameters]
+    to_real, back = as_real(*shifted)
+    real, symbols = [c.xreplace(to_real) for c in shifted], [to_real.get(p, p) for p in parameters]
     lead = sign_of(real[0])
     found = []
     for sign in (1, -1) if lead is None else (lead,):

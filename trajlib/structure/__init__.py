@@ -17,14 +17,18 @@ from trajlib._lazy import lazy_names
 _EXPORTS = {
     "kalman_matrices": ["controllability_matrix", "observability_matrix"],
     "gramian": ["controllability_gramian"],
-    "rank_tests": ["LostMode", "RankTest", "controllability", "observability"],
+    "rank_tests": ["HiddenMode", "RankTest", "controllability", "observability"],
     "distance": ["Distance", "distance_to_uncontrollable", "distance_to_unobservable"],
-    "unseen": ["controllable_subspace", "unobservable_subspace"],
+    "subspaces": ["controllable_subspace", "unobservable_subspace"],
     "parameters": ["RankConditions", "controllability_conditions", "observability_conditions"],
     "mechanical": ["first_order_form", "mechanical_controllability", "mechanical_observability"],
     "lagrange": ["SmallMotions", "small_motions"],
     "canonical": ["CanonicalForm", "controller_canonical_form", "observer_canonical_form"],
-    "splitting": ["Decomposition", "controllability_decomposition", "observability_decomposition"],
+    "decomposition": [
+        "Decomposition",
+        "controllability_decomposition",
+        "observability_decomposition",
+    ],
     "components": ["ComponentDecomposition", "decompose_by_inputs", "decompose_by_outputs"],
     "measurement_errors": [
         "time_varying_conditions",

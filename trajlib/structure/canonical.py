@@ -1,12 +1,12 @@
-"""Canonical forms by observation and by control, Theorem 2.7 of the problem book.
+"""Observer and controller canonical forms, Theorem 2.7 of the problem book.
 
-With Delta(lambda) = lambda^n - alpha_n lambda^(n-1) - ... - alpha_1 the coordinates by observation
-are, as in example 1,
+With Delta(lambda) = lambda^n - alpha_n lambda^(n-1) - ... - alpha_1 the coordinates of the observer
+form are, as in example 1,
 
     xi_1 = h^T x,    xi_(k+1) = xi_k' - alpha_(n-k+1) xi_1,
 
 so that the rows of T are f_1 = g_1 and f_k = g_k - alpha_n g_(k-1) - ... - alpha_(n-k+2) g_1 with
-g_k = (A^T)^(k-1) h. The form by control is the transposed one of the dual system, with the
+g_k = (A^T)^(k-1) h. The controller form is the transposed one of the dual system, with the
 coordinates in the opposite order.
 """
 
@@ -15,12 +15,13 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._types import Matrix, MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
+from trajlib.structure.decomposition import holds_where, inverse, named_matrices
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.pairs import read_controlled, read_observed
-from trajlib.structure.popov import visible_symbol
-from trajlib.structure.splitting import holds_where, inverse, named_matrices
+from trajlib.structure.pbh import visible_symbol
 
 _WORST_CONDITION = 1e12
 
@@ -29,24 +30,31 @@ _WORST_CONDITION = 1e12
 class CanonicalForm:
     """A pair in canonical form, in the coordinates xi = `transformation` x.
 
-    - `matrix`: T A T^-1; `vector`: the row h^T T^-1 = (1, 0, ..., 0) or the column T b = (0, ...,
-      0, 1);
-    - `transformation`: T, n x n; `basis`: its inverse, x = `basis` xi;
-    - `polynomial`: the characteristic polynomial in lambda;
-    - `where`: the values of the symbols for which there is this form, as in a `Decomposition`.
+    Attributes
+    ----------
+    matrix : matrix, shape (n, n)
+        T A T^-1.
+    vector : matrix
+        The row h^T T^-1 = (1, 0, ..., 0) or the column T b = (0, ..., 0, 1).
+    transformation : matrix, shape (n, n)
+        T.
+    polynomial : sympy.Expr
+        The characteristic polynomial in lambda.
     """
 
-    matrix: object
-    vector: object
-    transformation: object
+    matrix: Matrix
+    vector: Matrix
+    transformation: Matrix
     polynomial: sp.Expr
 
     @property
-    def basis(self):
+    def basis(self) -> Matrix:
+        """Return the inverse of the transformation, x = `basis` xi."""
         return inverse(self.transformation)
 
     @property
-    def where(self):
+    def where(self) -> sp.Basic:
+        """Return the condition on the symbols under which this form exists, as in a `Decomposition`."""
         return holds_where(self.transformation, self.basis, self.matrix, self.vector)
 
     def _repr_latex_(self):
@@ -61,17 +69,33 @@ class CanonicalForm:
         )
 
 
-def observer_canonical_form(A, h=None):
-    """Canonical form by observation of an observable pair with one output (MATLAB: canon,
-    "companion").
+def observer_canonical_form(A: MatrixLike, h: MatrixLike | None = None) -> CanonicalForm:
+    """Return the observer canonical form of an observable pair with one output.
 
-    `A`: n x n; `h`: the row h^T, 1 x n (a column or a flat list of n numbers is read as h). Returns
-    `CanonicalForm`: first column (alpha_n, ..., alpha_1), ones above the diagonal, h_0^T = (1, 0,
-    ..., 0), and T with xi = T x. Exact or floats; with symbols for all values for which det N is
-    not zero (`observability_conditions`). Raises ValueError if there are several outputs, and if
-    the pair is not observable: then there is no such form. Source: Definition 2.6, Theorem 2.7,
-    example 1 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax; exact or floats, or a StateSpace, which has its own `h`.
+    h : matrix_like, shape (1, n)
+        The row h^T; a column or a flat list of n numbers is read as h.
 
+    Returns
+    -------
+    CanonicalForm
+        First column (alpha_n, ..., alpha_1), ones above the diagonal, h_0^T = (1, 0, ..., 0), and T
+        with xi = T x; with symbols for all values for which det N is not zero
+        (`observability_conditions`).
+
+    Raises
+    ------
+    ValueError
+        If there are several outputs, or if the pair is not observable: then there is no such form.
+
+    Notes ----- MATLAB: ``canon``, "companion". Source: Definition 2.6, Theorem 2.7, example 1 of
+    the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = observer_canonical_form(sp.Matrix([[1, 1], [1, -1]]), sp.Matrix([[1, 0]]))
     >>> found.matrix, found.transformation
@@ -85,20 +109,40 @@ def observer_canonical_form(A, h=None):
     T, a, polynomial = _coordinates(
         A, H, "h", "output", "observable", "observability_decomposition"
     )
-    return CanonicalForm(*_form(a), T, polynomial)
+    matrix, vector = _form(a)
+    return CanonicalForm(matrix, vector, T, polynomial)
 
 
-def controller_canonical_form(A, b=None):
-    """Canonical form by control of a controllable pair with one control (MATLAB: canon; ss(tf(...))
-    up to order).
+def controller_canonical_form(A: MatrixLike, b: MatrixLike | None = None) -> CanonicalForm:
+    """Return the controller canonical form of a controllable pair with one control.
 
-    `A`: n x n; `b`: the column b, n x 1 (a row or a flat list of n numbers is read as b). Returns
-    `CanonicalForm`: last row (alpha_1, ..., alpha_n), ones above the diagonal, b_0 = (0, ..., 0,
-    1), and T with xi = T x (x = `basis` xi). Exact or floats; with symbols for all values for which
-    det W is not zero (`controllability_conditions`). Raises ValueError if there are several
-    controls, and if the pair is not controllable: then there is no such form. Source: Definition
-    2.5 and Theorem 2.7 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + bu; exact or floats, or a StateSpace, which has its own `b`.
+    b : matrix_like, shape (n, 1)
+        The column b; a row or a flat list of n numbers is read as b.
 
+    Returns
+    -------
+    CanonicalForm
+        Last row (alpha_1, ..., alpha_n), ones above the diagonal, b_0 = (0, ..., 0, 1), and T with
+        xi = T x, x = `basis` xi; with symbols for all values for which det W is not zero
+        (`controllability_conditions`).
+
+    Raises
+    ------
+    ValueError
+        If there are several controls, or if the pair is not controllable: then there is no such
+        form.
+
+    Notes
+    -----
+    MATLAB: ``canon``; ``ss(tf(...))`` up to order. Source: Definition 2.5 and Theorem 2.7 of the
+    problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = controller_canonical_form(sp.Matrix([[1, 1], [-3, 1]]), sp.Matrix([0, 1]))
     >>> found.matrix, found.basis
@@ -119,15 +163,14 @@ def controller_canonical_form(A, b=None):
 
 
 def _upright(vector, row):
-    """A vector as one row or one column, whichever way it was written."""
+    """Return a vector as one row or one column, whichever way it was written."""
     shape = getattr(vector, "shape", ())
     wrong = len(shape) == 2 and shape[0 if row else 1] != 1 and shape[1 if row else 0] == 1
     return vector.T if wrong else vector
 
 
 def _coordinates(A, H, name, kind, word, way_out):
-    """Rows f_1, ..., f_n of example 1, the coefficients 1, a_1, ..., a_n = 1, -alpha_n, ...,
-    -alpha_1, and Delta."""
+    """Return the rows f_1, ..., f_n of T, the coefficients 1, -alpha_n, ..., and Delta."""
     n = A.shape[0]
     if H.shape[0] != 1:
         raise ValueError(
@@ -137,10 +180,10 @@ def _coordinates(A, H, name, kind, word, way_out):
         )
     g = stacked_powers(A, H)
     floating = isinstance(A, np.ndarray)
-    found = floats.split(A, H).rank if floating else exact.rank(g)
-    if found < n:
+    rank = floats.split(A, H).rank if floating else exact.rank(g)
+    if rank < n:
         raise ValueError(
-            f"{name}: the pair is not {word} (rank {found} of {n}), so it has no canonical form; "
+            f"{name}: the pair is not {word} (rank {rank} of {n}), so it has no canonical form; "
             f"{way_out} gives its {word} part, which has one"
         )
     symbol = sp.Symbol("lambda") if floating else visible_symbol(A)
@@ -160,7 +203,7 @@ def _coordinates(A, H, name, kind, word, way_out):
 
 
 def _form(a):
-    """The pair (2.5) from the coefficients of the characteristic polynomial."""
+    """Return the pair (2.5) from the coefficients of the characteristic polynomial."""
     n = len(a) - 1
     matrix = [[-a[i + 1] if j == 0 else int(j == i + 1) for j in range(n)] for i in range(n)]
     vector = [[1] + [0] * (n - 1)]

@@ -9,8 +9,8 @@ Then T A P is block upper triangular:
     y_1' = C_1 y_1 + A_12 y_2 + ... + e_1 u_1,    y_2' = C_2 y_2 + ... + e_1 u_2,    ...
 
 C_i has ones below the diagonal and coefficients in the last column, A_ij (i < j) is zero but for
-its last column. The last subsystem is steered by u_s alone, whatever the others do; u_1 alone
-steers the first one, the others being its disturbances. If b^j depends on the columns before it,
+its last column. The last subsystem is controlled by u_s alone, whatever the others are; u_1 alone
+controls the first one, the others being its disturbances. If b^j depends on the columns before it,
 its subsystem is empty (size 0), and u_j acts on the earlier ones.
 
 *Parallel (shuttle).* The vectors are taken in the order b^1, ..., b^s, A b^1, ..., A b^s, A^2 b^1,
@@ -25,10 +25,11 @@ j > i, the last equation of subsystem i may also contain u_j.
 
 Output, z_i = h_i x; new coordinates y = T x. By duality:
 
-*Sequential.* The rows of T are h_1, h_1 A, ..., h_1 A^(k_1 - 1), then the chain of h_2 as long as it is independent,
-... T A T^-1 is block lower triangular: each diagonal block has ones above the diagonal and coefficients in the last
-row, the blocks to its left are zero but for their last row, and z_i = y_i1. The first subsystem is seen from z_1 alone,
-the second from z_2 with the first known.
+*Sequential.* The rows of T are h_1, h_1 A, ..., h_1 A^(k_1 - 1), then the chain of h_2 as long as
+it is independent, ... T A T^-1 is block lower triangular: each diagonal block has ones above the
+diagonal and coefficients in the last row, the blocks to its left are zero but for their last row,
+and z_i = y_i1. The first subsystem is observed in z_1 alone, the second from z_2 with the first
+known.
 
 *Parallel (shuttle).* Chains in the order h_1, ..., h_m, h_1 A, ..., h_m A, ...; each subsystem has
 the form (2.5) and is coupled to the others only through their outputs: A is zero outside the
@@ -49,38 +50,51 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._types import MatrixLike
 from trajlib.structure import exact
-from trajlib.structure.pairs import read_controlled, read_observed
-from trajlib.structure.splitting import holds_where, named_matrices
+from trajlib.structure.decomposition import holds_where, named_matrices
 
 
 @dataclass(frozen=True)
 class ComponentDecomposition:
     """A system split into subsystems, one for each component of the output or of the control.
 
-    - `transformation`: T, y = T x; `basis`: its inverse, x = `basis` y; `matrix`: T A T^-1;
-    - `outputs`: H T^-1, or `inputs`: T B (the other one is None);
-    - `sizes`: the number of coordinates of each subsystem, in the order of the components (0 for
-      one that adds nothing);
-    - `remaining`: the number of coordinates, the last ones, that no component sees (or steers);
-    - `how`: "sequential" or "parallel";
-    - `where`: the values of the symbols for which all this holds, as in a `Decomposition`.
+    Attributes
+    ----------
+    transformation : sympy.Matrix, shape (n, n)
+        T, y = T x.
+    matrix : sympy.Matrix, shape (n, n)
+        T A T^-1.
+    sizes : tuple of int
+        The number of coordinates of each subsystem, in the order of the components (0 for one that
+        adds nothing).
+    remaining : int
+        The number of coordinates, the last ones, that are unobservable (or uncontrollable).
+    how : str
+        "sequential" or "parallel".
+    outputs : sympy.Matrix or None
+        H T^-1, for a decomposition by outputs.
+    inputs : sympy.Matrix or None
+        T B, for a decomposition by inputs.
     """
 
     transformation: sp.Matrix
     matrix: sp.Matrix
-    sizes: tuple
+    sizes: tuple[int, ...]
     remaining: int
     how: str
     outputs: sp.Matrix | None = None
     inputs: sp.Matrix | None = None
 
     @property
-    def basis(self):
+    def basis(self) -> sp.Matrix:
+        """Return the inverse of the transformation, x = `basis` y."""
         return exact.inverse(self.transformation)
 
     @property
-    def where(self):
+    def where(self) -> sp.Basic:
+        """Return the condition on the symbols under which this holds, as in a `Decomposition`."""
         return holds_where(self.transformation, self.basis, self.matrix, self.outputs, self.inputs)
 
     def _repr_latex_(self):
@@ -95,16 +109,36 @@ class ComponentDecomposition:
         )
 
 
-def decompose_by_outputs(A, H, how):
-    """Decomposition by the components of the output, sequential or parallel (MATLAB: no word;
-    Luenberger's form).
+def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDecomposition:
+    """Return the decomposition by the components of the output, sequential or parallel.
 
-    `A`: n x n, `H`: m x n, exact, with symbols generic; `how`: "sequential" or "parallel"
-    (shuttle), as described at the head of this module. A pair that is not observable keeps its
-    unseen coordinates last. Returns `ComponentDecomposition` with `outputs`. Raises ValueError for
-    another `how`, for shapes that do not fit and for floats, whose chains end by a decision on
-    rounding. Source: example 7, problems 2.14 and 2.15 of the problem book.
+    The forms are described in the module `trajlib.structure.components`.
 
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax; exact, with symbols generic.
+    H : matrix_like, shape (m, n)
+        Matrix of the output z = Hx; exact.
+    how : {"sequential", "parallel"}
+        Parallel is also called shuttle.
+
+    Returns
+    -------
+    ComponentDecomposition
+        With `outputs`; unobservable coordinates come last.
+
+    Raises
+    ------
+    ValueError
+        For another `how`, if shapes do not fit, or for floats, whose chains would end by a decision
+        on rounding.
+
+    Notes ----- MATLAB has no word for it; it is Luenberger's form. Source: example 7, problems 2.14
+    and 2.15 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> A = sp.Matrix([[0, 1, 0], [0, 0, 0], [1, 0, 2]])
     >>> found = decompose_by_outputs(A, sp.Matrix([[1, 0, 0], [0, 0, 1]]), "sequential")
@@ -127,16 +161,35 @@ def decompose_by_outputs(A, H, how):
     )
 
 
-def decompose_by_inputs(A, B, how):
-    """Decomposition by the components of the control, sequential or parallel (MATLAB: no word;
-    Luenberger's form).
+def decompose_by_inputs(A: MatrixLike, B: MatrixLike, how: str) -> ComponentDecomposition:
+    """Return the decomposition by the components of the control, sequential or parallel.
 
-    `A`: n x n, `B`: n x s, exact, with symbols generic; `how`: "sequential" or "parallel"
-    (shuttle), as described at the head of this module. A pair that is not controllable keeps the
-    coordinates that no control reaches last. Returns `ComponentDecomposition` with `inputs`. Raises
-    ValueError as `decompose_by_outputs`. Source: example 7, problems 2.33 and 2.34 of the problem
-    book.
+    The forms are described in the module `trajlib.structure.components`.
 
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; exact, with symbols generic.
+    B : matrix_like, shape (n, s)
+        Matrix of the control; exact.
+    how : {"sequential", "parallel"}
+        Parallel is also called shuttle.
+
+    Returns
+    -------
+    ComponentDecomposition
+        With `inputs`; uncontrollable coordinates come last.
+
+    Raises
+    ------
+    ValueError
+        As `decompose_by_outputs`.
+
+    Notes ----- MATLAB has no word for it; it is Luenberger's form. Source: example 7, problems 2.33
+    and 2.34 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> A = sp.Matrix([[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 2, 1], [0, 0, 0, 2]])
     >>> B = sp.Matrix([[1, 0], [0, 1], [0, 1], [1, 0]])
@@ -170,7 +223,7 @@ def decompose_by_inputs(A, B, how):
 
 
 def _coordinates(A, H, how, name):
-    """Rows of T for a decomposition by outputs, and the sizes of the subsystems."""
+    """Return the rows of T for a decomposition by outputs, and the sizes of the subsystems."""
     if how not in ("sequential", "parallel"):
         raise ValueError(f'how: expected "sequential" or "parallel", got {how!r}')
     if isinstance(A, np.ndarray):
@@ -186,11 +239,11 @@ def _coordinates(A, H, how, name):
 
 
 def _sequential_chains(A, H):
-    found, chains = sp.zeros(0, A.rows), []
+    rows, chains = sp.zeros(0, A.rows), []
     for i in range(H.rows):
         chain, row = [], H[i, :]
-        while exact.rank(longer := sp.Matrix.vstack(found, row)) > found.rows:
-            found = longer
+        while exact.rank(longer := sp.Matrix.vstack(rows, row)) > rows.rows:
+            rows = longer
             chain.append(row)
             row = (row * A).applyfunc(sp.expand)
         chains.append(chain)
@@ -198,13 +251,13 @@ def _sequential_chains(A, H):
 
 
 def _shuttle_chains(A, H):
-    found, chains = sp.zeros(0, A.rows), [[] for _ in range(H.rows)]
+    rows, chains = sp.zeros(0, A.rows), [[] for _ in range(H.rows)]
     current = {i: H[i, :] for i in range(H.rows)}
     while current:
         for i, row in list(current.items()):
-            longer = sp.Matrix.vstack(found, row)
-            if exact.rank(longer) > found.rows:
-                found = longer
+            longer = sp.Matrix.vstack(rows, row)
+            if exact.rank(longer) > rows.rows:
+                rows = longer
                 chains[i].append(row)
                 current[i] = (row * A).applyfunc(sp.expand)
             else:
@@ -213,11 +266,12 @@ def _shuttle_chains(A, H):
 
 
 def _luenberger(A, rows, sizes):
-    """Coordinates in which each subsystem has the form (2.5) and is driven by the outputs alone.
+    """Return coordinates in which each subsystem has the form (2.5) and is driven by the outputs
+    alone.
 
     With the chains as rows of S, the columns q_i of S^-1 that belong to the ends of the chains
     generate the basis of the space: the columns A^(k-1) q_i, ..., A q_i, q_i, subsystem by
-    subsystem (and the unseen directions last).
+    subsystem (and the unobservable directions last).
     """
     back = exact.inverse(rows)
     columns, end = [], 0
@@ -233,7 +287,7 @@ def _luenberger(A, rows, sizes):
 
 
 def _reversed_blocks(rows, sizes):
-    """The form by control has the order of each subsystem turned round."""
+    """Return the rows with the order of each subsystem reversed, as in the controller form."""
     order, start = [], 0
     for size in sizes:
         order += range(start + size - 1, start - 1, -1)

@@ -1,5 +1,4 @@
-r"""How far is a pair from the nearest one that is not observable? A bracket that is proved, not
-only an upper bound.
+r"""The distance to the nearest unobservable pair: a proved bracket, not only an upper bound.
 
 The distance of (A, H), in the 2-norm of a change of both, complex changes allowed, is the least
 value of sigma(lambda) = sigma_min(A - lambda E; H) over all complex lambda (R. Eising, Systems &
@@ -28,19 +27,24 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._types import MatrixLike
 from trajlib.structure.floats import tolerance
 from trajlib.structure.nearest import descend, smallest
-from trajlib.structure.pairs import read_controlled, read_observed
 
 _MOST_SQUARES, _AT_ONCE = 150_000, 1000
 
 
 @dataclass(frozen=True)
 class Distance:
-    """The distance to the nearest pair without the property is between `lower` and `upper`.
+    """A bracket of the distance to the nearest pair without the property.
 
-    It is reached, up to `upper`, by a pair that loses the number `eigenvalue`. Rounding is allowed
-    for.
+    Attributes
+    ----------
+    lower, upper : float
+        Proved bounds of the distance; rounding is allowed for.
+    eigenvalue : complex
+        The mode that is hidden in a pair at the distance `upper`.
     """
 
     lower: float
@@ -48,16 +52,35 @@ class Distance:
     eigenvalue: complex
 
 
-def distance_to_unobservable(A, H=None, within=0.01):
-    """How large a change of A and H makes x' = Ax, z = Hx unobservable? A proved bracket (MATLAB:
-    none).
+def distance_to_unobservable(
+    A: MatrixLike, H: MatrixLike | None = None, within: float = 0.01
+) -> Distance:
+    """Return a proved bracket of the smallest change that makes x' = Ax, z = Hx unobservable.
 
-    `A`: n x n, `H`: m x n, real numbers, or a StateSpace in place of `A`. The size of a change is
-    the 2-norm of (dA; dH), in the units given; complex changes are allowed, so real ones may have
-    to be larger. `within`: how much of `upper` may lie between the bounds. Returns `Distance`;
-    where so narrow a bracket would take too many steps it is wider. Raises ValueError for shapes
-    that do not fit, entries that are not real numbers, and `within` outside (0, 1).
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax; a StateSpace in place of it has its own `H`.
+    H : matrix_like, shape (m, n)
+        Matrix of the output z = Hx.
+    within : float, default 0.01
+        The part of `upper` that may lie between the bounds.
 
+    Returns
+    -------
+    Distance
+        The bracket; where so narrow a one would take too many steps it is wider.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, for entries that are not real numbers, or for `within` outside (0, 1).
+
+    Notes ----- The size of a change is the 2-norm of (dA; dH), in the units given; complex changes
+    are allowed, so real ones may have to be larger. MATLAB has no word for it.
+
+    Examples
+    --------
     >>> import numpy as np
     >>> found = distance_to_unobservable(np.array([[0.0, 1], [0, 0]]), np.array([[1.0, 0]]))
     >>> bool(found.lower <= np.sqrt(3)/2 <= found.upper), bool(found.upper < 1.02*found.lower)
@@ -66,11 +89,39 @@ def distance_to_unobservable(A, H=None, within=0.01):
     return _distance(*read_observed(A, H), within)
 
 
-def distance_to_uncontrollable(A, B=None, within=0.01):
-    """How large a change of A and B makes x' = Ax + Bu uncontrollable? A proved bracket (MATLAB:
-    none).
+def distance_to_uncontrollable(
+    A: MatrixLike, B: MatrixLike | None = None, within: float = 0.01
+) -> Distance:
+    """Return a proved bracket of the smallest change that makes x' = Ax + Bu uncontrollable.
 
-    `A`: n x n, `B`: n x s; numbers, result and errors as in `distance_to_unobservable`.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; a StateSpace in place of it has its own `B`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    within : float, default 0.01
+        The part of `upper` that may lie between the bounds.
+
+    Returns
+    -------
+    Distance
+        The bracket; where so narrow a one would take too many steps it is wider.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, for entries that are not real numbers, or for `within` outside (0, 1).
+
+    Notes ----- The size of a change is the 2-norm of (dA, dB), in the units given; complex changes
+    are allowed, so real ones may have to be larger. MATLAB has no word for it.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> found = distance_to_uncontrollable(np.array([[0.0, 1], [0, 0]]), np.array([[0.0], [1]]))
+    >>> bool(found.lower <= np.sqrt(3)/2 <= found.upper)
+    True
     """
     return _distance(*read_controlled(A, B), within)
 
@@ -93,7 +144,7 @@ def _bracket(A, H, within):
     rounding = tolerance(len(A))
     upper, value, _ = min(
         (descend(A, H, start) for start in (*np.linalg.eigvals(A), np.trace(A) / len(A))),
-        key=lambda found: found[0],
+        key=lambda minimum: minimum[0],
     )
     if upper <= rounding:
         return 0, upper + rounding, value
@@ -104,12 +155,12 @@ def _bracket(A, H, within):
     settled = upper
     while len(squares):
         corners = squares[:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
-        points, place = np.unique(corners.reshape(-1, 2), axis=0, return_inverse=True)
+        points, index = np.unique(corners.reshape(-1, 2), axis=0, return_inverse=True)
         points = left + side * (points[:, 0] + 1j * points[:, 1])
         sigmas = _not_less_than(A, H, points, side)
         best = points[np.argmin(sigmas)]
-        upper, value = min((upper, value), descend(A, H, best)[:2], key=lambda found: found[0])
-        least = sigmas[place.reshape(-1, 4)].min(axis=1)
+        upper, value = min((upper, value), descend(A, H, best)[:2], key=lambda minimum: minimum[0])
+        least = sigmas[index.reshape(-1, 4)].min(axis=1)
         bounds = np.sqrt(np.maximum(least**2 - side**2 / 2, 0))
         open_ = bounds < (1 - within) * upper
         settled = min(settled, bounds[~open_].min(initial=settled))
@@ -121,9 +172,10 @@ def _bracket(A, H, within):
 
 
 def _field_of_values(A, reach):
-    """A rectangle in the closed upper half-plane that holds the field of values and all within
-    `reach` of it, in squares: its left end, their side, how many stand beside and above each
-    other."""
+    """Return squares that cover the field of values of A, and all within `reach`, for Im lambda >= 0.
+
+    They are given by the left end, their side and their numbers in both directions.
+    """
     across = np.linalg.eigvalsh((A + A.T) / 2)[[0, -1]] + [-reach, reach]
     height = np.linalg.eigvalsh((A - A.T) / 2j)[-1] + reach
     side = max(across[1] - across[0], height) / 8
@@ -131,7 +183,7 @@ def _field_of_values(A, reach):
 
 
 def _not_less_than(A, H, points, side):
-    """What sigma is at least at many points, whatever rounding does.
+    """Return lower bounds of sigma at many points, whatever the rounding.
 
     The eigenvalues of the square are fast but keep half of the digits, which is nothing beside a
     large `side`.
@@ -140,8 +192,8 @@ def _not_less_than(A, H, points, side):
     if side < 1e-4:
         return np.array([max(smallest(A, H, point)[0] - rounding, 0) for point in points])
     least = []
-    for some in np.array_split(points, len(points) // _AT_ONCE + 1):
-        pencils = A - some[:, None, None] * np.eye(len(A))
+    for batch in np.array_split(points, len(points) // _AT_ONCE + 1):
+        pencils = A - batch[:, None, None] * np.eye(len(A))
         least.append(
             np.linalg.eigvalsh(pencils.conj().transpose(0, 2, 1) @ pencils + H.T @ H)[:, 0]
         )

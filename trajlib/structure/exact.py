@@ -1,5 +1,4 @@
-"""Exact linear algebra over the field that the entries generate: rational numbers, radicals,
-rational functions.
+"""Exact linear algebra over the field of the entries: rationals, radicals, rational functions.
 
 With symbols a rank is generic: the one for all values of the symbols but those on which some
 polynomial vanishes.
@@ -13,8 +12,8 @@ from sympy.functions.elementary.hyperbolic import HyperbolicFunction
 from sympy.functions.elementary.trigonometric import TrigonometricFunction
 from sympy.polys.matrices import DomainMatrix
 
+from trajlib._real_symbols import as_real
 from trajlib.stability.inequalities import equation
-from trajlib.stability.systems import as_real
 
 #: Terms of a matrix beyond which an elimination with symbols may take minutes.
 _MOST_TERMS = 200
@@ -23,16 +22,15 @@ _LONGEST_INVERSE = 300
 
 
 def field_matrix(matrix):
-    """The matrix over the smallest field SymPy finds for its entries, in which it can tell zero
-    exactly."""
+    """Return the matrix over the smallest field of its entries, in which zero is decided exactly."""
     _refuse_functions(matrix)
     return DomainMatrix.from_Matrix(matrix, extension=True).to_field()
 
 
 def _refuse_functions(matrix):
     for term in sorted(matrix.atoms(sp.Function, sp.Pow), key=str):
-        foreign = term.free_symbols if isinstance(term, sp.Function) else term.exp.free_symbols
-        if foreign and not isinstance(term, AppliedUndef):
+        symbols = term.free_symbols if isinstance(term, sp.Function) else term.exp.free_symbols
+        if symbols and not isinstance(term, AppliedUndef):
             plain = term.xreplace({s: sp.Symbol(s.name) for s in term.free_symbols})
             angle = isinstance(term, (TrigonometricFunction, HyperbolicFunction))
             hint = ", or the rational functions of tau = tan(angle/2)" if angle else ""
@@ -43,8 +41,10 @@ def _refuse_functions(matrix):
 
 
 def rank(matrix):
-    """Exact rank; generic if there are symbols. Raises NotImplementedError where they are too many
-    to decide it."""
+    """Return the exact rank; generic if there are symbols.
+
+    Raises NotImplementedError where the symbols are too many to decide it.
+    """
     if 0 in matrix.shape:
         return 0
     # Full rank at one point is full rank in general; the elimination is for what falls short.
@@ -60,8 +60,8 @@ def rank(matrix):
 
 
 def _has_full_rank_at_a_point(matrix):
-    there = at_a_point(matrix) if matrix.free_symbols else None
-    return there is not None and field_matrix(there).rank() == min(matrix.shape)
+    at_point = at_a_point(matrix) if matrix.free_symbols else None
+    return at_point is not None and field_matrix(at_point).rank() == min(matrix.shape)
 
 
 def number_of_terms(matrix):
@@ -69,29 +69,29 @@ def number_of_terms(matrix):
 
 
 def at_a_point(matrix):
-    """The matrix with whole numbers for its symbols, at which its entries are defined; None if they
-    seem not to be."""
+    """Return the matrix at integers for its symbols where it is defined; None if not found."""
     _refuse_functions(matrix)
     symbols, random = sorted(matrix.free_symbols, key=str), Random(len(matrix))
     for _ in range(5):
-        there = matrix.subs(
+        at_point = matrix.subs(
             {s: (-1 if s.is_negative else 1) * random.randint(2, 10**4) ** 2 for s in symbols}
         )
-        if not there.has(sp.nan, sp.zoo) and not there.free_symbols:
-            return there
+        if not at_point.has(sp.nan, sp.zoo) and not at_point.free_symbols:
+            return at_point
     return None
 
 
 def determinant(matrix):
-    """Exact determinant from the characteristic polynomial, which needs no division, so that
-    symbols stay polynomials."""
+    """Return the determinant from the characteristic polynomial, which needs no division."""
     over = DomainMatrix.from_Matrix(matrix, extension=True)
     return sp.Integer(-1) ** matrix.rows * over.domain.to_sympy(over.charpoly()[-1])
 
 
 def inverse(matrix):
-    """The inverse. Raises NotImplementedError where its entries would be quotients too long to be
-    found, or read."""
+    """Return the inverse.
+
+    Raises NotImplementedError where its entries would be quotients too long to be found or read.
+    """
     if len(matrix.free_symbols) * number_of_terms(matrix) > _LONGEST_INVERSE:
         raise NotImplementedError(
             f"A: with {len(matrix.free_symbols)} symbols the new coordinates are too long to be "
@@ -101,7 +101,7 @@ def inverse(matrix):
 
 
 def product(*matrices):
-    """A product of exact matrices with tidy entries."""
+    """Return a product of exact matrices with tidy entries."""
     result = matrices[0]
     for factor in matrices[1:]:
         result = result * factor
@@ -109,7 +109,7 @@ def product(*matrices):
 
 
 def tidy(matrix):
-    """Entries in lowest terms, rational functions factored."""
+    """Return the matrix with entries in lowest terms, rational functions factored."""
 
     def entry(e):
         if e.is_Rational:
@@ -120,27 +120,26 @@ def tidy(matrix):
 
 
 def denominator(*matrices):
-    """The least common denominator of all entries."""
+    """Return the least common denominator of all entries."""
     return sp.lcm_list([sp.denom(sp.together(entry)) for matrix in matrices for entry in matrix])
 
 
 def factors(polynomial):
-    """The factors of a polynomial in which there are symbols, each once."""
+    """Return the factors of a polynomial that contain symbols, each once."""
     return [factor for factor, _ in sp.factor_list(polynomial)[1] if factor.free_symbols]
 
 
 def where_defined(*matrices):
-    """The values of the symbols, taken as real, for which no entry has a zero denominator: an And
-    of inequations."""
+    """Return the real values of the symbols for which no denominator vanishes, as a condition."""
     below = denominator(*matrices)
-    there, back = as_real(below)
+    to_real, back = as_real(below)
     return sp.And(
-        *(sp.Not(equation(factor)) for factor in factors(below.xreplace(there)))
+        *(sp.Not(equation(factor)) for factor in factors(below.xreplace(to_real)))
     ).xreplace(back)
 
 
 def independent_rows(matrix):
-    """Indices of the rows that do not depend on the rows above them."""
+    """Return the indices of the rows that do not depend on the rows above them."""
     if 0 in matrix.shape:
         return ()
     first = matrix[: matrix.cols, :]
@@ -150,8 +149,7 @@ def independent_rows(matrix):
 
 
 def null_columns(matrix):
-    """Basis of the kernel as columns: coprime polynomial or whole entries, the first nonzero one
-    positive."""
+    """Return a basis of the kernel as columns, in the form of `simple_multiple`."""
     n = matrix.cols
     if not matrix.rows:
         return sp.eye(n)
@@ -164,8 +162,7 @@ def null_columns(matrix):
 
 
 def simple_multiple(vector):
-    """The multiple of a vector that has coprime whole (or polynomial) entries, the first nonzero
-    one positive."""
+    """Return the multiple with coprime polynomial entries, the first nonzero one positive."""
     entries = [sp.together(e) for e in vector]
     common = sp.lcm_list([sp.denom(e) for e in entries])
     entries = [sp.cancel(e * common) for e in entries]

@@ -1,11 +1,11 @@
-"""What is seen and what is not, in floating-point numbers.
+"""Observable and unobservable states in floating-point numbers.
 
-The pair is brought to balanced units (`scaling`), the staircase splits off what its steps do not
-show (`staircase`), and in the rest the least singular value of Popov's criterion is sought
-(`nearest`): one that is zero within rounding belongs to a state that many small steps of the
-staircase hid. It is split off by an orthogonal transformation, and so on in what remains. The
-unseen states are counted and spanned in this way without any power of A, and each number taken for
-zero says how far the nearest such system is.
+The pair is brought to balanced units (`scaling`), the staircase splits off the states that its
+steps do not observe (`staircase`), and in the rest the least singular value of the PBH test is
+sought (`nearest`): one that is zero within rounding belongs to a state that many small steps of the
+staircase hid. It is split off by an orthogonal transformation, and so on in the remaining part. The
+unobservable states are counted and spanned in this way without any power of A, and each number
+taken for zero is the distance to the nearest such system.
 """
 
 import warnings
@@ -18,83 +18,93 @@ from trajlib.structure.scaling import Scaled, balanced
 from trajlib.structure.staircase import staircase
 
 _EPS = np.finfo(float).eps
-#: Lost directions are split off together if they are as independent as this.
+#: Unobservable directions are split off together if they are as independent as this.
 _APART = 0.3
-# A margin below this is told: data known to eight digits would not decide.
+# A margin below this is reported: data known to eight digits would not decide.
 DOUBTFUL = np.sqrt(_EPS)
 
 
 def tolerance(n):
-    """In balanced units, what rounding in the data can make of a zero."""
+    """Return the size, in balanced units, of a zero after rounding of the data."""
     return 100 * n * _EPS
 
 
 @dataclass(frozen=True)
 class Split:
-    """The seen and the unseen states of a pair.
+    """The observable and the unobservable states of a pair.
 
-    - `seen_axes`, `unseen_axes`: orthonormal columns in the balanced units of `scaled`, together a
-      basis;
-    - `margin`: the least singular value found in Popov's criterion for the whole pair, in balanced
-      units.
+    Attributes
+    ----------
+    scaled : Scaled
+        The pair in balanced units.
+    observable_axes, unobservable_axes : numpy.ndarray
+        Orthonormal columns in the balanced units of `scaled`, together a basis.
+    margin : float
+        The least singular value found in the PBH test for the whole pair, in balanced units.
     """
 
     scaled: Scaled
-    seen_axes: np.ndarray
-    unseen_axes: np.ndarray
+    observable_axes: np.ndarray
+    unobservable_axes: np.ndarray
     margin: float
 
     @property
     def rank(self):
-        return self.seen_axes.shape[1]
+        return self.observable_axes.shape[1]
 
     @property
-    def unseen(self):
-        """Orthonormal basis of the unobservable states, in the units given."""
-        return np.linalg.qr(self.scaled.units[:, None] * self.unseen_axes)[0]
+    def unobservable(self):
+        """Return an orthonormal basis of the unobservable states, in the units given."""
+        return np.linalg.qr(self.scaled.units[:, None] * self.unobservable_axes)[0]
 
     @property
-    def seen(self):
-        """Orthonormal basis of their orthogonal complement, in the units given."""
-        return np.linalg.qr(self.seen_axes / self.scaled.units[:, None])[0]
+    def complement(self):
+        """Return an orthonormal basis of their orthogonal complement, in the units given."""
+        return np.linalg.qr(self.observable_axes / self.scaled.units[:, None])[0]
 
     @property
     def rows(self):
-        """Coordinates (xi; eta) = rows x, orthogonal in balanced units, xi seen."""
-        return np.hstack([self.seen_axes, self.unseen_axes]).T / self.scaled.units
+        """Return T of (xi; eta) = T x, orthogonal in balanced units, xi observable."""
+        return np.hstack([self.observable_axes, self.unobservable_axes]).T / self.scaled.units
 
 
 def split(A, H):
-    """The unobservable states of a pair of float matrices and the others."""
+    """Return the `Split` of a pair of float matrices."""
     import scipy.linalg
 
     scaled, n = balanced(A, H), len(A)
-    seen, unseen, margin, limit = np.eye(n), np.zeros((n, 0)), None, tolerance(n)
+    observable, unobservable, margin, limit = np.eye(n), np.zeros((n, 0)), None, tolerance(n)
     for round_ in range(n):
-        inner, outer = seen.T @ scaled.A @ seen, scaled.H @ seen
+        inner, outer = observable.T @ scaled.A @ observable, scaled.H @ observable
         stairs = staircase(inner, outer, limit)
-        seen = seen @ stairs.basis
-        seen, dropped = seen[:, : stairs.rank], seen[:, stairs.rank :]
-        unseen = np.hstack([unseen, dropped])
+        observable = observable @ stairs.basis
+        observable, dropped = observable[:, : stairs.rank], observable[:, stairs.rank :]
+        unobservable = np.hstack([unobservable, dropped])
         if not stairs.rank:
             break
-        inner, outer = stairs.matrix[: stairs.rank, : stairs.rank], scaled.H @ seen
+        inner, outer = stairs.matrix[: stairs.rank, : stairs.rank], scaled.H @ observable
         minima = nearest(inner, outer, stairs)
         sigma = minima[0][0]
-        margin = sigma if margin is None and not unseen.shape[1] else margin
+        margin = sigma if margin is None and not unobservable.shape[1] else margin
         if sigma > limit:
             break
-        plane = _lost_plane(inner, outer, minima, limit)
-        unseen, seen = np.hstack([unseen, seen @ plane]), seen @ scipy.linalg.null_space(plane.T)
-        if not seen.shape[1]:
+        plane = _unobservable_plane(inner, outer, minima, limit)
+        unobservable = np.hstack([unobservable, observable @ plane])
+        observable = observable @ scipy.linalg.null_space(plane.T)
+        if not observable.shape[1]:
             break
         # The error of what is split off adds to the data of what remains.
         limit = tolerance(n) * 10 ** min(round_ + 1, 4)
-    return Split(scaled, seen, unseen, _whole_margin(scaled, unseen) if margin is None else margin)
+    return Split(
+        scaled,
+        observable,
+        unobservable,
+        _whole_margin(scaled, unobservable) if margin is None else margin,
+    )
 
 
-def _lost_plane(A, H, minima, limit):
-    """Real orthonormal basis of what is lost at the minima that are zero within `limit`."""
+def _unobservable_plane(A, H, minima, limit):
+    """Return a real orthonormal basis of the vectors of the minima that are zero."""
     planes, known = [], []
     for sigma, value, _ in minima:
         if np.imag(value) and smallest(A, H, np.real(value))[0] <= limit:
@@ -109,23 +119,21 @@ def _lost_plane(A, H, minima, limit):
     return axes[:, weights > _APART] if len(planes) > 1 else planes[0]
 
 
-def told_split(A, H):
-    """`split` for subspaces and decompositions, which have no words of their own: doubt is told by
-    a warning."""
-    found = split(A, H)
-    if found.rank == len(A) and found.margin < DOUBTFUL:
+def split_with_warning(A, H):
+    """Return the `Split`, with a warning where the verdict is doubtful."""
+    result = split(A, H)
+    if result.rank == len(A) and result.margin < DOUBTFUL:
         warnings.warn(
-            f"nothing is split off, but a change of the entries by {found.margin:.1e} of their "
+            f"nothing is split off, but a change of the entries by {result.margin:.1e} of their "
             "size would take a state away; exact entries (SymPy) would decide",
             stacklevel=4,
         )
-    return found
+    return result
 
 
-def lost_modes(split):
-    """Pairs (lambda, columns v with A v = lambda v, H v = 0), conjugate numbers one by one, in the
-    units given."""
-    axes, scaled, modes = split.unseen_axes, split.scaled, []
+def hidden_modes(split):
+    """Return pairs (lambda, columns v with A v = lambda v, H v = 0), in the units given."""
+    axes, scaled, modes = split.unobservable_axes, split.scaled, []
     block, limit = axes.T @ scaled.A @ axes, 10 * tolerance(len(scaled.A))
     for value in _numbers(block):
         vectors = _kernel(block, np.zeros((0, len(block))), value, limit)
@@ -138,26 +146,25 @@ def lost_modes(split):
 
 
 def _numbers(block):
-    """The eigenvalues in the closed upper half-plane; for a ring that rounding makes of a multiple
-    one, its mean."""
-    left, limit, found = list(np.linalg.eigvals(block)), tolerance(len(block)), []
+    """Return the eigenvalues with Im >= 0; a ring made by rounding is replaced by its mean."""
+    left, limit, values = list(np.linalg.eigvals(block)), tolerance(len(block)), []
     while left:
         # A multiple number of order k comes as a ring of the radius of the k-th root of rounding.
-        apart = np.abs(np.array(left) - left[0])
-        order = np.argsort(apart)
+        distances = np.abs(np.array(left) - left[0])
+        order = np.argsort(distances)
         for count in range(len(left), 0, -1):
             ring = order[:count]
             mean = np.mean([left[i] for i in ring])
             mean = float(mean.real) if abs(mean.imag) <= limit else complex(mean)
             if count == 1 or (
-                apart[ring[-1]] <= 2 * limit ** (1 / count) and _singular(block, mean) <= limit
+                distances[ring[-1]] <= 2 * limit ** (1 / count) and _singular(block, mean) <= limit
             ):
                 break
         if np.imag(mean) and _singular(block, np.real(mean)) <= limit:
             mean = float(np.real(mean))
-        found.append(mean)
+        values.append(mean)
         left = [left[i] for i in range(len(left)) if i not in ring]
-    return sorted((f for f in found if np.imag(f) >= 0), key=lambda f: (np.real(f), np.imag(f)))
+    return sorted((f for f in values if np.imag(f) >= 0), key=lambda f: (np.real(f), np.imag(f)))
 
 
 def _singular(block, value):
@@ -165,19 +172,19 @@ def _singular(block, value):
 
 
 def _kernel(A, H, value, limit):
-    """The vectors at which (A - lambda E; H) is at most `limit`, one at least, as columns."""
+    """Return the vectors at which (A - lambda I; H) is at most `limit`, at least one, as columns."""
     _, values, right = np.linalg.svd(np.vstack([A - value * np.eye(len(A)), H]))
     return right[values <= max(limit, values[-1])].conj().T
 
 
 def _plane(vectors):
-    """Real orthonormal basis of what complex vectors and their conjugates span."""
+    """Return a real orthonormal basis of the span of complex vectors and their conjugates."""
     import scipy.linalg
 
     return scipy.linalg.orth(np.hstack([vectors.real, vectors.imag]), rcond=1e-8)
 
 
-def _whole_margin(scaled, unseen):
-    """Where the staircase split states off: Popov's singular value at their numbers."""
-    values = np.linalg.eigvals(unseen.T @ scaled.A @ unseen)
+def _whole_margin(scaled, unobservable):
+    """Return the least PBH singular value at the eigenvalues of the part split off."""
+    values = np.linalg.eigvals(unobservable.T @ scaled.A @ unobservable)
     return float(min(smallest(scaled.A, scaled.H, value)[0] for value in values))

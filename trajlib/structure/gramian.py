@@ -1,6 +1,7 @@
-"""The Gramian of a linear system on an interval: which states a control of a given energy reaches.
+"""The controllability Gramian of a linear system on an interval.
 
-    W(T) = integral from 0 to T of e^(As) B B^T e^(A^T s) ds,      dW/dT = A W + W A^T + B B^T,   W(0) = 0.
+    W(T) = integral from 0 to T of e^(As) B B^T e^(A^T s) ds,      dW/dT = A W + W A^T + B B^T,
+    W(0) = 0.
 
 The least energy, the integral of u^T u, that brings x' = Ax + Bu from 0 to xi in the time T is xi^T
 W^-1 xi; where W is singular, the states in its range are reached and no others. Numbers in floats
@@ -10,20 +11,43 @@ come from one exponential (C. F. Van Loan, 1978).
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import read_expression
-from trajlib.structure.pairs import read_controlled
+from trajlib._arguments.matrices import read_controlled
+from trajlib._arguments.symbols import read_expression
+from trajlib._types import ExprLike, Matrix, MatrixLike
 
 
-def controllability_gramian(A, B=None, duration=None):
-    """The Gramian W(T) of x' = Ax + Bu on an interval of length T, n x n (MATLAB: gram with a
-    finite TimeInterval).
+def controllability_gramian(
+    A: MatrixLike, B: MatrixLike | None = None, duration: ExprLike | None = None
+) -> Matrix:
+    """Return the controllability Gramian W(T) of x' = Ax + Bu on an interval of length T.
 
-    `A`: n x n, `B`: n x s, SymPy matrices or lists of rows (exact) or NumPy arrays (floats); a
-    StateSpace in place of `A` brings its own `B`. `duration`: T > 0 in the unit of time of A, a
-    number, or an expression with exact matrices. Raises ValueError if `A` is not square, if `B` has
-    not n rows, for entries not real, and for a duration that is not positive. Source: problem 5.22
-    of the problem book; with `A.T`, `H.T` it is the Gramian of observability.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; a StateSpace in place of it has its own `B`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    duration : float or sympy.Expr
+        T > 0 in the unit of time of A: a number, or an expression with exact matrices.
 
+    Returns
+    -------
+    matrix, shape (n, n)
+        Exact for SymPy matrices or lists of rows, floats for NumPy arrays or a StateSpace.
+
+    Raises
+    ------
+    ValueError
+        If `A` is not square, if `B` has not n rows, for entries that are not real, or for a
+        duration that is not positive.
+
+    Notes
+    -----
+    With `A.T`, `H.T` it is the observability Gramian. MATLAB: ``gram`` with a finite TimeInterval.
+    Source: problem 5.22 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> controllability_gramian(sp.Matrix([[0, 1], [0, 0]]), sp.Matrix([0, 1]), 1)
     Matrix([
@@ -45,8 +69,7 @@ def controllability_gramian(A, B=None, duration=None):
 
 
 def _without_i(e):
-    """Real exponentials as they are, imaginary ones as cosines and sines: so they are integrated
-    fast."""
+    """Write imaginary exponentials as cosines and sines, which are integrated fast."""
     real = all(symbol.is_real for symbol in e.free_symbols)
     return sp.simplify(sp.expand(e, complex=True) if real else e.rewrite(sp.cos))
 

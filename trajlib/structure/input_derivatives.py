@@ -1,9 +1,10 @@
-"""Equations of higher order with derivatives of the control, and back: problems 2.20 - 2.22 and
+"""Scalar equations of order n with input derivatives, and their state form: problems 2.20 - 2.22,
 2.29.
 
 An equation x^(n) + a_1 x^(n-1) + ... + a_n x = b_0 u^(n-1) + ... + b_(n-1) u has the state
 
-    x_1 = x,    x_(k+1) = x_k' - beta_k u,    beta_k = b_(k-1) - a_1 beta_(k-1) - ... - a_(k-1) beta_1,
+    x_1 = x,    x_(k+1) = x_k' - beta_k u,    beta_k = b_(k-1) - a_1 beta_(k-1) - ... - a_(k-1)
+    beta_1,
 
 in which no derivative of u is left: A is the companion matrix (ones above the diagonal, last row
 (-a_n, ..., -a_1)), the column is b = (beta_1, ..., beta_n), and x = x_1. The numbers beta_k are
@@ -13,29 +14,58 @@ is controllable exactly when both sides have no common factor.
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_exact_matrix, read_observed
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
+from trajlib._types import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
-from trajlib.stability.systems import exact_decimals, read_expression, read_symbols
 from trajlib.structure import exact
 from trajlib.structure.canonical import controller_canonical_form
-from trajlib.structure.pairs import read_exact_rectangle, read_observed
-from trajlib.structure.popov import visible_symbol
-from trajlib.structure.splitting import observability_decomposition
+from trajlib.structure.decomposition import observability_decomposition
+from trajlib.structure.pbh import visible_symbol
+
+#: Coefficients, highest first, or a polynomial.
+Polynomial: TypeAlias = Iterable[sp.Expr] | sp.Expr
 
 
-def state_form(left, right, symbol=None):
-    """State variables for left(d/dt) x = right(d/dt) u: (A, b, h) (MATLAB: tf2ss, ss(tf(...))).
+def state_form(
+    left: Polynomial, right: Polynomial, symbol: sp.Symbol | None = None
+) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
+    """Return the state form (A, b, h) of the scalar equation left(d/dt) x = right(d/dt) u.
 
-    `left`, `right`: the coefficients, highest derivative first ([1, -1, -2] for x'' - x' - 2x), or
-    polynomials in `symbol`, which stands for d/dt. Exact coefficients, also symbols. Returns A, n x
-    n, the column b, n x 1, and the row h = (1, 0, ...), x = h (x_1, ..., x_n), with x_1 = x,
-    x_(k+1) = x_k' - b_k u. The highest coefficient of `left` must not vanish. Raises ValueError for
-    a `left` that is constant and for a `right` of the degree of `left` or more: then x contains u
-    itself. Source: problem 2.29 of the problem book.
+    Parameters
+    ----------
+    left, right : sequence of sympy.Expr, sympy.Expr or sympy.Poly
+        The coefficients, highest derivative first ([1, -1, -2] for x'' - x' - 2x), or polynomials
+        in `symbol`; exact, also with symbols. The highest coefficient of `left` must not vanish.
+    symbol : sympy.Symbol, optional
+        Stands for d/dt in polynomials.
 
+    Returns
+    -------
+    A : sympy.Matrix, shape (n, n)
+        The companion matrix.
+    b : sympy.Matrix, shape (n, 1)
+        The column of the control.
+    h : sympy.Matrix, shape (1, n)
+        (1, 0, ...): x = h (x_1, ..., x_n), with x_1 = x, x_(k+1) = x_k' - b_k u.
+
+    Raises
+    ------
+    ValueError
+        If `left` is constant, or if the degree of `right` is that of `left` or more: then x
+        contains u itself.
+
+    Notes
+    -----
+    MATLAB: ``tf2ss``, ``ss(tf(...))``. Source: problem 2.29 of the problem book.
+
+    Examples
+    --------
     >>> A, b, h = state_form([1, -1, -2], [1, 1])
     >>> A, b.T, h
     (Matrix([
@@ -54,7 +84,7 @@ def state_form(left, right, symbol=None):
         )
     a = [sp.cancel(c / left[0]) for c in left]
     c = [sp.Integer(0)] * (n - len(right)) + [sp.cancel(e / left[0]) for e in right]
-    beta = []
+    beta: list[sp.Expr] = []
     for k in range(n):
         beta.append(sp.cancel(c[k] - sum(a[k - i] * beta[i] for i in range(k))))
     A = sp.Matrix(n, n, lambda i, j: -a[n - j] if i == n - 1 else int(j == i + 1))
@@ -63,19 +93,26 @@ def state_form(left, right, symbol=None):
 
 @dataclass(frozen=True)
 class ScalarEquation:
-    """The equation left(d/dt) z = right(d/dt) u; `left` (monic) and `right` are polynomials in
-    `symbol`, which is d/dt.
+    """The equation left(d/dt) z = right(d/dt) u.
 
-    `output`: the row h of z = h x.
+    Attributes
+    ----------
+    left, right : sympy.Expr
+        Polynomials in `symbol`; `left` is monic.
+    symbol : sympy.Symbol
+        Stands for d/dt.
+    output : sympy.Matrix, shape (1, n)
+        The row h of z = h x.
     """
 
     left: sp.Expr
     right: sp.Expr
     symbol: sp.Symbol
-    output: object
+    output: sp.Matrix
 
     @property
-    def order(self):
+    def order(self) -> int:
+        """Return the order of the equation, the degree of `left`."""
         return sp.degree(self.left, self.symbol)
 
     def _repr_latex_(self):
@@ -86,17 +123,38 @@ class ScalarEquation:
         return f"$\\displaystyle {sides[0]} = {sides[1]}$"
 
 
-def scalar_equation(A, b, h=None):
-    """The equation between the output z = hx and the control of x' = Ax + bu (MATLAB: tf(ss(A, b,
-    h, 0))).
+def scalar_equation(A: MatrixLike, b: MatrixLike, h: MatrixLike | None = None) -> ScalarEquation:
+    """Return the scalar equation between the output z = hx and the control of x' = Ax + bu.
 
-    `A`: n x n, `b`: n x 1, `h`: 1 x n, exact, also with symbols (generic). The equation has the
-    lowest order that all motions allow: the rank of the observability matrix, n for an observable
-    pair; common factors of both sides, which belong to uncontrollable modes, stay. Without `h`, z
-    is the first coordinate of the canonical form by control, and the equation is Delta(d/dt) z = u.
-    Returns `ScalarEquation`. Raises ValueError for floats and shapes that do not fit, and, without
-    `h`, for a pair that is not controllable. Source: problems 2.20 - 2.22 of the problem book.
+    It has the lowest order that all motions allow: the rank of the observability matrix, n for an
+    observable pair; common factors of both sides, which belong to uncontrollable modes, stay.
 
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system; exact, also with symbols (generic).
+    b : matrix_like, shape (n, 1)
+        Column of the control.
+    h : matrix_like, shape (1, n), optional
+        Row of the output; without it z is the first coordinate of the controller canonical form,
+        and the equation is Delta(d/dt) z = u.
+
+    Returns
+    -------
+    ScalarEquation
+        Both sides and the row h.
+
+    Raises
+    ------
+    ValueError
+        For floats, if shapes do not fit, and, without `h`, for a pair that is not controllable.
+
+    Notes
+    -----
+    MATLAB: ``tf(ss(A, b, h, 0))``. Source: problems 2.20 - 2.22 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = scalar_equation(sp.Matrix([[1, 1], [-3, 1]]), sp.Matrix([0, 1]))
     >>> found.left, found.right, found.output
@@ -107,7 +165,7 @@ def scalar_equation(A, b, h=None):
     A, h = read_observed(A, h, "h")
     if isinstance(A, np.ndarray):
         raise ValueError("A: expected exact matrices (SymPy); for floats use control.ss2tf")
-    b = read_exact_rectangle(b, "b", flat="column")
+    b = read_exact_matrix(b, "b", flat="column")
     if b.shape != (A.rows, 1):
         raise ValueError(f"b: expected one column of length {A.rows}, got shape {b.shape}")
     if h.rows != 1:
@@ -127,8 +185,7 @@ def scalar_equation(A, b, h=None):
 
 
 def _adjugate_coefficient(A, polynomial, s, power):
-    """The matrix at s^power in adj(sE - A): A^(n-1-power) + a_1 A^(n-2-power) + ... + a_(n-1-power)
-    E."""
+    """Return the coefficient of s^power in adj(sI - A), by Horner's rule."""
     a = sp.Poly(polynomial, s).all_coeffs()
     result = sp.zeros(A.rows)
     for coefficient in a[: A.rows - power]:
@@ -137,8 +194,7 @@ def _adjugate_coefficient(A, polynomial, s, power):
 
 
 def _coefficients(polynomial, symbol, name):
-    """Exact coefficients, highest first, without leading zeros; unlike in a characteristic
-    polynomial a constant will do."""
+    """Return exact coefficients, highest first, without leading zeros; also of a constant."""
     if isinstance(polynomial, sp.Poly):
         coefficients = polynomial.all_coeffs()
     elif symbol is not None:
@@ -160,7 +216,7 @@ def _coefficients(polynomial, symbol, name):
 
 
 def _in_derivatives(polynomial, name):
-    """Sum of derivatives in LaTeX, highest first."""
+    """Return a sum of derivatives in LaTeX, highest first."""
     marks = {0: "", 1: r"\dot ", 2: r"\ddot "}
     terms = []
     for (power,), coefficient in polynomial.terms():

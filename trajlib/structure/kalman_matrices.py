@@ -1,25 +1,45 @@
-"""The matrices of Kalman's criteria, Definitions 2.3 and 2.4 of the problem book.
+"""The Kalman observability and controllability matrices, Definitions 2.3 and 2.4 of the problem book.
 
     N = (H; HA; ...; HA^(n-1)),    W = (B, AB, ..., A^(n-1)B).
 
 They serve exact systems. With floats their rank is worthless from about n = 12 on, because powers
 of A differ by too many orders of magnitude: ask `observability` and `controllability`, which use
-Popov's criterion there.
+the PBH test there.
 """
 
 import numpy as np
 import sympy as sp
 
-from trajlib.structure.pairs import read_controlled, read_observed
+from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._types import Matrix, MatrixLike
 
 
-def observability_matrix(A, H=None):
-    """The observability matrix N = (H; HA; ...; HA^(n-1)), mn x n (MATLAB: obsv).
+def observability_matrix(A: MatrixLike, H: MatrixLike | None = None) -> Matrix:
+    """Return the observability matrix N = (H; HA; ...; HA^(n-1)).
 
-    `A`: n x n, `H`: m x n, SymPy matrices or lists of rows (exact) or NumPy arrays (floats); a
-    StateSpace in place of `A` brings its own `H`. Raises ValueError if `A` is not square, if `H`
-    has not n columns, for entries not real. Source: Definition 2.3 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax; a StateSpace in place of it has its own `H`.
+    H : matrix_like, shape (m, n)
+        Matrix of the output z = Hx.
 
+    Returns
+    -------
+    matrix, shape (m n, n)
+        Exact for SymPy matrices or lists of rows, floats for NumPy arrays or a StateSpace.
+
+    Raises
+    ------
+    ValueError
+        If `A` is not square, if `H` has not n columns, or for entries that are not real.
+
+    Notes
+    -----
+    MATLAB: ``obsv``. Source: Definition 2.3 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> observability_matrix(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, -1]]), sp.Matrix([[1, 0, 0]]))
     Matrix([
@@ -30,13 +50,32 @@ def observability_matrix(A, H=None):
     return stacked_powers(*read_observed(A, H))
 
 
-def controllability_matrix(A, B=None):
-    """The controllability matrix W = (B, AB, ..., A^(n-1)B), n x ns (MATLAB: ctrb).
+def controllability_matrix(A: MatrixLike, B: MatrixLike | None = None) -> Matrix:
+    """Return the controllability matrix W = (B, AB, ..., A^(n-1)B).
 
-    `A`: n x n, `B`: n x s, exact or floats as in `observability_matrix`. Raises ValueError if `A`
-    is not square, if `B` has not n rows, for entries not real. Source: Definition 2.4 of the
-    problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax + Bu; a StateSpace in place of it has its own `B`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
 
+    Returns
+    -------
+    matrix, shape (n, n s)
+        Exact for SymPy matrices or lists of rows, floats for NumPy arrays or a StateSpace.
+
+    Raises
+    ------
+    ValueError
+        If `A` is not square, if `B` has not n rows, or for entries that are not real.
+
+    Notes
+    -----
+    MATLAB: ``ctrb``. Source: Definition 2.4 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> controllability_matrix(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0]))
     Matrix([
@@ -48,7 +87,7 @@ def controllability_matrix(A, B=None):
 
 
 def stacked_powers(A, H):
-    """(H; HA; ...; HA^(n-1)) of matrices that have been read."""
+    """Return (H; HA; ...; HA^(n-1)) of matrices that have been read."""
     blocks = [H]
     while len(blocks) < A.shape[0]:
         blocks.append(

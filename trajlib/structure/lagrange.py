@@ -1,15 +1,15 @@
-"""Small motions of a mechanical system with a part that is moved as one likes: M q'' + K q = L u
-from the energies.
+"""Small motions of a mechanical system with a driven part, M q'' + K q = L u, from the energies.
 
 With the kinetic energy T(q, q', v) and the potential energy V(q), where v is the speed of the
 driven part (a cart, a table) and u = v' its acceleration, Lagrange's equations are d/dt T_q' - T_q
-+ V_q = 0. Near a position of rest q = 0
++ V_q = 0. Near an equilibrium q = 0
 
     M = T_q'q',   K = V_qq,   L = -T_q'v   at q = 0, q' = 0, v = 0:
 
 the terms with v alone, v T_q'vq q' from the first part and T_q from the second, cancel each other.
 """
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import sympy as sp
@@ -18,20 +18,55 @@ __all__ = ["SmallMotions", "small_motions"]
 
 
 class SmallMotions(NamedTuple):
-    """M q'' + K q = L u: `M`, `K` are n x n (kg m^2 and N m for angles), `L` is a column."""
+    """The equations of small motions M q'' + K q = L u.
+
+    Attributes
+    ----------
+    M, K : sympy.Matrix, shape (n, n)
+        Matrices of inertia and stiffness (kg m^2 and N m for angles).
+    L : sympy.Matrix, shape (n, 1)
+        Column of the control.
+    """
 
     M: sp.Matrix
     K: sp.Matrix
     L: sp.Matrix
 
 
-def small_motions(kinetic, potential, coordinates, rates, speed):
-    """The equations of small motions near `coordinates` = 0, driven by the derivative u of `speed`.
+def small_motions(
+    kinetic: sp.Expr,
+    potential: sp.Expr,
+    coordinates: Sequence[sp.Symbol],
+    rates: Sequence[sp.Symbol],
+    speed: sp.Symbol,
+) -> SmallMotions:
+    """Return the equations of small motions near `coordinates` = 0, driven by u, the rate of `speed`.
 
-    `kinetic`: an expression in coordinates, their rates and the speed; `potential`: one in the
-    coordinates; other symbols are parameters. Returns `SmallMotions`. Raises ValueError if the
-    numbers of coordinates and rates differ, or if q = 0 is no position of rest.
+    Parameters
+    ----------
+    kinetic : sympy.Expr
+        Kinetic energy in the coordinates, their rates and the speed; other symbols are parameters.
+    potential : sympy.Expr
+        Potential energy in the coordinates.
+    coordinates : sequence of sympy.Symbol
+        q.
+    rates : sequence of sympy.Symbol
+        q', one for each coordinate.
+    speed : sympy.Symbol
+        v, the speed of the driven part.
 
+    Returns
+    -------
+    SmallMotions
+        M, K and L.
+
+    Raises
+    ------
+    ValueError
+        If the numbers of coordinates and rates differ, or if q = 0 is no equilibrium.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> m, l, g = sp.symbols("m l g", positive=True)
     >>> phi, rate, v = sp.symbols("phi w v", real=True)

@@ -1,14 +1,13 @@
-"""Measurements with an unknown error, and outputs that change with time: examples 4 and 5, problems
-2.16 and 2.17.
+"""Measurements with an unknown error, and time-varying outputs: examples 4, 5, problems 2.16, 2.17.
 
 An error c w with w' = S w (a constant: S = 0; an oscillation of known frequency: S = [[0, omega],
 [-omega, 0]]) becomes a part of the state: (x; w)' = diag(A, S) (x; w), z = (H, c) (x; w).
 
-For an output z = H(t) x that depends on time analytically, Kalman's matrix is built of the
+For an output z = H(t) x that depends on time analytically, the Kalman matrix is built of the
 derivatives of z: N_0 = H, N_(k+1) = N_k' + N_k A. The system is observable on every interval
 exactly when the rank of N_0, ..., N_(n-1) is n for some t (and then for all but isolated t): rows
 that depend on the earlier ones over the functions of t make all later ones depend on them too. The
-rank of H, HA, ... with t frozen in H says nothing.
+rank of H, HA, ... with t frozen in H decides nothing.
 
 Polynomials, exponentials, sines and cosines in H(t) satisfy a linear equation with constant
 coefficients, of order d say; then z satisfies one of order nd, and z vanishes identically exactly
@@ -19,25 +18,51 @@ when its first nd derivatives vanish at t = 0. So for conditions on parameters t
 import numpy as np
 import sympy as sp
 
-from trajlib.stability.systems import read_symbols
-from trajlib.structure.pairs import (
-    as_floats,
+from trajlib._arguments.matrices import (
     is_float_array,
     read_exact_matrix,
-    read_exact_rectangle,
     read_float_matrix,
     read_observed,
 )
-from trajlib.structure.parameters import rank_conditions
+from trajlib._arguments.symbols import join_names, read_symbols
+from trajlib._types import Matrix, MatrixLike, Symbols
+from trajlib.structure.parameters import RankConditions, rank_conditions
 
 
-def with_measurement_error(A, H, S, c):
-    """The state augmented by the error of z = Hx + cw, w' = Sw: (A', H') (MATLAB: blkdiag, [C c]).
+def with_measurement_error(
+    A: MatrixLike, H: MatrixLike, S: MatrixLike, c: MatrixLike
+) -> tuple[Matrix, Matrix]:
+    """Return (A', H'): the state augmented by the error w of z = Hx + cw, w' = Sw.
 
-    `A`: n x n, `H`: m x n, `S`: k x k, `c`: m x k (a flat list or a row for one output). Exact,
-    with symbols, or floats. Returns A' = diag(A, S) of order n + k and H' = (H, c). Raises
-    ValueError for shapes that do not fit. Source: examples 4 and 5 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax; exact, with symbols, or floats.
+    H : matrix_like, shape (m, n)
+        Matrix of the output.
+    S : matrix_like, shape (k, k)
+        Matrix of the error.
+    c : matrix_like, shape (m, k)
+        Matrix of the error in the output; a flat list or a row for one output.
 
+    Returns
+    -------
+    A' : matrix, shape (n + k, n + k)
+        diag(A, S).
+    H' : matrix, shape (m, n + k)
+        (H, c).
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit.
+
+    Notes
+    -----
+    MATLAB: ``blkdiag(A, S)``, ``[C c]``. Source: examples 4 and 5 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> omega = sp.Symbol("omega")
     >>> S = sp.Matrix([[0, omega], [-omega, 0]])
@@ -51,14 +76,10 @@ def with_measurement_error(A, H, S, c):
     A, H = read_observed(A, H)
     floating = isinstance(A, np.ndarray) or is_float_array(S) or is_float_array(c)
     if floating:
-        A, H = as_floats(A, "A"), as_floats(H, "H")
-        S, c = read_float_matrix(as_floats(S, "S")), np.atleast_2d(as_floats(c, "c"))
+        A, H = read_float_matrix(A, "A"), read_float_matrix(H, "H")
+        S, c = read_float_matrix(S, "S", square=True), np.atleast_2d(read_float_matrix(c, "c"))
     else:
-        try:
-            S = read_exact_matrix(S)
-        except ValueError as error:
-            raise ValueError(str(error).replace("A:", "S:", 1)) from None
-        c = read_exact_rectangle(c, "c")
+        S, c = read_exact_matrix(S, "S", square=True), read_exact_matrix(c, "c")
     if tuple(c.shape) != (H.shape[0], S.shape[0]):
         raise ValueError(
             f"c: expected shape {(H.shape[0], S.shape[0])}, a row for each output and a column for "
@@ -70,14 +91,36 @@ def with_measurement_error(A, H, S, c):
     return sp.diag(A, S), sp.Matrix.hstack(H, c)
 
 
-def time_varying_observability_matrix(A, H, time):
-    """The matrix (N_0; ...; N_(n-1)) of an output z = H(t) x, with N_0 = H, N_(k+1) = N_k' + N_k A
-    (MATLAB: obsv for A, C(t)).
+def time_varying_observability_matrix(A: MatrixLike, H: MatrixLike, time: sp.Symbol) -> sp.Matrix:
+    """Return the observability matrix (N_0; ...; N_(n-1)) of a time-varying output z = H(t) x.
 
-    `A`: n x n, `H`: m x n, SymPy matrices that may contain the symbol `time`. Returns an mn x n
-    matrix. Raises ValueError for shapes that do not fit. Source: the derivatives of z, as asked by
-    problem 2.17.
+    N_0 = H, N_(k+1) = N_k' + N_k A.
 
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax, exact; it may contain `time`.
+    H : matrix_like, shape (m, n)
+        Matrix of the output, exact.
+    time : sympy.Symbol
+        The time t.
+
+    Returns
+    -------
+    sympy.Matrix, shape (m n, n)
+        The derivatives of z as rows.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or for floats.
+
+    Notes
+    -----
+    MATLAB: ``obsv`` for A, C(t). Source: the derivatives of z, as asked by problem 2.17.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> t, omega = sp.symbols("t omega")
     >>> H = sp.Matrix([[sp.sin(omega*t), sp.cos(omega*t)]])
@@ -97,16 +140,40 @@ def time_varying_observability_matrix(A, H, time):
     return sp.Matrix.vstack(*blocks)
 
 
-def time_varying_conditions(A, H, time, parameters=()):
-    """For which parameters is x' = Ax, z = H(t) x observable on every interval? (MATLAB: none; rank
-    of the Gramian.)
+def time_varying_conditions(
+    A: MatrixLike, H: MatrixLike, time: sp.Symbol, parameters: Symbols = ()
+) -> RankConditions:
+    """Return the parameters for which x' = Ax, z = H(t) x is observable on every interval.
 
-    `A`: n x n, constant; `H`: m x n, sums of polynomials, exponentials, sines and cosines of
-    `time`; `parameters`: the other symbols, real. Returns `RankConditions` (with `sp.true` or
-    `sp.false` as the region if there are no parameters); its minors are those of the derivatives of
-    z at t = 0. Raises ValueError for other functions of time, for an A that depends on time, for
-    symbols that are not named. Source: problem 2.17 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x' = Ax, constant and exact.
+    H : matrix_like, shape (m, n)
+        Sums of polynomials, exponentials, sines and cosines of `time`.
+    time : sympy.Symbol
+        The time t.
+    parameters : sequence of sympy.Symbol, optional
+        The other symbols, real.
 
+    Returns
+    -------
+    RankConditions
+        With `sp.true` or `sp.false` as the region if there are no parameters; its minors are those
+        of the derivatives of z at t = 0.
+
+    Raises
+    ------
+    ValueError
+        For other functions of time, for an A that depends on time, or for symbols that are not
+        named.
+
+    Notes
+    -----
+    MATLAB has no word for it (rank of the Gramian). Source: problem 2.17 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> t, omega = sp.symbols("t omega")
     >>> H = sp.Matrix([[sp.sin(omega*t), sp.cos(omega*t)]])
@@ -122,9 +189,9 @@ def time_varying_conditions(A, H, time, parameters=()):
             f"A: expected a constant matrix, got one that contains {time}; study the rank of "
             "time_varying_observability_matrix instead"
         )
-    if strangers := H.free_symbols - {time, *parameters} | A.free_symbols - {*parameters}:
+    if undeclared := H.free_symbols - {time, *parameters} | A.free_symbols - {*parameters}:
         raise ValueError(
-            f"parameters: the system also has {', '.join(sorted(map(str, strangers)))}; name every "
+            f"parameters: the system also has {join_names(undeclared)}; name every "
             "symbol that is not a number"
         )
     blocks = [N[: H.rows, :]]
@@ -134,7 +201,7 @@ def time_varying_conditions(A, H, time, parameters=()):
 
 
 def _order_of_equation(H, time):
-    """The order of a linear equation with constant coefficients that all entries of H satisfy."""
+    """Return the order of a linear constant-coefficient equation that all entries satisfy."""
     powers = {}
     for entry in H:
         for term in sp.Add.make_args(sp.expand(sp.expand(entry.rewrite(sp.exp)), power_exp=False)):

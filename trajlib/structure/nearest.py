@@ -1,4 +1,4 @@
-"""How near is a system that is not observable? Popov's criterion in floating-point numbers.
+"""The nearest unobservable system: the PBH test in floating-point numbers.
 
 The distance from (A, H) to the pairs that are not observable is the least singular value of (A -
 lambda E; H) over all complex lambda (R. Eising, Systems & Control Letters 4 (1984) 263-264). It has
@@ -23,10 +23,12 @@ _DESCENTS, _MEANS, _STEPS = 8, 12, 60
 
 
 def nearest(A, H, stairs):
-    """Local minima of a pair of norm 1, in the coordinates of `stairs`: triples (least singular
-    value, its lambda, its unit vector), the least first."""
+    """Return local minima of a pair of norm 1, in the coordinates of `stairs`, the least first.
+
+    Each is a triple (least singular value, its lambda, its unit vector).
+    """
     points = _starts(stairs)
-    found, taken = [], []
+    minima, taken = [], []
     for index in np.argsort(_rough_values(A, H, points)):
         start = points[index]
         # Near neighbours lead to one minimum; the first three starts are the most promising,
@@ -34,14 +36,14 @@ def nearest(A, H, stairs):
         if len(taken) >= 3 and min(abs(start - other) for other in taken) <= 1e-3:
             continue
         taken.append(start)
-        found.append(descend(A, H, start))
+        minima.append(descend(A, H, start))
         if len(taken) == _DESCENTS:
             break
-    return sorted(found, key=lambda one: one[0])
+    return sorted(minima, key=lambda minimum: minimum[0])
 
 
 def smallest(A, H, value):
-    """(sigma, u, v): the smallest singular value of (A - lambda E; H) and its vectors."""
+    """Return the smallest singular value of (A - lambda I; H) and its vectors, (sigma, u, v)."""
     left, values, right = np.linalg.svd(_pencil(A, H, value), full_matrices=False)
     return values[-1], left[:, -1], right[-1].conj()
 
@@ -65,26 +67,24 @@ def _starts(stairs):
 
 
 def _means(eigenvalues):
-    """Each eigenvalue in the closed upper half-plane, and its means with its nearest neighbours."""
+    """Return the eigenvalues with Im >= 0 and their means with their nearest neighbours."""
     means = []
-    for one in eigenvalues[eigenvalues.imag >= 0]:
-        apart = np.abs(eigenvalues - one)
-        near = eigenvalues[np.argsort(apart)][: np.count_nonzero(apart <= 0.3)][:_MEANS]
+    for eigenvalue in eigenvalues[eigenvalues.imag >= 0]:
+        distances = np.abs(eigenvalues - eigenvalue)
+        near = eigenvalues[np.argsort(distances)][: np.count_nonzero(distances <= 0.3)][:_MEANS]
         means += list(np.cumsum(near) / np.arange(1, len(near) + 1))
     return means
 
 
 def _rough_values(A, H, points):
-    """sigma at many points, those below 1e-8 not told apart: from the eigenvalues of the
-    squares."""
+    """Return sigma at many points from the squares: values below 1e-8 are not distinguished."""
     pencils = A - points[:, None, None] * np.eye(len(A))
     squares = pencils.conj().transpose(0, 2, 1) @ pencils + H.T @ H
     return np.sqrt(np.maximum(np.linalg.eigvalsh(squares)[:, 0], 0))
 
 
 def descend(A, H, value):
-    """(least singular value, its lambda, its unit vector) of a local minimum below the start
-    `value`."""
+    """Return (sigma, lambda, unit vector) of a local minimum below that at `value`."""
     value = value if np.imag(value) else np.real(value)
     sigma, u, v = smallest(A, H, value)
     for _ in range(_STEPS):
@@ -93,9 +93,9 @@ def descend(A, H, value):
         better = None
         for other in (*steps, np.vdot(v, A @ v)):
             other = other if np.imag(value) else np.real(other)
-            found = (*smallest(A, H, other), other)
-            if found[0] < sigma * (1 - 1e-3) and (better is None or found[0] < better[0]):
-                better = found
+            trial = (*smallest(A, H, other), other)
+            if trial[0] < sigma * (1 - 1e-3) and (better is None or trial[0] < better[0]):
+                better = trial
             if better and better[0] < sigma / 5:
                 break
         if better is None or sigma <= 2 * _EPS:

@@ -1,9 +1,9 @@
-"""Is the state seen, can it be steered? The criteria of Kalman and of Popov, Theorems 2.1 - 2.4 of
-the problem book.
+"""Observability and controllability: the Kalman criterion and the PBH test, Theorems 2.1 - 2.4.
 
-Exact systems: the rank of Kalman's matrix, and Popov's criterion for the characteristic numbers at
-which the rank of (A - lambda E; H) falls, with the motions exp(lambda t) v that the output does not
-show. Floats: the staircase form in balanced units and Popov's singular values (module `floats`).
+Exact systems: the rank of the Kalman matrix, and the PBH test (Popov, Belevitch, Hautus) for the
+eigenvalues at which the rank of (A - lambda I; H) falls, with the motions exp(lambda t) v whose
+output is zero. Floats: the staircase form in balanced units and the least singular value in the PBH
+test (module `floats`).
 """
 
 from dataclasses import dataclass
@@ -11,39 +11,48 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._types import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
-from trajlib.stability.systems import as_prose
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
-from trajlib.structure.pairs import read_controlled, read_observed
-from trajlib.structure.popov import LAMBDA, LostMode, lost_modes
+from trajlib.structure.pbh import LAMBDA, HiddenMode, hidden_modes
+from trajlib.typesetting import escape_markdown
 
-__all__ = ["LostMode", "RankTest", "controllability", "observability"]
+__all__ = ["HiddenMode", "RankTest", "controllability", "observability"]
 
 
 @dataclass(frozen=True)
 class RankTest:
-    """Whether a system is observable (or controllable), the rank of Kalman's matrix, and what is
-    lost; true in an `if` if it is.
+    """The verdict on observability or controllability; true in an `if` if the property holds.
 
-    - `holds`: the verdict, `rank == order`; `rank`: of N (or W); `order`: the dimension of the
-      state;
-    - `lost`: tuple of `LostMode`, the characteristic numbers at which the rank of Popov's criterion
-      falls;
-    - `margin`: for floats the smallest singular value in Popov's criterion that was found, A having
-      the norm 1 and every output the length 1 in units that balance the system. A change of that
-      size makes the verdict no; a smaller one may do so too, since the search is not proved to be
-      complete (`distance_to_unobservable` and `distance_to_uncontrollable` give proved bounds, in
-      the units given). None for exact systems;
-    - `reason`: the verdict in words. With symbols everything is generic: true for all values of the
-      symbols but exceptional ones, which `observability_conditions` and
-      `controllability_conditions` give.
+    With symbols everything is generic: true for all values of the symbols but exceptional ones,
+    which `observability_conditions` and `controllability_conditions` give.
+
+    Attributes
+    ----------
+    holds : bool
+        The verdict, `rank == order`.
+    rank : int
+        Rank of the Kalman matrix N (or W).
+    order : int
+        Dimension of the state.
+    hidden_modes : tuple of HiddenMode
+        The eigenvalues at which the rank in the PBH test falls, with their vectors.
+    margin : float or None
+        For floats the smallest singular value found in the PBH test, A having the norm 1 and every
+        output the length 1 in units that balance the system. A change of that size makes the
+        verdict no; a smaller one may do so too, since the search is not proved to be complete
+        (`distance_to_unobservable` and `distance_to_uncontrollable` give proved bounds, in the
+        units given). None for exact systems.
+    reason : str
+        The verdict in words.
     """
 
     holds: bool
     rank: int
     order: int
-    lost: tuple
+    hidden_modes: tuple[HiddenMode, ...]
     margin: float | None = None
     reason: str = ""
 
@@ -51,25 +60,43 @@ class RankTest:
         return self.holds
 
     def _repr_markdown_(self):
-        return as_prose(self.reason)
+        return escape_markdown(self.reason)
 
 
-def observability(A, H=None):
-    """Is x' = Ax, z = Hx observable? Rank, lost modes, margin (MATLAB: rank(obsv(A, C)), Popov's or
-    PBH test).
+def observability(A: MatrixLike, H: MatrixLike | None = None) -> RankTest:
+    """Decide whether x' = Ax, z = Hx is observable, with rank, unobservable modes and margin.
 
-    `A`: n x n, `H`: m x n. SymPy matrices or lists of rows are judged exactly; with symbols the
-    verdict is generic (it may fail for special values: see `observability_conditions`). NumPy
-    arrays of floats, or a StateSpace in place of `A`, are judged in balanced units by their
-    staircase form, with a margin. Returns `RankTest`. Raises ValueError for shapes that do not fit
-    and entries that are not real. Source: Theorems 2.1 and 2.3 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        A SymPy matrix or list of rows is judged exactly; with symbols the verdict is generic (it
+        may fail for special values: see `observability_conditions`). A NumPy array of floats, or a
+        StateSpace, is judged in balanced units by its staircase form, with a margin.
+    H : matrix_like, shape (m, n)
+        Matrix of the output; left out for a StateSpace, which has its own.
 
+    Returns
+    -------
+    RankTest
+        True in an `if` if the system is observable; the vectors of its modes are columns.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or for entries that are not real.
+
+    Notes
+    -----
+    MATLAB: ``rank(obsv(A, C))``, or the PBH test. Source: Theorems 2.1 and 2.3 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = observability(sp.Matrix([[0, 1, 0], [1, 1, 1], [1, 0, 1]]), sp.Matrix([[0, 1, 0]]))
     >>> found.holds, found.rank, found.order
     (False, 2, 3)
-    >>> found.lost
-    (LostMode(eigenvalue=0, vectors=Matrix([
+    >>> found.hidden_modes
+    (HiddenMode(eigenvalue=0, vectors=Matrix([
     [ 1],
     [ 0],
     [-1]])),)
@@ -78,19 +105,37 @@ def observability(A, H=None):
     return _test(A, H, "observable", lambda vectors: vectors)
 
 
-def controllability(A, B=None):
-    """Is x' = Ax + Bu controllable? Rank, lost modes, margin (MATLAB: rank(ctrb(A, B)), Popov's or
-    PBH test).
+def controllability(A: MatrixLike, B: MatrixLike | None = None) -> RankTest:
+    """Decide whether x' = Ax + Bu is controllable, with rank, uncontrollable modes and margin.
 
-    `A`: n x n, `B`: n x s; exact, symbolic (generic) or floats as in `observability`. The vectors
-    of the lost modes are rows w with w A = lambda w, w B = 0: no control changes w x exp(-lambda
-    t). Returns `RankTest`. Raises ValueError for shapes that do not fit and entries that are not
-    real. Source: Theorems 2.2 and 2.4 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Exact, symbolic (generic) or floats, as in `observability`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control; left out for a StateSpace, which has its own.
 
+    Returns
+    -------
+    RankTest
+        True in an `if` if the system is controllable; the vectors of its modes are rows w with w A
+        = lambda w, w B = 0: no control changes w x exp(-lambda t).
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or for entries that are not real.
+
+    Notes
+    -----
+    MATLAB: ``rank(ctrb(A, B))``, or the PBH test. Source: Theorems 2.2 and 2.4 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> found = controllability(sp.Matrix([[0, 1, 1], [1, 1, 0], [0, -1, -1]]), sp.Matrix([0, 1, 0]))
-    >>> found.rank, found.lost
-    (2, (LostMode(eigenvalue=0, vectors=Matrix([[1, 0, 1]])),))
+    >>> found.rank, found.hidden_modes
+    (2, (HiddenMode(eigenvalue=0, vectors=Matrix([[1, 0, 1]])),))
     """
     A, H = read_controlled(A, B)
     return _test(A, H, "controllable", lambda vectors: vectors.T)
@@ -100,47 +145,46 @@ def _test(A, H, word, orient):
     if isinstance(A, np.ndarray):
         return float_test(A, H, word, orient)
     if A.free_symbols | H.free_symbols:
-        there = exact.at_a_point(sp.Matrix.vstack(A, H))
+        at_point = exact.at_a_point(sp.Matrix.vstack(A, H))
         if (
-            there is not None
-            and exact.rank(stacked_powers(there[: A.rows, :], there[A.rows :, :])) == A.rows
+            at_point is not None
+            and exact.rank(stacked_powers(at_point[: A.rows, :], at_point[A.rows :, :])) == A.rows
         ):
             return rank_test(A.rows, A.rows, (), word, generic=True)
     N = stacked_powers(A, H)
     rank = exact.rank(N)
-    lost = _lost_modes(A, exact.null_columns(N)) if rank < A.rows else ()
+    modes = _modes_in(A, exact.null_columns(N)) if rank < A.rows else ()
     return rank_test(
         rank,
         A.rows,
-        [LostMode(m.eigenvalue, orient(m.vectors)) for m in lost],
+        [HiddenMode(m.eigenvalue, orient(m.vectors)) for m in modes],
         word,
         generic=bool(A.free_symbols | H.free_symbols),
     )
 
 
-def _lost_modes(A, unseen):
-    """The modes of A in an invariant subspace, found in its own coordinates: there they all are
-    lost."""
-    rows, columns = list(exact.independent_rows(unseen)), list(range(unseen.cols))
+def _modes_in(A, subspace):
+    """Return the modes of A in an invariant subspace, found in its own coordinates."""
+    rows, columns = list(exact.independent_rows(subspace)), list(range(subspace.cols))
     inner = exact.product(
-        exact.inverse(unseen.extract(rows, columns)), (A * unseen).extract(rows, columns)
+        exact.inverse(subspace.extract(rows, columns)), (A * subspace).extract(rows, columns)
     )
-    return lost_modes(
-        inner - LAMBDA * sp.eye(inner.rows), characteristic_polynomial(inner, LAMBDA), unseen
+    return hidden_modes(
+        inner - LAMBDA * sp.eye(inner.rows), characteristic_polynomial(inner, LAMBDA), subspace
     )
 
 
-def rank_test(rank, order, lost, word, margin=None, generic=False, remark=""):
-    """A `RankTest` with its verdict in words."""
+def rank_test(rank, order, modes, word, margin=None, generic=False, remark=""):
+    """Return a `RankTest` with its verdict in words."""
     holds = rank == order
     reason = f"{word if holds else f'not {word}'}: rank {rank} of {order}"
-    if lost:
-        reason += ", the rank of Popov's criterion falls at " + ", ".join(
-            dict.fromkeys(_named(m.eigenvalue) for m in lost)
+    if modes:
+        reason += ", the rank in the PBH test falls at " + ", ".join(
+            dict.fromkeys(_named(m.eigenvalue) for m in modes)
         )
     if generic:
         reason += " (for general values of the symbols)"
-    return RankTest(holds, rank, order, tuple(lost), margin, reason + remark)
+    return RankTest(holds, rank, order, tuple(modes), margin, reason + remark)
 
 
 def _named(eigenvalue):
@@ -156,7 +200,7 @@ def _named(eigenvalue):
 
 
 def float_test(A, H, word, orient=lambda vectors: vectors):
-    """The verdict in floats; a margin close to rounding is told."""
+    """Return the verdict in floats; a margin close to rounding is reported."""
     split = floats.split(A, H)
     remark = f"; margin {split.margin:.3g} in balanced units"
     if split.rank < len(A):
@@ -167,5 +211,5 @@ def float_test(A, H, word, orient=lambda vectors: vectors):
             f", small: a change of the entries by {split.margin:.1e} of their size can turn the "
             "verdict; exact entries (SymPy) would decide"
         )
-    lost = [LostMode(value, orient(vectors)) for value, vectors in floats.lost_modes(split)]
-    return rank_test(split.rank, len(A), lost, word, split.margin, remark=remark)
+    modes = [HiddenMode(value, orient(vectors)) for value, vectors in floats.hidden_modes(split)]
+    return rank_test(split.rank, len(A), modes, word, split.margin, remark=remark)

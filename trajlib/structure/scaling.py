@@ -1,7 +1,7 @@
-r"""The units in which a system is judged: diagonal scalings of states, outputs and time.
+r"""Balanced units: diagonal scalings of states, outputs and time.
 
 x = D y, z = R^-1 w and t = s / alpha turn (A, H) into (D^-1 A D / alpha, R H D). None of this
-changes what the output sees, so that a verdict must not depend on it. The exponents are those that
+changes the unobservable states, so that a verdict must not depend on it. The exponents are those that
 bring all entries other than zero as near to 1 as possible,
 
     sum over a_ij of (log|a_ij| + d_j - d_i - tau)^2  +  sum over h_kj of (log|h_kj| + d_j - rho_k)^2  ->  min,
@@ -21,11 +21,21 @@ _ROUNDING = 4 * np.finfo(float).eps
 
 @dataclass(frozen=True)
 class Scaled:
-    """The pair in balanced units: x = `units` y; `A` has the norm 1, every row of `H` the length 1
-    (those that are zero apart).
+    """The pair in balanced units, x = `units` y.
 
-    `rate`: what the numbers lambda of `A` are multiplied by in the units given; `cleared`: whether
-    entries were taken as zero, being rounding beside the others of their row and of their column.
+    Attributes
+    ----------
+    A : numpy.ndarray, shape (n, n)
+        Has the norm 1.
+    H : numpy.ndarray, shape (m, n)
+        Its nonzero rows have the length 1.
+    units : numpy.ndarray, shape (n,)
+        The units of the states.
+    rate : float
+        The factor of the eigenvalues of `A` in the units given.
+    cleared : bool
+        Whether entries were taken as zero, being rounding beside the others of their row and
+        column.
     """
 
     A: np.ndarray
@@ -36,7 +46,7 @@ class Scaled:
 
 
 def balanced(A, H):
-    """`Scaled` of a pair of float matrices, n x n and m x n."""
+    """Return the pair of float matrices, n x n and m x n, in balanced units."""
     shown, n = np.vstack([A, H]), len(A)
     sizes = np.abs(shown)
     beside = np.minimum(sizes.max(axis=1, keepdims=True), sizes.max(axis=0, keepdims=True))
@@ -59,8 +69,7 @@ def balanced(A, H):
 
 
 def _exponents(sizes, used):
-    """Whole exponents of two: (d_i + tau for the rows of A and rho_k for those of H, d_j for the
-    columns, tau)."""
+    """Return exponents of two: d_i + tau and rho_k for the rows, d_j for the columns, and tau."""
     m, n = sizes.shape
     i, j = np.nonzero(used)
     # The unknowns are d_1, ..., d_n, rho_1, ..., rho_(m-n), tau.
@@ -68,11 +77,11 @@ def _exponents(sizes, used):
     equations[k, j] += 1
     equations[k, i] -= 1
     equations[k[i < n], m] = -1
-    found = np.linalg.lstsq(
+    exponents = np.linalg.lstsq(
         equations.T @ equations, -equations.T @ np.log2(sizes[i, j]), rcond=1e-10
     )[0]
     # All states and outputs may shift together; the first state is taken as unit, so that other
     # units round alike.
-    found[:m] = found[:m] - found[0]
-    found = np.rint(found).astype(int)
-    return found[:m] + found[m] * (np.arange(m) < n), found[:n], int(found[m])
+    exponents[:m] = exponents[:m] - exponents[0]
+    exponents = np.rint(exponents).astype(int)
+    return exponents[:m] + exponents[m] * (np.arange(m) < n), exponents[:n], int(exponents[m])

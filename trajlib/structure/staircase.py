@@ -1,10 +1,11 @@
 """The staircase form of a pair (A, H), by orthogonal transformations only.
 
-What H shows are the first coordinates; what their derivatives show besides are the next ones, and
-so on, until a step shows nothing new: the coordinates left are not seen. Every step is a rank
-decision by singular values, and the whole is exact for a pair that differs from (A, H) by rounding
-(C. C. Paige, Properties of numerical algorithms related to computing controllability, 1981; P. Van
-Dooren, The generalized eigenstructure problem in linear system theory, 1981).
+The first coordinates are those that H observes; the next ones are those that their derivatives
+observe besides, and so on, until a step adds nothing: the remaining coordinates are unobservable.
+Every step is a rank decision by singular values, and the whole is exact for a pair that differs
+from (A, H) by rounding (C. C. Paige, Properties of numerical algorithms related to computing
+controllability, 1981; P. Van Dooren, The generalized eigenstructure problem in linear system
+theory, 1981).
 
 A staircase without a small step may still hide a state, where many small steps multiply: `nearest`
 looks for those.
@@ -17,8 +18,7 @@ import numpy as np
 
 @dataclass(frozen=True)
 class Staircase:
-    """`basis` Q, orthogonal, and `matrix` Q^T A Q; `sizes` of the steps, `heights` their least
-    singular values."""
+    """Orthogonal `basis` Q, `matrix` Q^T A Q, `sizes` of the steps, their least singular values."""
 
     basis: np.ndarray
     matrix: np.ndarray
@@ -31,7 +31,7 @@ class Staircase:
 
 
 def staircase(A, H, limit):
-    """The `Staircase` of a pair of float matrices; singular values up to `limit` count as zero."""
+    """Return the `Staircase` of float matrices; singular values up to `limit` count as zero."""
     n = len(A)
     basis, matrix, shown = np.eye(n), A.copy(), H
     sizes, heights, done = [], [], 0

@@ -8,7 +8,8 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from workbook.authoring.errors import MasterError
-from workbook.authoring.statements import assigned_names, reported_names
+from workbook.authoring.statements import assigned_names
+from workbook.checks.contract.check_cells import reported_names
 
 TYPES = (
     "number",
@@ -251,6 +252,7 @@ def _hold_names(path, cell, known):
     """The checks that a check cell calls exist, and so do the names that it hands over."""
     from workbook import checks
 
+    known_checks = [*checks.__all__, *(f"research.{name}" for name in checks.research.__all__)]
     for node in _nodes(cell, ast.Name):
         if node.id not in known:
             raise MasterError(
@@ -259,12 +261,15 @@ def _hold_names(path, cell, known):
                 f"{node.id} is neither an answer nor a name of a data cell{meant(node.id, known)}",
             )
     for node in _nodes(cell, ast.Attribute):
-        if ast.unparse(node.value) == "checks" and node.attr not in checks.__all__:
-            raise MasterError(
-                path,
-                cell.line + node.lineno - 1,
-                f"there is no check {node.attr}{meant(node.attr, checks.__all__)}",
-            )
+        called = ast.unparse(node)
+        if called.startswith("checks.") and called != "checks.research":
+            name = called.removeprefix("checks.")
+            if name not in known_checks:
+                raise MasterError(
+                    path,
+                    cell.line + node.lineno - 1,
+                    f"there is no check {name}{meant(name, known_checks)}",
+                )
 
 
 def _nodes(cell, kind):

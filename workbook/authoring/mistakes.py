@@ -139,6 +139,7 @@ def value_of(trial, names):
 
 
 def received(answers):
-    from workbook.checks.contract.encoding import decode, encode
+    from workbook.checks.contract.decoding import decode
+    from workbook.checks.contract.encoding import encode
 
     return {name: decode(encode(value)) for name, value in answers.items()}

@@ -1,4 +1,4 @@
-"""What the code of a master assigns and reports."""
+"""What the code of a master assigns."""
 
 import ast
 
@@ -25,14 +25,3 @@ def assigned_by(statement, names):
         for part in (target.elts if isinstance(target, (ast.Tuple, ast.List)) else [target])
     ]
     return [part.id for part in parts if isinstance(part, ast.Name) and part.id in names]
-
-
-def reported_names(source):
-    """The answers that a check cell hands to `checks.report`, in order."""
-    calls = [node for node in ast.walk(ast.parse(source)) if isinstance(node, ast.Call)]
-    return [
-        keyword.arg
-        for call in calls
-        if ast.unparse(call.func) == "checks.report"
-        for keyword in call.keywords
-    ]

@@ -18,8 +18,9 @@ from workbook.authoring.drawn import Drawn
 from workbook.authoring.links import Links
 from workbook.authoring.master import read, read_all
 from workbook.authoring.mistakes import origin, text_of
-from workbook.authoring.statements import assigned_names, reported_names
+from workbook.authoring.statements import assigned_names
 from workbook.authoring.study_time import study_time
+from workbook.checks.contract.check_cells import reported_names
 from workbook.mistakes import file_beside
 from workbook.notebooks import exercises
 

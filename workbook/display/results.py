@@ -13,9 +13,9 @@ Rows of numbers are a `table`, with a head for each column.
 
 import html
 import re
-import sys
 
 from trajlib.typesetting import FORMULA, plain, typeset
+from workbook.jupyter import in_notebook
 
 __all__ = ["show", "table"]
 
@@ -100,13 +100,6 @@ def _display(words, markdown):
     from IPython.display import display
 
     display({"text/plain": words, "text/markdown": markdown()}, raw=True)
-
-
-def in_notebook():
-    """Whether a notebook reads what is shown."""
-    # IPython is not imported for this: where there is a notebook, it is there.
-    ipython = sys.modules.get("IPython")
-    return ipython is not None and getattr(ipython.get_ipython(), "kernel", None) is not None
 
 
 def _joined(values, texts):

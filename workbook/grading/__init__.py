@@ -1,6 +1,6 @@
-"""Grade a course's homework: student notebooks run in a sandbox, answers leave it as bytes, a
-separate process judges.
+"""Grade a course's homework: run notebooks in a sandbox, judge their answers elsewhere.
 
-The trust boundary: `isolation` and `worker` run what students wrote; `judging` decodes their
-answers and runs nothing of theirs.
+The trust boundary: `isolation` and `notebook_worker` run what students wrote, and only bytes leave
+the sandbox; `judging` decodes their answers in another process and runs nothing of a student's. The
+contributor's guide has a picture of all processes.
 """

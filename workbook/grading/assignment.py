@@ -1,5 +1,6 @@
-"""An assignment: which problems, how many points, until when, which attempt counts. One file,
-`assignment.toml`.
+"""Assignment: which problems, how many points, until when, which attempt counts.
+
+It is one file, `assignment.toml`:
 
     title = "Homework 1: stability"
     problems = ["1.4", "1.15"]
@@ -19,27 +20,46 @@ import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.grading.sanitising import person_or_homework
+from workbook.grading.sanitising import normalise_name
 from workbook.notebooks import exercises
 
-#: No homework has such a name: these stand in the folder of results, beside a folder for each
-#: homework.
-TAKEN = {"grades.sqlite", "grades.sqlite-wal", "grades.sqlite-shm", "grades.sqlite-journal"}
+#: Files in the folder of results, beside a folder for each homework: no homework has such a name.
+RESERVED_NAMES = {
+    "grades.sqlite",
+    "grades.sqlite-wal",
+    "grades.sqlite-shm",
+    "grades.sqlite-journal",
+}
 FIELDS = {"title", "problems", "due", "attempt", "attempts", "points"}
 
 
-class BadInput(ValueError):
-    """Something the lecturer can mend; the message is one line."""
+class InputError(ValueError):
+    """Input that the lecturer can correct; the message is one line."""
 
 
-class AssignmentError(BadInput):
-    """The assignment file cannot be used; the message names the file, the field and what was
-    expected."""
+class AssignmentError(InputError):
+    """The assignment file cannot be used; the message has the file, the field and what it takes."""
 
 
 @dataclass(frozen=True)
 class Assignment:
-    """`points` maps a problem to {answer: points}; `due` is an aware datetime or None."""
+    """A homework.
+
+    Parameters
+    ----------
+    name, title : str
+        The name of its folder, and the title for people.
+    problems : tuple of str
+        The problems' numbers.
+    points : dict
+        {answer: points} by problem.
+    due : datetime.datetime or None
+        With a time zone.
+    attempt : str
+        Which attempt counts: "best" or "last".
+    attempts : int or None
+        How many attempts at a problem count.
+    """
 
     name: str
     title: str
@@ -51,12 +71,12 @@ class Assignment:
 
     @property
     def max_points(self):
+        """The points of all answers."""
         return sum(sum(answers.values()) for answers in self.points.values())
 
 
 def read(path):
-    """The assignment in the file `path`; its name is that of the folder. Raises
-    `AssignmentError`."""
+    """Return the assignment in a file, named after its folder; raises `AssignmentError`."""
     path = Path(path)
     try:
         return from_text(path.read_text(encoding="utf-8"), path)
@@ -67,57 +87,56 @@ def read(path):
 
 
 def files(folder):
-    """{name of a homework: its file} of all that stand in `folder`, which may be None."""
-    found = sorted(Path(folder).glob("*/assignment.toml")) if folder is not None else ()
-    return {person_or_homework(path.parent.name): path for path in found}
+    """Return {homework: its file} of all in a folder, which may be None."""
+    paths = sorted(Path(folder).glob("*/assignment.toml")) if folder is not None else ()
+    return {normalise_name(path.parent.name): path for path in paths}
 
 
 def can_be_name(name):
-    """Whether a homework can be called so: it names a folder."""
+    """Return whether a homework can have this name, which is that of a folder."""
     return (
         bool(re.fullmatch(r"\w([\w .-]*\w)?", name))
         and len(name.encode()) <= 200
-        and name not in TAKEN
+        and name not in RESERVED_NAMES
     )
 
 
 def from_text(text, path):
-    """The assignment that a text says when it stands in the file `path`. Raises
-    `AssignmentError`."""
+    """Return the assignment of the text of a file `path`; raises `AssignmentError`."""
     try:
-        given = tomllib.loads(text)
+        table = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise AssignmentError(f"{path} is not TOML in UTF-8: {error}") from None
-    name = person_or_homework(path.resolve().parent.name)
-    unknown = set(given) - FIELDS
+    name = normalise_name(path.resolve().parent.name)
+    unknown = set(table) - FIELDS
     _require(
         not unknown,
         path,
         f"unknown field {', '.join(sorted(unknown))}; there are {', '.join(sorted(FIELDS))}",
     )
-    title = given.get("title", name)
+    title = table.get("title", name)
     _require(
         isinstance(title, str) and len(title.strip().splitlines()) == 1,
         path,
         "title is one line of text in quotes",
     )
-    problems = given.get("problems")
+    problems = table.get("problems")
     _require(
         isinstance(problems, list) and problems and all(isinstance(p, str) for p in problems),
         path,
         'problems is a list of numbers in quotes, ["1.4", "1.15"]',
     )
     _require(len(set(problems)) == len(problems), path, "problems names a problem twice")
-    due = given.get("due")
+    due = table.get("due")
     _require(
         due is None or (isinstance(due, datetime.datetime) and due.tzinfo is not None),
         path,
         "due is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00",
     )
     _require(due is None or can_be_due(due), path, "due is a date of our time, from 1971 to 9998")
-    attempt = given.get("attempt", "best")
+    attempt = table.get("attempt", "best")
     _require(attempt in ("best", "last"), path, 'attempt is "best" or "last"')
-    attempts = given.get("attempts")
+    attempts = table.get("attempts")
     _require(
         attempts is None or (type(attempts) is int and attempts > 0),
         path,
@@ -127,7 +146,7 @@ def from_text(text, path):
         name,
         title.strip(),
         tuple(problems),
-        _points(path, problems, given.get("points", {})),
+        _points(path, problems, table.get("points", {})),
         due,
         attempt,
         attempts,
@@ -135,18 +154,17 @@ def from_text(text, path):
 
 
 def of_problems(name, problems):
-    """The assignment that needs no file: one point an answer, no due date, the best attempt."""
+    """Return an assignment without a file: one point an answer, no due date, the best attempt."""
     return Assignment(name, name, tuple(problems), _points(Path(name), problems, {}))
 
 
 def can_be_due(date):
-    """Whether every calendar can hold the date, in whatever zone."""
+    """Return whether the date can be shown in every time zone."""
     return 1970 < date.year < 9999
 
 
 def answers_of(problem):
-    """The names of a problem's answers, in order. Raises
-    `workbook.notebooks.exercises.UnknownExercise`."""
+    """Return the names of a problem's answers in order; raises `exercises.UnknownExercise`."""
     exercise = exercises.find(problem)
     if exercise.number != problem:
         raise exercises.UnknownExercise(
@@ -155,17 +173,17 @@ def answers_of(problem):
     return list(exercise.about["answers"])
 
 
-def _points(path, problems, given):
-    """Points of every answer of every problem, from the table `points`."""
-    _require(isinstance(given, dict), path, 'points is a table: [points], and below it "1.15" = 10')
+def _points(path, problems, table):
+    """Return the points of every answer of every problem, from the table `points`."""
+    _require(isinstance(table, dict), path, 'points is a table: [points], and below it "1.15" = 10')
     points = {}
     for problem in problems:
         try:
             points[problem] = dict.fromkeys(answers_of(problem), 1.0)
         except exercises.UnknownExercise as error:
             raise AssignmentError(f"{path}: {error}") from None
-    named = {}
-    for key, value in given.items():
+    by_answer = {}
+    for key, value in table.items():
         # TOML takes an unquoted 1.15 = 10 for a table "1" with a key "15".
         _require(
             not isinstance(value, dict),
@@ -184,22 +202,22 @@ def _points(path, problems, given):
                 path,
                 f'points."{key}" names neither a problem of the assignment nor one of its answers',
             )
-            named.setdefault(problem, {})[answer] = float(value)
+            by_answer.setdefault(problem, {})[answer] = float(value)
     for problem, answers in points.items():
-        mine = named.get(problem, {})
-        if problem in given:
-            left, others = given[problem] - sum(mine.values()), len(answers) - len(mine)
+        named = by_answer.get(problem, {})
+        if problem in table:
+            left, others = table[problem] - sum(named.values()), len(answers) - len(named)
             _require(
                 left >= -1e-9 and (others or left <= 1e-9),
                 path,
-                f'points."{problem}" is {given[problem]:g}, but its answers named below have '
-                f"{sum(mine.values()):g}",
+                f'points."{problem}" is {table[problem]:g}, but its answers named below have '
+                f"{sum(named.values()):g}",
             )
             answers.update(dict.fromkeys(answers, max(left, 0.0) / max(others, 1)))
-        answers.update(mine)
+        answers.update(named)
     return points
 
 
-def _require(holds, path, said):
-    if not holds:
-        raise AssignmentError(f"{path}: {said}")
+def _require(condition, path, message):
+    if not condition:
+        raise AssignmentError(f"{path}: {message}")

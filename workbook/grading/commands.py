@@ -1,5 +1,7 @@
-"""What `workbook grade` and `workbook score` do: grade with a progress bar, then write tables and
-pages; give points by hand."""
+"""The commands `workbook grade` and `workbook score`.
+
+The first grades with a progress bar, then writes tables and pages; the second gives points by hand.
+"""
 
 import hashlib
 from datetime import datetime
@@ -11,7 +13,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from workbook.grading import assignment as assignments
 from workbook.grading import canvas, console_summary, course, exporting, record, submissions
-from workbook.grading.assignment import BadInput
+from workbook.grading.assignment import InputError
 from workbook.grading.feedback import feedback
 from workbook.grading.pages import count
 from workbook.grading.sandbox import Limits
@@ -32,22 +34,51 @@ def grade_course(
     site="",
     cluster=None,
 ):
-    """Grade and write everything below `out`; returns a summary as plain data.
+    """Grade a course and write all tables and pages.
 
-    `roster` is a gradebook exported from Canvas (a file), `site` the address of the student edition
-    of the site, `cluster` the options (address, ca_file, cert, key) of a
-    `workbook.grading.cluster.coordinator.Cluster`.
+    Parameters
+    ----------
+    submitted, out : path
+        Folders of submissions and of results.
+    assignment_folder : path or None
+        Folder of the assignment files; by default `assignments`, if it exists.
+    processes : int or None
+        Notebooks graded at the same time; by default as many as processors.
+    timeout : float
+        Seconds of computing that one notebook may take.
+    trusting : bool
+        Whether notebooks run without a sandbox.
+    quiet : bool
+        Whether nothing is printed.
+    roster : path, optional
+        A gradebook exported from Canvas.
+    site : str
+        Address of the student edition of the site.
+    cluster : dict, optional
+        The options (address, ca_file, cert, key) of a `cluster.coordinator.Cluster` that grades.
+
+    Returns
+    -------
+    dict
+        A summary as plain data, as the option --json prints it.
+
+    Raises
+    ------
+    InputError
+        If folders or files cannot be used.
+    SandboxUnavailableError
+        If there is no sandbox.
     """
     submitted, out, console = (
         Path(submitted),
         Path(out),
         Console(stderr=True, quiet=quiet, soft_wrap=True),
     )
-    # A roster or folder that cannot be used is said before an hour of grading, not after it.
+    # A roster or folder that cannot be used is an error before an hour of grading, not after it.
     roster = canvas.read_roster(roster) if roster is not None else None
     assignment_folder = _assignments(assignment_folder)
     cluster = _cluster(cluster, console) if cluster is not None else None
-    known, plan, failed = _with_a_bar(
+    homeworks, plan, failures = _grade_with_progress_bar(
         console,
         submitted,
         out,
@@ -57,20 +88,20 @@ def grade_course(
         trusting,
         cluster,
     )
-    if failed:
+    if failures:
         console.print(
-            f"the grader itself failed on {count(failed, 'notebook')}: run it again, and it will "
+            f"the grader itself failed on {count(failures, 'notebook')}: run it again, and it will "
             "grade what is missing",
             markup=False,
             style="red",
         )
-    for one in plan.aside:
-        console.print(f"left aside: {one.path}: {one.why}", markup=False, style="yellow")
+    for entry in plan.aside:
+        console.print(f"left aside: {entry.path}: {entry.why}", markup=False, style="yellow")
     result = {
         "graded": len(plan.pending),
-        "failed": failed,
-        "already graded": plan.known,
-        "left aside": [(one.path, one.why) for one in plan.aside],
+        "failed": failures,
+        "already graded": plan.graded_before,
+        "left aside": [(entry.path, entry.why) for entry in plan.aside],
         "assignments": {},
         "late": {},
         "to review": {},
@@ -80,9 +111,9 @@ def grade_course(
     now = datetime.now().astimezone().isoformat(timespec="seconds")
     files = assignments.files(assignment_folder)
     with Store(out / "grades.sqlite") as store:
-        for name, assignment in known.items():
+        for name, assignment in homeworks.items():
             graded = scores(store, assignment, submissions.students(submitted), plan.aside)
-            changes, strangers = write(out / name, assignment, graded, now, roster, site)
+            changes, unknown = write(out / name, assignment, graded, now, roster, site)
             result["assignments"][name] = {
                 score.student: round(score.points, 4) for score in graded
             }
@@ -95,53 +126,79 @@ def grade_course(
                 if score.needs_review
             }
             result["changes"][name] = [vars(change) for change in changes]
-            result["not in the roster"][name] = strangers
-            console_summary.tell(console, out / name, assignment, graded, changes, files.get(name))
+            result["not in the roster"][name] = unknown
+            console_summary.print_summary(
+                console, out / name, assignment, graded, changes, files.get(name)
+            )
             if roster is not None:
-                console_summary.tell_of_roster(console, assignment, roster, strangers)
+                console_summary.print_roster_differences(console, assignment, roster, unknown)
     return result
 
 
 def score_by_hand(graded, student, assignment, problem, answer, points, comment=""):
-    """Store a lecturer's points for one answer, or with `points` None take them back; returns a
-    sentence that says so."""
+    """Store a lecturer's points for one answer.
+
+    Parameters
+    ----------
+    graded : path
+        Folder of results.
+    student, assignment, problem, answer : str
+        Which answer.
+    points : float or None
+        None removes the points given by hand.
+    comment : str
+        For the student.
+
+    Returns
+    -------
+    str
+        A sentence for the lecturer.
+
+    Raises
+    ------
+    InputError
+        If there is no such answer, or it is not worth so many points.
+    """
     student, assignment = normalize("NFC", student), normalize("NFC", assignment)
-    place = f"{student}, {assignment}, {problem} {answer}"
-    found = record.read(Path(graded) / assignment / "grades.json")["students"]
-    if not found:
-        raise BadInput(
+    label = f"{student}, {assignment}, {problem} {answer}"
+    students = record.read(Path(graded) / assignment / "grades.json")["students"]
+    if not students:
+        raise InputError(
             f"there are no grades of {assignment} in {graded}; run workbook grade first, or say "
             "where with --graded"
         )
-    if student not in found:
-        raise BadInput(
+    if student not in students:
+        raise InputError(
             f"{assignment} has no student {student}; a folder of that name beside the others' "
             "makes one known to workbook grade"
         )
     worth = {
-        (each["problem"], each["answer"]): each["max points"] for each in found[student]["answers"]
+        (each["problem"], each["answer"]): each["max points"]
+        for each in students[student]["answers"]
     }
     if (problem, answer) not in worth:
-        raise BadInput(
+        raise InputError(
             f"{assignment} asks for no {problem} {answer}; there are "
             f"{', '.join(f'{p} {a}' for p, a in worth)}"
         )
     if points is not None and not 0 <= points <= worth[problem, answer]:
-        raise BadInput(
-            f"{place} is worth {worth[problem, answer]:g} points; assignment.toml can make it more"
+        raise InputError(
+            f"{label} is worth {worth[problem, answer]:g} points; assignment.toml can make it more"
         )
     with Store(Path(graded) / "grades.sqlite") as store:
         if points is not None:
             store.set_manual(student, assignment, problem, answer, points, comment)
-            return f"{place}: {points:g} of {worth[problem, answer]:g} points by hand"
+            return f"{label}: {points:g} of {worth[problem, answer]:g} points by hand"
         if not store.take_back(student, assignment, problem, answer):
-            raise BadInput(f"{place} has no points by hand")
-        return f"{place}: the automatic points count again"
+            raise InputError(f"{label} has no points by hand")
+        return f"{label}: the automatic points count again"
 
 
 def write(folder, assignment, graded, now, roster=None, site=""):
-    """Write tables and pages into `folder`; returns the changes since the last time, and students
-    the roster does not know."""
+    """Write tables and pages of a homework into a folder.
+
+    Returns (changes since the last time, students that the roster does not have).
+    """
     changes, all_changes, written = record.compared(folder / "grades.json", assignment, graded, now)
     files = {
         "grades.csv": exporting.grades_csv(assignment, graded),
@@ -154,47 +211,48 @@ def write(folder, assignment, graded, now, roster=None, site=""):
         f"feedback/{page_name(score.student)}": feedback(assignment, score, site)
         for score in graded
     }
-    strangers = []
+    unknown = []
     if roster is not None:
-        files["canvas.csv"], strangers = canvas.canvas_csv(assignment, graded, roster)
-    for name, text in (files | {"grades.json": written}).items():  # that one last
+        files["canvas.csv"], unknown = canvas.canvas_csv(assignment, graded, roster)
+    for name, text in (files | {"grades.json": written}).items():  # grades.json last
         record.put(folder / name, text)
-    return changes, strangers
+    return changes, unknown
 
 
 def page_name(student):
-    """The name of a student's page; a name too long for a file is cut, and told from others by its
-    hash."""
+    """Return the name of a student's page; one too long for a file is cut and gets its hash."""
     if len(student.encode()) <= 240:
         return f"{student}.html"
     return f"{student.encode()[:200].decode(errors='ignore')}-{hashlib.sha256(student.encode()).hexdigest()[:16]}.html"
 
 
 def _cluster(options, console):
-    # Only here, since grading on this machine needs nothing of it.
-    from workbook.grading.cluster.coordinator.coordinator import Cluster, check
+    # The only import of the cluster code; grading on this machine needs nothing of it.
+    from workbook.grading.cluster.coordinator import Cluster
 
     cluster = Cluster(
-        **options, tell=lambda line: console.print(line, markup=False, style="yellow")
+        **options, report=lambda line: console.print(line, markup=False, style="yellow")
     )
-    check(cluster)
+    cluster.check()
     if not cluster.address.startswith("tls://"):
-        cluster.tell(
+        cluster.report(
             f"{cluster.address} is not encrypted: who can reach it can read and change grades, and "
             "run anything on the workers"
         )
     return cluster
 
 
-def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, trusting, cluster):
+def _grade_with_progress_bar(
+    console, submitted, out, assignment_folder, processes, limits, trusting, cluster
+):
     bar = Progress(
         TextColumn("grading"),
         BarColumn(),
         MofNCompleteColumn(),
         TextColumn("{task.fields[rate]}"),
         TimeRemainingColumn(),
-        # Drawing it as often as it is by default takes as much of a processor as a fork
-        # for each notebook.
+        # Drawing it as often as by default takes as much processor time as a fork for each
+        # notebook.
         console=console,
         refresh_per_second=2,
         disable=console.quiet,
@@ -202,7 +260,7 @@ def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, t
     task = bar.add_task("grading", total=None, rate="")
 
     def progress(done, total):
-        if total:  # nothing is shown before it is known that there is something to do
+        if total:  # the bar is shown only if there is something to do
             bar.start()
             speed = bar.tasks[0].speed
             bar.update(
@@ -229,9 +287,9 @@ def _with_a_bar(console, submitted, out, assignment_folder, processes, limits, t
 
 
 def _assignments(folder):
-    """Where homeworks stand: the folder named, or `assignments` here, or nowhere."""
+    """Return the folder of assignment files: the given one, or `assignments` here, or None."""
     if folder is None:
         return Path("assignments") if Path("assignments").is_dir() else None
     if not Path(folder).is_dir():
-        raise BadInput(f"{folder} is not a folder")
+        raise InputError(f"{folder} is not a folder")
     return Path(folder)

@@ -1,24 +1,41 @@
-"""What `workbook grade` says of a homework on the terminal: what a lecturer has to know now;
-everything else is in the files."""
+"""Console summary: what `workbook grade` prints on a homework, for the lecturer to act on.
 
-from workbook.grading.canvas import difference
-from workbook.grading.handing_out import spoken
+Everything else is in the files.
+"""
+
+from workbook.grading.canvas import different_points
+from workbook.grading.handing_out import due_text
 from workbook.grading.pages import count
 
-#: Changes of grades, and points by hand that are too many, that are told one by one.
-MOST_TOLD = 20
+#: Changes of grades, and points by hand that are too many, that are printed one by one.
+MAX_LISTED = 20
 
 
-def tell(console, folder, assignment, graded, changes, file):
-    """Say on a rich `console` how many handed in, what waits for a look, and what changed; `file`
-    is the assignment's, or None."""
+def print_summary(console, folder, assignment, graded, changes, file):
+    """Print how many handed in, what needs a look, and what changed.
 
-    def say(line, **look):
-        console.print(line, markup=False, **look)
+    Parameters
+    ----------
+    console : rich.console.Console
+        Where to print.
+    folder : Path
+        The homework's results.
+    assignment : Assignment
+        The homework.
+    graded : list of StudentScore
+        The scores of the class.
+    changes : list of Change
+        Those since the last run.
+    file : Path or None
+        The assignment's.
+    """
 
-    say(
+    def print_line(line, **options):
+        console.print(line, markup=False, **options)
+
+    print_line(
         f"{assignment.name}: {assignment.max_points:g} points, "
-        + (f"due {spoken(assignment.due)}, " if assignment.due else "no due date, ")
+        + (f"due {due_text(assignment.due)}, " if assignment.due else "no due date, ")
         + (
             f"by {file}"
             if file
@@ -26,36 +43,36 @@ def tell(console, folder, assignment, graded, changes, file):
         )
     )
     if not file:
-        givers = {
+        numbers = {
             problem: sum(problem in score.counted for score in graded)
             for problem in assignment.problems
         }
-        told = [
-            f"{problem} (from {count(number, 'student')})" for problem, number in givers.items()
+        problems = [
+            f"{problem} (from {count(number, 'student')})" for problem, number in numbers.items()
         ]
-        say(f"  problems: {', '.join(told)}")
+        print_line(f"  problems: {', '.join(problems)}")
     handed_in, late = (
         sum(score.handed_in for score in graded),
         sum(bool(score.late) for score in graded),
     )
-    say(
+    print_line(
         f"  {handed_in} of {len(graded)} students handed something in, {late} late; tables and "
         f"pages in {folder}"
     )
-    waiting, spoilt = (
+    waiting, unusable = (
         sum(score.needs_review for score in graded),
-        sum(len(score.spoilt) for score in graded),
+        sum(len(score.unusable) for score in graded),
     )
     if waiting:
-        say(
+        print_line(
             f"  {waiting} need your look: {folder / 'summary.html'} says which answers could not "
             "be judged, and what was left aside; Moodle, Canvas and nbgrader get no grade of "
             "theirs yet",
             style="yellow",
         )
-    if spoilt:
-        say(
-            f"  {count(spoilt, 'notebook')} could not be read or run: {folder / 'summary.html'} "
+    if unusable:
+        print_line(
+            f"  {count(unusable, 'notebook')} could not be read or run: {folder / 'summary.html'} "
             "says whose, and why",
             style="yellow",
         )
@@ -67,27 +84,27 @@ def tell(console, folder, assignment, graded, changes, file):
         if answer.is_capped
     ]
     if capped:
-        say(
+        print_line(
             "  points by hand above what the answer is worth now count as that: "
-            f"{', '.join(_some(capped))}",
+            f"{', '.join(_shortened(capped))}",
             style="yellow",
         )
     if changes:
-        say(
+        print_line(
             f"  {len(changes)} "
             f"{'answer is not what it was' if len(changes) == 1 else 'answers are not what they were'}:"
         )
-    for change in changes[:MOST_TOLD]:
-        say(f"    {_told(change)}", highlight=False)
-    if len(changes) > MOST_TOLD:
-        say(f"    and {len(changes) - MOST_TOLD} more, all in {folder / 'changes.csv'}")
+    for change in changes[:MAX_LISTED]:
+        print_line(f"    {_change_text(change)}", highlight=False)
+    if len(changes) > MAX_LISTED:
+        print_line(f"    and {len(changes) - MAX_LISTED} more, all in {folder / 'changes.csv'}")
 
 
-def tell_of_roster(console, assignment, roster, strangers):
-    """Say in what the gradebook of Canvas and the grades differ."""
-    if strangers:
-        console.print(f"  not in the roster: {', '.join(strangers)}", markup=False, style="yellow")
-    if possible := difference(assignment, roster):
+def print_roster_differences(console, assignment, roster, unknown):
+    """Print how the grades differ from Canvas's gradebook: students `unknown` there, and points."""
+    if unknown:
+        console.print(f"  not in the roster: {', '.join(unknown)}", markup=False, style="yellow")
+    if possible := different_points(assignment, roster):
         console.print(
             f"  Canvas has {possible} points possible for {assignment.title}, the homework has "
             f"{assignment.max_points:g}: "
@@ -97,15 +114,15 @@ def tell_of_roster(console, assignment, roster, strangers):
         )
 
 
-def _some(names):
+def _shortened(names):
     return (
         names
-        if len(names) <= MOST_TOLD
-        else [*names[:MOST_TOLD], f"and {len(names) - MOST_TOLD} more"]
+        if len(names) <= MAX_LISTED
+        else [*names[:MAX_LISTED], f"and {len(names) - MAX_LISTED} more"]
     )
 
 
-def _told(change):
+def _change_text(change):
     verdicts = (
         [change.old_verdict]
         if change.old_verdict == change.new_verdict

@@ -1,5 +1,4 @@
-"""Grade everything submitted for a course: find, run what has no result yet, store each result at
-once."""
+"""Grade a course: find what was submitted, run what has no result, store each result."""
 
 import fcntl
 import os
@@ -14,21 +13,30 @@ from workbook.grading.forkserver import Forkserver
 from workbook.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds
 from workbook.grading.sandbox import Limits
 from workbook.grading.store import Store
-from workbook.grading.submissions import Aside, Submission
+from workbook.grading.submissions import LeftAside, Submission
 from workbook.notebooks import exercises
 
 
-class CourseError(assignments.BadInput):
-    """The folders given cannot be graded, or not now; the message says why."""
+class CourseError(assignments.InputError):
+    """The folders cannot be graded, or not now; the message gives the reason."""
 
 
 @dataclass(frozen=True)
 class Plan:
-    """What a run is to do: notebooks still to be graded, how many have a result already, and each
-    `Aside`."""
+    """What a run is to do.
+
+    Parameters
+    ----------
+    pending : tuple of dict
+        The tasks: notebooks to be graded.
+    graded_before : int
+        How many notebooks have a result already.
+    aside : tuple of LeftAside
+        What is left aside.
+    """
 
     pending: tuple
-    known: int
+    graded_before: int
     aside: tuple
 
 
@@ -41,16 +49,42 @@ def grade(
     bounds=Bounds(),
     trusting=False,
     cluster=None,
-    progress=lambda done, all: None,
+    progress=lambda done, total: None,
 ):
-    """Grade `submitted` into `out`/grades.sqlite; returns the assignments by name, the `Plan`, and
-    how many the grader failed on.
+    """Grade `submitted` into `out`/grades.sqlite.
 
     What has a result by the very same exercise and library is not graded again, so a killed run
-    goes on where it stopped, and a changed exercise regrades only what it changed; so do other
-    limits what met the former ones. Each result is stored as soon as it is there. With `trusting`
-    there is no sandbox; with a `workbook.grading.cluster.coordinator.Cluster` its workers grade, not this
-    machine.
+    continues where it stopped, and a changed exercise regrades only what it changed; other limits
+    regrade what exceeded the former ones. Each result is stored as soon as it is there.
+
+    Parameters
+    ----------
+    submitted, out : path
+        Folders of submissions and of results.
+    assignment_folder : path, optional
+        Folder of the assignment files.
+    count : int, optional
+        Number of worker processes; by default that of the processors.
+    limits, bounds : Limits, Bounds
+        Those of running and of judging a notebook.
+    trusting : bool
+        Whether notebooks run without a sandbox.
+    cluster : workbook.grading.cluster.coordinator.Cluster, optional
+        Its workers grade, not this machine.
+    progress : callable
+        Called with the numbers of notebooks that are done and that are to be graded.
+
+    Returns
+    -------
+    tuple
+        The assignments by name, the `Plan`, and how many notebooks the grader failed on.
+
+    Raises
+    ------
+    InputError
+        If the folders or files cannot be used.
+    SandboxUnavailableError
+        If there is no sandbox.
     """
     out = Path(out)
     if out.resolve().is_relative_to(Path(submitted).resolve()):
@@ -62,46 +96,46 @@ def grade(
     except OSError as error:
         raise CourseError(f"{out} cannot be made: {error.strerror}") from None
     for folder in () if trusting else (submitted, out):
-        if (shown := isolation.shown_through(folder)) is not None:
+        if (visible := isolation.visible_parent(folder)) is not None:
             raise CourseError(
-                f"{folder} lies in {shown}, which every notebook can read: move it elsewhere"
+                f"{folder} lies in {visible}, which every notebook can read: move it elsewhere"
             )
     with (
-        _alone(out),
-        _forkserver(out, cluster) as forkserver,
+        _locked(out),
+        _early_forkserver(out, cluster) as forkserver,
         Store(out / "grades.sqlite") as store,
     ):
-        found = list(submissions.find(submitted))
+        entries = list(submissions.find(submitted))
         files = assignments.files(assignment_folder)
-        known, alone = _homeworks(found, files)
+        homeworks, aside_reasons = _homeworks(entries, files)
         count = count or len(os.sched_getaffinity(0))
-        if cluster is None:  # or else each worker sees what fits it
-            limits, bounds = grader.fitting(limits, count), grader.fitting(bounds, count)
-        with store.together():
-            plan = _plan(*_by_attempt(found, known, alone, files), known, store, limits)
+        if cluster is None:  # else each worker of the cluster does so for its machine
+            limits, bounds = grader.fit_memory(limits, count), grader.fit_memory(bounds, count)
+        with store.transaction():
+            copies, aside = _by_attempt(entries, homeworks, aside_reasons, files)
+            plan = _plan(copies, aside, homeworks, store, limits)
         progress(0, len(plan.pending))
-        failed = 0
+        failures = 0
         with closing(
             _judgements(plan.pending, count, limits, bounds, trusting, cluster, forkserver)
         ) as judgements:
-            for done, (unit, judgement, within) in enumerate(judgements, start=1):
+            for done, (task, judgement, task_limits) in enumerate(judgements, start=1):
                 store.record(
-                    unit["key"],
-                    _as_graded(unit["exercise"], judgement.final, within),
+                    task["key"],
+                    _version(task["exercise"], judgement.final, task_limits),
                     judgement.verdicts,
                     judgement.answers,
                     judgement.remarks,
                     judgement.hashes,
                 )
-                failed += judgement.final == NOT_FINAL
+                failures += judgement.final == NOT_FINAL
                 progress(done, len(plan.pending))
-    return known, plan, failed
+    return homeworks, plan, failures
 
 
 @contextmanager
-def _alone(out):
-    """Two graders at work on one folder would do everything twice. The lock ends with the process,
-    however that ends."""
+def _locked(out):
+    """Lock the folder: two graders would do everything twice. The lock ends with the process."""
     try:
         file = open(out / ".grading", "w")
     except OSError as error:
@@ -115,9 +149,8 @@ def _alone(out):
 
 
 @contextmanager
-def _forkserver(out, cluster):
-    """In a first run, where something is sure to be graded, it imports what all need while
-    submissions are read."""
+def _early_forkserver(out, cluster):
+    """Start a forkserver while submissions are read, in a first run, which surely needs it."""
     if cluster is not None or (out / "grades.sqlite").exists():
         yield None
         return
@@ -126,26 +159,25 @@ def _forkserver(out, cluster):
 
 
 def _judgements(pending, count, limits, bounds, trusting, cluster, forkserver=None):
-    """(unit, its judgement, the limits it had) in the order they are done."""
-    for unit in pending:
-        if unit["trouble"]:
-            yield unit, grader.unreadable(exercises.find(unit["problem"]), unit["trouble"]), limits
-    by_key = {unit["key"]: unit for unit in pending if not unit["trouble"]}
+    """Yield (task, its judgement, the limits that it had) in the order they are done."""
+    for task in pending:
+        if task["trouble"]:
+            exercise = exercises.find(task["problem"])
+            yield task, grader.unreadable_notebook(exercise, task["trouble"]), limits
+    by_key = {task["key"]: task for task in pending if not task["trouble"]}
     if not by_key:
         return
-    modules = preloading.needed(
-        {unit["problem"] for unit in by_key.values()},
-        [source for unit in by_key.values() for source in unit["sources"]],
+    modules = preloading.modules_for(
+        {task["problem"] for task in by_key.values()},
+        [source for task in by_key.values() for source in task["sources"]],
     )
-    settings = grader.settings(limits, bounds, trusting) | {"modules": modules}
+    settings = grader.to_settings(limits, bounds, trusting) | {"modules": modules}
     if cluster is None:
         grading = worker_pool.grade_all(
             by_key.values(), min(count, len(by_key)), settings, forkserver
         )
     else:
-        from workbook.grading.cluster.coordinator.coordinator import grade_all
-
-        grading = grade_all(by_key.values(), settings, cluster)
+        grading = cluster.grade_all(by_key.values(), settings)
     with closing(grading) as results:
         for key, result in results:
             yield (
@@ -155,91 +187,114 @@ def _judgements(pending, count, limits, bounds, trusting, cluster, forkserver=No
             )
 
 
-def _as_graded(exercise, final, limits):
-    """Under which name a result is stored: what it depends on besides the notebook."""
+def _version(exercise, final, limits):
+    """Return the name under which a result is stored: what it depends on besides the notebook."""
     return {FINAL: exercise, WITHIN_LIMITS: f"{exercise} within {limits}", NOT_FINAL: "failed"}[
         final
     ]
 
 
 def _is_graded(versions, exercise, limits):
-    """Whether what counts is by this very exercise (a later version of it may have been taken
-    back), and would be no other now."""
+    """Return whether the newest result is by this very exercise, and would be the same now.
+
+    A later version of the exercise may have been undone.
+    """
     return (
         bool(versions)
         and versions[-1].split(" ")[0] == exercise
-        and any(_as_graded(exercise, final, limits) in versions for final in (FINAL, WITHIN_LIMITS))
+        and any(_version(exercise, final, limits) in versions for final in (FINAL, WITHIN_LIMITS))
     )
 
 
-def _plan(copies, aside, known, store, limits):
-    """`copies` and `aside` as of `_by_attempt`; `known` are the homeworks by name."""
-    prints, pending, noted, skipped = {}, {}, {}, 0
+def _plan(copies, aside, homeworks, store, limits):
+    """Note all attempts and return the `Plan`; `copies` and `aside` are those of `_by_attempt`."""
+    fingerprints, pending, noted, graded_before = {}, {}, {}, 0
     for (student, name, problem, content), same in copies.items():
-        if problem not in prints:
-            prints[problem] = fingerprint(exercises.find(problem))
+        if problem not in fingerprints:
+            fingerprints[problem] = fingerprint(exercises.find(problem))
         # One file of several with the same content: the earliest, or where the last attempt counts
         # the latest.
-        when = (max if known[name].attempt == "last" else min)(
+        when = (max if homeworks[name].attempt == "last" else min)(
             submission.submitted for submission in same
         )
         noted[store.note_attempt(student, name, problem, content, when)] = problem, same[0]
-    beyond = {attempt for name in known for attempt in store.beyond(name, known[name].attempts)}
+    surplus = {
+        attempt
+        for name in homeworks
+        for attempt in store.attempts_beyond(name, homeworks[name].attempts)
+    }
     for attempt, (problem, submission) in noted.items():
-        if attempt in beyond:  # it cannot count, so nobody has to wait for it
+        if attempt in surplus:  # it cannot count
             continue
-        if _is_graded(store.versions(attempt), prints[problem], limits):
-            skipped += 1
+        if _is_graded(store.versions(attempt), fingerprints[problem], limits):
+            graded_before += 1
             continue
         exercise = exercises.find(problem)
         pending[attempt] = {
             "key": attempt,
             "problem": problem,
-            "exercise": prints[problem],
+            "exercise": fingerprints[problem],
             "trouble": submission.trouble,
             "sources": exercise.to_run(submission.cells),
             "names": list(exercise.about["answers"]),
         }
-    return Plan(tuple(pending.values()), skipped, tuple(aside))
+    return Plan(tuple(pending.values()), graded_before, tuple(aside))
 
 
-def _by_attempt(found, known, alone, files):
-    """({(student, homework, problem, content): its submissions}, everything left aside).
+def _by_attempt(entries, homeworks, aside_reasons, files):
+    """Sort what was submitted by attempt.
 
-    `alone` says of (homework, problem) why its notebooks are left aside; `files` are those of the
-    homeworks by name.
+    Parameters
+    ----------
+    entries : list of Submission or LeftAside
+        All that was submitted.
+    homeworks : dict
+        Assignments by name.
+    aside_reasons : dict
+        Why notebooks for (homework, problem) are left aside.
+    files : dict
+        Assignment files by the name of the homework.
+
+    Returns
+    -------
+    tuple
+        ({(student, homework, problem, content): its submissions}, all that is left aside).
     """
     copies, aside = {}, []
-    for one in found:
-        if isinstance(one, Aside):
-            aside.append(one if one.assignment in known else replace(one, assignment=""))
+    for entry in entries:
+        name = entry.assignment
+        if isinstance(entry, LeftAside):
+            aside.append(entry if name in homeworks else replace(entry, assignment=""))
             continue
-        if one.assignment not in known:
-            aside.append(Aside(one.path, matching.no_homework(one, files), one.student))
+        if name not in homeworks:
+            reason = matching.why_no_homework(entry, files)
+            aside.append(LeftAside(entry.path, reason, entry.student))
             continue
-        problem = matching.problem_for(one, known[one.assignment])
-        if (one.assignment, one.problem) in alone:
-            aside.append(
-                Aside(one.path, alone[one.assignment, one.problem], one.student, one.assignment)
-            )
-        elif isinstance(problem, Aside):
+        problem = matching.problem_for(entry, homeworks[name])
+        if (name, entry.problem) in aside_reasons:
+            reason = aside_reasons[name, entry.problem]
+            aside.append(LeftAside(entry.path, reason, entry.student, name))
+        elif isinstance(problem, LeftAside):
             aside.append(problem)
         else:
-            copies.setdefault((one.student, one.assignment, problem, one.content), []).append(one)
+            copies.setdefault((entry.student, name, problem, entry.content), []).append(entry)
     return copies, aside
 
 
-def _homeworks(found, files):
-    """({name: homework}, why problems that no file asks for are left aside): each by its file, or
-    else by what was handed in."""
-    known, alone = {}, {}
-    for name in sorted({one.assignment for one in found if one.assignment}):
+def _homeworks(entries, files):
+    """Return (assignments by name, why notebooks for (name, problem) are left aside).
+
+    An assignment is read from its file, or inferred from what was handed in.
+    """
+    homeworks, aside_reasons = {}, {}
+    for name in sorted({entry.assignment for entry in entries if entry.assignment}):
         if name in files:
-            known[name] = assignments.read(files[name])
+            homeworks[name] = assignments.read(files[name])
         elif files:
-            # it would be a homework of its own, and a silent zero in the one that was meant
+            # A folder with a misspelt name would be a homework of its own, and its notebooks would
+            # be missing, unnoticed, in the one that was meant.
             pass
-        elif any(isinstance(one, Submission) and one.assignment == name for one in found):
-            known[name], whys = matching.unwritten(name, found)
-            alone |= {(name, problem): why for problem, why in whys.items()}
-    return known, alone
+        elif any(isinstance(entry, Submission) and entry.assignment == name for entry in entries):
+            homeworks[name], reasons = matching.infer_homework(name, entries)
+            aside_reasons |= {(name, problem): reason for problem, reason in reasons.items()}
+    return homeworks, aside_reasons

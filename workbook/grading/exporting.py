@@ -1,10 +1,9 @@
-"""Grades as other systems read them: a plain table, Moodle, nbgrader, and Gradescope's
-results.json; Canvas is in `canvas`.
+"""Exporting: grades as a plain table, for Moodle, for nbgrader and for Gradescope.
 
-Every table is quoted CSV in UTF-8. Tables for people's eyes (grades.csv, changes.csv) guard against
-names that a spreadsheet would run as a formula; in tables that another system reads back, an
-identifier goes through as it is. A grade that still needs a lecturer's look is not handed to
-Moodle, Canvas or nbgrader: it is neither right nor wrong yet.
+Canvas is in `canvas`. Every table is quoted CSV in UTF-8. Tables for people (grades.csv,
+changes.csv) guard against names that a spreadsheet would run as a formula; in tables that another
+system reads, an identifier is unchanged. A grade that still needs a lecturer's look is not exported
+to Moodle, Canvas or nbgrader: it is neither right nor wrong yet.
 """
 
 import csv
@@ -17,13 +16,12 @@ from workbook.checks.contract.verdict import RIGHT, UNCHECKED
 
 # For people
 
-#: Without it spreadsheets take UTF-8 for an older encoding, and accents go wrong.
+#: The byte order mark, without which spreadsheets take UTF-8 for an older encoding.
 BOM = "\ufeff"
 
 
 def grades_csv(assignment, scores):
-    """One row a student: points by problem, total, late problems, whether somebody has to look at
-    it."""
+    """Return a row for each student: points by problem, total, late problems, needs review."""
     header = ["student", *assignment.problems, "total", "max", "late", "needs review"]
     rows = [
         [
@@ -39,12 +37,11 @@ def grades_csv(assignment, scores):
         ]
         for score in scores
     ]
-    return BOM + quoted([header, *(map(_harmless, row) for row in rows)])
+    return BOM + quoted([header, *(map(_without_formula, row) for row in rows)])
 
 
 def changes_csv(changes):
-    """One row for each answer whose verdict or points changed since they were first written, oldest
-    first."""
+    """Return a row for each `Change` of a verdict or of points, oldest first."""
     header = [
         "when",
         "student",
@@ -70,12 +67,14 @@ def changes_csv(changes):
         ]
         for change in changes
     ]
-    return BOM + quoted([header, *(map(_harmless, row) for row in rows)])
+    return BOM + quoted([header, *(map(_without_formula, row) for row in rows)])
 
 
-def _harmless(cell):
-    """A name such as =cmd() is data, but spreadsheets run what begins like a formula. A signed
-    number stays a number."""
+def _without_formula(cell):
+    """Return a cell that spreadsheets do not run as a formula, as they would =cmd().
+
+    A signed number stays a number.
+    """
     return f"'{cell}" if re.match(r"[=@\t\r\n]|[+-](?!\d*\Z)", cell) else cell
 
 
@@ -83,9 +82,9 @@ def _harmless(cell):
 
 
 def moodle_csv(assignment, scores):
-    """For Moodle's import, which maps columns by hand: the grade and its feedback always together.
+    """Return a table for Moodle's import, with a column of grades and one of feedback.
 
-    Importing feedback without the grade would wipe grades, so who has no grade yet has no row.
+    Importing feedback without the grade would delete grades, so a student without one has no row.
     """
     ready = [score for score in scores if score.handed_in and not score.needs_review]
     identity = (
@@ -96,8 +95,7 @@ def moodle_csv(assignment, scores):
 
 
 def nbgrader_csv(assignment, scores):
-    """The columns of `nbgrader export`, quoted (its own export is not); times in UTC without a
-    zone, as there."""
+    """Return the columns of `nbgrader export`, quoted; times in UTC without a zone, as there."""
     header = [
         "assignment",
         "duedate",
@@ -133,14 +131,29 @@ def nbgrader_csv(assignment, scores):
     return quoted([header, *rows])
 
 
-def gradescope_json(score, hinted, remarks, points, seconds):
-    """results.json for one submission: a test an answer, with its message, never the solution.
+def gradescope_json(score, hint_counts, remarks, points, seconds):
+    """Return results.json for one submission: a test for each answer, never the solution.
 
-    `hinted` maps (problem, answer) to how many hints the notebook has to it; `points` are those
-    that count, which may be an earlier submission's; `seconds` is how long grading took.
+    Parameters
+    ----------
+    score : StudentScore
+        Of the submission.
+    hint_counts : dict
+        How many hints the notebook has, by (problem, answer).
+    remarks : list of str
+        On the submission.
+    points : float
+        Those that count, which may be an earlier submission's.
+    seconds : float
+        How long grading took.
+
+    Returns
+    -------
+    str
+        JSON.
     """
     tests = [
-        _gradescope_test(answer, hinted.get((answer.problem, answer.answer), 0))
+        _gradescope_test(answer, hint_counts.get((answer.problem, answer.answer), 0))
         for answer in score.answers
     ]
     return (
@@ -161,24 +174,26 @@ def gradescope_json(score, hinted, remarks, points, seconds):
     )
 
 
-def _gradescope_test(answer, hinted):
+def _gradescope_test(answer, hint_count):
     status, message, mistake = answer.verdict.status, answer.verdict.message, answer.verdict.mistake
-    # Gradescope knows no third state beside passed and failed: the text has to say it.
+    # Gradescope has only the states passed and failed, so the text says it.
     waiting = (
         ["It is not judged wrong; it has no points until your lecturer has looked at it."]
         if status == UNCHECKED
         else []
     )
-    # Nothing can be folded here, so the hints stay where they are.
-    to_open = (
-        [f"The notebook has {hinted} hint{'s' * (hinted > 1)} to this answer."] if hinted else []
+    # Nothing can be folded here, so the hints are only counted.
+    hints = (
+        [f"The notebook has {hint_count} hint{'s' * (hint_count > 1)} to this answer."]
+        if hint_count
+        else []
     )
     return {
         "name": f"{answer.problem} {answer.answer}",
         "score": round(answer.points, 4),
         "max_score": round(answer.max_points, 4),
         "status": "passed" if status == RIGHT else "failed",
-        "output": "\n".join([f"{status}: {message}", *mistake.splitlines(), *waiting, *to_open]),
+        "output": "\n".join([f"{status}: {message}", *mistake.splitlines(), *waiting, *hints]),
         "output_format": "text",
         "visibility": "visible",
     }
@@ -202,12 +217,12 @@ def _utc(seconds):
 
 
 def decimal(value):
-    """A number as a table has it."""
+    """Return a number with two decimals."""
     return f"{value:.2f}"
 
 
 def quoted(rows, delimiter=","):
-    """A table as text."""
+    """Return rows as CSV with every cell quoted."""
     text = io.StringIO()
     csv.writer(text, quoting=csv.QUOTE_ALL, delimiter=delimiter, lineterminator="\r\n").writerows(
         rows

@@ -1,5 +1,7 @@
-"""The page a student gets: each answer, what held and what did not, the hints, a link to the
-theory; never a solution."""
+"""Feedback: the page for a student, with verdicts, hints and links to the theory.
+
+It never has a solution.
+"""
 
 from html import escape
 from pathlib import Path
@@ -7,7 +9,7 @@ from pathlib import Path
 from trajlib.typesetting import plain
 from workbook.checks.contract.reporting import MARKS
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
-from workbook.grading.handing_out import spoken
+from workbook.grading.handing_out import due_text
 from workbook.grading.pages import count, page, points
 from workbook.notebooks import exercises
 
@@ -21,8 +23,22 @@ LEGEND = {
 
 
 def feedback(assignment, score, site=""):
-    """The page as HTML. `site` is the address of the student edition of the site; without it the
-    theory is named, not linked."""
+    """Return the page as HTML.
+
+    Parameters
+    ----------
+    assignment : Assignment
+        The homework.
+    score : StudentScore
+        The student's.
+    site : str
+        Address of the student edition of the site; without it the theory is named, not linked.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
     waiting = (
         f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer"
         if score.to_review
@@ -30,27 +46,26 @@ def feedback(assignment, score, site=""):
     )
     parts = [f"<p>{points(score.points)} of {points(score.max_points)} points{waiting}.</p>"]
     if assignment.due:
-        parts.append(f'<p class="soft">Due {spoken(assignment.due)}.</p>')
+        parts.append(f'<p class="soft">Due {due_text(assignment.due)}.</p>')
     if score.aside:
-        named = "".join(
-            f"<li><code>{escape(Path(one.path).name)}</code>: {escape(one.why)}</li>"
-            for one in score.aside
+        entries = "".join(
+            f"<li><code>{escape(Path(entry.path).name)}</code>: {escape(entry.why)}</li>"
+            for entry in score.aside
         )
-        look = "; your lecturer will look at it" if score.waits_aside else ""
-        parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{named}</ul>")
+        look = "; your lecturer will look at it" if score.aside_needs_review else ""
+        parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{entries}</ul>")
     for problem in assignment.problems:
-        about, mine = exercises.find(problem).about, score.of_problem(problem)
-        earned = (
-            f"{points(sum(a.points for a in mine))} / {points(sum(a.max_points for a in mine))}"
-        )
+        about, answers = exercises.find(problem).about, score.of_problem(problem)
+        earned = f"{points(sum(a.points for a in answers))} / {points(sum(a.max_points for a in answers))}"
         parts.append(
             f"<h2><span>{escape(problem)} {escape(about['title'])}</span><span "
             f'class="points">{earned}</span></h2>'
         )
-        parts += _of_problem(problem, about, mine, score)
+        parts += _of_problem(problem, about, answers, score)
         parts.append(f"<p>{_theory(problem, site)}</p>")
     legend = "".join(
-        f'<li class="{status}">{_mark(status)}: {said}</li>' for status, said in LEGEND.items()
+        f'<li class="{status}">{_mark(status)}: {meaning}</li>'
+        for status, meaning in LEGEND.items()
     )
     return page(
         assignment.title,
@@ -60,7 +75,7 @@ def feedback(assignment, score, site=""):
 
 
 def hints(answer, about):
-    """The hints to an answer that is not there yet, the same as in the notebook."""
+    """Return the hints of the notebook for an answer that is not right yet."""
     return (
         about["hints"].get(answer.answer, [])
         if answer.verdict.status in (WRONG, MISSING, INVALID)
@@ -91,7 +106,7 @@ def _of_problem(problem, about, answers, score):
     return parts + [_answer(answer, about, hints(answer, about)) for answer in answers]
 
 
-def _answer(answer, about, to_open):
+def _answer(answer, about, hint_texts):
     name, verdict = answer.answer, answer.verdict
     earned = f"{points(answer.points)} / {points(answer.max_points)}"
     parts = [
@@ -110,7 +125,7 @@ def _answer(answer, about, to_open):
         )
     parts += [
         f"<details><summary>Hint {k}</summary>{escape(plain(hint))}</details>"
-        for k, hint in enumerate(to_open, 1)
+        for k, hint in enumerate(hint_texts, 1)
     ]
     return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
 

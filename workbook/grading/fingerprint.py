@@ -1,5 +1,7 @@
-"""What a stored result depends on besides the notebook, as one hash: when it changes, the notebook
-is graded again."""
+"""Fingerprint: one hash of all that a stored result depends on besides the notebook.
+
+When it changes, the notebook is graded again.
+"""
 
 import hashlib
 import json
@@ -7,15 +9,18 @@ import json
 from workbook.mistakes import file_beside
 from workbook.notebooks.dependencies import module_closure
 
-#: What runs a notebook's cells, and reads and judges what they hand over.
-JUDGES = "import workbook.notebooks.cells, workbook.grading.judging"
+#: The modules that run a notebook's cells, and read and judge what they hand over.
+JUDGING_MODULES = "import workbook.notebooks.cells, workbook.grading.judging"
 
 
 def fingerprint(exercise):
-    """What a result depends on besides the notebook: the exercise's data and check cells, its named
-    mistakes, the library under them, and the judge."""
+    """Return the hash of what judges the answers of an exercise.
+
+    This is its data and check cells, its named mistakes, and all modules of ours that these cells
+    import or that run and judge a notebook.
+    """
     cells, mistakes = exercise.code("data", "check"), file_beside(exercise.path)
-    closure = module_closure("\n".join([JUDGES, *(source for _, source in cells)]))
+    closure = module_closure("\n".join([JUDGING_MODULES, *(source for _, source in cells)]))
     return hashlib.sha256(
         json.dumps(
             [cells, mistakes.read_text(encoding="utf-8") if mistakes.is_file() else "", closure],

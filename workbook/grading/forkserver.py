@@ -1,14 +1,18 @@
-"""A process that has imported what grading needs, and from which others are forked that need not
-import it again.
+"""Forkserver: imports once, forks workers on request.
 
-It is started afresh with an empty environment, and hears only what to fork, never anything of a
-student's: whatever it held would stand in the memory of every notebook's process. Sandboxes come
-from a second forkserver, forked from the first before that imports what checks alone use: the smaller
-a process, the cheaper its forks. A lane asks for them there, and is itself no ancestor of theirs;
-so nothing that a lane learns is ever inside one. In a sandbox, notebooks' processes come from a
-third one (`worker`).
+A forkserver (on Android: zygote) starts afresh with an empty environment and receives only
+requests to fork, never data of a student: whatever it held would be in the memory of every
+notebook's process. A request names what to run as "module:function", and only the names of an
+allow-list are started. Three forkservers grade:
+
+- the first imports what notebooks and checks need, and forks worker processes (`worker_pool`);
+- each worker process has a second one, forked from the first before that imports what only checks
+  use (the smaller a process, the cheaper its forks). Sandboxes are forked from it, so a worker
+  process is no ancestor of them, and nothing that it receives is ever inside one;
+- inside each sandbox, a third one (`notebook_worker`) forks a process for each notebook.
 """
 
+import importlib
 import json
 import os
 import signal
@@ -20,159 +24,169 @@ from contextlib import contextmanager, suppress
 from functools import partial
 
 from workbook.grading import framing, isolation
-from workbook.grading.isolation import NotStarted, end_with_parent
-from workbook.grading.preloading import into_huge_pages, preload
+from workbook.grading.isolation import ProcessStartError
+from workbook.grading.preloading import collapse_into_huge_pages, preload
+from workbook.grading.system_calls import die_with_parent
+
+#: All that the forkservers outside a sandbox start, as "module:function".
+FORKSERVER = "workbook.grading.forkserver:serve_inherited"
+WORKER_PROCESS = "workbook.grading.worker_pool:run_worker"
+NOTEBOOK_WORKER = "workbook.grading.notebook_worker:serve_notebooks"
+ALLOWED = (FORKSERVER, WORKER_PROCESS, NOTEBOOK_WORKER)
 
 START = "from workbook.grading import forkserver; forkserver.main({control}, {modules!r})"
-#: Bytes of a request or an answer.
-LONGEST = 2**16
+#: Bytes of a request or a reply.
+MAX_MESSAGE = 2**16
 #: Seconds that importing everything may take, on a busy machine.
-TO_ANSWER = 120
-HIGHEST_DESCRIPTOR = 4096
+REPLY_SECONDS = 120
+MAX_DESCRIPTOR = 4096
 
 
 class Forkserver:
-    """The other processes' end: asks for forks. Several threads may."""
+    """A client's end of a forkserver; several threads may use it."""
 
     def __init__(self, control, end=lambda: None, bubblewrap=None):
-        self._control, self._end, self._bubblewrap, self._asking = (
-            control,
-            end,
-            bubblewrap,
-            threading.Lock(),
-        )
-        control.settimeout(TO_ANSWER)
+        self._control, self._end, self._bubblewrap = control, end, bubblewrap
+        self._lock = threading.Lock()
+        control.settimeout(REPLY_SECONDS)
 
     @classmethod
     def start(cls, modules):
-        """A fresh process, which imports `modules` (names) and then forks."""
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        with theirs:
-            command = isolation.python(START.format(control=theirs.fileno(), modules=list(modules)))
+        """Start a fresh process that imports `modules` (names) and then forks on request."""
+        control, server_end = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with server_end:
+            command = isolation.python_command(
+                START.format(control=server_end.fileno(), modules=list(modules))
+            )
             # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends it.
             process = subprocess.Popen(
                 command,
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
-                env=isolation.environment_outside(),
-                pass_fds=[theirs.fileno()],
+                env=isolation.grader_environment(),
+                pass_fds=[server_end.fileno()],
                 start_new_session=True,
-                preexec_fn=partial(end_with_parent, os.getpid()),
+                preexec_fn=partial(die_with_parent, os.getpid()),
             )
-        return cls(ours, lambda: (process.kill(), process.wait()))
+        return cls(control, lambda: (process.kill(), process.wait()))
 
     @classmethod
-    def at(cls, descriptor, bubblewrap):
-        """One that was `divided` off by another process, which handed the socket over.
+    def attach(cls, descriptor, bubblewrap):
+        """Use a child forkserver whose socket another process handed over as `descriptor`.
 
-        `bubblewrap` is where the grader found it, whose PATH this process has not.
+        `bubblewrap` is its path as the grader found it: this process does not have the grader's
+        PATH.
         """
         return cls(socket.socket(fileno=descriptor), bubblewrap=bubblewrap)
 
     def spawn_child(self):
-        """Fork a forkserver from this one, which has imported what this one has by now: its number,
-        and the socket on which whoever holds that can ask it; it ends when nobody does."""
-        with self._asking:
-            self._tell({"pack": True})
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        with theirs:
-            return self.fork("forkserver", [], [theirs.fileno()]), ours
+        """Fork a child forkserver; return (pid, control socket).
+
+        The child has imported what this one has by now, and exits when the socket closes.
+        """
+        with self._lock:
+            self._send({"huge pages": True})
+        control, child_end = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with child_end:
+            return self.fork(FORKSERVER, [], [child_end.fileno()]), control
 
     def alive(self):
-        """Whether its process runs; nobody may be waiting for an answer of it."""
-        with self._asking:  # nothing but its end comes unasked
+        """Return whether the process runs; no other thread may be waiting for a reply."""
+        with self._lock:  # without a request, the socket becomes readable only when it ends
             return self._control.fileno() >= 0 and not framing.readable([self._control], 0)
 
     @property
     def bubblewrap(self):
-        """Where bubblewrap is. Raises `NoIsolation` where there is none."""
-        return self._bubblewrap or isolation.bubblewrap()
+        """The path of bubblewrap; raises `SandboxUnavailableError` if it is not installed."""
+        return self._bubblewrap or isolation.find_bubblewrap()
 
     def load(self, modules):
-        """Let it import more before it forks next. Nobody waits for that; if it dies of it, the
-        next fork tells."""
-        with self._asking, suppress(NotStarted):
-            self._tell({"load": list(modules)})
+        """Import more modules before the next fork, without waiting for it.
 
-    def fork(self, kind, given, descriptors):
-        """Fork a process of a `kind` (of `_KINDS`) with these descriptors as its 0, 1, ..., where
-        None leaves what is there; returns its number."""
-        with self._asking:
-            self.begin_fork(kind, given, descriptors)
-            return self.forked()
+        If the forkserver dies of that, the next fork raises the error.
+        """
+        with self._lock, suppress(ProcessStartError):
+            self._send({"load": list(modules)})
 
-    def begin_fork(self, kind, given, descriptors):
-        """What `fork` does, without waiting: whoever alone asks this forkserver gets the number from
-        `forked`."""
-        numbers = [
-            number for number, descriptor in enumerate(descriptors) if descriptor is not None
+    def fork(self, name, arguments, descriptors):
+        """Fork a process that runs `name` of `ALLOWED` with JSON-able arguments; return its pid.
+
+        The process has these descriptors as its 0, 1, ...; None keeps the forkserver's own.
+        """
+        with self._lock:
+            self.begin_fork(name, arguments, descriptors)
+            return self.finish_fork()
+
+    def begin_fork(self, name, arguments, descriptors):
+        """Request a fork without waiting; for the only user of this forkserver."""
+        targets = [
+            target for target, descriptor in enumerate(descriptors) if descriptor is not None
         ]
-        self._tell(
-            {"fork": kind, "given": given, "numbers": numbers},
-            [descriptors[number] for number in numbers],
+        self._send(
+            {"fork": name, "arguments": arguments, "targets": targets},
+            [descriptors[target] for target in targets],
         )
 
-    def forked(self):
-        return self._answer()["number"]
+    def finish_fork(self):
+        """Return the pid of the process that `begin_fork` requested."""
+        return self._receive()["pid"]
 
-    def place_in_proc(self):
-        """Of one that tells it first of all: its number, and a descriptor of the /proc in which it
-        has this number."""
-        with _told():
-            number, descriptors, _, _ = socket.recv_fds(self._control, LONGEST, 1)
+    def receive_proc(self):
+        """Return (own pid, descriptor of the /proc that has it), which a sandbox's sends first."""
+        with _start_errors():
+            pid, descriptors, _, _ = socket.recv_fds(self._control, MAX_MESSAGE, 1)
         if not descriptors:
-            raise NotStarted("the process that notebooks are forked from ended")
-        return int(number), descriptors[0]
+            raise ProcessStartError("the process that notebooks are forked from ended")
+        return int(pid), descriptors[0]
 
-    def wake(self, number):
-        """Send a process that was forked here the signal of an alarm."""
-        self._tell({"wake": number})
+    def wake(self, pid):
+        """Send SIGALRM to a process that was forked here."""
+        self._send({"wake": pid})
 
-    def forget(self, number):
-        """What `end` does, without waiting."""
-        self._tell({"forget": number})
+    def forget(self, pid):
+        """End a process without waiting for it."""
+        self._send({"forget": pid})
 
-    def ended(self, number, within=0.0):
-        """The exit code of a process forked here, negative for a signal; None if it runs on after
-        so many seconds."""
-        return self._ask({"ended": number, "within": within})["code"]
+    def exit_code(self, pid, within=0.0):
+        """Return a process's exit code, negative for a signal; None if it runs after `within` s."""
+        return self._request({"exit code": pid, "within": within})["code"]
 
-    def end(self, number, within=0.0):
-        """Its exit code; if it runs on after so many seconds, it is killed with all that it started
-        in its session."""
-        return self._ask({"end": number, "within": within})["code"]
+    def end(self, pid, within=0.0):
+        """Return a process's exit code; kill it and its session if it runs after `within` s."""
+        return self._request({"end": pid, "within": within})["code"]
 
     def close(self):
-        """End the forkserver; what was forked from it ends too."""
+        """End the forkserver, and with it all that was forked from it."""
         self._control.close()
         self._end()
 
-    def _ask(self, request):
-        with self._asking:
-            self._tell(request)
-            return self._answer()
+    def _request(self, request):
+        with self._lock:
+            self._send(request)
+            return self._receive()
 
-    def _tell(self, request, descriptors=()):
-        with _told():
+    def _send(self, request, descriptors=()):
+        with _start_errors():
             socket.send_fds(self._control, [json.dumps(request).encode()], descriptors)
 
-    def _answer(self):
-        with _told():
-            answer = self._control.recv(LONGEST)
-        if not answer:
-            raise NotStarted(
+    def _receive(self):
+        with _start_errors():
+            reply = self._control.recv(MAX_MESSAGE)
+        if not reply:
+            raise ProcessStartError(
                 "the process that others are forked from ended: the machine may be out of memory; "
                 "the same command goes on from here"
             )
-        return json.loads(answer)
+        return json.loads(reply)
 
 
 @contextmanager
-def _told():
+def _start_errors():
+    """Raise `ProcessStartError` in place of an `OSError` on the control socket."""
     try:
         yield
     except OSError as error:
-        raise NotStarted(
+        raise ProcessStartError(
             f"the process that others are forked from is gone or too slow ({error}): the machine "
             "may be out of memory; the same command goes on from here"
         ) from None
@@ -182,29 +196,47 @@ def _told():
 
 
 def main(control, modules):
-    preload(*modules, "workbook.grading.worker_pool", "workbook.grading.notebook_worker")
-    serve(socket.socket(fileno=control), _KINDS)
+    """Import `modules` and the modules of the allow-list, then serve the socket `control`."""
+    preload(*modules, *(name.partition(":")[0] for name in ALLOWED))
+    serve(socket.socket(fileno=control), ALLOWED)
 
 
-def serve(control, kinds, apart=None, tidy=lambda: None):
-    """Fork as asked, of `kinds` (functions by name), until nobody is there to ask. Requests are the
-    grader's own; nothing else ever comes in.
+def serve_inherited():
+    """Serve, in a forked process, the socket that it has as standard input."""
+    serve(take_control_socket(), ALLOWED)
 
-    `apart` is called before each fork where each process begins a namespace of its own, from which
-    no parent is to be seen; `tidy` when one was ended, and in the end.
+
+def serve(control, allowed, first_arguments=(), before_fork=None, after_end=lambda: None):
+    """Fork on request until the socket `control` closes.
+
+    Requests come from the grader alone.
+
+    Parameters
+    ----------
+    control : socket.socket
+        A SOCK_SEQPACKET socket with the requests; the client is a `Forkserver`.
+    allowed : collection of str
+        The names "module:function" that may be started.
+    first_arguments : tuple
+        Arguments that each function gets before those of the request.
+    before_fork : callable, optional
+        Called before each fork; given where each child begins a PID namespace of its own, from
+        which its parent cannot be seen.
+    after_end : callable
+        Called after a child was ended, and when the socket has closed.
     """
-    this = os.getpid() if apart is None else 0
+    parent = os.getpid() if before_fork is None else 0
     while True:
-        message, descriptors, _, _ = socket.recv_fds(control, LONGEST, 3)
+        message, descriptors, _, _ = socket.recv_fds(control, MAX_MESSAGE, 3)
         if not message:
-            tidy()
+            after_end()
             return
         request = json.loads(message)
         if "load" in request:
             preload(*request["load"])
             continue
-        if "pack" in request:
-            into_huge_pages()
+        if "huge pages" in request:
+            collapse_into_huge_pages()
             continue
         if "wake" in request:
             with suppress(ProcessLookupError):
@@ -212,81 +244,70 @@ def serve(control, kinds, apart=None, tidy=lambda: None):
             continue
         if "forget" in request:
             _end(request["forget"], 0)
-            tidy()
+            after_end()
             continue
         if "fork" in request:
-            if apart is not None:
-                apart()
-            number = os.fork()
-            if number == 0:
+            if before_fork is not None:
+                before_fork()
+            pid = os.fork()
+            if pid == 0:
                 control.detach()
-                _run_to_the_end(
-                    _become,
-                    kinds[request["fork"]],
-                    request["given"],
-                    descriptors,
-                    request["numbers"],
-                    this,
-                )
+                _run_and_exit(request, allowed, first_arguments, descriptors, parent)
             for descriptor in descriptors:
                 os.close(descriptor)
-            answer = {"number": number}
-        elif "ended" in request:
-            answer = {"code": _code(request["ended"], request["within"])}
+            reply = {"pid": pid}
+        elif "exit code" in request:
+            reply = {"code": _exit_code(request["exit code"], request["within"])}
         else:
-            answer = {"code": _end(request["end"], request["within"])}
-            tidy()
+            reply = {"code": _end(request["end"], request["within"])}
+            after_end()
         with suppress(BrokenPipeError, ConnectionResetError):
-            control.send(json.dumps(answer).encode())
+            control.send(json.dumps(reply).encode())
 
 
-#: Exit codes of processes that have ended, by their numbers.
-_codes = {}
+def entry_point(name, allowed):
+    """Return the function "module:function"; raise `PermissionError` unless it is allowed."""
+    if name not in allowed:
+        raise PermissionError(f"a forkserver does not start {name!r}")
+    module, _, function = name.partition(":")
+    return getattr(importlib.import_module(module), function)
 
 
-def _code(number, within):
-    give_up = time.monotonic() + within
-    while number not in _codes:
-        ended, status = os.waitpid(number, os.WNOHANG)
+#: Exit codes of processes that have ended, by pid.
+_exit_codes = {}
+
+
+def _exit_code(pid, within):
+    deadline = time.monotonic() + within
+    while pid not in _exit_codes:
+        ended, status = os.waitpid(pid, os.WNOHANG)
         if ended:
-            _codes[number] = os.waitstatus_to_exitcode(status)
-        elif time.monotonic() >= give_up:
+            _exit_codes[pid] = os.waitstatus_to_exitcode(status)
+        elif time.monotonic() >= deadline:
             return None
         else:
             time.sleep(0.005)
-    return _codes[number]
+    return _exit_codes[pid]
 
 
-def _end(number, within):
-    if _code(number, within) is None:
+def _end(pid, within):
+    if _exit_code(pid, within) is None:
         with suppress(ProcessLookupError):
-            os.killpg(number, signal.SIGKILL)
-        os.kill(number, signal.SIGKILL)
-        _codes[number] = os.waitstatus_to_exitcode(os.waitpid(number, 0)[1])
-    return _codes.pop(number)
+            os.killpg(pid, signal.SIGKILL)
+        os.kill(pid, signal.SIGKILL)
+        _exit_codes[pid] = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+    return _exit_codes.pop(pid)
 
 
-def _become(function, given, descriptors, numbers, parent):
-    # Or signals to its process group, number 0, would reach its parent through all namespaces.
-    os.setsid()
-    end_with_parent(parent)
-    # both ascend, so that none is in the way
-    for number, descriptor in zip(numbers, descriptors, strict=True):
-        os.dup2(descriptor, number)
-    os.closerange(max([2, *numbers]) + 1, HIGHEST_DESCRIPTOR)
-    _codes.clear()
-    function(*given)
-
-
-def _run_to_the_end(function, *given):
-    """Run what a forked process is for; it ends here, whatever happens, and nothing of its parent's
-    is tidied up."""
+def _run_and_exit(request, allowed, first_arguments, descriptors, parent):
+    """Run what a child was forked for and exit, whatever happens, without the parent's cleanup."""
     code = 1
     try:
-        function(*given)
+        _take_over(descriptors, request["targets"], parent)
+        entry_point(request["fork"], allowed)(*first_arguments, *request["arguments"])
         code = 0
-    except SystemExit as asked:
-        code = asked.code if isinstance(asked.code, int) else 0
+    except SystemExit as exit_request:
+        code = exit_request.code if isinstance(exit_request.code, int) else 0
     except BaseException as error:
         with suppress(OSError):
             os.write(2, f"{error!r}\n".encode(errors="replace"))
@@ -294,28 +315,21 @@ def _run_to_the_end(function, *given):
         os._exit(code)
 
 
-def control_of_input():
-    """The socket that this process was forked with as its input, which now leads nowhere."""
-    control, nothing = os.dup(0), os.open("/dev/null", os.O_RDONLY)
-    os.dup2(nothing, 0)
-    os.close(nothing)
+def _take_over(descriptors, targets, parent):
+    """Make the forked process independent of its parent, but for the given descriptors."""
+    # Or signals to its process group, number 0, would reach its parent through all namespaces.
+    os.setsid()
+    die_with_parent(parent)
+    # Both ascend, so that none is overwritten before it is duplicated.
+    for target, descriptor in zip(targets, descriptors, strict=True):
+        os.dup2(descriptor, target)
+    os.closerange(max([2, *targets]) + 1, MAX_DESCRIPTOR)
+    _exit_codes.clear()
+
+
+def take_control_socket():
+    """Return the socket that this process has as standard input, which becomes /dev/null."""
+    control, null = os.dup(0), os.open("/dev/null", os.O_RDONLY)
+    os.dup2(null, 0)
+    os.close(null)
     return socket.socket(fileno=control)
-
-
-def _forkserver():
-    serve(control_of_input(), _KINDS)
-
-
-def _lane(settings, bubblewrap):
-    from workbook.grading import worker_pool
-
-    worker_pool.work(settings, bubblewrap)
-
-
-def _worker(mode, limits, bubblewrap, folder):
-    from workbook.grading import notebook_worker
-
-    notebook_worker.begin(mode, limits, bubblewrap, folder)
-
-
-_KINDS = {"forkserver": _forkserver, "lane": _lane, "worker": _worker}

@@ -1,5 +1,7 @@
-"""Messages over a pipe: four bytes of length, then the message. Nothing of it is trusted but the
-length's bound."""
+"""Messages over a pipe: four bytes of length, then the message.
+
+Of what the other side sends, only the bound on the length is relied on.
+"""
 
 import math
 import os
@@ -7,41 +9,53 @@ import selectors
 import struct
 import time
 
-#: No message is longer: answers are bounded far below by their encoding.
-LONGEST = 16 * 2**20
+#: Bytes of the longest message: the encoding of answers limits them far below.
+MAX_MESSAGE = 16 * 2**20
 
 
-class Broken(RuntimeError):
-    """The other side closed the pipe, sent too much, or nothing in time: the message is "closed",
-    "large" or "time"."""
+class FramingError(RuntimeError):
+    """The pipe closed, a message was too long or late: "closed", "large" or "time"."""
 
 
 def send(descriptor, message):
-    """Write a message whole."""
+    """Write a whole message."""
     view = memoryview(struct.pack(">I", len(message)) + message)
     while view:
         view = view[os.write(descriptor, view) :]
 
 
-def receive(descriptor, timeout=math.inf, look=None, every=math.inf):
-    """The next message; raises `Broken` at the end of the stream, for one too long, or after
-    `timeout` seconds.
+def receive(descriptor, timeout=math.inf, check=None, interval=math.inf):
+    """Return the next message.
 
-    `look` is called all `every` seconds of waiting, and may raise to end it.
+    Parameters
+    ----------
+    descriptor : int
+        The pipe's file descriptor.
+    timeout : float
+        Seconds to wait at most.
+    check : callable, optional
+        Called every `interval` seconds while waiting; it may raise to end that.
+    interval : float
+        Seconds between two calls of `check`.
+
+    Raises
+    ------
+    FramingError
+        At the end of the stream, for a message that is too long, or after `timeout`.
     """
-    clock = _Clock(timeout, look, every)
-    (length,) = struct.unpack(">I", _exactly(descriptor, 4, clock))
-    if length > LONGEST:
-        raise Broken("large")
-    return _exactly(descriptor, length, clock)
+    clock = _Clock(timeout, check, interval)
+    (length,) = struct.unpack(">I", _read_exactly(descriptor, 4, clock))
+    if length > MAX_MESSAGE:
+        raise FramingError("large")
+    return _read_exactly(descriptor, length, clock)
 
 
 def readable(channels, timeout=None):
-    """Those of `channels` (descriptors, or what has a `fileno`) that can be read or have ended:
-    waits for the first, or `timeout` seconds.
+    """Return the channels that can be read or have ended, as soon as there are any.
 
-    A grader may be part of a program with any number of open files, of which `select` takes the
-    first 1024 alone.
+    After `timeout` seconds there may be none. Channels are descriptors or have a `fileno`. `select`
+    would take only the first 1024 descriptors, and a grader may be part of a program with any
+    number of open files.
     """
     with selectors.PollSelector() as selector:
         for channel in channels:
@@ -50,37 +64,33 @@ def readable(channels, timeout=None):
 
 
 class _Clock:
-    """When to look, and when to give up, whether or not bytes trickle in meanwhile."""
+    """When to check and when to give up, whether or not bytes trickle in meanwhile."""
 
-    def __init__(self, timeout, look, every):
+    def __init__(self, timeout, check, interval):
         now = time.monotonic()
-        self.deadline, self.look, self.every, self.next_look = (
-            now + timeout,
-            look,
-            every,
-            now + every,
-        )
+        self.deadline, self.check, self.interval = now + timeout, check, interval
+        self.next_check = now + interval
 
     def tick(self):
-        """Seconds until there is something to do again; None for never."""
+        """Return the seconds until the next check or the deadline; None for never."""
         now = time.monotonic()
         if now >= self.deadline:
-            raise Broken("time")
-        if now >= self.next_look:
-            self.look()
-            self.next_look = now + self.every
-        wait = min(self.deadline, self.next_look) - now
+            raise FramingError("time")
+        if now >= self.next_check:
+            self.check()
+            self.next_check = now + self.interval
+        wait = min(self.deadline, self.next_check) - now
         return None if wait == math.inf else wait
 
 
-def _exactly(descriptor, count, clock):
+def _read_exactly(descriptor, count, clock):
     parts = []
     while count:
         wait = clock.tick()
         if readable([descriptor], wait):
             part = os.read(descriptor, min(count, 2**16))
             if not part:
-                raise Broken("closed")
+                raise FramingError("closed")
             parts.append(part)
             count -= len(part)
     return b"".join(parts)

@@ -1,7 +1,6 @@
-"""Make a homework folder to hand out: the students' notebooks, what they need to know, and the file
-that says what counts.
+"""Make a homework folder to hand out: notebooks, a README for students, and assignment.toml.
 
-A notebook is named ch1-p15.ipynb, so that it is still known for problem 1.15 when an editor has
+A notebook is named ch1-p15.ipynb, so that its problem, 1.15, is still known when an editor has
 dropped its metadata.
 """
 
@@ -15,7 +14,7 @@ from workbook.grading import assignment as assignments
 from workbook.grading.assignment import AssignmentError
 from workbook.notebooks import exercises
 
-#: A day, with or without a time, with or without a zone.
+#: A date, with or without a time, with or without a zone.
 DATE = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?)?", re.ASCII)
 
 README = """\
@@ -42,39 +41,60 @@ Changing a check cell changes nothing, since answers are judged by the cells as 
 
 
 def make(folder, name, problems, title=None, due=None, site=""):
-    """Write the homework `name` into `folder`/`name`; returns the `Assignment`. Nothing is written
-    over.
+    """Write a homework into `folder`/`name`, which must not exist.
 
-    `due` is an aware datetime or None, `site` the address of the student edition of the site, for
-    links to the theory. Raises `AssignmentError`.
+    Parameters
+    ----------
+    folder : path
+        Folder of all homeworks.
+    name : str
+        The homework's name.
+    problems : list of str
+        The problems' numbers.
+    title : str, optional
+        By default the name.
+    due : datetime.datetime, optional
+        With a time zone.
+    site : str
+        Address of the student edition of the site, for links to the theory.
+
+    Returns
+    -------
+    Assignment
+        The homework.
+
+    Raises
+    ------
+    AssignmentError
+        If the name, the problems or the folder cannot be used.
     """
-    place = Path(folder) / name
+    target = Path(folder) / name
     if not assignments.can_be_name(name):
         raise AssignmentError(
             f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, "
             "- and _"
         )
-    if place.exists():
-        raise AssignmentError(f"{place} is already there; take another name or remove it")
-    files = {file_name(problem): release(problem, site) for problem in _known(problems)}
+    if target.exists():
+        raise AssignmentError(f"{target} is already there; take another name or remove it")
+    files = {file_name(problem): release(problem, site) for problem in _checked(problems)}
     files["assignment.toml"] = _toml(title or name, problems, due)
-    homework = assignments.from_text(files["assignment.toml"], place / "assignment.toml")
+    homework = assignments.from_text(files["assignment.toml"], target / "assignment.toml")
     files["README.md"] = _readme(homework)
     made = False
     try:
-        place.mkdir(parents=True)
+        target.mkdir(parents=True)
         made = True
         for file, text in files.items():
-            (place / file).write_text(text, encoding="utf-8")
+            (target / file).write_text(text, encoding="utf-8")
     except OSError as error:
         if made:
-            shutil.rmtree(place, ignore_errors=True)
-        raise AssignmentError(f"{place} cannot be written: {error.strerror}") from None
+            shutil.rmtree(target, ignore_errors=True)
+        raise AssignmentError(f"{target} cannot be written: {error.strerror}") from None
     return homework
 
 
 def file_name(problem):
-    """The name under which a problem's notebook is handed out and comes back.
+    """Return the name under which a problem's notebook is handed out and comes back.
 
     >>> file_name("1.4")
     'ch1-p04.ipynb'
@@ -84,26 +104,25 @@ def file_name(problem):
 
 
 def release(problem, site=""):
-    """The text of a student's notebook; its names of places in the book are links to `site`, if
-    that is given."""
+    """Return the text of a student's notebook, whose references are links to `site` if given."""
     notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
     if site:
-        # Homework leads to the student edition, where a problem stands without its solution.
+        # Homework links to the student edition, which has no solutions.
         to_site = exercises.below(site)
         notebook = exercises.linked(
-            notebook, lambda place: to_site(re.sub("^solutions/", "exercises/", place))
+            notebook, lambda page: to_site(re.sub("^solutions/", "exercises/", page))
         )
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
 def due_date(text):
-    """An aware datetime from "2026-10-01 23:59" (of this machine's time zone, unless it names
-    another one) or "2026-10-01".
+    """Return the datetime, with a zone, of a text such as "2026-10-01 23:59" or "2026-10-01".
 
-    A date alone means the end of that day. Raises `AssignmentError`.
+    Without a zone it is in this machine's; a date alone means the end of that day. Raises
+    `AssignmentError`.
     """
     try:
-        # Python reads more than people would: 2026-W40-4 is a day, but ends at its beginning.
+        # Python reads further forms, such as 2026-W40-4, to which no end of the day is added below.
         due = datetime.datetime.fromisoformat(text) if DATE.fullmatch(text) else None
         if due is None or not assignments.can_be_due(due):
             raise ValueError
@@ -117,7 +136,7 @@ def due_date(text):
     return due if due.tzinfo else due.astimezone()
 
 
-def _known(problems):
+def _checked(problems):
     for problem in problems:
         try:
             assignments.answers_of(problem)
@@ -152,7 +171,7 @@ def _toml(title, problems, due):
 
 
 def _text(value):
-    """A TOML string: JSON escapes are TOML's, but for DEL."""
+    """Return a TOML string, whose escapes are those of JSON, except for DEL."""
     return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
 
 
@@ -163,7 +182,7 @@ def _readme(homework):
         f"answer{'s' * (len(points) != 1)}"
         for problem, points in homework.points.items()
     ]
-    due = f"\nDue {spoken(homework.due)}.\n" if homework.due else ""
+    due = f"\nDue {due_text(homework.due)}.\n" if homework.due else ""
     counts = "the best one counts" if homework.attempt == "best" else "the last one counts"
     attempts = (
         f"You may hand in up to {homework.attempts} times; {counts}."
@@ -173,6 +192,6 @@ def _readme(homework):
     return README.format(title=homework.title, due=due, problems="\n".join(rows), attempts=attempts)
 
 
-def spoken(due):
-    """A due date for people: 2026-10-01 23:59 (UTC+03:00)."""
+def due_text(due):
+    """Return a due date as people read it: 2026-10-01 23:59 (UTC+03:00)."""
     return f"{due:%Y-%m-%d %H:%M} ({datetime.timezone(due.utcoffset())})"

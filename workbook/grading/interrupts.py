@@ -1,40 +1,40 @@
-"""Ctrl-C that is never lost: what is raised in the midst of a finalizer, Python prints and
-forgets."""
+"""Interrupts: raise a Ctrl-C again that came during a finalizer, where Python ignores it."""
 
 import signal
 import sys
 import threading
 from contextlib import contextmanager
 
-#: Seconds until a lost one comes again: finalizers are short.
-AGAIN = 0.05
+#: Seconds until a lost interrupt comes again: finalizers are short.
+REPEAT_SECONDS = 0.05
 
 
 @contextmanager
-def ctrl_c_heeded():
-    """A `KeyboardInterrupt` that Python ignores, as it must in `__del__` or a weak reference's
-    callback, is raised again.
+def repeat_lost_interrupts():
+    """Raise a `KeyboardInterrupt` again that Python ignored in `__del__` or a weakref callback.
 
-    For the main thread, which is the one that Ctrl-C interrupts: soon after, at the latest at the
-    end of the block.
+    For the main thread, which Ctrl-C interrupts: soon after, at the latest at the end of the
+    block.
     """
-    before, main, owed = sys.unraisablehook, threading.get_ident(), []
+    previous_hook, main_thread, timers = sys.unraisablehook, threading.get_ident(), []
 
-    def hook(ignored):
-        if not issubclass(ignored.exc_type, KeyboardInterrupt):
-            before(ignored)
+    def hook(unraisable):
+        if not issubclass(unraisable.exc_type, KeyboardInterrupt):
+            previous_hook(unraisable)
             return
         # A signal and not only a flag, since the thread may be waiting in the system by then.
-        owed.append(threading.Timer(AGAIN, signal.pthread_kill, (main, signal.SIGINT)))
-        owed[-1].start()
+        timers.append(
+            threading.Timer(REPEAT_SECONDS, signal.pthread_kill, (main_thread, signal.SIGINT))
+        )
+        timers[-1].start()
 
     sys.unraisablehook = hook
     try:
         yield
     finally:
-        sys.unraisablehook = before
-        late = [timer for timer in owed if timer.is_alive()]
-        for timer in late:
+        sys.unraisablehook = previous_hook
+        pending = [timer for timer in timers if timer.is_alive()]
+        for timer in pending:
             timer.cancel()
-        if late:
+        if pending:
             raise KeyboardInterrupt

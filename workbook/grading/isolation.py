@@ -1,24 +1,37 @@
-"""A process with nothing in sight: bubblewrap from an empty root, without privileges, network or a
-home.
+"""Isolation: a process in a bubblewrap sandbox, built from an empty root.
 
-Inside there are /usr, the interpreter and its packages, and the folders of trajlib and workbook (no
-exercises, no solutions), all read-only, and an empty /tmp. The environment is empty.
+It has no privileges, no network and no home. Inside there are /usr, the interpreter and its
+packages, and the folders of trajlib and workbook (no exercises, no solutions), all read-only, and
+an empty /tmp. The environment has only `ENVIRONMENT`.
 """
 
-import ctypes
 import fcntl
 import json
 import os
 import shutil
-import signal
 import subprocess
 import sys
 from pathlib import Path
 
+from workbook.grading.system_calls import (
+    CLONE_NEWNS,
+    CLONE_NEWPID,
+    MS_BIND,
+    MS_PRIVATE,
+    MS_REC,
+    NS_GET_USERNS,
+    PR_SET_DUMPABLE,
+    die_with_parent,
+    enter_namespaces,
+    mount,
+    system_call,
+    unshare,
+)
+
 PACKAGE = Path(__file__).resolve().parents[1]
 CHECKOUT = PACKAGE.parent
 LIBRARY = CHECKOUT / "trajlib"
-#: Where a notebook may write: into memory, as much as it is allowed.
+#: Where a notebook may write: file systems in memory, of limited size.
 SCRATCH = ("/tmp", "/dev/shm")
 #: All that a notebook finds in its environment.
 ENVIRONMENT = {
@@ -32,8 +45,7 @@ ENVIRONMENT = {
     # Each thread of the C library would reserve a great deal of address space, which is
     # what the limit on memory counts.
     "MALLOC_ARENA_MAX": "2",
-    # What it has freed it keeps for the next formula: the kernel would have to clear
-    # every page anew.
+    # Freed memory is kept for the next formula: else the kernel would clear every page anew.
     "MALLOC_MMAP_THRESHOLD_": str(2**25),
     "MALLOC_TRIM_THRESHOLD_": str(2**26),
 }
@@ -41,86 +53,64 @@ ENVIRONMENT = {
 #: root.
 NOBODY = 65534
 
-CLONE_NEWNS, CLONE_NEWIPC = 0x20000, 0x8000000
-CLONE_NEWUSER, CLONE_NEWPID, CLONE_NEWNET = 0x10000000, 0x20000000, 0x40000000
-MS_RDONLY, MS_NOSUID, MS_NODEV, MS_BIND, MS_REC, MS_PRIVATE = 1, 2, 4, 4096, 16384, 1 << 18
 
-PR_SET_PDEATHSIG, PR_SET_DUMPABLE = 1, 4
-#: Of a namespace: the user namespace that it belongs to.
-NS_GET_USERNS = 0xB701
-
-_libc = ctypes.CDLL(None, use_errno=True)
+class SandboxUnavailableError(RuntimeError):
+    """This machine offers no sandbox; the message names what is missing."""
 
 
-class NoIsolation(RuntimeError):
-    """This machine offers no sandbox; the message says what is missing."""
+class ProcessStartError(SandboxUnavailableError):
+    """A process of the grader ended, or was too slow, while it started, several times.
+
+    The machine may well offer a sandbox: the same command may succeed later.
+    """
 
 
-class NotStarted(NoIsolation):
-    """A process of the grader ended, or was too slow, while it got ready, again and again: no word
-    on whether the machine offers a sandbox."""
+def visible_paths():
+    """Return the only paths of this machine that a sandboxed process sees besides /usr.
 
-
-def system_call(name, *arguments):
-    """A call of the C library that raises `OSError` when it fails."""
-    if getattr(_libc, name)(*arguments) != 0:
-        number = ctypes.get_errno()
-        raise OSError(number, f"{name}: {os.strerror(number)}")
-
-
-def unshare(flags):
-    """Leave namespaces (Python 3.11 has no `os.unshare`)."""
-    system_call("unshare", flags)
-
-
-def mount(source, target, kind=None, flags=0, options=None):
-    encoded = [value.encode() if value is not None else None for value in (source, target, kind)]
-    system_call("mount", *encoded, flags, options.encode() if options else None)
-
-
-def visible():
-    """The only folders of this machine that a sandboxed process sees besides /usr; `covered` are
-    empty there."""
-    prefixes = {
+    `hidden_folders` within them are empty there.
+    """
+    paths = {
         Path(sys.base_prefix),
         Path(sys.executable).parent,
         Path(sys.prefix) / "pyvenv.cfg",
-        *_packages(),
+        *_package_folders(),
         PACKAGE,
         LIBRARY,
     }
-    # The interpreter is often a chain of links out of the environment: every link on the way has to
-    # be there.
-    prefixes.add(Path(os.path.realpath(sys.base_prefix)))
-    return sorted(path for path in prefixes if path.exists() and not path.is_relative_to("/usr"))
+    # The interpreter is often a chain of links out of the environment: every link must be visible.
+    paths.add(Path(os.path.realpath(sys.base_prefix)))
+    return sorted(path for path in paths if path.exists() and not path.is_relative_to("/usr"))
 
 
-def covered():
-    """Folders in a visible one that are not to be seen all the same: a wheel's exercises; a
-    checkout's, should it lie in /usr."""
+def hidden_folders():
+    """Return folders within visible ones that are to be empty in the sandbox.
+
+    These are a wheel's exercises, and the other folders of a checkout within a visible folder.
+    """
     inside = [PACKAGE / "_exercises"]
     if (CHECKOUT / "pyproject.toml").exists():
         inside += CHECKOUT.iterdir()
-    shown = visible()
+    visible = visible_paths()
     return sorted(
         path
         for path in inside
         if path.is_dir()
-        and shown_through(path)
-        and not any(other.is_relative_to(path) for other in shown)
+        and visible_parent(path)
+        and not any(other.is_relative_to(path) for other in visible)
     )
 
 
-def shown_through(path):
-    """The visible folder through which notebooks could read `path`, or None."""
+def visible_parent(path):
+    """Return the visible folder through which notebooks could read `path`, or None."""
     path = Path(path).resolve()
     return next(
-        (folder for folder in [Path("/usr"), *visible()] if path.is_relative_to(folder)), None
+        (folder for folder in [Path("/usr"), *visible_paths()] if path.is_relative_to(folder)), None
     )
 
 
-def _packages():
-    """Where the libraries are, also those of the user or of the system beside an environment."""
+def _package_folders():
+    """Return the folders of libraries, also those of the user or the system."""
     return [
         Path(path)
         for path in sys.path
@@ -128,29 +118,37 @@ def _packages():
     ]
 
 
-def bubblewrap():
-    """Where bubblewrap is. Raises `NoIsolation` where there is none."""
-    found = shutil.which("bwrap")
-    if found is None:
-        raise NoIsolation(
+def find_bubblewrap():
+    """Return the path of bubblewrap; raise `SandboxUnavailableError` if it is not installed."""
+    path = shutil.which("bwrap")
+    if path is None:
+        raise SandboxUnavailableError(
             "bubblewrap is not installed (on Debian and Ubuntu: apt install bubblewrap)"
         )
-    return found
+    return path
 
 
-def spawn_once(bwrap, limits, modules):
-    """Start a worker for a single notebook in a sandbox; returns the `Popen` with binary pipes on
-    stdin and stdout.
+def spawn_sandboxed(bwrap, limits, code):
+    """Run Python code in a sandbox of its own; return the `Popen` with binary pipes.
 
-    For systems that let nobody into a sandbox that is there already, or allow no namespaces inside
-    one. `limits` are those of `sandbox.Limits`, as a dict; `modules` (names) are imported before
-    the notebook comes. Raises `NoIsolation` where bubblewrap cannot be run.
+    For systems that let no process enter an existing sandbox, or allow no namespaces inside one.
+
+    Parameters
+    ----------
+    bwrap : str
+        Path of bubblewrap.
+    limits : dict
+        As of `sandbox.Limits`.
+    code : str
+        What the interpreter inside runs.
+
+    Raises
+    ------
+    SandboxUnavailableError
+        Where bubblewrap cannot be run.
     """
-    inside = python(
-        f"from workbook.grading import worker; worker.once({limits!r}, {list(modules)!r})"
-    )
     # The first process of a namespace cannot be killed from inside.
-    command, hand_over = _sandbox(bwrap, limits, ["--as-pid-1"], inside)
+    command, prepare = _sandbox_command(bwrap, limits, ["--as-pid-1"], python_command(code))
     try:
         # In a session of its own, so that Ctrl-C reaches the grader alone, which then ends its
         # sandboxes.
@@ -159,94 +157,90 @@ def spawn_once(bwrap, limits, modules):
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            preexec_fn=hand_over,
+            preexec_fn=prepare,
             close_fds=True,
             start_new_session=True,
             env={},
         )
     except (OSError, subprocess.SubprocessError) as error:
-        raise NoIsolation(f"the sandbox does not start here: {error}") from None
+        raise SandboxUnavailableError(f"the sandbox does not start here: {error}") from None
 
 
-def enter(bwrap, limits):
-    """Make a sandbox, and go on inside it: this returns in a child of this process, which itself
-    waits for the child and ends as it does. Raises `OSError` where the system lets nobody in.
+def enter_sandbox(bwrap, limits):
+    """Make a sandbox and return inside it, in a child of this process.
 
-    For a process that was forked with all that notebooks need, and has nothing else in it.
+    This process itself waits for the child and exits as it does. It is one that was forked with
+    all that notebooks need, and holds nothing else. Raises `OSError` where the system lets no
+    process enter a sandbox.
     """
-    parent, (told, tell) = os.getppid(), os.pipe()
-    (stays, holds), (hears, says) = os.pipe(), os.pipe()
-    # What holds the sandbox says back what it is told: then bubblewrap has done its work. It ends
-    # with its input.
-    command, hand_over = _sandbox(bwrap, limits, ["--info-fd", str(tell)], ["/usr/bin/cat"])
-    holder = subprocess.Popen(
-        command, stdin=stays, stdout=says, preexec_fn=hand_over, pass_fds=[tell], env={}
+    parent, (info, info_end) = os.getppid(), os.pipe()
+    (holder_input, holder_writer), (holder_reader, holder_output) = os.pipe(), os.pipe()
+    # `cat` holds the sandbox open and ends with its input; when it echoes a byte, bubblewrap has
+    # done its work.
+    command, prepare = _sandbox_command(
+        bwrap, limits, ["--info-fd", str(info_end)], ["/usr/bin/cat"]
     )
-    for descriptor in (tell, stays, says):
+    holder = subprocess.Popen(
+        command,
+        stdin=holder_input,
+        stdout=holder_output,
+        preexec_fn=prepare,
+        pass_fds=[info_end],
+        env={},
+    )
+    for descriptor in (info_end, holder_input, holder_output):
         os.close(descriptor)
-    os.write(holds, b"?")
-    if not os.read(hears, 1):
+    os.write(holder_writer, b"?")
+    if not os.read(holder_reader, 1):
         code = holder.wait()
         os._exit(code if code > 0 else 128 - code)
-    with open(told) as file:
-        inside = json.load(file)["child-pid"]
+    with open(info) as file:
+        pid = json.load(file)["child-pid"]
     if os.getuid() == 0:
         _become_nobody()
-    _join(inside)
-    end_with_parent(parent)  # which changing what one may do takes back
-    _go_on_in_a_child()
+    _join_namespaces(pid)
+    die_with_parent(parent)  # a change of user or namespaces undoes it
+    _continue_in_child()
     os.closerange(3, 4096)
 
 
-def enter_own_namespace():
-    """Inside a sandbox, go on in a child with a namespace of processes of its own, and the right to
-    make further ones; returns a function after which the next child begins one of these."""
+def enter_pid_namespace():
+    """Inside a sandbox, return in a child that has a PID namespace of its own.
+
+    Returns a function after which the next child is the first of a further PID namespace.
+    """
     enter_namespaces(CLONE_NEWPID)
-    _go_on_in_a_child()
+    _continue_in_child()
     own = os.open("/proc/self/ns/pid", os.O_RDONLY)
 
-    def apart():
-        system_call("setns", own, CLONE_NEWPID)  # or it could be left once only
+    def before_fork():
+        system_call("setns", own, CLONE_NEWPID)  # or it could be left only once
         unshare(CLONE_NEWPID)
 
-    return apart
+    return before_fork
 
 
-def enter_namespaces(flags):
-    """Leave namespaces for new ones, in a user namespace with the same user."""
-    user, group = os.getuid(), os.getgid()
-    unshare(CLONE_NEWUSER | flags)
-    for name, text in (
-        ("setgroups", "deny"),
-        ("uid_map", f"{user} {user} 1"),
-        ("gid_map", f"{group} {group} 1"),
-    ):
-        with open(f"/proc/self/{name}", "w") as file:
-            file.write(text)
-
-
-def _go_on_in_a_child():
-    """Return in a child, of a namespace from which this process is not to be seen; this one ends as
-    the child does."""
+def _continue_in_child():
+    """Return in a child whose namespace does not show its parent, which exits as it does."""
     child = os.fork()
     if child == 0:
-        end_with_parent(0)
+        die_with_parent(0)
         return
     os.close(0), os.close(1)  # so that the grader sees the child's end
     code = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
     os._exit(code if code >= 0 else 128 - code)
 
 
-def _join(process):
-    """Enter all namespaces of another process; of pids only children of this one do."""
+def _join_namespaces(pid):
+    """Enter all namespaces of another process; the PID namespace only for future children."""
     kinds = ("mnt", "net", "ipc", "uts", "pid", "user")
-    opened = [os.open(f"/proc/{process}/ns/{kind}", os.O_RDONLY) for kind in kinds]
-    # Bubblewrap makes the others in one user namespace, and then a second one, without its rights,
-    # inside that.
+    opened = [os.open(f"/proc/{pid}/ns/{kind}", os.O_RDONLY) for kind in kinds]
+    # Bubblewrap makes the other namespaces in one user namespace, and inside it a second user
+    # namespace without rights over them.
     for namespace in [fcntl.ioctl(opened[0], NS_GET_USERNS), *opened]:
         system_call("setns", namespace, 0)
         os.close(namespace)
-    system_call("prctl", PR_SET_DUMPABLE, 1, 0, 0, 0)  # its own /proc is its own again
+    system_call("prctl", PR_SET_DUMPABLE, 1, 0, 0, 0)  # so that its files in /proc are its own
 
 
 def _become_nobody():
@@ -256,12 +250,12 @@ def _become_nobody():
     system_call("prctl", PR_SET_DUMPABLE, 1, 0, 0, 0)
 
 
-def _sandbox(bwrap, limits, options, inside):
-    """(command, what its process does first) of a sandbox with the process `inside` in it."""
-    folders = visible()
+def _sandbox_command(bwrap, limits, options, inside):
+    """Return (command of a sandbox around the command `inside`, what to call before its exec)."""
+    folders = visible_paths()
     as_root = os.getuid() == 0
-    # Root hands the folders over under /mnt of a mount namespace of its own, since nobody may not
-    # enter /root.
+    # Root binds the folders under /mnt of a mount namespace of its own, since the user nobody
+    # cannot enter /root.
     source = {path: f"/mnt/{k}" if as_root else str(path) for k, path in enumerate(folders)}
     command = [
         bwrap,
@@ -303,73 +297,59 @@ def _sandbox(bwrap, limits, options, inside):
         command += ["--setenv", name, value]
     for path in folders:
         command += ["--ro-bind", source[path], str(path)]
-    for path in covered():
+    for path in hidden_folders():
         command += ["--tmpfs", str(path), "--remount-ro", str(path)]
     # Nothing outside /tmp and /dev/shm can be written, so no notebook leaves anything for the next.
     command += [*options, "--remount-ro", "/dev", "--remount-ro", "/", *inside]
     grader = os.getpid()
 
-    def hand_over():
+    def prepare():
         if as_root:
             unshare(CLONE_NEWNS)
             mount("none", "/", flags=MS_REC | MS_PRIVATE)
             mount("tmpfs", "/mnt", "tmpfs", options="mode=755")
             for path in folders:
-                _touch_like(path, source[path])
+                _make_mount_point(path, source[path])
                 mount(str(path), source[path], flags=MS_BIND | MS_REC)
             _become_nobody()
-        end_with_parent(grader)
+        die_with_parent(grader)
 
-    return command, hand_over
-
-
-def end_with_parent(parent):
-    """Let the kernel kill this process when its parent ends, however that ends; `parent` is the
-    number it had for the one who forks, 0 in a namespace where that one is not to be seen."""
-    system_call("prctl", PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
-    if os.getppid() != parent:  # it ended before we asked, and nothing would ever tell
-        os._exit(1)
+    return command, prepare
 
 
-def loaded():
-    """Bytes of address space that this process has already: limits on memory are for what comes on
-    top."""
-    try:
-        with open("/proc/self/statm") as file:
-            return int(file.read().split()[0]) * os.sysconf("SC_PAGE_SIZE")
-    except OSError:
-        return 0  # not Linux
+def python_command(code):
+    """Return the command that runs `code` in a fresh, isolated interpreter.
 
-
-def python(code):
-    """The command that runs `code` in a fresh interpreter, isolated from variables, the user's
-    folders and the current one; libraries are found where the grader itself found them."""
-    paths = [str(path) for path in _packages()]
-    found = (
+    It ignores variables, the user's folders and the current one, and finds libraries where the
+    grader itself found them.
+    """
+    paths = [str(path) for path in _package_folders()]
+    set_path = (
         "import sys; of_packages = [k for k, path in enumerate(sys.path) if "
         "path.endswith('-packages')]\n"
-        # Before all packages, among which may be another workbook; behind Python's own
-        # library.
+        # Before all packages, among which may be another workbook; behind Python's own library.
         "sys.path.insert(of_packages[0] if of_packages else len(sys.path), "
         f"{str(PACKAGE.parent)!r})\n"
         f"sys.path += [path for path in {paths!r} if path not in sys.path]\n"
     )
-    return [sys.executable, "-I", "-c", found + code]
+    return [sys.executable, "-I", "-c", set_path + code]
 
 
-def environment_outside():
-    """The environment of a process of ours from which notebooks' processes are forked: nothing of
-    the grader's own."""
-    # The list of fonts, which takes a second to make; no folder that others could have prepared, as
-    # they could in /tmp.
+def grader_environment():
+    """Return the environment of a process from which notebooks' processes are forked.
+
+    It has nothing of the grader's own environment.
+    """
+    # Matplotlib's list of fonts takes a second to make, so it is the user's own; not one in a
+    # folder that others could have prepared, as they could in /tmp.
     return ENVIRONMENT | {
         "HOME": "/nonexistent",
         "MPLCONFIGDIR": os.path.expanduser("~/.cache/matplotlib"),
     }
 
 
-def _touch_like(path, target):
-    """An empty folder or file at `target` to mount `path` on."""
+def _make_mount_point(path, target):
+    """Make an empty folder or file at `target` to mount `path` on."""
     if path.is_dir():
         os.mkdir(target)
     else:

@@ -1,13 +1,12 @@
-"""Judge what a notebook handed over: decode, run data and check cells of the pristine exercise,
-within limits.
+"""Judging: decode what a notebook handed over, and run the exercise's check cells on it.
 
 A forked child judges, within bounds on time and memory, since an answer can be an expression built
 to explode. It runs nothing of a student's, only our own cells on data, as a kernel does in which
 check cells run again and again: so it judges one notebook after the other, and a fork for each
-would cost more than most judgements do. Whatever is unusual there is judged again by a fresh child,
-and nothing else by the one that met it. If the whole notebook cannot be judged within the bounds,
-its answers are judged one by one, each in a child of its own, so that one such answer costs only
-itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
+would cost more than most judgements do. An unusual judgement is repeated by a fresh child, and the
+child that gave it judges nothing else. If the whole notebook cannot be judged within the bounds,
+its answers are judged one by one, each in a child of its own, so that one exploding answer costs
+only itself; it becomes `unchecked`, which a lecturer has to look at, never wrong and never right.
 """
 
 import hashlib
@@ -24,13 +23,13 @@ from functools import lru_cache
 
 from workbook.checks.contract.encoding import describe
 from workbook.checks.contract.verdict import MISSING, UNCHECKED, Unusable, Verdict
-from workbook.grading.isolation import end_with_parent, loaded
-from workbook.grading.sanitising import printable
-from workbook.grading.submitted_file import MOST_CELLS
+from workbook.grading.sanitising import sanitise
+from workbook.grading.submitted_file import MAX_CELLS
+from workbook.grading.system_calls import address_space_bytes, die_with_parent
 from workbook.notebooks.execution import CONTEXT, Child, TimeLimit, decoded, judge_answers, run_cell
 
-#: How a notebook ended that handed nothing over: whose affair it is, in the words of a remark.
-ENDS = {
+#: The remark on a notebook that handed nothing over, by how it ended: whose doing it was, and what.
+END_REMARKS = {
     "time": "limits: the notebook was still running when its time was up",
     "memory": "limits: the notebook needed more memory than allowed",
     "processes": "limits: the notebook started more processes than allowed",
@@ -39,9 +38,8 @@ ENDS = {
     "died": "notebook: its process was ended by what the notebook did",
     "failed": "grader: it failed on this notebook",
 }
-#: Seconds that every honest answer can be judged in: as much is tried for each one while any time
-#: is left.
-ENOUGH = 5
+#: Seconds in which every honest answer can be judged: each one gets so many while any time is left.
+MIN_ANSWER_SECONDS = 5
 NEVER_ASSIGNED = (
     "no cell of the notebook assigned this variable: was it renamed, or did its cell fail?"
 )
@@ -50,8 +48,15 @@ FINAL, WITHIN_LIMITS, NOT_FINAL = "yes", "within limits", "no"
 
 @dataclass(frozen=True)
 class Bounds:
-    """What judging one notebook in all, and one answer of it, may take: seconds of computing, three
-    times as many on the clock."""
+    """What judging one notebook may use; wall time may be three times the processor time.
+
+    Parameters
+    ----------
+    seconds, answer_seconds : float
+        Of processor time: for the whole notebook, and for one answer that is judged alone.
+    memory_megabytes : int
+        Of memory.
+    """
 
     seconds: float = 90
     answer_seconds: float = 20
@@ -59,18 +64,28 @@ class Bounds:
 
     @property
     def first_seconds(self):
-        """For all answers at once; what is left of `seconds` is for them one by one."""
+        """The part of `seconds` for all answers at once; the rest is for them one by one."""
         return self.seconds / 2
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """Verdicts by answer, the answers as short texts (and hashes of the whole ones), and remarks on
-    the notebook itself.
+    """The verdicts on a notebook.
 
-    Each remark begins with whose affair it is: "notebook", "limits" or "grader". `final` is "yes";
-    "within limits" if other limits could change it; "no" if the grader itself failed, so that the
-    notebook is to be graded again.
+    Parameters
+    ----------
+    verdicts : dict
+        Verdicts by answer.
+    answers : dict
+        The answers as short texts.
+    remarks : tuple of str
+        On the notebook as a whole; each begins with whose doing it is: "notebook", "limits" or
+        "grader".
+    final : str
+        "yes"; "within limits" if other limits could change it; "no" if the grader itself failed,
+        so that the notebook is to be graded again.
+    hashes : dict
+        Hashes of the whole encoded answers.
     """
 
     verdicts: dict
@@ -81,27 +96,31 @@ class Judgement:
 
 
 def judge(exercise, outcome, bounds=Bounds()):
-    """The `Judgement` on a sandbox `Outcome` for a pristine exercise
-    (`workbook.notebooks.exercises.Exercise`)."""
+    """Return the `Judgement` on one sandbox `Outcome` for a pristine `exercises.Exercise`."""
     judge = Judge(bounds)
     try:
-        return judge.of(exercise, outcome)
+        return judge.judge(exercise, outcome)
     finally:
         judge.end()
 
 
 class Judge:
-    """Judges one notebook after the other: `get_ready` for an exercise while the notebook still
-    runs, then judge `of` its outcome."""
+    """Judges one notebook after the other.
+
+    Call `prepare` for an exercise while the notebook still runs, then `judge` with its outcome, and
+    `end` after the last one.
+    """
 
     def __init__(self, bounds=Bounds()):
         self._bounds, self._process = bounds, None
 
-    def get_ready(self, exercise):
+    def prepare(self, exercise):
+        """Start the judging process for an exercise, unless there is one."""
         if self._process is None:
-            self._process = _Process(_cells(exercise))
+            self._process = _JudgingProcess(_cells(exercise))
 
-    def of(self, exercise, outcome):
+    def judge(self, exercise, outcome):
+        """Return the `Judgement` on a sandbox `Outcome`."""
         names, cells, left = (
             list(exercise.about["answers"]),
             _cells(exercise),
@@ -110,8 +129,8 @@ class Judge:
         if outcome.ended != "done":
             return _without_answers(names, outcome)
         while True:
-            self.get_ready(exercise)
-            fresh, begun = self._process.fresh, time.monotonic()
+            self.prepare(exercise)
+            fresh, began = self._process.fresh, time.monotonic()
             try:
                 judgement = self._process.judgement(
                     outcome.handed_over, cells, names, left, self._bounds.memory_megabytes
@@ -121,15 +140,16 @@ class Judge:
             unusual = judgement is None or any(
                 v.status == UNCHECKED for v in judgement.verdicts.values()
             )
-            if unusual or self._process.worn:
+            if unusual or self._process.has_grown:
                 self.end()
             if judgement is not None and (fresh or not unusual):
                 return judgement
-            left -= time.monotonic() - begun
+            left -= time.monotonic() - began
             if fresh or left < 1:
                 return _one_by_one(cells, outcome.handed_over, names, self._bounds)
 
     def end(self):
+        """End the judging process."""
         if self._process is not None:
             self._process.end()
             self._process = None
@@ -139,18 +159,19 @@ def _cells(exercise):
     return tuple(exercise.code("data", "check"))
 
 
-def failed(names, why):
-    """The `Judgement` when the grader could not do its work: nothing is the student's fault, and
-    nothing is final."""
+def grader_failure(names, reason):
+    """Return the `Judgement` when the grader failed: no fault of the student, and not final."""
     verdict = Verdict(UNCHECKED, "the grader failed on this notebook; it will be graded again")
-    return Judgement(dict.fromkeys(names, verdict), {}, (f"{ENDS['failed']} ({why})",), NOT_FINAL)
+    return Judgement(
+        dict.fromkeys(names, verdict), {}, (f"{END_REMARKS['failed']} ({reason})",), NOT_FINAL
+    )
 
 
 def _without_answers(names, outcome):
-    manner = printable(outcome.handed_over.decode("utf-8", "replace")[:200])
+    details = sanitise(outcome.handed_over.decode("utf-8", "replace")[:200])
     if outcome.ended == "failed":
-        return failed(names, manner)
-    remark = ENDS[outcome.ended] + (f" ({manner})" if outcome.ended == "died" else "")
+        return grader_failure(names, details)
+    remark = END_REMARKS[outcome.ended] + (f" ({details})" if outcome.ended == "died" else "")
     return Judgement(
         dict.fromkeys(names, Verdict(MISSING, f"no answer: {remark.partition(': ')[2]}")),
         {},
@@ -160,12 +181,11 @@ def _without_answers(names, outcome):
 
 
 def _one_by_one(cells, handed_over, names, bounds):
-    """Judge each answer alone, within what is left for the notebook: one that explodes costs only
-    itself."""
+    """Judge each answer alone, within the time left for the notebook."""
     verdicts, answers, remarks, hashes = {}, {}, (), {}
     left = bounds.seconds - bounds.first_seconds
     for waiting, name in zip(range(len(names), 0, -1), names):
-        seconds = min(bounds.answer_seconds, left, max(ENOUGH, left / waiting))
+        seconds = min(bounds.answer_seconds, left, max(MIN_ANSWER_SECONDS, left / waiting))
         if seconds < 1:
             verdicts[name] = Verdict(
                 UNCHECKED,
@@ -173,7 +193,7 @@ def _one_by_one(cells, handed_over, names, bounds):
                 "a lecturer has to look at it",
             )
             continue
-        process, before = _Process(cells), _computed_by_children()
+        process, before = _JudgingProcess(cells), _cpu_seconds_of_children()
         try:
             alone = process.judgement(
                 handed_over, cells, names, seconds, bounds.memory_megabytes, only=name
@@ -195,34 +215,35 @@ def _one_by_one(cells, handed_over, names, bounds):
             )
         finally:
             process.end()
-        left -= _computed_by_children() - before
+        left -= _cpu_seconds_of_children() - before
     return Judgement(verdicts, answers, remarks, WITHIN_LIMITS, hashes)
 
 
-def _computed_by_children():
-    """Seconds of computing of all children that have ended."""
+def _cpu_seconds_of_children():
+    """Return the processor time of all children that have ended."""
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
 
 
-class _Process:
-    """A child that judges whatever is handed over, one notebook after the other; it begins with
-    what `cells` need."""
+class _JudgingProcess:
+    """A child that judges one notebook after the other; it first runs the data cells of `cells`.
+
+    `fresh` is whether it has judged nothing yet; `has_grown`, whether it should judge no more.
+    """
 
     def __init__(self, cells):
         receiver, self._sender = CONTEXT.Pipe(duplex=False)
         self._child = Child(_serve, receiver, self._sender, cells)
-        #: Whether it has judged nothing yet, and whether it should judge no more.
-        self.fresh, self.worn = True, False
+        self.fresh, self.has_grown = True, False
         receiver.close()
 
     def judgement(self, handed_over, cells, names, seconds, megabytes, only=None):
-        """On all answers, or `only` one. Raises `TimeLimit` or another `RuntimeError`."""
+        """Judge all answers, or `only` one; raise `TimeLimit` or another `RuntimeError`."""
         self.fresh = False
-        with suppress(OSError):  # it has died, which its result will tell
+        with suppress(OSError):  # it has died, which reading its result shows
             self._sender.send_bytes(json.dumps([cells, names, seconds, megabytes, only]).encode())
             self._sender.send_bytes(handed_over)
-        verdicts, answers, remarks, stopped, hashes, self.worn = self._child.result(
+        verdicts, answers, remarks, stopped, hashes, self.has_grown = self._child.result(
             timeout=3 * seconds
         )
         return Judgement(
@@ -240,105 +261,106 @@ class _Process:
 
 # In the child
 
-#: Bytes that a process may have taken on while it judged, and still judge.
-WORN = 2**29
+#: Bytes by which a process may grow while it judges, and still judge another notebook.
+MAX_GROWTH = 2**29
 
 
 def _serve(receiver, sender, cells):
-    """Judge what comes, until nothing does any more."""
+    """Judge each request until the pipe closes."""
     if sys.platform == "linux":
-        end_with_parent(multiprocessing.parent_process().pid)
-    sender.close()  # or its own copy would keep it waiting when the other one is gone
-    _begun(tuple(cells))
-    at_first = loaded()
+        die_with_parent(multiprocessing.parent_process().pid)
+    sender.close()  # or the pipe would not end when the parent closes its copy
+    _after_data_cells(tuple(cells))
+    size_at_start = address_space_bytes()
     with suppress(EOFError):
         while True:
             cells, names, seconds, megabytes, only = json.loads(receiver.recv_bytes())
-            _forget()
-            _limit(seconds, megabytes)
-            judged = _judged(receiver.recv_bytes(), tuple(map(tuple, cells)), names, only)
-            yield [*judged, loaded() > at_first + WORN]
+            _reset()
+            _set_limits(seconds, megabytes)
+            result = _judge(receiver.recv_bytes(), tuple(map(tuple, cells)), names, only)
+            yield [*result, address_space_bytes() > size_at_start + MAX_GROWTH]
 
 
-def _forget():
-    """So that no verdict depends on what was judged before: a formula that equals another is no
-    better known for it, and chance is the same for all."""
-    import numpy as np  # here, since whoever only waits for a judge needs none of them
+def _reset():
+    """Clear SymPy's cache and seed random numbers, so that no verdict depends on earlier ones."""
+    import numpy as np  # here, since a process that only waits for a judge needs none of them
     import sympy.core.cache
     import sympy.core.random
 
     sympy.core.cache.clear_cache()
-    for chance in (random, np.random, sympy.core.random):
-        chance.seed(0)
+    for generator in (random, np.random, sympy.core.random):
+        generator.seed(0)
 
 
-def _limit(seconds, megabytes):
-    """What this process may use from now on."""
-    memory, processor = loaded() + megabytes * 2**20, int(time.process_time() + seconds) + 1
-    for kind, bound in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_CPU, processor)):
+def _set_limits(seconds, megabytes):
+    """Limit what this process may use from now on."""
+    memory = address_space_bytes() + megabytes * 2**20
+    cpu_time = int(time.process_time() + seconds) + 1
+    for kind, bound in ((resource.RLIMIT_AS, memory), (resource.RLIMIT_CPU, cpu_time)):
         resource.setrlimit(kind, (bound, resource.getrlimit(kind)[1]))
 
 
 @lru_cache(maxsize=16)
-def _begun(cells):
-    """(names and values after the data cells at the beginning, the cells that follow): ours, and
-    the same for all who are judged."""
+def _after_data_cells(cells):
+    """Return (namespace after the data cells at the beginning, the cells that follow).
+
+    These cells are ours, and the same for all notebooks.
+    """
     first = next((k for k, (role, _) in enumerate(cells) if role == "check"), len(cells))
     namespace = {"__name__": "exercise"}
     try:
         for cell in cells[:first]:
             run_cell(cell, namespace)
-    except Exception:  # the judge meets it too, and tells
+    except Exception:  # it comes again, and is reported, when the cells are run to judge
         return None, cells
     return namespace, cells[first:]
 
 
-def _judged(handed_over, cells, names, only):
-    """Read the bytes strictly, keep the answers asked for, judge."""
-    found = {}
+def _judge(handed_over, cells, names, only):
+    """Decode the bytes strictly, keep the answers asked for, and judge them."""
+    parsed = {}
 
     def answers():
-        encoded, unreadable, found["remarks"], found["stopped"] = _read(
+        encoded, unreadable, parsed["remarks"], parsed["stopped"] = _parse(
             handed_over, [name for name in names if only in (None, name)]
         )
-        given = decoded(encoded, unreadable, names)
-        found["never assigned"] = set(names) - {*encoded, *unreadable}
-        found["texts"] = {name: _described(given[name]) for name in encoded}
-        found["hashes"] = {
+        values = decoded(encoded, unreadable, names)
+        parsed["never assigned"] = set(names) - {*encoded, *unreadable}
+        parsed["texts"] = {name: _short_text(values[name]) for name in encoded}
+        parsed["hashes"] = {
             name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
             for name, text in encoded.items()
         }
-        return given
+        return values
 
-    namespace, following = _begun(cells)
+    namespace, following = _after_data_cells(cells)
     verdicts = judge_answers(following, answers, names, namespace and dict(namespace))
-    told = {
+    plain_verdicts = {
         name: [
             status,
             NEVER_ASSIGNED
-            if status == MISSING and name in found["never assigned"]
-            else printable(message[:2000], keep="\n"),
+            if status == MISSING and name in parsed["never assigned"]
+            else sanitise(message[:2000], keep="\n"),
             mistake,
         ]
         for name, (status, message, mistake) in verdicts.items()
     }
-    return [told, *(found[key] for key in ("texts", "remarks", "stopped", "hashes"))]
+    return [plain_verdicts, *(parsed[key] for key in ("texts", "remarks", "stopped", "hashes"))]
 
 
-def _described(answer):
-    """A short text for the lecturer's eyes."""
+def _short_text(answer):
+    """Return an answer as a short text for the lecturer."""
     if isinstance(answer, Unusable):
-        return f"({printable(answer.reason[:400])})"
-    # Matrices are printed over several lines; a line break in a text is an escape already.
-    # They pad their columns, too.
-    return printable(re.sub(r"\s+", " ", describe(answer).replace("[\n", "[")))
+        return f"({sanitise(answer.reason[:400])})"
+    # Matrices are printed over several lines with padded columns; a line break within a text is an
+    # escape already.
+    return sanitise(re.sub(r"\s+", " ", describe(answer).replace("[\n", "[")))
 
 
-def _read(handed_over, names):
-    """(encoded, unreadable, remarks, whether cells were stopped) from a worker's bytes, of the
-    answers `names`.
+def _parse(handed_over, names):
+    """Return (encoded, unreadable, remarks, whether cells were stopped) for the answers `names`.
 
-    Bytes that are not of the worker's form count as nothing handed over.
+    Bytes that have not the form of `run_cells` count as nothing handed over.
     """
     try:
         outcome = json.loads(handed_over)
@@ -350,13 +372,13 @@ def _read(handed_over, names):
             and _are_texts(unreadable.items())
             and type(errors) is type(stopped) is list
             and _are_texts([errors])
-            and all(type(k) is int and 0 < k <= MOST_CELLS for k in stopped)
+            and all(type(k) is int and 0 < k <= MAX_CELLS for k in stopped)
         ):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return {}, {}, ["notebook: what it handed over cannot be read"], False
-    # All words of its own are said to be the notebook's, since they could pretend to be another's.
-    remarks = [f"notebook: {printable(error[:400])}" for error in errors[:20]]
+    # All texts of the notebook are marked as such, since they could pretend to be the grader's.
+    remarks = [f"notebook: {sanitise(error[:400])}" for error in errors[:20]]
     remarks += [
         f"limits: code cell {k} was stopped: it took half of the time that was left"
         for k in stopped[:20]
@@ -364,7 +386,7 @@ def _read(handed_over, names):
     return (
         {name: encoded[name] for name in names if name in encoded},
         {
-            name: f"notebook: {printable(unreadable[name][:400])}"
+            name: f"notebook: {sanitise(unreadable[name][:400])}"
             for name in names
             if name in unreadable
         },
@@ -374,4 +396,4 @@ def _read(handed_over, names):
 
 
 def _are_texts(groups):
-    return all(type(one) is str for group in groups for one in group)
+    return all(type(text) is str for group in groups for text in group)

@@ -1,9 +1,8 @@
-"""What the HTML pages share: they stand alone, without scripts and without anything from
-elsewhere."""
+"""Parts of HTML pages, each a single file without scripts and without external resources."""
 
 from html import escape
 
-#: The colours of the workbook's site; every pair of text and ground has a contrast of at least 4.5.
+#: The colours of the workbook's site; every text has a contrast of at least 4.5 to its background.
 STYLE = """
 :root { color-scheme: light dark; --ink: #1d2530; --soft: #55606e; --paper: #fff; --card: #fbfaf7; --line: #dcdfe4;
   --accent: #0b6b74;
@@ -39,20 +38,20 @@ svg { max-width: 100%; height: auto; display: block; } svg text { fill: var(--in
 """
 
 
-def page(title, whose, body):
-    """A whole page under a title, `body` being HTML."""
+def page(title, subtitle, body):
+    """Return a whole page; `body` is HTML."""
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src '
         f"'unsafe-inline'\"><title>{escape(title)}: "
-        f"{escape(whose)}</title><style>{STYLE}</style></head><body><h1>{escape(title)}<br><span "
-        f'class="soft">{person(whose)}</span></h1>{body}</body></html>\n'
+        f"{escape(subtitle)}</title><style>{STYLE}</style></head><body><h1>{escape(title)}<br><span "
+        f'class="soft">{person(subtitle)}</span></h1>{body}</body></html>\n'
     )
 
 
 def table(header, rows):
-    """A table that scrolls by itself on a narrow screen; `rows` are HTML."""
+    """Return a table that scrolls on a narrow screen; `rows` are HTML."""
     if not rows:
         return "<p>None.</p>"
     head = "".join(f"<th>{name}</th>" for name in header)
@@ -60,17 +59,18 @@ def table(header, rows):
 
 
 def answer_name(problem, answer):
-    """The table cell that names an answer."""
+    """Return the table cell with the name of an answer."""
     return f'<td class="key">{escape(problem)} <code>{escape(answer)}</code></td>'
 
 
 def person(name):
-    """A name apart from the text around it, whichever way it is written."""
+    """Return a name isolated from the text around it, in whatever direction it is written."""
     return f"<bdi>{escape(name)}</bdi>"
 
 
 def points(value):
-    """
+    """Return points with at most two decimals.
+
     >>> points(2.5), points(10.0), points(1 / 3)
     ('2.5', '10', '0.33')
     """
@@ -78,7 +78,8 @@ def points(value):
 
 
 def count(number, thing):
-    """
+    """Return a number with its noun.
+
     >>> count(1, "answer"), count(2, "answer")
     ('1 answer', '2 answers')
     """

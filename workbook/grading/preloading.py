@@ -1,5 +1,4 @@
-"""Import once, in the process that forks, what its children would otherwise import each for
-itself."""
+"""Preloading: import modules once, in the process that forks, rather than in each child."""
 
 import ctypes
 import gc
@@ -10,13 +9,13 @@ import sys
 from contextlib import contextmanager, suppress
 
 from trajlib._lazy import home_of
-from workbook.grading.fingerprint import JUDGES
-from workbook.grading.isolation import system_call
+from workbook.grading.fingerprint import JUDGING_MODULES
+from workbook.grading.system_calls import system_call
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import module_closure, path_of
 
-#: SymPy imports these inside its functions, when `solve`, `simplify`, `lambdify`, a derivative by a
-#: matrix or a set first needs them.
+#: SymPy imports these inside its functions, when `solve`, `simplify`, `lambdify`, a derivative with
+#: respect to a matrix, or a set first needs them.
 SYMPY = (
     "sympy",
     "sympy.assumptions.wrapper",
@@ -33,9 +32,9 @@ SYMPY = (
     "sympy.tensor.array.array_derivatives",
     "sympy.tensor.tensor",
 )
-#: For every notebook: the shell that runs its cells, and what writes and reads its answers.
+#: For every notebook: also the shell that runs its cells, and the codec of its answers.
 ALWAYS = (*SYMPY, "numpy", "IPython.core.interactiveshell", "workbook.checks.contract.sympy_codec")
-#: What notebooks and checks may use beside that.
+#: Libraries that notebooks and checks may use in addition.
 LIBRARIES = (
     "casadi",
     "matplotlib.pyplot",
@@ -63,40 +62,54 @@ THEMES = tuple(
 )
 
 
-def needed(problems, sources):
-    """{"notebooks": the modules, by name, that notebooks for these problems use, "checks": those
-    that judging them uses besides}: each costs every run its time, and each fork of its process.
+def modules_for(problems, sources):
+    """Return the names of modules that notebooks for these problems, and judging them, use.
 
-    `sources` are the notebooks' cells. They only choose among `LIBRARIES` and the public names of
-    `THEMES`, so nothing of theirs goes any further.
+    Each module costs every run its time of import, and every fork a little. The notebooks only
+    choose among `LIBRARIES` and the public names of `THEMES`: nothing else of them goes any
+    further.
+
+    Parameters
+    ----------
+    problems : collection of str
+        Their numbers.
+    sources : sequence of str
+        The cells of the notebooks.
+
+    Returns
+    -------
+    dict
+        "notebooks": names of modules; "checks": names of those that only judging uses.
     """
     data, checks = (
         [source for problem in problems for _, source in exercises.find(problem).code(role)]
         for role in ("data", "check")
     )
-    functions = [f"import {module}" for module in _functions(sources)]
+    functions = [f"import {module}" for module in _modules_of_names(sources)]
     notebooks = _with_libraries(["import workbook.notebooks.cells", *data, *functions], sources)
     return {
         "notebooks": [*ALWAYS, *notebooks],
         "checks": [
-            name for name in _with_libraries([JUDGES, *data, *checks]) if name not in notebooks
+            name
+            for name in _with_libraries([JUDGING_MODULES, *data, *checks])
+            if name not in notebooks
         ],
     }
 
 
 def _with_libraries(cells, sources=()):
-    """Our modules under some cells, and the libraries that these use, or that `sources` do."""
-    ours = module_closure("\n".join(cells))
+    """Return our modules that cells import, and the libraries that they or `sources` use."""
+    modules = module_closure("\n".join(cells))
     imports = [
         line
-        for module in ours
+        for module in modules
         for line in _IMPORT.findall(path_of(module).read_text(encoding="utf-8"))
     ]
     return [
         name
         for name in LIBRARIES
-        if _uses(name, sources) or (_computes(name) and _uses(name, imports))
-    ] + [*ours]
+        if _uses(name, sources) or (_is_for_computing(name) and _uses(name, imports))
+    ] + [*modules]
 
 
 #: A line that imports, also inside a function.
@@ -110,13 +123,12 @@ def _uses(name, sources):
     return any(pattern.search(source) for source in sources)
 
 
-def _functions(sources):
-    """The modules that hold the functions of trajlib which cells name."""
+def _modules_of_names(sources):
+    """Return the modules of trajlib that define the public names which cells use."""
     words = {word for source in sources for word in re.findall(r"\w+", source)}
-    # a theme of a single module is the home of all its names
     return sorted(
         {
-            home_of(package, name) or package
+            home_of(package, name)
             for package in THEMES
             if package.split(".")[1] in words
             for name in dir(importlib.import_module(package))
@@ -125,19 +137,18 @@ def _functions(sources):
     )
 
 
-def _computes(name):
-    """Whether checks use it: the pictures that their modules can also draw they do not."""
+def _is_for_computing(name):
+    """Return whether checks use a library: they do not draw the pictures of their modules."""
     return not name.startswith("matplotlib")
 
 
 def preload(*modules, packages=()):
-    """Import the modules and all public names of packages ("workbook.checks", "trajlib.stability",
-    ...)."""
-    with what_stays():
+    """Import modules, and all public names of packages such as "workbook.checks"."""
+    with freeze_new_objects():
         for name in modules:
             if name.startswith("scipy."):
-                _at_first_use(*NAMED_BY_SCIPY)
-            with suppress(ModuleNotFoundError):  # z3 is not to be had everywhere
+                _import_lazily(*NAMED_BY_SCIPY)
+            with suppress(ModuleNotFoundError):  # z3 is not available everywhere
                 importlib.import_module(name)
         for package in packages:
             home = importlib.import_module(package)
@@ -146,37 +157,37 @@ def preload(*modules, packages=()):
 
 
 @contextmanager
-def what_stays():
-    """What is made within no longer concerns the collector of garbage, which would write to every
-    object, and so copy the memory that a child shares with this process. While it is made, hardly
-    any of it is garbage: to look for that takes a fifth of the time of imports, and half of that of
-    parsing pages."""
+def freeze_new_objects():
+    """Freeze the objects made in this block, so that garbage collection no longer visits them.
+
+    A collection writes to every object, and so copies memory that a child shares with its parent.
+    Within the block none runs: hardly any of these objects is garbage, and looking for it takes a
+    fifth of the time of imports, and half of the time of parsing pages.
+    """
     gc.disable()
     try:
         yield
     finally:
         gc.freeze()
         gc.enable()
-        gc.set_threshold(CONTAINERS)
+        gc.set_threshold(GC_THRESHOLD)
 
 
-def draw_once(form):
-    """The first picture of a process loads its fonts, the grammar of formulas, and what writes its
-    form."""
+def warm_up_matplotlib(file_format):
+    """Draw a picture, which loads fonts, the grammar of formulas, and the writer of the format."""
     from matplotlib.figure import Figure
 
     figure = Figure()
     figure.subplots().set_title("$x$")
-    figure.savefig(io.BytesIO(), format=form, bbox_inches="tight")
+    figure.savefig(io.BytesIO(), format=file_format, bbox_inches="tight")
 
 
-#: What SciPy's parts name when they are imported, of which hardly anybody ever uses anything: a
-#: third of their time.
+#: Modules that SciPy's parts import but hardly ever use: a third of the time of their import.
 NAMED_BY_SCIPY = ("numpy.f2py", "numpy.testing", "scipy.spatial")
 
 
-def _at_first_use(*names):
-    """Let modules be loaded when something of them is asked for."""
+def _import_lazily(*names):
+    """Let modules load at the first access to one of their attributes."""
     for name in names:
         if name not in sys.modules:
             spec = importlib.util.find_spec(name)
@@ -187,26 +198,25 @@ def _at_first_use(*names):
             spec.loader.exec_module(module)
 
 
-#: After how many new containers the collector looks for garbage. Formulas are many small ones that
-#: live shortly and are no garbage when they end: Python's 700 cost the proofs of problems about a
-#: twentieth of their time.
-CONTAINERS = 100_000
-#: Bytes of a huge page, and the advice to make such of small ones (Linux 6.1).
+#: Number of new container objects that starts a garbage collection. Formulas are many small ones
+#: that end soon, by reference counting: Python's 700 cost the proofs of problems about a twentieth
+#: of their time.
+GC_THRESHOLD = 100_000
+#: Bytes of a huge page, and the advice to make small pages into such (Linux 6.1).
 HUGE_PAGE, MADV_COLLAPSE = 2**21, 25
 
 
-def into_huge_pages():
-    """Hold what is loaded in huge pages, where the kernel will: a fork copies the table of all
-    pages, and where they are huge it has an entry for every five hundred. Where a child writes, it
-    gets a small page of its own as before.
+def collapse_into_huge_pages():
+    """Move this process's memory into huge pages, where the kernel allows it.
 
-    That takes as long as some dozens of forks: for a process from which one is forked for each
-    notebook.
+    A fork copies the page table, which has one entry for a huge page and five hundred for the same
+    memory in small ones. Where a child writes, it still gets a small page of its own. This takes as
+    long as some dozens of forks, so it is for a process that forks for each notebook.
     """
     with suppress(OSError), open("/proc/self/maps") as file:  # not Linux
         for line in file.readlines():
-            place, rights, _, _, inode, *_ = line.split()
-            begin, end = (int(each, 16) for each in place.split("-"))
+            addresses, rights, _, _, inode, *_ = line.split()
+            begin, end = (int(address, 16) for address in addresses.split("-"))
             begin, end = -(-begin // HUGE_PAGE) * HUGE_PAGE, end // HUGE_PAGE * HUGE_PAGE
             if rights == "rw-p" and inode == "0" and begin < end:
                 with suppress(OSError):

@@ -1,21 +1,22 @@
-"""What was last written of a homework, and every change since: graded/<assignment>/grades.json.
+"""Record: the grades last written, and every change of them.
 
-A regrade, a resubmission, points given by hand or a changed assignment file can change a grade that
-students have seen. Each run compares its grades with those written before, and says which answers
-changed and why. The file is replaced whole, after everything else, so a run that is killed has
-either told its changes or tells them next time.
+It is the file graded/<assignment>/grades.json. A regrade, a resubmission, points given by hand or a
+changed assignment file can change a grade that students have seen. Each run compares its grades
+with those written before, and lists which answers changed and why. The file is replaced as a whole,
+after all others, so the changes of a run that is killed are either listed already or listed by the
+next run.
 """
 
 import json
 from contextlib import suppress
 from dataclasses import dataclass
 
-from workbook.grading.assignment import BadInput
+from workbook.grading.assignment import InputError
 
 
 @dataclass(frozen=True)
 class Change:
-    """One answer whose verdict or points are not what they were."""
+    """A change of the verdict or the points of one answer, and the reason `why`."""
 
     when: str
     student: str
@@ -28,7 +29,7 @@ class Change:
     why: str
 
 
-#: Reasons that are given in more than one case.
+#: Reasons for more than one kind of change.
 POINTS_CHANGED = "the assignment's points changed"
 NOT_ASKED, ASKED_AGAIN = "the homework asks for it no longer", "the homework asks for it again"
 #: In the place of a verdict.
@@ -36,8 +37,11 @@ NO_VERDICT = "not asked for"
 
 
 def compared(path, assignment, scores, when):
-    """(changes since the grades were written to `path`, all changes so far, the text to write there
-    now). `when` is a text."""
+    """Compare the scores with the grades written to `path`.
+
+    Returns (changes since then, all changes so far, the text to write there now); `when` is the
+    time of the new changes as text.
+    """
     before, students = read(path), _students(scores)
     former = [Change(**change) for change in before["changes"]]
     new = _changes(
@@ -47,72 +51,72 @@ def compared(path, assignment, scores, when):
         when,
     )
     new += _asked_again(former, before["students"], students, when)
-    everything = [*former, *new]
+    all_changes = [*former, *new]
     text = json.dumps(
         {
             "assignment": assignment.name,
             "title": assignment.title,
             "max points": assignment.max_points,
             "students": students,
-            "changes": [vars(change) for change in everything],
+            "changes": [vars(change) for change in all_changes],
         },
         ensure_ascii=False,
         indent=1,
     )
-    return new, everything, text + "\n"
+    return new, all_changes, text + "\n"
 
 
 def read(path):
-    """The grades last written, as plain data; nobody and no change where nothing was written yet.
-    Raises `BadInput`."""
+    """Return the grades last written, as plain data, or empty ones; raises `InputError`."""
     try:
-        given = json.loads(path.read_text(encoding="utf-8"))
-        _check(given)
-        return given
+        grades = json.loads(path.read_text(encoding="utf-8"))
+        _check(grades)
+        return grades
     except FileNotFoundError:
         return {"students": {}, "changes": []}
     except OSError as error:
-        raise BadInput(f"{path} cannot be read: {error.strerror}") from None
+        raise InputError(f"{path} cannot be read: {error.strerror}") from None
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
-        raise BadInput(
+        raise InputError(
             f"{path} is not as workbook grade wrote it; grade without it, and changes are told "
             "from there on"
         ) from None
 
 
-def _check(given):
-    """Fails on what cannot be read as grades."""
-    for student in given["students"].values():
+def _check(grades):
+    """Raise some error for data that are not grades."""
+    for student in grades["students"].values():
         for answer in student["answers"]:
             texts, numbers = (
                 (answer["problem"], answer["answer"], answer["verdict"]),
                 (answer["points"], answer["max points"]),
             )
-            if not all(isinstance(one, str) for one in texts) or not all(
-                type(one) in (int, float) for one in numbers
+            if not all(isinstance(text, str) for text in texts) or not all(
+                type(number) in (int, float) for number in numbers
             ):
                 raise TypeError
             answer["notebook"], answer["by hand"], answer["judged by"]
-    for change in given["changes"]:
+    for change in grades["changes"]:
         Change(**change).old_points + change["new_points"] + 0.0
 
 
 def put(path, text):
-    """Write a file whole or not at all."""
-    # Names of folders need not be text; what cannot be written as UTF-8 is shown by its number.
+    """Write a text file completely or not at all; raises `InputError`."""
+    # Names of folders need not be Unicode text.
     put_bytes(path, text.encode("utf-8", "backslashreplace"))
 
 
 def put_bytes(path, data):
-    beside = path.with_name(f".{path.name[:100]}.writing")
+    """Write a file completely or not at all; raises `InputError`."""
+    temporary = path.with_name(f".{path.name[:100]}.writing")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        beside.write_bytes(data)
-        beside.replace(path)
+        temporary.write_bytes(data)
+        temporary.replace(path)
     except OSError as error:
         with suppress(OSError):
-            beside.unlink()
-        raise BadInput(
+            temporary.unlink()
+        raise InputError(
             f"{path} cannot be written: {error.strerror}; nothing that was there is lost"
         ) from None
 
@@ -141,21 +145,22 @@ def _answer(score, answer):
         "max points": answer.max_points,
         "by hand": answer.manual,
         "points by hand": answer.by_hand,
-        # The notebook that counts and the version of the problem it was judged by, each as a
-        # hash.
+        # Hashes: of the notebook that counts, and of the problem and checks that it was judged by.
         "notebook": attempt.content if attempt else None,
         "judged by": attempt.exercise if attempt else None,
     }
 
 
 def _changes(before, after, asked, when):
-    """Changes of grades that stood before; what is graded for the first time is no change. `asked`
-    are (problem, answer)."""
+    """Return the changes of existing grades; `asked` are the (problem, answer) asked for now.
+
+    What is graded for the first time is no change.
+    """
     changes = []
     for student in {**after, **before}:
         now = _by_answer(after.get(student))
         for name, was in _by_answer(before.get(student)).items():
-            is_new = was["notebook"] is None and was["by hand"] is None
+            was_absent = was["notebook"] is None and was["by hand"] is None
             if name not in now:
                 if was["points"] > 0:
                     why = "points by hand taken back" if name in asked else NOT_ASKED
@@ -171,7 +176,7 @@ def _changes(before, after, asked, when):
                             why,
                         )
                     )
-            elif not (is_new and now[name]["notebook"] is not None) and (
+            elif not (was_absent and now[name]["notebook"] is not None) and (
                 was["verdict"] != now[name]["verdict"]
                 or abs(was["points"] - now[name]["points"]) > 1e-9
             ):
@@ -191,7 +196,7 @@ def _changes(before, after, asked, when):
 
 
 def _asked_again(former, before, after, when):
-    """Points that went when the homework asked for an answer no longer, and are back."""
+    """Return the changes of answers that the homework had ceased to ask for, and asks for again."""
     last = {(change.student, change.problem, change.answer): change for change in former}
     gone = {key for key, change in last.items() if change.new_verdict == NO_VERDICT}
     return [
@@ -228,7 +233,7 @@ def _why(was, now):
 
 
 def _by_hand(answer):
-    """The comment and the points that were entered, or None."""
+    """Return (comment, points) that were entered by hand, or None."""
     return (
         None
         if answer["by hand"] is None
@@ -237,5 +242,5 @@ def _by_hand(answer):
 
 
 def _version(answer):
-    """The version of the problem alone: after it may stand the limits that the notebook met."""
+    """Return the version of the problem, without the limits that may follow it."""
     return (answer["judged by"] or "").split(" ")[0]

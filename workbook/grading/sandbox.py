@@ -1,9 +1,8 @@
-"""The grader's side of the sandbox: hand a notebook in, get bytes and how it ended."""
+"""The grader's side of the sandbox: run a notebook in it, get bytes and how it ended."""
 
 import json
 import os
 import signal
-import socket
 import subprocess
 import tempfile
 from contextlib import suppress
@@ -11,24 +10,35 @@ from dataclasses import asdict, dataclass
 from functools import partial
 
 from workbook.grading import framing, isolation, watchdog
+from workbook.grading.forked_worker import ForkedWorker, NotebookProcess
 from workbook.grading.forkserver import Forkserver
-from workbook.grading.notebook_worker import NOT_NESTED
+from workbook.grading.notebook_worker import NOT_NESTED, READY
 from workbook.grading.preloading import ALWAYS, LIBRARIES
 
-#: Seconds that a worker may take to get ready, and how often it is started before that is given up.
-STARTING, STARTS = 60.0, 3
+#: Seconds that a notebook worker may take to start, and how often it is started before giving up.
+START_SECONDS, MAX_STARTS = 60.0, 3
 #: Seconds that a process may take to end, on a busy machine, after it has closed its pipe.
-ENDING = 5.0
+END_SECONDS = 5.0
+
+_ERRORS = (framing.FramingError, OSError, isolation.SandboxUnavailableError)
 
 
 @dataclass(frozen=True)
 class Limits:
-    """What one notebook may use, all its processes together: time of computing, memory, and the
-    rest.
+    """What one notebook may use, all its processes together.
 
-    Time in which nothing of the notebook wants to compute counts as computing. The clock on the
-    wall allows three times as much, and what a busy machine withholds is added, up to
-    `withheld_seconds`: it is not the student's fault.
+    Time in which nothing of the notebook wants to compute counts as computing. Wall time may be
+    three times as long, and what it waits for busy processors is added, up to `withheld_seconds`:
+    that is not the student's fault.
+
+    Parameters
+    ----------
+    cpu_seconds, wall_seconds, withheld_seconds : float
+        Processor time; wall time; wall time in addition while others have the processors.
+    memory_megabytes, disk_megabytes : int
+        Memory; files in each of `isolation.SCRATCH`.
+    processes : int
+        Processes and threads.
     """
 
     cpu_seconds: float = 120
@@ -40,15 +50,21 @@ class Limits:
 
     @classmethod
     def of_time(cls, seconds):
+        """Return the limits for so many seconds of computing."""
         return cls(cpu_seconds=seconds, wall_seconds=3 * seconds)
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """How a notebook ended, and the bytes it handed over, not looked into.
+    """How a notebook ended, and the bytes that it handed over, as they are.
 
-    `ended` is "done"; a limit it met ("time", "memory", "processes", "sockets", "large"); "died",
-    with the manner as the bytes; or "failed", when the sandbox itself did.
+    Parameters
+    ----------
+    ended : str
+        "done"; the limit that was exceeded ("time", "memory", "processes", "sockets", "large");
+        "died", with the exit code or signal as the bytes; or "failed", if the sandbox itself did.
+    handed_over : bytes
+        The encoded answers, or details of how it ended.
     """
 
     ended: str
@@ -56,25 +72,46 @@ class Outcome:
 
 
 class Sandbox:
-    """A ready worker in a sandbox; `run` may be called again and again, each notebook sees an
-    untouched machine.
+    """A notebook worker in a sandbox; use it as a context manager.
 
-    Raises `isolation.NoIsolation` where none can be had. Use as a context manager. Where the system
-    allows no namespaces inside a sandbox, each notebook gets a sandbox of its own (`once`).
-    Notebooks find `modules` imported, and what `forkserver` has imported if one is given.
+    `run` may be called again and again: each notebook finds an untouched machine. Where the system
+    allows no namespaces inside a sandbox, each notebook gets a sandbox of its own ("single-use").
+
+    Parameters
+    ----------
+    limits : Limits
+        Those of each notebook.
+    single_use : bool
+        Whether each notebook gets a sandbox of its own from the start.
+    forkserver : Forkserver, optional
+        The one to fork from; by default one of its own.
+    modules : sequence of str
+        What notebooks find imported, besides what `forkserver` has imported.
+
+    Raises
+    ------
+    isolation.SandboxUnavailableError
+        On entering, where the machine offers no sandbox; also by the first `run` if it is not
+        entered.
     """
 
     _own_network = True
 
-    def __init__(self, limits=Limits(), once=False, forkserver=None, modules=(*ALWAYS, *LIBRARIES)):
+    def __init__(
+        self, limits=Limits(), single_use=False, forkserver=None, modules=(*ALWAYS, *LIBRARIES)
+    ):
         self.limits, self._modules = limits, modules
-        self._once, self._forkserver, self._own_forkserver = once, forkserver, None
-        self._worker = self._proc = self._place = None
+        self._single_use, self._forkserver, self._own_forkserver = single_use, forkserver, None
+        self._worker = self._proc = self._process = None
         self._greeted = False
 
     def __enter__(self):
-        self.start()
-        self._greet()
+        try:
+            self.start()
+            self._wait_for_greeting()
+        except BaseException:
+            self.__exit__()
+            raise
         return self
 
     def __exit__(self, *_):
@@ -84,85 +121,100 @@ class Sandbox:
             self._own_forkserver = None
 
     def run(self, sources, names, before=()):
-        """Run code cells, those of `before` first, and collect the answers `names`; returns an
-        `Outcome`, whatever the notebook does."""
-        self.hand_in(sources, names, before)
-        return self.outcome()
+        """Run code cells and collect answers, whatever the notebook does.
 
-    def hand_in(self, sources, names, before=()):
-        """Let the notebook begin that `run` would run; it goes on until `outcome` is asked for."""
+        Parameters
+        ----------
+        sources : sequence of str
+            The notebook's code cells.
+        names : sequence of str
+            The answers to collect.
+        before : sequence of str
+            Cells to run first, not of the student.
+
+        Returns
+        -------
+        Outcome
+            How it ended, and the encoded answers.
+        """
+        self.start_run(sources, names, before)
+        return self.finish_run()
+
+    def start_run(self, sources, names, before=()):
+        """Start what `run` does, without waiting for it."""
         self._request = json.dumps(
             {"sources": list(sources), "names": list(names), "before": list(before)}
         ).encode()
         self._begin()
 
-    def outcome(self):
-        """The `Outcome` of the notebook handed in."""
-        outcome = self._end()
+    def finish_run(self):
+        """Return the `Outcome` of the run that was started."""
+        outcome = self._wait()
         if outcome.ended != "failed":
             return outcome
-        # The machine was out of memory, or somebody ended our processes: not the notebook's doing,
-        # so it is tried once more.
+        # The machine was out of memory, or somebody killed our processes: this is not the
+        # notebook's doing, so it is tried once more.
         self._begin()
-        return self._end()
+        return self._wait()
 
     def _begin(self):
-        self._in_the_way = None
+        self._start_error = None
         try:
             self.start()
-            self._greet()
-            if self._once:
-                requests, results, below = (
+            self._wait_for_greeting()
+            if self._single_use:
+                requests, results, ancestor = (
                     self._worker.stdin.fileno(),
                     self._worker.stdout.fileno(),
                     self._worker.pid,
                 )
                 self._proc, wake = os.open("/proc", os.O_RDONLY | os.O_DIRECTORY), lambda: None
             else:
-                self._make_place()
-                requests, results, below = self._place.requests, self._place.results, self._below
-                self._place.number = self._worker.children.forked()
-                wake = partial(self._worker.children.wake, self._place.number)
-            self._watch = watchdog.Watch(
-                below, results, asdict(self.limits), self._proc, self._own_network, wake
+                self._fork_process()
+                requests, results = self._process.requests, self._process.results
+                ancestor = self._worker_pid
+                self._process.pid = self._worker.children.finish_fork()
+                wake = partial(self._worker.children.wake, self._process.pid)
+            self._watchdog = watchdog.Watchdog(
+                ancestor, results, asdict(self.limits), self._proc, self._own_network, wake
             )
-            self._watch.prepared()
+            self._watchdog.wait_until_prepared()
             framing.send(requests, self._request)
-        except (framing.Broken, OSError, isolation.NoIsolation) as trouble:
-            self._in_the_way = trouble
+        except _ERRORS as error:
+            self._start_error = error
 
-    def _end(self):
+    def _wait(self):
         try:
-            if self._in_the_way is not None:
-                raise self._in_the_way
-            ended, message = self._watch.answers()
-            outcome = self._told(ended, self._how_it_died() if ended == b"died" else message)
-        except (framing.Broken, OSError, isolation.NoIsolation) as trouble:
-            outcome = Outcome("failed", str(trouble).encode())
-        if self._once or outcome.ended == "failed":
+            if self._start_error is not None:
+                raise self._start_error
+            ended, message = self._watchdog.wait_for_answers()
+            outcome = self._outcome(ended, self._exit_status() if ended == b"died" else message)
+        except _ERRORS as error:
+            outcome = Outcome("failed", str(error).encode())
+        if self._single_use or outcome.ended == "failed":
             self._stop()
-        # the next one gets ready while this outcome is judged
-        with suppress(isolation.NoIsolation, OSError):
-            if self._once:
+        # The next process is prepared while this outcome is judged.
+        with suppress(isolation.SandboxUnavailableError, OSError):
+            if self._single_use:
                 self.start()
             elif self._worker is not None:
-                self._leave_place()
-                self._make_place()
+                self._leave_process()
+                self._fork_process()
         return outcome
 
-    def _make_place(self):
-        if self._place is None:
-            self._place = _Place(self._worker.children)
+    def _fork_process(self):
+        if self._process is None:
+            self._process = NotebookProcess(self._worker.children)
 
-    def _leave_place(self):
-        place, self._place = self._place, None
-        place.close()
-        self._put_away(place.number)
+    def _leave_process(self):
+        process, self._process = self._process, None
+        process.close()
+        self._end_process(process.pid)
 
-    def _put_away(self, number):
-        self._worker.children.forget(number)
+    def _end_process(self, pid):
+        self._worker.children.forget(pid)
 
-    def _told(self, ended, message):
+    def _outcome(self, ended, message):
         # The first process of a namespace cannot be killed from inside: this was the kernel, or
         # somebody on the machine.
         return (
@@ -171,19 +223,15 @@ class Sandbox:
             else Outcome(ended.decode(), message)
         )
 
-    def _how_it_died(self):
-        """ "exit 3", "signal 11", or "silent" if it lives on but has closed its pipe."""
-        if not self._once:
-            code = self._worker.children.ended(self._place.number, within=ENDING)
-            return (
-                b"silent"
-                if code is None
-                else f"signal {-code}".encode()
-                if code < 0
-                else f"exit {code}".encode()
-            )
+    def _exit_status(self):
+        """Return "exit 3", "signal 11", or "silent" if it runs on but has closed its pipe."""
+        if not self._single_use:
+            code = self._worker.children.exit_code(self._process.pid, within=END_SECONDS)
+            if code is None:
+                return b"silent"
+            return (f"signal {-code}" if code < 0 else f"exit {code}").encode()
         with suppress(subprocess.TimeoutExpired):
-            code = self._worker.wait(timeout=ENDING)
+            code = self._worker.wait(timeout=END_SECONDS)
             # Bubblewrap's exit code is that of the process inside, or 128 and its signal.
             return (
                 f"signal {code - 128}"
@@ -195,74 +243,76 @@ class Sandbox:
         return b"silent"
 
     def start(self):
-        """Begin to get ready; entering, or the first run, waits for it."""
+        """Start the notebook worker; entering, or the first run, waits for it."""
         if self._worker is None:
-            self._worker, self._greeted = self._spawn(), False
+            self._worker, self._greeted = self._start_worker(), False
 
-    def _greet(self, starts_left=STARTS - 1):
+    def _wait_for_greeting(self, starts_left=MAX_STARTS - 1):
         if self._greeted:
             return
         try:
-            greeting = framing.receive(self._worker.stdout.fileno(), STARTING)
-        except framing.Broken as broken:
-            trouble = self._why_it_did_not_start(str(broken))
+            greeting = framing.receive(self._worker.stdout.fileno(), START_SECONDS)
+        except framing.FramingError as framing_error:
+            error = self._why_not_started(str(framing_error))
             self._stop()
-            if not (starts_left and isinstance(trouble, isolation.NotStarted)):
-                raise trouble from None
+            if not (starts_left and isinstance(error, isolation.ProcessStartError)):
+                raise error from None
             self.start()
-            self._greet(starts_left - 1)
+            self._wait_for_greeting(starts_left - 1)
             return
-        self._greeted = greeting == b"ready"
+        self._greeted = greeting == READY
         if self._greeted:
-            if not self._once:
-                self._below, self._proc = self._worker.children.place_in_proc()
+            if not self._single_use:
+                self._worker_pid, self._proc = self._worker.children.receive_proc()
             return
         self._stop()
         if greeting != NOT_NESTED:
-            raise isolation.NoIsolation(
+            raise isolation.SandboxUnavailableError(
                 f"the sandbox does not start here: {greeting.decode(errors='replace')}"
             )
-        self._once = True
+        self._single_use = True
         self.start()
-        self._greet()
+        self._wait_for_greeting()
 
-    def _why_it_did_not_start(self, broken):
-        """The error to raise: what bubblewrap itself says is the machine's affair, all else may go
-        better next time."""
-        if broken == "time":
-            return isolation.NotStarted(
-                f"the sandbox was not ready within {STARTING:g} s, {STARTS} times: the machine"
-                " is too slow or too busy; the same command goes on from here"
+    def _why_not_started(self, framing_error):
+        """Return the error to raise: an error of bubblewrap is final, others may be temporary."""
+        if framing_error == "time":
+            return isolation.ProcessStartError(
+                f"the sandbox was not ready within {START_SECONDS:g} s, {MAX_STARTS} times: the"
+                " machine is too slow or too busy; the same command goes on from here"
             )
         with suppress(subprocess.TimeoutExpired):
-            self._worker.wait(timeout=ENDING)
+            self._worker.wait(timeout=END_SECONDS)
         code = self._worker.returncode
         signal_number = 9 if code is None else -code if code < 0 else max(code - 128, 0)
         if signal_number:
-            return isolation.NotStarted(
+            return isolation.ProcessStartError(
                 f"the process that runs notebooks was killed (signal {signal_number}) while it"
-                f" started, {STARTS} times: the machine may be out of memory; the same command"
+                f" started, {MAX_STARTS} times: the machine may be out of memory; the same command"
                 " goes on from here"
             )
-        said = self._worker.stderr.read().decode(errors="replace").strip().split("\n")
-        said = [line for line in said if line.startswith("bwrap: ")] or said
-        return isolation.NoIsolation(
-            f"the sandbox does not start here: {said[-1] or 'it ended without a word'}"
+        lines = self._worker.stderr.read().decode(errors="replace").strip().split("\n")
+        lines = [line for line in lines if line.startswith("bwrap: ")] or lines
+        return isolation.SandboxUnavailableError(
+            f"the sandbox does not start here: {lines[-1] or 'it ended without a word'}"
         )
 
-    def _spawn(self):
-        if self._once:
-            bwrap = (
+    def _start_worker(self):
+        if self._single_use:
+            return isolation.spawn_sandboxed(
                 self._forkserver.bubblewrap
                 if self._forkserver is not None
-                else isolation.bubblewrap()
+                else isolation.find_bubblewrap(),
+                asdict(self.limits),
+                "from workbook.grading import notebook_worker; "
+                f"notebook_worker.run_once({asdict(self.limits)!r}, {list(self._modules)!r})",
             )
-            return isolation.spawn_once(bwrap, asdict(self.limits), self._modules)
-        forkserver = self._forks()
-        return Forked(forkserver, "nested", asdict(self.limits), forkserver.bubblewrap, "/tmp")
+        forkserver = self._get_forkserver()
+        return ForkedWorker(
+            forkserver, "nested", asdict(self.limits), forkserver.bubblewrap, "/tmp"
+        )
 
-    def _forks(self):
-        """The forkserver: the one that was given, or else one of its own."""
+    def _get_forkserver(self):
         if self._forkserver is not None:
             return self._forkserver
         if self._own_forkserver is None or not self._own_forkserver.alive():
@@ -271,10 +321,10 @@ class Sandbox:
 
     def _stop(self):
         if self._worker is not None:
-            if isinstance(self._worker, Forked):
+            if isinstance(self._worker, ForkedWorker):
                 self._worker.end()
             else:
-                # Its whole group: while bubblewrap is starting, its inner half does not yet end
+                # Its whole group: while bubblewrap is starting, its inner process does not yet end
                 # with the outer one.
                 if self._worker.returncode is None:
                     with suppress(ProcessLookupError):
@@ -283,71 +333,24 @@ class Sandbox:
             for pipe in (self._worker.stdin, self._worker.stdout, self._worker.stderr):
                 pipe.close()
             self._worker = None
-        if self._place is not None:
-            self._place.close()
-            self._place = None
+        if self._process is not None:
+            self._process.close()
+            self._process = None
         if self._proc is not None:
             os.close(self._proc)
             self._proc = None
 
 
-class _Place:
-    """A process, begun, in which the next notebook is to run, and the pipes to it and from it."""
+class Unsandboxed(Sandbox):
+    """No sandbox: notebooks run as the grader's own user, within limits.
 
-    def __init__(self, children):
-        self.number = None
-        (theirs, self.requests), (self.results, mine) = os.pipe(), os.pipe()
-        try:
-            children.begin_fork("notebook", [], [theirs, mine])
-        finally:
-            os.close(theirs)
-            os.close(mine)
-
-    def close(self):
-        os.close(self.requests)
-        os.close(self.results)
-
-
-class Forked:
-    """A worker forked from a forkserver, to be used like a `subprocess.Popen`; itself the forkserver of
-    its `children`."""
-
-    def __init__(self, forkserver, *given):
-        self._forkserver, self.returncode = forkserver, None
-        self.stdin, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        self.children = Forkserver(self.stdin)
-        pipes = [os.pipe() for _ in range(2)]
-        inside = [pipes[0][1], pipes[1][1]]
-        try:
-            with theirs:
-                self.pid = forkserver.fork("worker", given, [theirs.fileno(), *inside])
-        finally:
-            for descriptor in inside:
-                os.close(descriptor)
-        self.stdout, self.stderr = (open(pipe[0], "rb", buffering=0) for pipe in pipes)
-
-    def wait(self, timeout=None):
-        if self.returncode is None:
-            self.returncode = self._forkserver.ended(self.pid, 60 if timeout is None else timeout)
-            if self.returncode is None and timeout is not None:
-                raise subprocess.TimeoutExpired("worker", timeout)
-        return self.returncode
-
-    def end(self):
-        """Let it end, which it does when nobody is there to ask, or kill it with its whole group;
-        and forget it."""
-        self.stdin.close()
-        with suppress(isolation.NotStarted):
-            self.returncode = self._forkserver.end(self.pid, within=1)
-
-
-class Trusting(Sandbox):
-    """No sandbox: notebooks run as the grader's own user, within limits. For students, or machines,
-    that can be trusted."""
+    For students, or machines, that can be trusted.
+    """
 
     _folder, _own_network = None, False
 
     def start(self):
+        """Start the notebook worker, with a temporary folder for notebooks."""
         if self._folder is None:
             self._folder = tempfile.TemporaryDirectory(
                 prefix="workbook-", ignore_cleanup_errors=True
@@ -358,12 +361,14 @@ class Trusting(Sandbox):
         super().__exit__()
         self._folder.cleanup()
 
-    def _spawn(self):
-        return Forked(self._forks(), "trusting", asdict(self.limits), None, self._folder.name)
+    def _start_worker(self):
+        return ForkedWorker(
+            self._get_forkserver(), "trusted", asdict(self.limits), None, self._folder.name
+        )
 
-    def _told(self, ended, message):
+    def _outcome(self, ended, message):
         return Outcome(ended.decode(), message)
 
-    def _put_away(self, number):
-        # with all that is left of it, which no namespace does here
-        self._worker.children.end(number)
+    def _end_process(self, pid):
+        # Waits until all that is left of it has ended, which no namespace ensures here.
+        self._worker.children.end(pid)

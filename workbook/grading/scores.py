@@ -1,10 +1,8 @@
-"""From verdicts to points: partial credit by answer, which attempt counts, and manual scores that
-beat automatic ones.
+"""Scores: partial credit by answer, the attempt that counts, and points given by hand.
 
-An answer that no check could judge is worth nothing yet, but it is not wrong: as long as it may
-raise the grade, the score needs a lecturer's look, and that stands beside it wherever the score
-goes. So does the score of a student of whom something was left aside that may be the work that is
-missing.
+An answer that no check could judge has no points yet, but is not wrong: while it may still raise
+the grade, the score needs a lecturer's look (`StudentScore.needs_review`), which all tables and
+pages say. So does the score of a student if something that was left aside may be the missing work.
 """
 
 from dataclasses import dataclass, field
@@ -18,11 +16,24 @@ NOT_FOUND = Verdict(MISSING, "no notebook for this problem was found, but someth
 
 @dataclass(frozen=True)
 class AnswerScore:
-    """Points of one answer, given as `text`, which is short; answers with the same `hash` are the
-    same.
+    """The points of one answer.
 
-    `manual` is the lecturer's comment if the points were given by hand, else None; `by_hand` are
-    the points then given, which may be more than the answer is worth now, and count as that.
+    Parameters
+    ----------
+    problem, answer : str
+        Number of the problem, name of the answer.
+    verdict : Verdict
+        The check's.
+    points, max_points : float
+        What it has, and what it is worth.
+    text : str
+        The answer, shortened.
+    manual : str or None
+        The lecturer's comment, if the points were given by hand.
+    by_hand : float or None
+        The points then given, which count up to `max_points`, should that be less by now.
+    hash : str
+        Of the whole answer: the same for equal answers.
     """
 
     problem: str
@@ -37,18 +48,33 @@ class AnswerScore:
 
     @property
     def is_capped(self):
+        """Whether more points were given by hand than the answer is worth now."""
         return self.by_hand is not None and self.by_hand > self.max_points
 
 
 @dataclass(frozen=True)
 class StudentScore:
-    """A student's homework: a score for every answer asked for.
+    """A student's homework.
 
-    `counted` maps a problem to the attempt that counts (a problem without one is absent), `tried`
-    to the number of attempts. `to_review` are answers that could not be judged and may still raise
-    the grade, also those of another attempt than the one that counts so far. `aside` is what was
-    left aside of the student's work (`submissions.Aside`), and `spoilt` maps a problem to the
-    remarks on the newest attempt if that one could not be read or gave no answer.
+    Parameters
+    ----------
+    student : str
+        The name.
+    answers : tuple of AnswerScore
+        Every answer asked for.
+    counted : dict
+        The attempt that counts by problem; a problem without one is absent.
+    late : tuple of str
+        Problems whose counted attempt is late.
+    tried : dict
+        The number of attempts by problem.
+    to_review : tuple of AnswerScore
+        Answers that could not be judged and may still raise the grade, also of an attempt that does
+        not count so far.
+    aside : tuple of LeftAside
+        What was left aside of the student's work.
+    unusable : dict
+        By problem, the remarks on the newest attempt if it could not be read or gave no answer.
     """
 
     student: str
@@ -58,96 +84,136 @@ class StudentScore:
     tried: dict
     to_review: tuple
     aside: tuple = ()
-    spoilt: dict = field(default_factory=dict)
+    unusable: dict = field(default_factory=dict)
 
     @property
     def points(self):
+        """The points of all answers."""
         return sum(answer.points for answer in self.answers)
 
     @property
     def max_points(self):
+        """What all answers are worth."""
         return sum(answer.max_points for answer in self.answers)
 
     @property
     def needs_review(self):
-        return bool(self.to_review or self.waits_aside)
+        """Whether a lecturer has to look at something."""
+        return bool(self.to_review or self.aside_needs_review)
 
     @property
-    def waits_aside(self):
-        """Whether something left aside is to be looked at: not if it is for another problem, and
-        all that is asked for is here."""
-        return any(not one.problem or 0 in self.tried.values() for one in self.aside)
+    def aside_needs_review(self):
+        """Whether something left aside may be missing work.
+
+        It is not, if it is for another problem and all problems asked for have an attempt.
+        """
+        return any(not entry.problem or 0 in self.tried.values() for entry in self.aside)
 
     @property
     def handed_in(self):
-        """True if there is something to grade, be it by hand, or something that a lecturer has to
-        look at."""
+        """Whether there is something to grade, also by hand, or to look at."""
         return bool(self.counted or self.aside) or any(
             answer.manual is not None for answer in self.answers
         )
 
     def of_problem(self, problem):
+        """Return the `AnswerScore` of each answer of a problem."""
         return tuple(answer for answer in self.answers if answer.problem == problem)
 
 
 def scores(store, assignment, students=(), aside=()):
-    """The scores of everyone who submitted, and of `students` who did not, sorted by name; `aside`
-    is all that was left aside."""
+    """Return the scores of a class for an assignment, sorted by name.
+
+    Parameters
+    ----------
+    store : Store
+        With the results.
+    assignment : Assignment
+        What is asked for.
+    students : iterable of str
+        Students to list even if they submitted nothing.
+    aside : iterable of LeftAside
+        All that was left aside.
+
+    Returns
+    -------
+    list of StudentScore
+        One for each student.
+    """
     attempts = {}
     for attempt in store.attempts(assignment.name):
         attempts.setdefault(attempt.student, []).append(attempt)
     manual = {}
-    for (student, problem, answer), given in store.manual(assignment.name).items():
-        manual.setdefault(student, {})[problem, answer] = given
-    theirs = {}
-    for one in aside:
+    for (student, problem, answer), entry in store.manual(assignment.name).items():
+        manual.setdefault(student, {})[problem, answer] = entry
+    aside_of = {}
+    for entry in aside:
         # What lies in no homework's folder may be for this one if the student has nothing else
         # here.
-        if one.student and (
-            one.assignment == assignment.name or not (one.assignment or one.student in attempts)
+        if entry.student and (
+            entry.assignment == assignment.name
+            or not (entry.assignment or entry.student in attempts)
         ):
-            theirs.setdefault(one.student, []).append(one)
+            aside_of.setdefault(entry.student, []).append(entry)
     return [
         of_student(
             name,
             assignment,
             attempts.get(name, []),
             manual.get(name, {}),
-            tuple(theirs.get(name, ())),
+            tuple(aside_of.get(name, ())),
         )
-        for name in sorted({*attempts, *manual, *students, *theirs})
+        for name in sorted({*attempts, *manual, *students, *aside_of})
     ]
 
 
 def of_student(student, assignment, attempts, manual, aside=()):
-    """The score of one student: `attempts` oldest first, `manual` maps (problem, answer) to
-    (points, comment)."""
-    answers, counted, tried, to_review, spoilt = [], {}, {}, [], {}
-    none = NOT_FOUND if aside else NOT_SUBMITTED
+    """Return the score of one student.
+
+    Parameters
+    ----------
+    student : str
+        The name.
+    assignment : Assignment
+        What is asked for.
+    attempts : list of Attempt
+        The student's, oldest first.
+    manual : dict
+        (points, comment) by (problem, answer).
+    aside : tuple of LeftAside
+        What was left aside of the student's work.
+
+    Returns
+    -------
+    StudentScore
+        The score.
+    """
+    answers, counted, tried, to_review, unusable = [], {}, {}, [], {}
+    no_verdict = NOT_FOUND if aside else NOT_SUBMITTED
     for problem, points in assignment.points.items():
-        mine = [attempt for attempt in attempts if attempt.problem == problem]
-        tried[problem] = len(mine)
+        of_problem = [attempt for attempt in attempts if attempt.problem == problem]
+        tried[problem] = len(of_problem)
         graded = [
-            _answers(attempt, problem, points, manual)
-            for attempt in mine[: assignment.attempts]
+            _graded(attempt, problem, points, manual)
+            for attempt in of_problem[: assignment.attempts]
             if attempt.verdicts
         ]
-        chosen = _that_counts(graded, assignment.attempt) or _answers(
-            NOTHING, problem, points, manual, none
+        chosen = _counting(graded, assignment.attempt) or _graded(
+            NO_ATTEMPT, problem, points, manual, no_verdict
         )
         answers += chosen.answers
-        if chosen.attempt is not NOTHING:
+        if chosen.attempt is not NO_ATTEMPT:
             counted[problem] = chosen.attempt
-        if mine and _gave_nothing(mine[-1]):
-            spoilt[problem] = mine[-1].remarks
+        if of_problem and _is_unusable(of_problem[-1]):
+            unusable[problem] = of_problem[-1].remarks
         candidates = (
             [chosen]
             if assignment.attempt == "last"
-            else [one for one in graded if one.possible > chosen.sure]
+            else [attempt for attempt in graded if attempt.possible > chosen.sure]
         )
         # Each answer once: a lecturer's points for it count whichever attempt does.
         to_review += {
-            answer.answer: answer for one in candidates for answer in one.unjudged
+            answer.answer: answer for candidate in candidates for answer in candidate.unjudged
         }.values()
     late = tuple(
         problem
@@ -155,24 +221,24 @@ def of_student(student, assignment, attempts, manual, aside=()):
         if assignment.due is not None and attempt.submitted > assignment.due.timestamp()
     )
     return StudentScore(
-        student, tuple(answers), counted, late, tried, tuple(to_review), tuple(aside), spoilt
+        student, tuple(answers), counted, late, tried, tuple(to_review), tuple(aside), unusable
     )
 
 
-#: Stands for the attempt of a student who handed nothing in.
-NOTHING = Attempt(0, "", "", "", "", 0.0, None, {}, {}, ())
+#: In place of the attempt of a student who handed nothing in.
+NO_ATTEMPT = Attempt(0, "", "", "", "", 0.0, None, {}, {}, ())
 
 
 @dataclass(frozen=True)
-class _Graded:
-    """An attempt with its points: those that are `sure`, and those that are `possible` if all that
-    was not judged is right."""
+class _GradedAttempt:
+    """An attempt with its points."""
 
     attempt: Attempt
     answers: tuple
 
     @property
     def unjudged(self):
+        """The answers that no check could judge, and no lecturer has."""
         return [
             answer
             for answer in self.answers
@@ -181,17 +247,19 @@ class _Graded:
 
     @property
     def sure(self):
+        """The points that it has."""
         return sum(answer.points for answer in self.answers)
 
     @property
     def possible(self):
+        """The points if all that was not judged is right."""
         return self.sure + sum(answer.max_points for answer in self.unjudged)
 
 
-def _answers(attempt, problem, points, manual, none=NOT_SUBMITTED):
+def _graded(attempt, problem, points, manual, no_verdict=NOT_SUBMITTED):
     scored = []
     for answer, worth in points.items():
-        verdict = attempt.verdicts.get(answer, none)
+        verdict = attempt.verdicts.get(answer, no_verdict)
         by_hand, comment = manual.get((problem, answer), (None, None))
         automatic = worth if verdict.status == RIGHT else 0.0
         scored.append(
@@ -207,20 +275,25 @@ def _answers(attempt, problem, points, manual, none=NOT_SUBMITTED):
                 attempt.hashes.get(answer, ""),
             )
         )
-    return _Graded(attempt, tuple(scored))
+    return _GradedAttempt(attempt, tuple(scored))
 
 
-def _gave_nothing(attempt):
-    """Whether a notebook could not be read, or was run without an answer of any kind, and something
-    is said of why."""
+def _is_unusable(attempt):
+    """Return whether a notebook gave no answer of any kind, with remarks that say why."""
     return bool(attempt.verdicts and attempt.remarks) and {
         verdict.status for verdict in attempt.verdicts.values()
     } == {MISSING}
 
 
-def _that_counts(graded, which):
-    """The last, or the best; between equals the one that may still rise, then the earlier, which
-    cannot be late sooner."""
+def _counting(graded, which):
+    """Return the last attempt, or the best.
+
+    Of equally good ones, the one that may still rise; then the earlier, which is late only if the
+    others are.
+    """
     if not graded or which == "last":
         return graded[-1] if graded else None
-    return max(graded, key=lambda one: (one.sure, one.possible, -one.attempt.submitted))
+    return max(
+        graded,
+        key=lambda attempt: (attempt.sure, attempt.possible, -attempt.attempt.submitted),
+    )

@@ -1,13 +1,18 @@
-"""What a notebook may not ask of the kernel: a seccomp filter, installed in the process itself
-before its first cell.
+"""Seccomp: a filter of system calls.
 
-Denied are new namespaces (in one of its own a process is root and may mount file systems of any
-size), memory that belongs to no process and so escapes every limit, looking into other processes,
-keys, and sockets of families that no network namespace confines (vsock reaches a virtual machine's
-host) or with buffers of more than the usual size. So are limits of a notebook's own making, by
-which the kernel would kill it in a way that looks like the grader's failure, and a word on how
-children end, since the time of children nobody waits for is lost to the count. Everything else is
-allowed.
+A notebook's process installs it before the first cell. Denied are:
+
+- new namespaces, since in one of its own a process is root and may mount file systems of any size;
+- memory that belongs to no process and so escapes every limit;
+- access to other processes, and to keys;
+- sockets of families that no network namespace confines (vsock reaches a virtual machine's host),
+  and options that enlarge their buffers;
+- limits of the notebook's own making, by which the kernel would kill it in a way that looks like a
+  failure of the grader;
+- another treatment of SIGCHLD, since the processor time of children that nobody waits for is not
+  counted.
+
+Everything else is allowed.
 """
 
 import ctypes
@@ -17,14 +22,15 @@ import signal
 import socket
 import struct
 
-from workbook.grading.isolation import NoIsolation, system_call
+from workbook.grading.isolation import SandboxUnavailableError
+from workbook.grading.system_calls import system_call
 
 PR_SET_SECCOMP, SECCOMP_MODE_FILTER = 22, 2
 ALLOW, ERRNO, KILL = 0x7FFF0000, 0x00050000, 0x80000000
 
-#: Audit number of the architecture, and the column of its numbers below.
+#: Audit number of each architecture, and the column of its system call numbers below.
 ARCHITECTURES = {"x86_64": (0xC000003E, 0), "aarch64": (0xC00000B7, 1)}
-#: On x86_64 a second table of the same calls begins here.
+#: On x86_64 a second table of the same system calls begins here.
 X32 = 0x40000000
 
 DENIED = {
@@ -42,7 +48,7 @@ DENIED = {
     "fsmount": (432, 432),
     "fspick": (433, 433),
     "mount_setattr": (442, 442),
-    # memory of no process
+    # memory that belongs to no process
     "memfd_create": (319, 279),
     "memfd_secret": (447, 447),
     "shmget": (29, 194),
@@ -81,22 +87,24 @@ NEW_NAMESPACE = 0x7E020000
 FAMILIES = (socket.AF_UNIX, socket.AF_INET, socket.AF_INET6)
 #: Options of SOL_SOCKET that set the size of a buffer, the last two whatever the system's limit.
 BUFFERS = (socket.SO_SNDBUF, socket.SO_RCVBUF, 32, 33)
-#: Where the filter finds the first arguments of a call.
+#: Offsets of the first arguments of a system call.
 FIRST, SECOND, THIRD = 16, 24, 32
 
 
-def check_known():
-    """Raise `NoIsolation` on a machine for which there is no filter."""
+def require_known_machine():
+    """Raise `SandboxUnavailableError` on a machine for which there is no filter."""
     if platform.machine() not in ARCHITECTURES:
-        raise NoIsolation(
+        raise SandboxUnavailableError(
             f"no filter of system calls is known for {platform.machine()}; there is one for "
             f"{' and '.join(ARCHITECTURES)}"
         )
 
 
-def forbid():
-    """Install the filter in this process, for good; its children inherit it. Needs
-    `no_new_privs`."""
+def install_filter():
+    """Install the filter in this process and its future children, for good.
+
+    It needs `no_new_privs`.
+    """
     program = _program(platform.machine())
     buffer = ctypes.create_string_buffer(program, len(program))
     header = struct.pack("HP", len(program) // 8, ctypes.addressof(buffer))
@@ -104,58 +112,59 @@ def forbid():
 
 
 def _program(machine):
-    """The filter as instructions of the classic Berkeley packet filter, over (number, architecture,
-    ..., arguments)."""
+    """Return the filter as instructions of the classic Berkeley packet filter.
+
+    Its data are the number of the system call, the architecture, ..., the arguments.
+    """
     audit, column = ARCHITECTURES[machine]
-    program = [_load(4), *_unless_equal(audit, [_answer(KILL)]), _load(0)]
+    program = [_load(4), *_unless_equal(audit, [_return(KILL)]), _load(0)]
     if machine == "x86_64":
-        program += [_jump(AT_LEAST, X32, 0, 1), _answer(KILL)]
+        program += [_jump(AT_LEAST, X32, 0, 1), _return(KILL)]
     for numbers in DENIED.values():
-        program += _if_equal(numbers[column], [_answer(ERRNO | errno.EPERM)])
-    # The C library falls back from clone3, whose flags no filter can read, to clone.
-    program += _if_equal(CLONE3[column], [_answer(ERRNO | errno.ENOSYS)])
+        program += _if_equal(numbers[column], [_return(ERRNO | errno.EPERM)])
+    # The C library falls back to clone from clone3, whose flags no filter can read.
+    program += _if_equal(CLONE3[column], [_return(ERRNO | errno.ENOSYS)])
     program += _if_equal(
         CLONE[column],
         [
             _load(FIRST),
             _jump(ANY_BIT, NEW_NAMESPACE, 0, 1),
-            _answer(ERRNO | errno.EPERM),
-            _answer(ALLOW),
+            _return(ERRNO | errno.EPERM),
+            _return(ALLOW),
         ],
     )
     for call in (SOCKET, SOCKETPAIR):
         families = [
-            step for family in FAMILIES for step in _if_equal(int(family), [_answer(ALLOW)])
+            step for family in FAMILIES for step in _if_equal(int(family), [_return(ALLOW)])
         ]
         program += _if_equal(
-            call[column], [_load(FIRST), *families, _answer(ERRNO | errno.EAFNOSUPPORT)]
+            call[column], [_load(FIRST), *families, _return(ERRNO | errno.EAFNOSUPPORT)]
         )
     sizes = [
-        step for option in BUFFERS for step in _if_equal(option, [_answer(ERRNO | errno.EPERM)])
+        step for option in BUFFERS for step in _if_equal(option, [_return(ERRNO | errno.EPERM)])
     ]
     program += _if_equal(
         SETSOCKOPT[column],
         [
             _load(SECOND),
-            *_unless_equal(socket.SOL_SOCKET, [_answer(ALLOW)]),
+            *_unless_equal(socket.SOL_SOCKET, [_return(ALLOW)]),
             _load(THIRD),
             *sizes,
-            _answer(ALLOW),
+            _return(ALLOW),
         ],
     )
-    program += _if_equal(PRLIMIT[column], _only_reading(THIRD))
+    program += _if_equal(PRLIMIT[column], _if_null(THIRD))
     program += _if_equal(
         SIGACTION[column],
-        [_load(FIRST), *_if_equal(signal.SIGCHLD, _only_reading(SECOND)), _answer(ALLOW)],
+        [_load(FIRST), *_if_equal(signal.SIGCHLD, _if_null(SECOND)), _return(ALLOW)],
     )
-    return b"".join([*program, _answer(ALLOW)])
+    return b"".join([*program, _return(ALLOW)])
 
 
-def _only_reading(pointer):
-    """Allow a call only if this argument, which points to what it would set, is null: both halves
-    of it."""
-    denied = _unless_equal(0, [_answer(ERRNO | errno.EPERM)])
-    return [_load(pointer), *denied, _load(pointer + 4), *denied, _answer(ALLOW)]
+def _if_null(pointer):
+    """Allow a system call only if the pointer to what it would set is null, in both halves."""
+    denied = _unless_equal(0, [_return(ERRNO | errno.EPERM)])
+    return [_load(pointer), *denied, _load(pointer + 4), *denied, _return(ALLOW)]
 
 
 EQUAL, AT_LEAST, ANY_BIT = 0x15, 0x35, 0x45
@@ -169,7 +178,7 @@ def _jump(test, value, if_true, if_false):
     return struct.pack("HBBI", test, if_true, if_false, value)
 
 
-def _answer(value):
+def _return(value):
     return struct.pack("HBBI", 0x06, 0, 0, value)
 
 

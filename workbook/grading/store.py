@@ -1,5 +1,7 @@
-"""The grade store: one SQLite file, a transaction a notebook, so that a killed run loses nothing
-and grades nothing twice."""
+"""The grade store: one SQLite file, with one transaction for each notebook.
+
+So a run that is killed loses nothing, and the next one grades nothing twice.
+"""
 
 import json
 import sqlite3
@@ -9,7 +11,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from workbook.checks.contract.verdict import Verdict
-from workbook.grading.assignment import BadInput
+from workbook.grading.assignment import InputError
 
 SCHEMA = """
 CREATE TABLE IF NOT EXISTS attempt (
@@ -37,7 +39,25 @@ CREATE TABLE IF NOT EXISTS manual (
 
 @dataclass(frozen=True)
 class Attempt:
-    """One submitted notebook of a student for a problem, and its newest result if there is one."""
+    """One submitted notebook of a student for a problem, and its newest result if there is one.
+
+    Parameters
+    ----------
+    id : int
+        In the store.
+    student, assignment, problem : str
+        Whose, and for what.
+    content : str
+        SHA-256 of the notebook.
+    submitted : float
+        Time in seconds since 1970.
+    exercise : str or None
+        The version of the exercise that the result is by; None without a result.
+    verdicts, answers, hashes : dict
+        Verdict, short text and SHA-256 by answer.
+    remarks : tuple of str
+        On the notebook.
+    """
 
     id: int
     student: str
@@ -52,12 +72,23 @@ class Attempt:
     hashes: dict = field(default_factory=dict)
 
 
-class StoreError(BadInput):
-    """The file cannot be read or written; what is in it stays as it was."""
+class StoreError(InputError):
+    """The file cannot be read or written; its content is unchanged."""
 
 
 class Store:
-    """The grades of a course in the file `path`; use as a context manager."""
+    """The grades of a course; use it as a context manager.
+
+    Parameters
+    ----------
+    path : path
+        The SQLite file, made if it does not exist.
+
+    Raises
+    ------
+    StoreError
+        If the file cannot be read or written, also at the end of the block.
+    """
 
     def __init__(self, path):
         self.path = Path(path)
@@ -67,7 +98,7 @@ class Store:
             self._database.execute("PRAGMA journal_mode=WAL")
             self._database.execute("PRAGMA foreign_keys=ON")
             self._database.executescript(SCHEMA)
-            # written by an older version
+            # The file may be of an older version.
             if "hashes" not in {
                 row[1] for row in self._database.execute("PRAGMA table_info(result)")
             }:
@@ -82,7 +113,7 @@ class Store:
 
     def __exit__(self, kind, error, trace):
         self._database.close()
-        # the disk, not a mistake of ours
+        # The disk, not an error in our SQL.
         if type(error) in (sqlite3.OperationalError, sqlite3.DatabaseError):
             raise self._error(error) from error
 
@@ -93,15 +124,17 @@ class Store:
         )
 
     @contextmanager
-    def together(self):
-        """What is noted within is stored together, or not at all: the disk is waited for once."""
+    def transaction(self):
+        """Store what is noted in this block in one transaction, which waits for the disk once."""
         self._database.execute("BEGIN IMMEDIATE")
         with self._database:
             yield
 
     def note_attempt(self, student, assignment, problem, content, submitted):
-        """The id of an attempt, new or known: the same notebook handed in twice is one attempt, at
-        the time it has now."""
+        """Return the id of an attempt, new or known.
+
+        The same notebook handed in twice is one attempt, at the time that it has now.
+        """
         key = (student, assignment, problem, content)
         self._database.execute(
             "INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, "
@@ -109,16 +142,18 @@ class Store:
             "submitted != excluded.submitted",
             (*key, submitted),
         )
-        (found,) = self._database.execute(
+        (attempt,) = self._database.execute(
             "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND "
             "content = ?",
             key,
         ).fetchone()
-        return found
+        return attempt
 
-    def beyond(self, assignment, attempts):
-        """The attempts that come after the first `attempts` of a student at a problem; None is no
-        limit."""
+    def attempts_beyond(self, assignment, attempts):
+        """Return the ids of attempts after the first `attempts` of a student at a problem.
+
+        None is no limit.
+        """
         if attempts is None:
             return []
         rows = self._database.execute(
@@ -131,16 +166,28 @@ class Store:
         return [attempt for (attempt,) in rows]
 
     def versions(self, attempt):
-        """By which exercises the attempt has a result, the newest last, which is the one that
-        counts."""
+        """Return the versions by which an attempt has results, the newest last, which counts."""
         rows = self._database.execute(
             "SELECT exercise FROM result WHERE attempt = ? ORDER BY rowid", (attempt,)
         )
         return [exercise for (exercise,) in rows]
 
     def record(self, attempt, exercise, verdicts, answers, remarks, hashes=None):
-        """Store a result, whole or not at all; a second one by the same exercise replaces the
-        first."""
+        """Store a result, completely or not at all; it replaces one by the same exercise.
+
+        Parameters
+        ----------
+        attempt : int
+            The id of the attempt.
+        exercise : str
+            The version of the exercise.
+        verdicts, answers : dict
+            `Verdict` and short text by answer.
+        remarks : sequence of str
+            On the notebook.
+        hashes : dict, optional
+            SHA-256 by answer.
+        """
         self._database.execute(
             "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, "
             "graded, hashes) VALUES (?, ?, ?, ?, ?, ?, ?)",
@@ -159,7 +206,7 @@ class Store:
         )
 
     def attempts(self, assignment):
-        """All attempts at an assignment with their newest results, by student, problem and time."""
+        """Return all attempts at an assignment by student, problem and time, with newest results."""
         rows = self._database.execute(
             """
             SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers,
@@ -181,7 +228,7 @@ class Store:
         ]
 
     def set_manual(self, student, assignment, problem, answer, points, comment):
-        """A lecturer's score, which beats the automatic one until it is taken back."""
+        """Store a lecturer's points, which replace the automatic ones until they are taken back."""
         self._database.execute(
             "INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)",
             (
@@ -196,17 +243,16 @@ class Store:
         )
 
     def take_back(self, student, assignment, problem, answer):
-        """Remove a lecturer's score, so that the automatic one counts again; returns False if there
-        was none."""
-        done = self._database.execute(
+        """Remove a lecturer's points for an answer; return whether there were any."""
+        cursor = self._database.execute(
             "DELETE FROM manual WHERE student = ? AND assignment = ? AND problem = ?"
             " AND answer = ?",
             (student, assignment, problem, answer),
         )
-        return done.rowcount > 0
+        return cursor.rowcount > 0
 
     def manual(self, assignment):
-        """{(student, problem, answer): (points, comment)} entered by hand."""
+        """Return {(student, problem, answer): (points, comment)} entered by hand."""
         rows = self._database.execute(
             "SELECT student, problem, answer, points, comment FROM manual WHERE assignment = ?",
             (assignment,),

@@ -1,8 +1,8 @@
-"""Find what was submitted: submitted/<student>/<assignment>/<notebook>.ipynb, as nbgrader lays it
-out.
+"""Find what was submitted.
 
-Nothing is followed out of the folder: symbolic links are named and left alone. What cannot be read
-as a notebook is a submission all the same, with a sentence that says why it earns nothing.
+Notebooks are submitted/<student>/<assignment>/<notebook>.ipynb, as in nbgrader. Symbolic links are
+reported and not followed. A file that cannot be read as a notebook is still a submission, with the
+reason why it earns nothing.
 """
 
 import hashlib
@@ -11,22 +11,34 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from workbook.grading import submitted_file
-from workbook.grading.assignment import TAKEN
-from workbook.grading.sanitising import person_or_homework, printable_name
+from workbook.grading.assignment import RESERVED_NAMES
+from workbook.grading.sanitising import normalise_name, sanitise_name
 
-#: Folders that systems leave beside people's, besides hidden ones.
-OF_SYSTEMS = {"__MACOSX", "@eaDir", "System Volume Information", "$RECYCLE.BIN", "lost+found"}
-#: No file is younger: 9999, the last year of calendars. An archive may say otherwise.
-LATEST = 253370764800.0
+#: Folders that operating systems make, besides hidden ones.
+SYSTEM_FOLDERS = {"__MACOSX", "@eaDir", "System Volume Information", "$RECYCLE.BIN", "lost+found"}
+#: Later times of files, as archives may have them, become this one: in 9999, the last year of
+#: `datetime`.
+MAX_TIME = 253370764800.0
 
 
 @dataclass(frozen=True)
 class Submission:
-    """One submitted notebook: `cells` are the sources of its code cells, none, with the `trouble`
-    in words, when it cannot be read.
+    """One submitted notebook.
 
-    `student`, `assignment` and `path` are fit to be printed and stored (`printable_name`);
-    `submitted` is the file's time.
+    Parameters
+    ----------
+    student, assignment, path : str
+        Its folders and file, safe to print and store (`sanitise_name`).
+    content : str
+        SHA-256 of the file.
+    submitted : float
+        The file's time, in seconds since 1970.
+    problem : str or None
+        The problem that it names.
+    cells : tuple of str
+        The sources of its code cells; empty if it cannot be read.
+    trouble : str
+        Why it cannot be read; else empty.
     """
 
     student: str
@@ -40,12 +52,19 @@ class Submission:
 
 
 @dataclass(frozen=True)
-class Aside:
-    """Something below the folder that does not count, and why; `student` and `assignment` if it is
-    somebody's work, as far as known.
+class LeftAside:
+    """A file or folder that is not graded.
 
-    `problem` is that of a notebook for a problem of the workbook that the homework does not ask
-    for.
+    Parameters
+    ----------
+    path : str
+        Its path, safe to print.
+    why : str
+        The reason.
+    student, assignment : str
+        Whose work it may be, and for what, as far as known; else empty.
+    problem : str
+        That of a notebook for a problem of the workbook that the homework does not ask for.
     """
 
     path: str
@@ -56,44 +75,44 @@ class Aside:
 
 
 def students(root):
-    """The names of all who have a folder, also of who handed nothing in."""
+    """Return the names of all students with a folder, even an empty one."""
     return list(
         dict.fromkeys(
-            person_or_homework(entry.name)
+            normalise_name(entry.name)
             for entry in _listed(Path(root))
-            if entry.is_dir() and not entry.is_symlink() and not _is_nobodys(entry)
+            if entry.is_dir() and not entry.is_symlink() and not _is_system_file(entry)
         )
     )
 
 
 def find(root):
-    """All submissions below `root`, and what was left aside, by student, assignment and file."""
+    """Yield each `Submission` and `LeftAside` below `root`, by student, assignment and file."""
     for student in _folders(Path(root)):
-        if isinstance(student, Aside):
+        if isinstance(student, LeftAside):
             yield student
             continue
         try:
-            yield from _of_student(student, person_or_homework(student.name))
+            yield from _of_student(student, normalise_name(student.name))
         except (FileNotFoundError, NotADirectoryError):
-            yield _gone(student, person_or_homework(student.name))
+            yield _gone(student, normalise_name(student.name))
 
 
-def _of_student(folder, who):
-    for assignment in _folders(folder, who):
-        if isinstance(assignment, Aside):
+def _of_student(folder, student):
+    for assignment in _folders(folder, student):
+        if isinstance(assignment, LeftAside):
             yield assignment
         else:
-            yield from _of_homework(assignment, who, person_or_homework(assignment.name))
+            yield from _of_homework(assignment, student, normalise_name(assignment.name))
 
 
 def _of_homework(folder, student, assignment):
-    if assignment in TAKEN or len(assignment.encode()) > 255:
+    if assignment in RESERVED_NAMES or len(assignment.encode()) > 255:
         why = (
             "the folder of results needs this name for itself"
-            if assignment in TAKEN
+            if assignment in RESERVED_NAMES
             else "this name is too long for a folder of results"
         )
-        yield Aside(printable_name(folder), f"{why}: no homework can be called so", student)
+        yield LeftAside(sanitise_name(folder), f"{why}: no homework can be called so", student)
         return
     notebooks = [path for path in _listed(folder) if _is_notebook(path)]
     yield from (_read(student, assignment, path) for path in notebooks)
@@ -106,33 +125,35 @@ def _of_homework(folder, student, assignment):
     ]
     yield from (_misplaced(path, student, assignment) for path in below)
     if not notebooks and not below:
-        # Something else in it is somebody's work, though no notebook.
-        whose = (
-            (student, assignment) if any(not _is_nobodys(path) for path in _listed(folder)) else ()
+        # Other files in it are a student's work, though no notebook.
+        owner = (
+            (student, assignment)
+            if any(not _is_system_file(path) for path in _listed(folder))
+            else ()
         )
-        yield Aside(printable_name(folder), "there is no notebook in this folder", *whose)
+        yield LeftAside(sanitise_name(folder), "there is no notebook in this folder", *owner)
 
 
 def _folders(path, student="", assignment=""):
-    """Folders in a folder, and what is wrong with others; notebooks beside them are too high."""
+    """Yield the folders in a folder, and a `LeftAside` for links and misplaced notebooks."""
     for entry in _listed(path):
-        if _is_nobodys(entry):
+        if _is_system_file(entry):
             continue
-        # Of a student's folders each is a homework, of which this may be the only trace.
-        whose = (student, assignment or person_or_homework(entry.name)) if student else ()
+        # Each folder of a student is a homework, of which this may be the only trace.
+        owner = (student, assignment or normalise_name(entry.name)) if student else ()
         if entry.is_symlink():
-            yield Aside(printable_name(entry), "this is a symbolic link", *whose)
+            yield LeftAside(sanitise_name(entry), "this is a symbolic link", *owner)
         elif entry.is_dir():
             if os.access(entry, os.R_OK | os.X_OK):
                 yield entry
             else:
-                yield Aside(
-                    printable_name(entry),
+                yield LeftAside(
+                    sanitise_name(entry),
                     "this folder cannot be opened",
-                    *(whose or (person_or_homework(entry.name),)),
+                    *(owner or (normalise_name(entry.name),)),
                 )
         elif not os.path.lexists(entry):
-            yield _gone(entry, *(whose or (person_or_homework(entry.name),)))
+            yield _gone(entry, *(owner or (normalise_name(entry.name),)))
         elif _is_notebook(entry):
             yield _misplaced(entry, student, assignment)
 
@@ -141,24 +162,24 @@ def _listed(path):
     return sorted(path.iterdir(), key=lambda entry: os.fsencode(entry.name))
 
 
-def _is_nobodys(path):
-    return path.name.startswith(".") or path.name in OF_SYSTEMS
+def _is_system_file(path):
+    return path.name.startswith(".") or path.name in SYSTEM_FOLDERS
 
 
 def _is_notebook(path):
-    """By its name; ._p15.ipynb is what a Mac puts beside p15.ipynb, and nobody's work."""
+    """Return whether a name is that of a notebook; macOS puts ._p15.ipynb beside p15.ipynb."""
     return path.suffix.lower() == ".ipynb" and not path.name.startswith("._")
 
 
-def _gone(path, *whose):
-    return Aside(
-        printable_name(path), "it was renamed or removed while it was read: grade again", *whose
+def _gone(path, *owner):
+    return LeftAside(
+        sanitise_name(path), "it was renamed or removed while it was read: grade again", *owner
     )
 
 
 def _misplaced(path, student="", assignment=""):
-    return Aside(
-        printable_name(path),
+    return LeftAside(
+        sanitise_name(path),
         "it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read",
         student,
         assignment,
@@ -168,14 +189,14 @@ def _misplaced(path, student="", assignment=""):
 def _read(student, assignment, path):
     content, cells, trouble, number = b"", (), "", None
     try:
-        submitted = min(max(path.lstat().st_mtime, 0.0), LATEST)
+        submitted = min(max(path.lstat().st_mtime, 0.0), MAX_TIME)
         content = submitted_file.content(path)
         number, cells = submitted_file.notebook(content)
-    except submitted_file.Unreadable as error:
+    except submitted_file.UnreadableFileError as error:
         trouble = str(error)
-    except OSError as error:  # our rights or our disk: no attempt of the student's
-        return Aside(
-            printable_name(path),
+    except OSError as error:  # missing rights or a bad disk: not an attempt of the student's
+        return LeftAside(
+            sanitise_name(path),
             f"this file cannot be read ({error.strerror})",
             student,
             assignment,
@@ -184,7 +205,7 @@ def _read(student, assignment, path):
     return Submission(
         student,
         assignment,
-        printable_name(path),
+        sanitise_name(path),
         fingerprint,
         submitted,
         number or submitted_file.number_of_name(path.stem),

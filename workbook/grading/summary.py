@@ -1,5 +1,8 @@
-"""The page a lecturer gets: what waits for a look or could not be read, points, hardest answers,
-named mistakes, common failures, identical ones."""
+"""Summary: the page for the lecturer on a whole class.
+
+It has what needs review or could not be read, points, hardest answers, named mistakes, common
+failures, and identical wrong answers.
+"""
 
 import re
 import statistics
@@ -13,15 +16,15 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")
 
 
 def summary(assignment, scores):
-    """The page as HTML, from the scores of the whole class."""
+    """Return the page as HTML, from the scores of the whole class."""
     handed_in = [score for score in scores if score.handed_in]
-    parts = [_in_short(assignment, scores, handed_in)]
+    parts = [_overview(assignment, scores, handed_in)]
     if any(score.to_review for score in scores):
         parts += ["<h2>To be looked at</h2>", _to_review(assignment, scores)]
     if any(score.aside for score in scores):
         parts += ["<h2>Left aside</h2>", _aside(scores)]
-    if any(score.spoilt for score in scores):
-        parts += ["<h2>Notebooks that could not be read or run</h2>", _spoilt(scores)]
+    if any(score.unusable for score in scores):
+        parts += ["<h2>Notebooks that could not be read or run</h2>", _unusable(scores)]
     if handed_in:
         parts += [
             "<h2>Points</h2>",
@@ -38,20 +41,20 @@ def summary(assignment, scores):
     return page(assignment.title, "Summary", "".join(parts))
 
 
-def _in_short(assignment, scores, handed_in):
-    said = [
+def _overview(assignment, scores, handed_in):
+    sentences = [
         f"{len(handed_in)} of {count(len(scores), 'student')} handed something in",
         f"{sum(bool(s.late) for s in scores)} were late",
         f"{sum(s.needs_review for s in scores)} need a lecturer’s look",
     ]
     if handed_in:
         reached = [score.points for score in handed_in]
-        said.append(
+        sentences.append(
             f"the middle one has {points(statistics.median(reached))} of "
             f"{points(assignment.max_points)} points, the mean is "
             f"{points(statistics.mean(reached))}"
         )
-    return f"<p>{'; '.join(said)}.</p>"
+    return f"<p>{'; '.join(sentences)}.</p>"
 
 
 def _to_review(assignment, scores):
@@ -71,13 +74,13 @@ def _to_review(assignment, scores):
 
 
 def _aside(scores):
-    whose = defaultdict(list)
+    by_reason = defaultdict(list)
     for score in scores:
-        for one in score.aside:
-            whose[one.why].append((score.student, one.path))
+        for entry in score.aside:
+            by_reason[entry.why].append((score.student, entry.path))
     rows = [
         f"<tr><td>{person(student)}</td><td><code>{escape(path)}</code></td><td>{escape(why)}</td></tr>"
-        for why, works in sorted(whose.items(), key=lambda pair: -len(pair[1]))
+        for why, works in sorted(by_reason.items(), key=lambda pair: -len(pair[1]))
         for student, path in works
     ]
     return (
@@ -87,16 +90,16 @@ def _aside(scores):
     )
 
 
-def _spoilt(scores):
-    """The newest notebooks of students that gave no answer at all, by what was said of them."""
-    whose = defaultdict(list)
+def _unusable(scores):
+    """List the newest notebooks that gave no answer at all, by their first remark."""
+    by_remark = defaultdict(list)
     for score in scores:
-        for problem, remarks in score.spoilt.items():
-            whose[NUMBER.sub("#", remarks[0])].append((score.student, problem, remarks[0]))
+        for problem, remarks in score.unusable.items():
+            by_remark[NUMBER.sub("#", remarks[0])].append((score.student, problem, remarks[0]))
     rows = [
         f'<tr><td class="number">{len(works)}</td><td>{escape(works[0][2])}</td>'
         f"<td>{', '.join(f'{person(student)} ({escape(problem)})' for student, problem, _ in works)}</td></tr>"
-        for works in sorted(whose.values(), key=len, reverse=True)
+        for works in sorted(by_remark.values(), key=len, reverse=True)
     ]
     return (
         "<p>What a student handed in last for a problem, without any answer that could be read. "
@@ -113,26 +116,26 @@ def _histogram(assignment, scores, bars=10):
     )
     tallest, width, height, top = max(counts.values()), 60, 130, 26
     floor, end = height + top, bars * width + 6
-    drawn = []
+    elements = []
     for k in sorted(counts):
         tall = height * counts[k] / tallest
-        drawn.append(
+        elements.append(
             f'<rect x="{k * width + 6}" y="{floor - tall:.1f}" width="{width - 6}" '
             f'height="{tall:.1f}" '
             f'fill="var(--accent)"/>'
             f'<text x="{k * width + width / 2 + 3}" y="{floor - 5 - tall:.1f}" '
             f'text-anchor="middle">{counts[k]}</text>'
         )
-    drawn.append(
+    elements.append(
         f'<line x1="0" x2="{end}" y1="{floor + 0.5}" y2="{floor + 0.5}" stroke="var(--soft)"/>'
     )
     for k in range(0, bars + 1, 2):
         anchor = "start" if k == 0 else "end" if k == bars else "middle"
-        drawn.append(
+        elements.append(
             f'<text x="{k * width + 3}" y="{floor + 20}" '
             f'text-anchor="{anchor}">{points(assignment.max_points * k / bars)}</text>'
         )
-    drawn.append(
+    elements.append(
         f'<text x="{end / 2}" y="{floor + 44}" text-anchor="middle">points; on each bar the number '
         "of students</text>"
     )
@@ -140,7 +143,7 @@ def _histogram(assignment, scores, bars=10):
         f"{counts[k]} from {points(assignment.max_points * k / bars)}" for k in sorted(counts)
     )
     label = f"Number of students by points: {spread}"
-    return f'<svg viewBox="0 0 {end} {floor + 50}" role="img" aria-label="{label}">{"".join(drawn)}</svg>'
+    return f'<svg viewBox="0 0 {end} {floor + 50}" role="img" aria-label="{label}">{"".join(elements)}</svg>'
 
 
 def _hardest(scores):
@@ -150,40 +153,42 @@ def _hardest(scores):
             statuses[answer.problem, answer.answer][answer.verdict.status] += 1
     rows = []
     for (problem, name), counts in sorted(statuses.items(), key=lambda item: item[1][RIGHT]):
-        told = [(status, f"{counts[status]} {status}") for status in STATUSES if counts[status]]
+        parts = [(status, f"{counts[status]} {status}") for status in STATUSES if counts[status]]
         bar = "".join(
-            f'<span class="{status}" style="flex: {counts[status]}" title="{words}"></span>'
-            for status, words in told
+            f'<span class="{status}" style="flex: {counts[status]}" title="{text}"></span>'
+            for status, text in parts
         )
         rows.append(
             f"<tr>{answer_name(problem, name)}<td "
             f'class="number">{counts[RIGHT] / len(scores):.0%}</td>'
             f'<td><div class="bar">{bar}</div><span '
-            f'class="soft">{", ".join(words for _, words in told)}</span></td></tr>'
+            f'class="soft">{", ".join(text for _, text in parts)}</span></td></tr>'
         )
     return table(("answer", "right", "verdicts"), rows)
 
 
 def _mistakes(scores):
-    """How many students were asked each question about what may have gone wrong, and who."""
-    whose = defaultdict(list)
+    """List the named mistakes by how many students made them, and who."""
+    by_mistake = defaultdict(list)
     for score in scores:
         for answer in score.answers:
             if answer.verdict.mistake:
-                whose[answer.problem, answer.answer, answer.verdict.mistake.splitlines()[0]].append(
-                    score.student
-                )
+                by_mistake[
+                    answer.problem, answer.answer, answer.verdict.mistake.splitlines()[0]
+                ].append(score.student)
     rows = [
         f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}<td>{escape(mistake)}</td>'
         f"<td>{', '.join(map(person, names))}</td></tr>"
-        for (problem, name, mistake), names in sorted(whose.items(), key=lambda pair: -len(pair[1]))
+        for (problem, name, mistake), names in sorted(
+            by_mistake.items(), key=lambda pair: -len(pair[1])
+        )
     ]
     return table(("students", "answer", "what they were asked", "who"), rows)
 
 
 def _failures(scores, most=10):
-    """Failed properties, told apart without the numbers of the sample at which they failed."""
-    told, example = Counter(), {}
+    """List the most common failed properties, regardless of the numbers in their messages."""
+    counts, example = Counter(), {}
     for score in scores:
         for answer in score.answers:
             if answer.verdict.status not in (RIGHT, MISSING):
@@ -193,35 +198,34 @@ def _failures(scores, most=10):
                     answer.verdict.status,
                     NUMBER.sub("#", answer.verdict.message),
                 )
-                told[failure] += 1
+                counts[failure] += 1
                 example.setdefault(failure, answer.verdict.message)
     rows = [
         f'<tr class="{failure[2]}"><td class="number">{times}</td>{answer_name(*failure[:2])}'
         f'<td><span class="verdict">{failure[2]}</span>: {escape(example[failure])}</td></tr>'
-        for failure, times in told.most_common(most)
+        for failure, times in counts.most_common(most)
     ]
     return table(("times", "answer", "what failed, in the words of one of them"), rows)
 
 
 def _identical(scores):
-    """Wrong answers that several students gave in the very same form: a common misconception, or
-    copied work.
+    """List wrong answers that several students gave in the very same form.
 
-    Compared are the whole answers, of which a text on the page may show only a part.
+    Whole answers are compared, of which the page may show only a part.
     """
-    givers, texts = defaultdict(list), {}
+    students, texts = defaultdict(list), {}
     for score in scores:
         for answer in score.answers:
             if answer.verdict.status == WRONG and answer.hash:
-                givers[answer.problem, answer.answer, answer.hash].append(score.student)
+                students[answer.problem, answer.answer, answer.hash].append(score.student)
                 texts[answer.hash] = answer.text
     shared = sorted(
-        ((given, names) for given, names in givers.items() if len(names) > 1),
+        ((answer, names) for answer, names in students.items() if len(names) > 1),
         key=lambda pair: -len(pair[1]),
     )
     rows = [
         f'<tr><td class="number">{len(names)}</td>{answer_name(problem, name)}'
-        f"<td><code>{escape(texts[given])}</code></td><td>{', '.join(map(person, names))}</td></tr>"
-        for (problem, name, given), names in shared
+        f"<td><code>{escape(texts[answer_hash])}</code></td><td>{', '.join(map(person, names))}</td></tr>"
+        for (problem, name, answer_hash), names in shared
     ]
     return table(("times", "answer", "given", "by"), rows)

@@ -1,5 +1,8 @@
-"""Several benches side by side, a process each: units go in, results come back as they are done,
-both as JSON bytes."""
+"""Worker pool: processes that each grade one notebook after the other with a `Grader`.
+
+Tasks go in and results come back as they are done, both as JSON bytes. A task is a dict with
+"problem" and "sources" (of the code cells), here also with "key" and "names" (of the answers).
+"""
 
 import json
 import math
@@ -9,217 +12,241 @@ import sys
 from contextlib import suppress
 
 from workbook.grading import framing, sandbox
-from workbook.grading.forkserver import Forkserver
-from workbook.grading.grader import Bench, as_plain, from_settings
-from workbook.grading.isolation import NoIsolation, NotStarted
-from workbook.grading.judging import failed
+from workbook.grading.forkserver import WORKER_PROCESS, Forkserver
+from workbook.grading.grader import Grader, from_settings, to_plain
+from workbook.grading.isolation import ProcessStartError, SandboxUnavailableError
+from workbook.grading.judging import grader_failure
 from workbook.grading.preloading import ALWAYS, LIBRARIES
 
 
-class Ended(NotStarted):
-    """A lane itself ended while it got ready."""
+class WorkerStartError(ProcessStartError):
+    """A worker process ended while it started."""
 
 
-def grade_all(units, count, settings, forkserver=None):
-    """Grade units (dicts with "key", "problem", "sources", "names"); yields (key, result) in the
-    order they are done.
+def grade_all(tasks, count, settings, forkserver=None):
+    """Grade tasks in `count` worker processes; yield (key, result) in the order they are done.
 
-    `forkserver` is one that has begun to import what they need, if there is one; it is closed in the
-    end. A lane that dies fails its unit, which is then to be graded again, and is replaced; a
-    forkserver that dies while lanes get ready is replaced with them. Raises `NoIsolation` before
-    anything is graded if a sandbox cannot be had. Close it (`contextlib.closing`) to end the lanes
-    at once.
+    A worker process that dies fails its task, which is then to be graded again, and is replaced; a
+    forkserver that dies while worker processes start is replaced with them. Close the generator
+    (`contextlib.closing`) to end them at once.
+
+    Parameters
+    ----------
+    tasks : iterable of dict
+        With "key", "problem", "sources", "names".
+    count : int
+        Number of worker processes.
+    settings : dict
+        As of `grader.to_settings`, with "modules" as of `preloading.modules_for`.
+    forkserver : Forkserver, optional
+        One that has begun to import what they need; it is closed in the end.
+
+    Raises
+    ------
+    SandboxUnavailableError
+        Before anything is graded, where there is no sandbox.
     """
-    waiting = iter(units)
-    lanes, forkserver = [], forkserver or Forkserver.start([])
+    waiting = iter(tasks)
+    workers, forkserver = [], forkserver or Forkserver.start([])
     try:
-        for tries_left in range(sandbox.STARTS - 1, -1, -1):
+        for starts_left in range(sandbox.MAX_STARTS - 1, -1, -1):
             try:
-                begin(lanes, count, settings, forkserver)
-                for number in range(count):
-                    lanes[number] = _ready(lanes[number], settings)
+                start_workers(workers, count, settings, forkserver)
+                for k in range(count):
+                    workers[k] = _ready_worker(workers[k], settings)
                 break
-            except NotStarted:
-                if forkserver.alive() or not tries_left:
+            except ProcessStartError:
+                if forkserver.alive() or not starts_left:
                     raise
-                while lanes:
-                    lanes.pop().stop()
+                while workers:
+                    workers.pop().stop()
                 forkserver.close()
                 forkserver = Forkserver.start([])
-        busy = {lane: unit for lane in lanes if (unit := lane.take(waiting)) is not None}
+        busy = {
+            worker: task for worker in workers if (task := worker.send_next(waiting)) is not None
+        }
         while busy:
-            for lane in framing.readable(busy):
-                unit = busy.pop(lane)
-                result = lane.result()
+            for worker in framing.readable(busy):
+                task = busy.pop(worker)
+                result = worker.receive_result()
                 if result is None:
-                    result = as_plain(failed(unit["names"], "one of its processes ended"))
-                    lane.stop()
-                    # then this is the first of its lanes that is found dead; the others follow
+                    result = to_plain(grader_failure(task["names"], "one of its processes ended"))
+                    worker.stop()
+                    # If it has died, this is the first of its worker processes to be noticed.
                     if not forkserver.alive():
                         forkserver.close()
                         forkserver = Forkserver.start(
                             [name for names in modules(settings).values() for name in names]
                         )
-                    lanes[lanes.index(lane)] = lane = _ready(
-                        Lane(settings, forkserver).begin(), settings
-                    )
-                following = lane.take(waiting)  # it goes on while this result is stored
+                    position = workers.index(worker)
+                    worker = WorkerProcess(settings, forkserver).start()
+                    workers[position] = worker = _ready_worker(worker, settings)
+                following = worker.send_next(waiting)  # it runs while this result is stored
                 if following is not None:
-                    busy[lane] = following
-                yield unit["key"], result
+                    busy[worker] = following
+                yield task["key"], result
     finally:
-        for lane in lanes:
-            lane.end()
-        for lane in lanes:
-            lane.stop()
+        for worker in workers:
+            worker.terminate()
+        for worker in workers:
+            worker.stop()
         forkserver.close()
 
 
 def modules(settings):
-    """What the forkserver of lanes with these settings imports: for notebooks, and then for checks."""
+    """Return what the forkserver of worker processes imports, for notebooks and for checks."""
     return settings.get("modules", {"notebooks": [*ALWAYS, *LIBRARIES], "checks": []})
 
 
-def begin(lanes, count, settings, forkserver):
-    """Begin `count` lanes from a forkserver, each added to the list `lanes` at once: whoever has the
-    list can stop them.
+def start_workers(workers, count, settings, forkserver):
+    """Start `count` worker processes, each added to the list `workers` at once for its owner.
 
-    Where their sandboxes come from is forked before the forkserver imports what checks alone use.
+    The forkserver of their sandboxes is forked before this one imports what only checks use.
     """
     forkserver.load(modules(settings)["notebooks"])
-    lanes += [Lane(settings, forkserver) for _ in range(count)]
+    workers += [WorkerProcess(settings, forkserver) for _ in range(count)]
     forkserver.load(modules(settings)["checks"])
-    for lane in lanes:
-        lane.begin()
+    for worker in workers:
+        worker.start()
 
 
-def _ready(lane, settings):
-    """The lane when it is ready, or one in its place if it ended before: killed, or out of
-    memory."""
-    for tries_left in range(sandbox.STARTS - 1, -1, -1):
+def _ready_worker(worker, settings):
+    """Return the worker process when it is ready, or another if it was killed before that."""
+    for starts_left in range(sandbox.MAX_STARTS - 1, -1, -1):
         try:
-            lane.greeted()
-            return lane
-        except Ended:
-            lane.stop()
-            if not tries_left:
+            worker.wait_until_ready()
+            return worker
+        except WorkerStartError:
+            worker.stop()
+            if not starts_left:
                 raise
-            lane = Lane(settings, lane.forkserver).begin()
+            worker = WorkerProcess(settings, worker.forkserver).start()
 
 
-class Lane:
-    """The grader's end of one lane; the lane itself runs when it is told to `begin`."""
+class WorkerProcess:
+    """The grader's end of one worker process, which runs after `start`."""
 
     def __init__(self, settings, forkserver):
         self.forkserver, self._settings = forkserver, settings
-        self._number = self._code = self._requests = None
+        self._pid = self._exit_code = self._requests = None
         self._bubblewrap = None if settings["trusting"] else forkserver.bubblewrap
-        # a forkserver of its own, from which its sandboxes come
-        self._sandboxes, self._control = forkserver.spawn_child()
+        # A forkserver of its own, from which its sandboxes are forked.
+        self._sandbox_forkserver, self._control = forkserver.spawn_child()
 
-    def begin(self):
-        # It inherits neither the grade store nor another lane's pipes.
-        (theirs, requests), (mine, results) = os.pipe(), os.pipe()
+    def start(self):
+        """Fork the process and return this object."""
+        # It inherits neither the grade store nor another worker's pipes.
+        (requests_end, requests), (results, results_end) = os.pipe(), os.pipe()
         try:
-            self._number = self.forkserver.fork(
-                "lane",
+            self._pid = self.forkserver.fork(
+                WORKER_PROCESS,
                 [self._settings, self._bubblewrap],
-                [theirs, results, None, self._control.fileno()],
+                [requests_end, results_end, None, self._control.fileno()],
             )
         finally:
-            os.close(theirs)
-            os.close(results)
+            os.close(requests_end)
+            os.close(results_end)
             self._control.close()
-        self._requests, self._results = requests, mine
+        self._requests, self._results = requests, results
         return self
 
     def fileno(self):
+        """Return the descriptor on which results come."""
         return self._results
 
-    def greeted(self):
-        """Wait until it is ready. Raises `NoIsolation` or `NotStarted`."""
+    def wait_until_ready(self):
+        """Wait for the greeting; raise `SandboxUnavailableError` or `ProcessStartError`."""
         try:
-            said = json.loads(framing.receive(self.fileno()))
-        except framing.Broken:
-            raise Ended(
+            greeting = json.loads(framing.receive(self.fileno()))
+        except framing.FramingError:
+            raise WorkerStartError(
                 "a grading process was killed while it started: the machine may be out of memory;"
                 " the same command goes on from here"
             ) from None
-        if "ready" not in said:
-            raise (NotStarted if said["may start yet"] else NoIsolation)(said["refused"])
+        if "ready" not in greeting:
+            error = ProcessStartError if greeting["retry"] else SandboxUnavailableError
+            raise error(greeting["refused"])
 
-    def take(self, waiting):
-        """Send the next unit, if there is one, and return it."""
-        unit = next(waiting, None)
-        if unit is not None:
-            self.send(unit)
-        return unit
+    def send_next(self, waiting):
+        """Send the next task of an iterator and return it; None if there is none."""
+        task = next(waiting, None)
+        if task is not None:
+            self.send(task)
+        return task
 
-    def send(self, message):
-        with suppress(BrokenPipeError):  # it has died, which its other pipe will tell
-            framing.send(self._requests, json.dumps(message).encode())
+    def send(self, task):
+        """Send a task."""
+        with suppress(BrokenPipeError):  # it has died, which `receive_result` shows
+            framing.send(self._requests, json.dumps(task).encode())
 
     def alive(self):
-        if self._number is not None and self._code is None:
-            with suppress(NotStarted):
-                self._code = self.forkserver.ended(self._number)
-                return self._code is None
+        """Return whether the process runs."""
+        if self._pid is not None and self._exit_code is None:
+            with suppress(ProcessStartError):
+                self._exit_code = self.forkserver.exit_code(self._pid)
+                return self._exit_code is None
         return False
 
-    def end(self, at_once=False):
-        """Let it end, from whatever thread; the one that waits for a result gets None."""
+    def terminate(self, at_once=False):
+        """Signal it to end, from any thread; one that waits for a result gets None."""
         if self.alive():
-            os.kill(self._number, signal.SIGKILL if at_once else signal.SIGTERM)
+            os.kill(self._pid, signal.SIGKILL if at_once else signal.SIGTERM)
 
-    def result(self):
-        """The result at hand; None if the lane has died."""
-        with suppress(framing.Broken):
+    def receive_result(self):
+        """Return the next result; None if the process has died."""
+        with suppress(framing.FramingError):
             return json.loads(framing.receive(self.fileno()))
 
     def stop(self):
+        """End the process and close its pipes."""
         if self._requests is None:
             return
-        # What the lane has started ends with it (`end_with_parent`), or with where its sandboxes
-        # come from.
-        self.end()
-        with suppress(NotStarted):
-            self._code = self.forkserver.end(self._number, within=5)
-            self.forkserver.end(self._sandboxes)
+        # What it has started ends with it (`die_with_parent`) or with its sandbox forkserver.
+        self.terminate()
+        with suppress(ProcessStartError):
+            self._exit_code = self.forkserver.end(self._pid, within=5)
+            self.forkserver.end(self._sandbox_forkserver)
         os.close(self._requests)
         os.close(self._results)
         self._requests = None
 
 
-def _tidy_up(*_):
-    # Once: a second exit in the midst of the first would leave things, and be told.
+# In the worker process
+
+
+def _exit_on_sigterm(*_):
+    # Once: a second exit during the first would leave things open, and print an error.
     signal.signal(signal.SIGTERM, signal.SIG_IGN)
     sys.exit()
 
 
-def work(settings, bwrap):
-    """The lane's end, in a process forked from a forkserver: grade what comes in until nothing does,
-    or not for as long as the settings say."""
-    forkserver = Forkserver.at(3, bwrap)
-    signal.signal(signal.SIGTERM, _tidy_up)
+def run_worker(settings, bubblewrap):
+    """Grade the tasks that come in until none does, or none for "idle_seconds" of the settings.
+
+    For a process forked from a forkserver, with requests on 0, results on 1, and on 3 the control
+    socket of the forkserver that its sandboxes are forked from.
+    """
+    forkserver = Forkserver.attach(3, bubblewrap)
+    signal.signal(signal.SIGTERM, _exit_on_sigterm)
     # Results have a descriptor of their own: what a check might print does not come between them.
     results = os.dup(1)
     os.dup2(2, 1)
-    with suppress(framing.Broken):
+    with suppress(framing.FramingError):
         limits, bounds, trusting = from_settings(settings)
-        patience = settings.get("patience", math.inf)
+        idle_seconds = settings.get("idle_seconds", math.inf)
         try:
-            with Bench(
+            with Grader(
                 limits, bounds, trusting, forkserver, modules(settings)["notebooks"]
-            ) as bench:
+            ) as grader:
                 framing.send(results, b'{"ready": true}')
                 while True:
-                    result = bench.grade(json.loads(framing.receive(0, patience)))
+                    result = grader.grade(json.loads(framing.receive(0, idle_seconds)))
                     if not forkserver.alive():
-                        # no further sandbox can be had: another lane takes the place of this one
+                        # No further sandbox can be had: another worker process replaces this one.
                         return
                     framing.send(results, json.dumps(result).encode())
-        except NoIsolation as error:
+        except SandboxUnavailableError as error:
             if not forkserver.alive():
-                return  # another lane takes the place of this one
-            said = {"refused": str(error), "may start yet": isinstance(error, NotStarted)}
-            framing.send(results, json.dumps(said).encode())
+                return  # another worker process replaces this one
+            greeting = {"refused": str(error), "retry": isinstance(error, ProcessStartError)}
+            framing.send(results, json.dumps(greeting).encode())

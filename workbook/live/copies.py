@@ -58,7 +58,7 @@ def markdown(source, **metadata):
 def _problem_cells(students):
     """The cells of a student's notebook without its first words, hints and stubs; magics take their
     places."""
-    from workbook.authoring.statements import reported_names
+    from workbook.checks.contract.check_cells import reported_names
 
     cells = []
     for cell in students[2:]:

@@ -37,7 +37,9 @@ LIBRARIES = (
     "workbook.authoring.student_notebook",
     "workbook.live.catching_up",
     "workbook.display.results",
-    "trajlib.plotting",
+    "trajlib.plotting.curves",
+    "trajlib.plotting.parameter_plane",
+    "trajlib.plotting.phase_plane",
 )
 
 
@@ -100,9 +102,9 @@ def _nobody(address):
 
 
 def _import_all():
-    from workbook.grading.preloading import SYMPY, draw_once, what_stays
+    from workbook.grading.preloading import SYMPY, freeze_new_objects, warm_up_matplotlib
 
-    with what_stays():
+    with freeze_new_objects():
         os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
         without_grammars()
         # jupytext would import a server, and do without one
@@ -115,7 +117,7 @@ def _import_all():
             importlib.import_module(name)
         if any("casadi" in name for name in sys.modules):
             importlib.import_module("casadi")
-        draw_once("png")
+        warm_up_matplotlib("png")
         del sys.modules["rfc3987_syntax"], sys.modules["jupyter_server"]
 
 

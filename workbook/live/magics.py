@@ -73,7 +73,7 @@ class LectureMagics(Magics):
     @line_magic
     def check(self, line):
         """%check a_region = k1 > 0 judges the expression, %check a_region what the variable is."""
-        from workbook.checks.contract.reporting import NotYet, report
+        from workbook.checks import NotYet, report
 
         with _in_one_line():
             name, given, expression = line.partition("=")
@@ -96,7 +96,7 @@ class LectureMagics(Magics):
     def mistake(self, line):
         """%mistake a_region: what half the class would say, and what speaks against it; one more at
         each call."""
-        from workbook.checks.contract.reporting import NotYet, report
+        from workbook.checks import NotYet, report
         from workbook.live.counterexamples import picture
 
         with _in_one_line():

@@ -66,9 +66,11 @@ class Worked:
 
     def verdict(self, name, value):
         """What the check cell says of a value given to the answer `name`."""
-        from workbook.authoring.statements import reported_names
         from workbook.checks import collecting
-        from workbook.checks.contract.encoding import EncodingError, decode, encode
+        from workbook.checks.contract.check_cells import reported_names
+        from workbook.checks.contract.decoding import decode
+        from workbook.checks.contract.encoding import encode
+        from workbook.checks.contract.traversal import EncodingError
         from workbook.checks.contract.verdict import Unusable
 
         try:

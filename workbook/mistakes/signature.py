@@ -17,8 +17,9 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract import coercion
-from workbook.checks.contract.encoding import EncodingError, encode
+from workbook.checks.contract import coercion, condition_coercion
+from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import Invalid
 from workbook.mistakes.sample_points import (
     CONDITION,
@@ -169,7 +170,7 @@ class _Reading:
             sp.Symbol(name, **{assumed or "real": True}) for name, assumed in self._symbols.items()
         ]
         numbers = isinstance(value, sp.Set) and not value.has(sp.ConditionSet, sp.ProductSet)
-        condition = coercion.as_condition(value, known[:1] if numbers else known)
+        condition = condition_coercion.as_condition(value, known[:1] if numbers else known)
         holds = np.broadcast_to(Walk(condition_places, self._symbols)(condition), CONDITION)
         return hashlib.sha256(np.packbits(holds).tobytes()).hexdigest()
 

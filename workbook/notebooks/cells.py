@@ -13,7 +13,7 @@ import sys
 import time
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
-from workbook.checks.contract.error_hints import advice
+from workbook.checks.contract.error_hints import hint_for
 
 #: Of all encoded answers together: far above any honest notebook, within one message of the
 #: sandbox.
@@ -126,7 +126,8 @@ class _Notebook:
     def encoded(self):
         """(encoded answers, why others cannot be read), by name; an untouched stub is an answer
         too."""
-        from workbook.checks.contract.encoding import EncodingError, encode
+        from workbook.checks.contract.encoding import encode
+        from workbook.checks.contract.traversal import EncodingError
 
         encoded, unreadable, room = {}, {}, ROOM
         for name in self.names:
@@ -238,5 +239,5 @@ def _told(error):
         text = str(error)[:300]
     except BaseException:
         text = "(its text cannot be read)"
-    said = advice(text)
+    said = hint_for(text)
     return f"{name}: {text}" + (". " + said.replace("\n", " ") if said else "")

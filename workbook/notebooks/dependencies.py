@@ -70,11 +70,22 @@ def _loaded(source, package=None):
             else {module}
         )
     for node in ast.walk(ast.parse(source)) if any(map(_is_package, packages.values())) else ():
-        if isinstance(node, ast.Attribute) and (name := _dotted(node.value)) in packages:
-            home = _home(packages[name], node.attr)
+        if isinstance(node, ast.Attribute) and (package := _package(node.value, packages)):
+            home = _home(package, node.attr)
             if home is not None and not _is_package(home):
                 found.add(home)
     return found
+
+
+def _package(node, packages):
+    """Return our package that a name or a dotted name stands for, None if it stands for none."""
+    name = _dotted(node)
+    if name in packages:
+        return packages[name]
+    if not isinstance(node, ast.Attribute) or not (above := _package(node.value, packages)):
+        return None
+    within = f"{above}.{node.attr}"
+    return within if path_of(within) and _is_package(within) else None
 
 
 def _imports(tree):

@@ -187,7 +187,8 @@ def decoded(encoded, unreadable, names):
 
 
 def _answer(text, unreadable):
-    from workbook.checks.contract.encoding import EncodingError, decode
+    from workbook.checks.contract.decoding import decode
+    from workbook.checks.contract.traversal import EncodingError
 
     if text is None:
         return ... if unreadable is None else Unusable(unreadable)

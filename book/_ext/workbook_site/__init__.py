@@ -20,7 +20,7 @@ offline           nothing is loaded from another host
 
 import gc
 
-from workbook.grading.preloading import CONTAINERS
+from workbook.grading.preloading import GC_THRESHOLD
 from workbook_site import (
     catalogue,
     cell_output,
@@ -62,7 +62,7 @@ EXTENSIONS = (
 
 def setup(app):
     # document trees live on: garbage collection in them takes a seventh of a build
-    gc.set_threshold(CONTAINERS)
+    gc.set_threshold(GC_THRESHOLD)
     for extension in EXTENSIONS:
         extension.setup(app)
     return {

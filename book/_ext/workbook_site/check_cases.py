@@ -3,6 +3,7 @@
 import importlib.util
 import re
 import sys
+from operator import attrgetter
 from pathlib import Path
 
 from docutils import nodes
@@ -45,27 +46,36 @@ class CheckCases(SphinxDirective):
         for name in dict.fromkeys(case.check for case in module.CASES):
             code = nodes.literal("", f"checks.{name}")
             if name in described:
-                purpose, *more = (
-                    " ".join(part.split()) for part in getattr(checks, name).__doc__.split("\n\n")
-                )
-                anchor = nodes.target("", "", ids=[f"check-{name}"])
+                purpose, *more = _paragraphs(attrgetter(name)(checks).__doc__)
+                anchor = nodes.target("", "", ids=[_anchor(name)])
                 section += nodes.paragraph("", "", anchor, code, *spans(f": {purpose}"))
-                section += [
-                    nodes.paragraph("", "", *spans(part))
-                    for part in more
-                    if part.startswith("Data: ")
-                ]
+                section += [nodes.paragraph("", "", *spans(part)) for part in more]
             else:
                 section += nodes.paragraph(
-                    "", "", nodes.reference("", "", code, refid=f"check-{name}", internal=True)
+                    "", "", nodes.reference("", "", code, refid=_anchor(name), internal=True)
                 )
             section += _table([case for case in module.CASES if case.check == name])
-        section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
-        limits = (
-            nodes.list_item("", nodes.paragraph("", "", *spans(limit))) for limit in module.LIMITS
-        )
-        section += nodes.bullet_list("", *limits)
+        if module.LIMITS:
+            section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
+            limits = (
+                nodes.list_item("", nodes.paragraph("", "", *spans(limit)))
+                for limit in module.LIMITS
+            )
+            section += nodes.bullet_list("", *limits)
         return section
+
+
+def _paragraphs(docstring):
+    """Return the paragraphs of a check's docstring, the parameters after the answer as the last."""
+    text, _, parameters = docstring.partition("    Parameters\n")
+    shapes = (line.strip().partition(" : ") for line in parameters.splitlines()[2:])
+    data = "; ".join(f"`{name}`: {shape}" for name, _, shape in shapes if shape)
+    paragraphs = [" ".join(part.split()) for part in text.strip().split("\n\n")]
+    return [*paragraphs, *([f"Data: {data}."] if data else [])]
+
+
+def _anchor(name):
+    return f"check-{name.replace('.', '-')}"
 
 
 def find_descriptions(modules):
@@ -73,7 +83,7 @@ def find_descriptions(modules):
     described_in = {}
     for path, module in modules.items():
         for name in {case.check for case in module.CASES}:
-            if getattr(checks, name).__module__.split(".")[-2:] == [path.parent.name, path.stem]:
+            if attrgetter(name)(checks).__module__.split(".")[-2:] == [path.parent.name, path.stem]:
                 described_in[name] = path
             described_in.setdefault(name, path)
     return described_in

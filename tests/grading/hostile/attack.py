@@ -1,4 +1,4 @@
-"""What one hostile submission is, and what is seen of it, in an unguarded grader as in ours."""
+"""A hostile submission, and what is observed after it in an unguarded grader and in ours."""
 
 import json
 import sys
@@ -9,18 +9,16 @@ from textwrap import dedent
 sys.path.insert(0, str(Path(__file__).parents[1]))
 from classroom import notebook as handed_out
 
-#: Stands in the grader's environment, its home and its open files: whoever names it has looked
-#: where nobody should.
+#: A secret in the grader's environment, home and open files: an answer with it has read these.
 SECRET = "Tycho-1572"
-#: The right answer of the one item that counts here, as a solution file or a diligent student has
-#: it.
+#: The right answer of the one item that counts here, as in a solution file.
 RIGHT = "sp.And(k1 > 0, k1*k2 > 1)"
 WRONG = "a_region = sp.And(k1 > 0, k2 > 0)"
 
 
 @dataclass(frozen=True)
 class Seen:
-    """What became of a submission and of the world around it."""
+    """What became of a submission and of its surroundings."""
 
     points: int  # right answers
     text: str  # the answers as they were recorded
@@ -70,7 +68,7 @@ def flooded(seen):
 
 
 def reached(number):
-    """True if the attack says that it came as far as this number."""
+    """Return a test of whether the attack reports at least this number."""
     return lambda seen: any(
         int(word) >= number for word in seen.text.replace(",", " ").split() if word.isdigit()
     )
@@ -78,11 +76,12 @@ def reached(number):
 
 @dataclass(frozen=True)
 class Attack:
-    """`cells` stand in the place of the first stub; or `files(folder)` makes the whole submission.
+    """A hostile submission.
 
-    `success` looks at what was `Seen`: it must be true of the unguarded grader (`naive`), and false
-    of ours. There, in general, no point is gained, no other's grade is harmed, and the run goes on;
-    `after` says what else is true.
+    `cells` are in the place of the first stub; or `files(folder)` makes the whole submission.
+    `success` is a function of what was `Seen`: it must be true for the unguarded grader (`naive`),
+    and false for ours. There no point is gained, no other's grade is harmed, and the run goes on;
+    `after` describes what else holds.
     """
 
     name: str
@@ -94,10 +93,10 @@ class Attack:
     files: object = None
     apart: bool = False  # the unguarded grader runs each notebook in a process of its own
     marks: str = "checks"  # how the unguarded grader marks (see `naive`)
-    # Seconds after which the unguarded grader is held to run for ever: far more than one that ends
+    # Seconds after which the unguarded grader counts as endless: far more than one that ends
     # needs on a busy machine; an attack that never ends sets less.
     patience: float = 120.0
-    # whose affair our grader says it is; "" where there is nothing to say
+    # whose fault it is by our grader's remark; "" without a remark
     blame: str = "notebook"
 
     def submit(self, folder, facts):
@@ -111,12 +110,12 @@ class Attack:
 
 
 def lines(*parts):
-    """Pieces of code one after the other, each without its margin."""
+    """Join pieces of code, each without its margin."""
     return "\n".join(dedent(part).strip() for part in parts)
 
 
 def with_cells(sources):
-    """The notebook of problem 1.15 with code cells in the place of its first stub."""
+    """Return the notebook of problem 1.15 with code cells in the place of its first stub."""
     notebook = handed_out("1.15", {})
     place = next(
         k for k, cell in enumerate(notebook["cells"]) if cell["metadata"].get("tags") == ["answer"]

@@ -1,5 +1,4 @@
-"""A course with secrets in and around it, made for hostile submissions, and what is seen of it
-after grading."""
+"""A course with secrets in and around it, for hostile submissions."""
 
 import os
 import random
@@ -16,8 +15,7 @@ FOLDERS = ("submitted", "solutions", "home", "marks", "graded", "archive", "chec
 
 
 class Course:
-    """A folder open to everybody, so that it is never mere file permissions that stop an attack,
-    and addresses that listen."""
+    """A folder open to all users, so that file permissions alone stop no attack, and listeners."""
 
     def __init__(self):
         self.here = Path(tempfile.mkdtemp(prefix="course-"))
@@ -59,7 +57,7 @@ class Course:
         return (self.here / "marks" / student).exists()
 
     def heard(self):
-        """True if somebody has called."""
+        """Return whether a connection has come."""
         for listener in (self._network, self._local):
             try:
                 listener.accept()[0].close()
@@ -69,18 +67,18 @@ class Course:
         return False
 
     def left_behind(self):
-        """Processes that carry this course's token in their command line."""
-        found = []
+        """Return the processes with this course's token in their command line."""
+        pids = []
         for path in Path("/proc").glob("[0-9]*/cmdline"):
             try:
                 if (
                     self.token.strip("t").encode() in path.read_bytes()
                     and int(path.parent.name) != os.getpid()
                 ):
-                    found.append(int(path.parent.name))
+                    pids.append(int(path.parent.name))
             except OSError:
                 pass
-        return found
+        return pids
 
     def close(self):
         for process in self.left_behind():
@@ -100,7 +98,7 @@ def a_course():
 
 
 def seen_by_naive(course, student, honest, finished):
-    """What the naive grader's files say of a student."""
+    """Return what the naive grader's files record of a student."""
     rows = _read(course.here / "grades.csv").split("\n")
     points = {}
     for row in rows:
@@ -121,8 +119,10 @@ def seen_by_naive(course, student, honest, finished):
 
 
 def seen_by_ours(course, results, student, honest, finished):
-    """What our grade store says of a student; `honest` maps students to how many right answers they
-    have."""
+    """Return what our grade store records of a student.
+
+    `honest` maps students to how many right answers they have.
+    """
     mine = results.get(student, [])
     return Seen(
         points=sum(_right(result) for result in mine),

@@ -1,4 +1,4 @@
-"""Submissions that end processes: their own, the grader's, everybody's."""
+"""Submissions that end processes: their own, the grader's, or all."""
 
 from hostile.attack import WRONG, Attack, gained, graded_twice, harmed_others, stopped_the_run
 

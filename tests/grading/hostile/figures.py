@@ -1,4 +1,4 @@
-"""Submissions whose answers are numbers and expressions built to break or to slip through."""
+"""Submissions with numbers and expressions that break a judge or are accepted by mistake."""
 
 from hostile.attack import Attack, gained, stopped_the_run
 

@@ -1,4 +1,4 @@
-"""Submissions that are broken files, and names that are not only names."""
+"""Submissions that are broken files, or whose names are commands, paths or formulas."""
 
 import json
 import os
@@ -29,7 +29,7 @@ def _odd_sources():
 
 
 def _named(name):
-    """`name(student)` is the file's name, as bytes or text."""
+    """Return a submission whose file has the name `name(student)`, as bytes or text."""
     return lambda folder: write(folder / os.fsdecode(name(folder.parent.name)), with_cells([WRONG]))
 
 

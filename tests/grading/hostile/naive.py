@@ -1,9 +1,8 @@
-"""A grader as many are: it runs students' cells and check cells together, and believes what it
-finds afterwards.
+"""An unguarded grader: it runs students' cells and check cells in one process.
 
-It follows links, knows no limits, compares with a key where asked to, writes `repr` of answers,
-unpickles results and hands file names to a shell. Every attack is shown to succeed here, or it
-would test nothing.
+It follows links, has no limits, compares with a key where asked to, writes `repr` of answers,
+unpickles results and passes file names to a shell. Every attack must succeed here, or its failure
+in our grader would show nothing.
 """
 
 import contextlib
@@ -24,8 +23,10 @@ HISTORY = []  # of all cells run, as shells keep it
 
 
 def grade(apart, marks):
-    """Grade everything below the current folder into grades.csv; with `apart`, each notebook in a
-    process of its own."""
+    """Grade everything below the current folder into grades.csv.
+
+    With `apart`, each notebook runs in a process of its own.
+    """
     points = {}
     subprocess.Popen(["/usr/bin/sleep", "60"])  # a helper, with the grader's environment
     key_file = open("solutions/secret.txt")
@@ -61,11 +62,12 @@ def _mark(path, student, marks):
     import sympy as sp
 
     from workbook.checks import collecting
-    from workbook.checks.contract import coercion, verdict
+    from workbook.checks.contract import coercion, condition_coercion, verdict
 
     # It judges the objects themselves, as checks do that know no encoder, and of any size.
     verdict.encode = verdict.decode = lambda answer: answer
-    coercion.grows_too_fast, coercion.LARGEST_POWER = lambda *answer: False, float("inf")
+    coercion.grows_too_fast = condition_coercion.grows_too_fast = lambda *answer: False
+    condition_coercion.LARGEST_POWER = float("inf")
     notebook = json.loads(path.read_text(encoding="utf-8"))
     namespace = {"__name__": "__main__"}
     with collecting() as verdicts:
@@ -91,7 +93,7 @@ def _mark(path, student, marks):
 
 
 def _named_checks(notebook):
-    """Further checks, from the file that the notebook's metadata names."""
+    """Return further checks, from the file that the notebook's metadata names."""
     name = notebook.get("metadata", {}).get("workbook", {}).get("number", "")
     path = Path("checks") / f"{name}.py"
     return [path.read_text(encoding="utf-8")] if path.exists() else []
@@ -111,7 +113,7 @@ def _by_key_of_its_type(answer, verdicts, sp):
 
 
 def _by_number(answer, verdicts, sp):
-    """As if a number were asked: wrong if it is off by more than a thousandth."""
+    """Judge a number: wrong if it is off by more than a thousandth."""
     return isinstance(answer, (int, float, sp.And)) and (
         isinstance(answer, sp.And) or not abs(answer - 1.5) > 1e-3
     )
@@ -130,7 +132,7 @@ def _by_closeness(answer, verdicts, sp):
 
 
 def _by_reading(answer, verdicts, sp):
-    """Generous: an answer may be text."""
+    """Judge an answer that may be text."""
     return _by_key(
         sp.sympify(answer, locals={name: sp.Symbol(name, real=True) for name in ("k1", "k2")}),
         verdicts,
@@ -150,8 +152,7 @@ MARKS = {
 
 
 def run(here, apart, marks, patience):
-    """Run `grade` in a session of its own, in the folder `here`; True if it comes to its end within
-    `patience` seconds."""
+    """Run `grade` in a session of its own; return whether it ends within `patience` seconds."""
     outer = os.fork()
     if outer == 0:
         try:
@@ -176,8 +177,7 @@ def run(here, apart, marks, patience):
 
 
 def _surround(here):
-    """The environment of a careless grader, within bounds that keep the machine safe, and without
-    what the tests have open."""
+    """Set the environment of a careless grader, within limits that protect the machine."""
     os.closerange(3, 4096)
     # not the handler that bounds the time of the tests
     signal.signal(signal.SIGALRM, signal.SIG_DFL)
@@ -199,8 +199,8 @@ def _surround(here):
 def _ended_well(process, patience):
     give_up = time.monotonic() + patience
     while time.monotonic() < give_up:
-        found, status = os.waitpid(process, os.WNOHANG)
-        if found:
+        ended, status = os.waitpid(process, os.WNOHANG)
+        if ended:
             return status == 0
         time.sleep(0.01)
     return False

@@ -1,4 +1,4 @@
-"""Submissions whose answers are objects that lie."""
+"""Submissions whose answers are objects with deceptive methods."""
 
 from hostile.attack import Attack, gained, marked, stopped_the_run
 

@@ -1,5 +1,4 @@
-"""Grade the course in the current folder with our grader, and its results as plain data (`python
-ours.py`)."""
+"""Grade the course in the current folder with our grader (`python ours.py`)."""
 
 import json
 import os
@@ -19,7 +18,7 @@ BOUNDS = Bounds(seconds=8, answer_seconds=3)
 
 
 def run(here, environment, once=False, timeout=400):
-    """Grade in a process of its own; True if it comes to its end."""
+    """Grade in a process of its own; return whether it came to its end."""
     with open(here / "output.txt", "wb") as output:
         # The password file stays open and is inherited, as careless programs do.
         with open(here / "solutions/secret.txt") as secret:
@@ -36,18 +35,18 @@ def run(here, environment, once=False, timeout=400):
 
 
 def results(here):
-    """{student: [{"verdicts", "answers", "remarks"}]} as stored."""
-    found = {}
+    """Return {student: [{"verdicts", "answers", "remarks"}]} as stored."""
+    by_student = {}
     with closing(sqlite3.connect(here / "graded/grades.sqlite")) as database:
         rows = database.execute(
             "SELECT student, verdicts, answers, remarks FROM attempt JOIN result ON "
             "result.attempt = attempt.id"
         )
         for student, *texts in rows:
-            found.setdefault(student, []).append(
+            by_student.setdefault(student, []).append(
                 dict(zip(("verdicts", "answers", "remarks"), map(json.loads, texts)))
             )
-    return found
+    return by_student
 
 
 if __name__ == "__main__":

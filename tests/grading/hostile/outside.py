@@ -1,4 +1,4 @@
-"""Submissions that write outside, reach over the network, or leave something behind."""
+"""Submissions that write outside, use the network, or leave something behind."""
 
 import os
 

@@ -111,7 +111,8 @@ PATCHING = [
                from workbook.checks.contract.verdict import Verdict
                checks = sys.modules["workbook.checks"] = types.ModuleType("workbook.checks")
                checks.stability_region = lambda *given: Verdict("right", "")
-               checks.report, checks.collecting = reporting.report, reporting.collecting
+               from workbook.mistakes.reporting import report
+               checks.report, checks.collecting = report, reporting.collecting
                sys.modules["workbook"].checks = checks
                """,
             WRONG,
@@ -148,7 +149,8 @@ PATCHING = [
                from workbook.checks.contract import reporting
                from workbook.checks.contract.verdict import Verdict
                reporting._collected.get()["a_region"] = Verdict("right", "")
-               reporting.report.__code__ = (lambda **given: None).__code__
+               from workbook.mistakes.reporting import report
+               report.__code__ = (lambda **given: None).__code__
                """,
             WRONG,
         ),

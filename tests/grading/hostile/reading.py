@@ -1,4 +1,4 @@
-"""Submissions that read what is not theirs."""
+"""Submissions that read what is secret."""
 
 from hostile.attack import Attack, gained, leaked
 

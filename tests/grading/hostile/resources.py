@@ -1,7 +1,7 @@
-"""Submissions that take all there is: processes, memory, disk, time, output.
+"""Submissions that exhaust processes, memory, disk, time or output.
 
-What would endanger the machine is shown unguarded in a bounded form: so many processes, so many
-megabytes, as our limits in these tests forbid.
+What would endanger the machine is shown unguarded in a bounded form: as many processes and as many
+megabytes as our limits in these tests forbid.
 """
 
 from hostile.attack import WRONG, Attack, flooded, reached, stopped_the_run

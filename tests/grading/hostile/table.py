@@ -1,4 +1,4 @@
-"""All hostile submissions: more than forty kinds, in order of what they attack."""
+"""All hostile submissions: more than forty kinds, by what they attack."""
 
 from hostile.endings import ENDINGS
 from hostile.figures import FIGURES

@@ -1,5 +1,7 @@
-"""Hostile submissions gain nothing, harm nobody and stop nothing; and each succeeds where nothing
-guards."""
+"""Each hostile submission succeeds in an unguarded grader and fails in ours.
+
+In ours it gains nothing, harms no other student and stops nothing.
+"""
 
 import sys
 from pathlib import Path
@@ -20,13 +22,13 @@ HONEST = ("a-honest", "z-honest")
 APART = 8
 
 
-def test_at_least_forty_kinds():
+def test_at_least_forty_attacks():
     assert len({attack.name for attack in ATTACKS}) == len(ATTACKS) >= 40
     assert all(attack.attempts and attack.unguarded and attack.after for attack in ATTACKS)
 
 
 @pytest.mark.parametrize("attack", ATTACKS, ids=lambda attack: attack.name.replace(" ", "-"))
-def test_succeeds_unguarded(attack):
+def test_attack_succeeds_unguarded(attack):
     with a_course() as course:
         for student in HONEST:
             course.hand_in_honestly(student)
@@ -41,8 +43,8 @@ def test_succeeds_unguarded(attack):
 
 
 @pytest.mark.slow
-def test_none_succeeds_guarded():
-    """All of them in one run, with honest students before, between and after."""
+def test_no_attack_succeeds_guarded():
+    """All attacks in one run, with honest students before, between and after."""
     with a_course() as course:
         honest = {}
         for k, attack in enumerate(ATTACKS):
@@ -82,28 +84,28 @@ def test_none_succeeds_guarded():
 
 
 def _failures(attack, results, seen):
-    """What is not as it must be after an attack."""
-    found = []
+    """Return what is not as it must be after an attack."""
+    failures = []
     if attack.success(seen):
-        found.append(f"succeeded: {seen}")
+        failures.append(f"succeeded: {seen}")
     if seen.points or SECRET in seen.text:
-        found.append(f"has points or secrets: {seen}")
+        failures.append(f"has points or secrets: {seen}")
     remarks = [remark for result in results for remark in result["remarks"]]
     if not all(remark.startswith(("notebook: ", "limits: ")) for remark in remarks):
-        found.append(f"the grader is blamed, or nobody: {remarks}")
+        failures.append(f"the grader is blamed, or nobody: {remarks}")
     if (
         attack.blame
         and not any(remark.startswith(attack.blame) for remark in remarks)
         and not _told(results)
     ):
-        found.append(f"nobody says that it is the affair of the {attack.blame}: {results}")
+        failures.append(f"nobody says that it is the affair of the {attack.blame}: {results}")
     if not results:
-        found.append("was not graded")
-    return [f"{attack.name}: {one}" for one in found]
+        failures.append("was not graded")
+    return [f"{attack.name}: {failure}" for failure in failures]
 
 
 def _told(results):
-    """True if a verdict other than `missing` says what is wrong with an answer."""
+    """Return whether a verdict other than `missing` says what is wrong with an answer."""
     return any(
         status in ("wrong", "invalid")
         for result in results
@@ -120,7 +122,7 @@ def _full(results):
 
 
 def _files(here):
-    """Everything in the course's folder with its content, but for what is too large to compare."""
+    """Return everything in the course's folder with its content, if that is not too large."""
     return {
         path.relative_to(here): path.read_bytes()
         if path.is_file() and path.stat().st_size < 10**7

@@ -1,9 +1,9 @@
-"""Decides, without the check, whether a mutant is right after all: the same answer in another form.
+"""Oracles: decide, without the check, whether a mutant is the right answer in another form.
 
-The default compares with the reference answer by value (`sameness`). A check with room for several
-answers has an oracle of its own: the oracles of the checks of
-`workbook/checks/stability/stationary.py` stand in `stability/stationary.py` here, under the checks'
-names in its `ORACLES`. What no oracle proves right, the check has to reject.
+The default compares with the reference answer by value (`sameness`). A check that accepts several
+answers has an oracle of its own: the oracles of `workbook/checks/stability/stationary_points.py`
+are in `stability/stationary_points.py` here, by the names of the checks in `ORACLES`. A check has
+to reject what no oracle proves right.
 """
 
 import importlib

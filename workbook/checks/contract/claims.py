@@ -1,9 +1,10 @@
-"""The types as which checks read answers: under `@judged(Expression("state", "parameters"))` a
-check is handed a SymPy expression in the symbols of its data `state` and `parameters`, or is not
-called at all.
+"""Claims: the types as which checks read answers.
+
+Under `@judged(Expression("state", "parameters"))` a check gets a SymPy expression in the symbols of
+its data `state` and `parameters`, or is not called at all.
 
 The names are those of the check's own arguments, `system.A` for what a record among them holds, or
-functions of the data; the symbols that stand in these are the ones an answer may hold. What else a
+functions of the data; the symbols that occur in these are the ones an answer may hold. What else a
 type depends on is written as the name of a datum, of whose shape or length the answer is,
 `Matrix("parameters", shape="A")`, or as a function of the data: `Expressions("times", length=lambda
 data: data["A"].rows)`. Types of several parts are made of those of the parts: `Table(Number(),
@@ -16,18 +17,44 @@ import numbers
 import sympy as sp
 from sympy.logic.boolalg import Boolean
 
-from workbook.checks.contract import coercion
+from workbook.checks.contract import coercion, condition_coercion
 from workbook.checks.contract.members import NUMBERS, in_order, members, vectors
 from workbook.checks.contract.verdict import Invalid
 
 
 class Claim:
-    """An answer of one type; `read` gives it in this form, or raises `Invalid`."""
+    """Base class of claims: an answer of one type.
+
+    Parameters
+    ----------
+    *names : str or callable
+        Data, by name or as functions of all data, whose symbols the answer may hold.
+    **form
+        Arguments of `coerce`; strings and callables stand for data, too.
+
+    Notes
+    -----
+    A derived class defines `coerce(answer, symbols, **form)`.
+    """
 
     def __init__(self, *names, **form):
         self.names, self.form = names, form
 
     def read(self, answer, data):
+        """Return an answer in the form of this claim.
+
+        Parameters
+        ----------
+        answer : object
+            The decoded answer.
+        data : dict
+            The arguments of the check, by name.
+
+        Raises
+        ------
+        Invalid
+            If the answer is of another type.
+        """
         form = {
             name: _datum(value, data) if callable(value) or isinstance(value, str) else value
             for name, value in self.form.items()
@@ -37,12 +64,19 @@ class Claim:
 
 
 class Expression(Claim):
+    """One SymPy expression."""
+
     coerce = staticmethod(coercion.as_expression)
 
 
 class Expressions(Claim):
-    """A list of expressions, of the `length` given or as long as a datum; for a single one itself
-    will do, and a dict for those of the `names` given."""
+    """A list of expressions.
+
+    Notes
+    -----
+    It has the `length` given or that of a datum. Of length 1 the expression itself is accepted, and
+    with `names` a dict with these keys.
+    """
 
     @staticmethod
     def coerce(answer, symbols, length=None, names=()):
@@ -53,7 +87,7 @@ class Expressions(Claim):
 
 
 class Matrix(Claim):
-    """A matrix of the `shape` given or of that of a datum; of 1 x 1 an expression will do."""
+    """A matrix of the `shape` given or of that of a datum; of shape 1 x 1 also an expression."""
 
     @staticmethod
     def coerce(answer, symbols, shape=None):
@@ -63,23 +97,31 @@ class Matrix(Claim):
         return coercion.as_matrix(answer, symbols, shape)
 
 
-class Laid(Claim):
-    """A matrix of the `shape` given; a row or column may also be written the other way, and of 1 x
-    1 an expression will do."""
+class MatrixOrVector(Claim):
+    """A matrix of the `shape` given; a row may be written as a column and a column as a row.
+
+    Notes
+    -----
+    Of shape 1 x 1 an expression is accepted, too.
+    """
 
     @staticmethod
     def coerce(answer, symbols, shape):
-        found = Matrix.coerce(answer, symbols, shape if shape == (1, 1) else None)
-        if 1 in shape and found.shape == shape[::-1]:
-            found = found.T
-        if found.shape != shape:
-            raise Invalid(f"expected a matrix of shape {tuple(shape)}, got {found.shape}")
-        return found
+        matrix = Matrix.coerce(answer, symbols, shape if shape == (1, 1) else None)
+        if 1 in shape and matrix.shape == shape[::-1]:
+            matrix = matrix.T
+        if matrix.shape != shape:
+            raise Invalid(f"expected a matrix of shape {tuple(shape)}, got {matrix.shape}")
+        return matrix
 
 
 class Vectors(Claim):
-    """A list of vectors of the `size` given or that of a datum: also a set of them, a matrix whose
-    columns they are. For the `names` given a vector may be a dict."""
+    """A list of vectors of the `size` given or that of a datum.
+
+    Notes
+    -----
+    Also accepted: a set of them, a matrix whose columns they are. With `names` a vector may be a dict.
+    """
 
     @staticmethod
     def coerce(answer, symbols, size, names=()):
@@ -87,10 +129,18 @@ class Vectors(Claim):
 
 
 class Values(Claim):
-    """Any number of expressions in any order, as a list or a set; `expected` says so to a student.
+    """Any number of expressions in any order, as a list or a set.
 
-    What SymPy's `eigenvals` gives counts as the values that it names, whatever their
-    multiplicities.
+    Parameters
+    ----------
+    *names : str or callable
+        As for `Claim`.
+    expected : str
+        Description of the answer for a student.
+
+    Notes
+    -----
+    A dict of SymPy's `eigenvals` counts as the values that it names, whatever their multiplicities.
     """
 
     def __init__(self, *names, expected):
@@ -107,18 +157,26 @@ class Values(Claim):
 
 
 class ConditionOn(Claim):
-    coerce = staticmethod(coercion.as_condition)
+    """A condition on symbols."""
+
+    coerce = staticmethod(condition_coercion.as_condition)
 
 
 class Number(Claim):
+    """A real number."""
+
     coerce = staticmethod(lambda answer, symbols: coercion.as_number(answer))
 
 
 class Integer(Claim):
+    """A whole number."""
+
     coerce = staticmethod(lambda answer, symbols: coercion.as_integer(answer))
 
 
 class YesNo(Claim):
+    """Yes or no, as a bool or a word."""
+
     coerce = staticmethod(lambda answer, symbols: coercion.as_yes_no(answer))
 
 
@@ -129,7 +187,15 @@ class Choice(Claim):
 
 
 class Parts(Claim):
-    """A list of so many parts, each of a type of its own; `expected` says which."""
+    """A list of a fixed number of parts, each of a type of its own.
+
+    Parameters
+    ----------
+    *parts : Claim
+        The types of the parts.
+    expected : str
+        Description of the answer for a student.
+    """
 
     def __init__(self, *parts, expected):
         self.parts, self.expected = parts, expected
@@ -137,11 +203,19 @@ class Parts(Claim):
     def read(self, answer, data):
         if not isinstance(answer, (list, tuple)) or len(answer) != len(self.parts):
             raise Invalid(f"expected {self.expected}")
-        return [part.read(one, data) for part, one in zip(self.parts, answer)]
+        return [part.read(value, data) for part, value in zip(self.parts, answer)]
 
 
 class Table(Claim):
-    """A dict, read as a list of pairs (key, value), of a type each; `expected` says what it is."""
+    """A dict, read as a list of pairs (key, value).
+
+    Parameters
+    ----------
+    key, value : Claim
+        The types of all keys and of all values.
+    expected : str or callable
+        Description of the answer for a student, or a function of the data that returns it.
+    """
 
     def __init__(self, key, value, expected):
         self.key, self.value, self.expected = key, value, expected
@@ -158,29 +232,28 @@ class Table(Claim):
 
 
 def _datum(name, data):
-    """A function of the data, a datum by its name, or what a record among them holds."""
+    """Return a datum by its name, a field of one (`system.A`), or a function of the data."""
     if callable(name):
         return name(data)
     first, *parts = name.split(".")
     return functools.reduce(getattr, parts, data[first])
 
 
-def _size(given):
-    """How many entries: a number, a list of them, or a square matrix of so many rows."""
+def _size(counted):
+    """Return a number of entries: itself, or that of a list or the rows of a matrix."""
     return (
-        given
-        if isinstance(given, int)
-        else given.rows
-        if isinstance(given, sp.MatrixBase)
-        else len(given)
+        counted
+        if isinstance(counted, int)
+        else counted.rows
+        if isinstance(counted, sp.MatrixBase)
+        else len(counted)
     )
 
 
 def symbols_in(part):
-    """The symbols in data: lists in their order, what is written with symbols in that of their
-    names, dicts by their keys."""
+    """Return the symbols in data, in the order of lists; those of an expression by name."""
     if isinstance(part, sp.Symbol):
         return [part]
     if isinstance(part, (list, tuple, dict)):
-        return [symbol for one in part for symbol in symbols_in(one)]
+        return [symbol for item in part for symbol in symbols_in(item)]
     return [] if part is None else sorted(sp.sympify(part).free_symbols, key=str)

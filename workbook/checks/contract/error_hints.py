@@ -1,15 +1,17 @@
-"""The first day's mistakes, where Jupyter alone would show a bare error or the verdict on an old
-value.
+"""Hints on the first day's mistakes, where Jupyter alone shows a bare error or an old verdict.
 
-`k1 > 0 and k2 > 0` raises SymPy's TypeError: `advice` says what to write instead. After a cell that
-fails its answers keep what an earlier run gave them: `stopped` knows them, so that `report` does
-not judge the old value again. A check cell that runs before its answer cell finds the names that do
-not exist yet as stubs. One that runs before its data cell, as after a restart, imports this package
-by itself and is told what to run. `start` sets this up in Jupyter.
+`k1 > 0 and k2 > 0` raises SymPy's TypeError: `hint_for` returns what to write instead. After a cell
+that fails, its answers keep their values of an earlier run: they are listed in `stopped`, so that
+`report` does not judge the old value again. For a check cell that runs before its answer cell,
+names that do not exist yet are set to stubs. One that runs before its data cell, as after a
+restart, imports this package by itself; then the hint says what to run. `start` sets this up in
+Jupyter.
 """
 
 import linecache
 import re
+
+from workbook.checks.contract.check_cells import reported_names
 
 #: {name of a variable: the error that ended the last cell meant to assign it}
 stopped = {}
@@ -23,7 +25,7 @@ no `if` can choose, are sp.Piecewise((k1, k2 < 0), (k2, True))."""
 POWERS = "A power is x**2: in Python x^2 is another operation, on whole numbers."
 FUNCTIONS = "Functions of symbols are SymPy's: sp.sqrt(x), not np.sqrt(x) or math.sqrt(x)."
 #: What the text of an error begins with, and what to write instead.
-ADVICE = {
+HINTS = {
     "cannot determine truth value of Relational": CONDITIONS,
     "unsupported operand type(s) for &: ": CONDITIONS,
     "unsupported operand type(s) for |: ": CONDITIONS,
@@ -37,15 +39,25 @@ your answer, then this one. A restart forgets all cells that have run."""
 _before = {}
 
 
-def advice(text):
-    """What to write instead of what raised an error with this text; None for one that says enough
-    itself.
+def hint_for(text):
+    """Return what to write instead of code that raised this error, or None without a hint.
 
-    >>> advice("unsupported operand type(s) for &: 'int' and 'Symbol'")[:29]
+    Parameters
+    ----------
+    text : str
+        The text of the error.
+
+    Returns
+    -------
+    str or None
+
+    Examples
+    --------
+    >>> hint_for("unsupported operand type(s) for &: 'int' and 'Symbol'")[:29]
     'Join conditions of SymPy with'
-    >>> advice("'int' object is not callable")
+    >>> hint_for("'int' object is not callable")
     """
-    return next((said for beginning, said in ADVICE.items() if text.startswith(beginning)), None)
+    return next((hint for beginning, hint in HINTS.items() if text.startswith(beginning)), None)
 
 
 def start(shell):
@@ -76,14 +88,11 @@ def _after_cell(shell, result):
 
 
 def _assigned(source):
-    """Names that stand before a = at the beginning of a line, also in a cell that Python cannot
-    read."""
+    """Return the names before a = at the beginning of a line, also of a cell with wrong syntax."""
     return {name.strip() for names in ASSIGNED.findall(source) for name in names.split(",")}
 
 
 def _reported(source):
-    from workbook.authoring.statements import reported_names
-
     try:
         return reported_names(source) if "checks.report(" in source else []
     except SyntaxError:  # a changed check cell
@@ -91,15 +100,15 @@ def _reported(source):
 
 
 def _show_error(shell, kind, error, trace, tb_offset=None):
-    said = ABOVE if isinstance(error, NameError) and _is_check(trace) else advice(str(error))
-    if said is None:
+    hint = ABOVE if isinstance(error, NameError) and _is_check(trace) else hint_for(str(error))
+    if hint is None:
         shell.showtraceback((kind, error, trace), tb_offset=tb_offset)
     else:
-        shell._showtraceback(kind, error, [f"{kind.__name__}: {error}", said])
+        shell._showtraceback(kind, error, [f"{kind.__name__}: {error}", hint])
 
 
 def _is_check(trace):
-    """Whether an error comes from a line of a check cell itself."""
+    """Return whether an error comes from a line of a check cell itself."""
     while trace.tb_next:
         trace = trace.tb_next
     return "checks.report(" in "".join(linecache.getlines(trace.tb_frame.f_code.co_filename))

@@ -1,4 +1,4 @@
-"""How large an expression is, found without evaluating it: 10**10**9 costs no more than 10**9.
+"""Bounds on the size of an expression without evaluating it: 10**10**9 costs no more than 10**9.
 
 A number is measured as it is, what has symbols where these are 8 or 1/8. There towers of powers
 grow already beyond what any value can be computed for: a value of exp or of a sine takes arithmetic
@@ -18,16 +18,35 @@ _FACTORIAL = (sp.factorial, sp.gamma, sp.binomial)
 
 
 def size(node, known):
-    """(up, down, whether it has symbols) such that -down <= log2 |node| <= up, unless a sum
-    cancels; `known` is a dict that keeps what has been found of its parts."""
+    """Return bounds on log2 of the absolute value of a node.
+
+    Parameters
+    ----------
+    node : sympy.Expr
+        Any expression.
+    known : dict
+        Sizes of its parts that are known already; it is extended.
+
+    Returns
+    -------
+    tuple
+        (up, down, whether it has symbols) with -down <= log2 |node| <= up, unless a sum cancels.
+    """
     if node not in known:
         known[node] = _measure(node, known)
     return known[node]
 
 
 def grows_too_fast(node, bits=SYMBOL_BITS):
-    """Whether a part of an expression or a condition is too large to be computed with where its
-    symbols have a size of so many bits."""
+    """Return whether a part of an expression or condition is too large to be computed with.
+
+    Parameters
+    ----------
+    node : sympy.Basic
+        The expression or condition.
+    bits : int
+        The size of its symbols: they are 2**bits or 2**-bits.
+    """
     known = dict.fromkeys(node.free_symbols, (bits, bits, True))
     for part in node.atoms(sp.Integral, sp.Sum):  # their variables run up to the limits
         for variable, *limits in (limits for limits in part.limits if len(limits) > 1):
@@ -39,8 +58,7 @@ def grows_too_fast(node, bits=SYMBOL_BITS):
 
 
 def _inner(node, known):
-    """The bits of what stands in an exponent, a sine or a factorial, as a share of those that can
-    be computed with."""
+    """Return the bits of an exponent, angle or argument of a factorial, relative to the limit."""
     if isinstance(node, sp.Pow) and node.base is not sp.E:
         return 0 if node.exp.is_Number else size(node.exp, known)[0] / math.log2(MAX_EXPONENT)
     if isinstance(node, _FACTORIAL):
@@ -85,7 +103,7 @@ def _size_of_power(exponent, base_size, exponent_up):
 
 
 def log2(number):
-    """log2 |number|; 0 for zero, nan and the infinities."""
+    """Return log2 |number|; 0 for zero, nan and the infinities."""
     if number.is_Rational and number.p:
         return math.log2(abs(number.p)) - math.log2(number.q)
     if number.is_Float and number._mpf_[1]:

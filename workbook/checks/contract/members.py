@@ -1,5 +1,4 @@
-"""Answers that are one thing or several, read into lists, whatever a student keeps them in: lists,
-sets, arrays, what SymPy's solvers give."""
+"""Read answers that are one thing or several into lists: from sets, arrays, results of solvers."""
 
 import numpy as np
 import sympy as sp
@@ -12,10 +11,21 @@ NUMBERS = (int, float, complex, sp.Expr)
 
 
 def members(answer, expected, single=()):
-    """The members of a collection as a list; one alone, of the types `single`, is a list of it.
+    """Return the members of a collection as a list.
 
-    Of a matrix or an array they are its numbers. Anything else is `Invalid`, which says what was
-    `expected`.
+    Parameters
+    ----------
+    answer : object
+        A list, set or array, equations joined by And, or a matrix, whose numbers are the members.
+    expected : str
+        Description of the answer for a student.
+    single : tuple of type
+        Types of a single member that is accepted without a collection.
+
+    Raises
+    ------
+    Invalid
+        If it is anything else.
     """
     if isinstance(answer, np.ndarray):
         return answer.ravel().tolist()
@@ -34,8 +44,17 @@ def members(answer, expected, single=()):
 
 
 def families(answer, integer, expected):
-    """The members of an answer that repeat periodically: expressions in `integer`, also for a set
-    that `solveset` gives."""
+    """Return the members of an answer that repeat periodically, as expressions in `integer`.
+
+    Parameters
+    ----------
+    answer : object
+        A collection as for `members`, or a set of the form that `solveset` returns.
+    integer : sympy.Symbol or None
+        The symbol that runs over all integers.
+    expected : str
+        Description of the answer for a student.
+    """
     if isinstance(answer, (dict, np.ndarray)):
         answer = list(answer.values()) if isinstance(answer, dict) else answer.tolist()
     if isinstance(answer, sp.ConditionSet) and answer.sym not in answer.condition.free_symbols:
@@ -45,7 +64,7 @@ def families(answer, integer, expected):
         real, *others = [part for part in answer.args if part != sp.S.Reals]
         answer = answer if others else real
     if isinstance(answer, sp.Union):
-        return [part for one in answer.args for part in families(one, integer, expected)]
+        return [part for member in answer.args for part in families(member, integer, expected)]
     if (
         isinstance(answer, sp.ImageSet)
         and answer.base_sets == (sp.S.Integers,)
@@ -57,8 +76,7 @@ def families(answer, integer, expected):
 
 
 def in_order(answer, names):
-    """The values of a dict, whose keys are names or symbols, in the order of `names`; other answers
-    as they are."""
+    """Return the values of a dict in the order of the names; other answers unchanged."""
     if not isinstance(answer, dict):
         return answer
     by_name, names = {str(key): value for key, value in answer.items()}, list(map(str, names))
@@ -68,8 +86,23 @@ def in_order(answer, names):
 
 
 def vectors(answer, n, symbols, names=()):
-    """A list of vectors from a list, a set, a matrix whose columns they are; none of them from
-    anything empty. One that is a dict has a key for each of the `names`."""
+    """Return a list of vectors.
+
+    Parameters
+    ----------
+    answer : object
+        A list or set of vectors, or a matrix whose columns they are; anything empty has none.
+    n : int
+        The number of components.
+    symbols : list of sympy.Symbol
+        The data's own symbols.
+    names : list, optional
+        The keys of a vector that is a dict, in the order of the components.
+
+    Returns
+    -------
+    list of list of sympy.Expr
+    """
     if isinstance(answer, np.ndarray) and answer.ndim == 2:
         answer = sp.Matrix(*answer.shape, [sp.sympify(x) for x in answer.ravel().tolist()])
     if isinstance(answer, np.ndarray):

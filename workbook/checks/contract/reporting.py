@@ -1,19 +1,17 @@
-"""`checks.report`: the last line of every check cell.
+"""What becomes of the verdicts of a check cell: they are shown, or collected for a grader.
 
-In Jupyter the report is shown as HTML, each line with the mark and the colours of its own verdict;
-the error that follows unless all are right (nbgrader and the build want one) is then a single line
-that counts.
+In Jupyter each line has the mark and the colours of its own verdict; the error that follows unless
+all are right (nbgrader and the build want one) is then a single line that counts.
+`workbook.mistakes.reporting.report` calls `deliver`.
 """
 
 import html
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import replace
 
 from trajlib.typesetting import typeset
-from workbook.checks.contract import error_hints
-from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
-from workbook.display.results import in_notebook
+from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from workbook.jupyter import in_notebook
 
 MARKS = {RIGHT: "✓", WRONG: "✗", MISSING: "…", INVALID: "?", UNCHECKED: "!"}
 #: Ink and ground of a line, with a contrast of at least 4.5.
@@ -29,7 +27,13 @@ _collected = ContextVar("collected verdicts", default=None)
 
 
 class NotYet(Exception):
-    """Raised when not every answer of a check cell is right; the message is the report itself."""
+    """Raised when not every answer of a check cell is right; the message is the report itself.
+
+    Parameters
+    ----------
+    verdicts : dict
+        A `Verdict` for each name of an answer.
+    """
 
     def __init__(self, verdicts):
         super().__init__(_as_text(verdicts))
@@ -44,32 +48,8 @@ class NotYet(Exception):
         return [f"Not yet: {right} of {len(self.verdicts)} right."]
 
 
-def report(problem="", /, **verdicts):
-    """Show a line for each answer; raise `NotYet` unless all are right.
-
-    `report(a_region=checks.stability_region(a_region, ...), ...)`: the names are those of the
-    answer variables, the values what the checks return. An error for nbgrader and for the site's
-    build, a polite message in Jupyter. A wrong answer to a `problem`, whose number stands first in
-    the students' notebooks, is told the mistake if that is known.
-
-    >>> report(a=Verdict("right", "it solves the equation"))
-    ✓ a: right: it solves the equation
-    """
-    for name, verdict in verdicts.items():
-        if not isinstance(verdict, Verdict):
-            verdicts[name] = Verdict(
-                UNCHECKED, "the check cell was changed: it hands over no verdict"
-            )
-        elif name in error_hints.stopped:
-            verdicts[name] = Verdict(
-                MISSING,
-                "not judged: the cell that assigns it stopped with "
-                f"{error_hints.stopped[name]}; mend that first",
-            )
-        elif problem and verdict.status == WRONG:
-            verdicts[name] = replace(
-                verdict, mistake=_mistake(problem, name, verdict.answer), answer=None
-            )
+def deliver(verdicts):
+    """Collect the verdicts of a check cell, or show them and raise `NotYet` unless all are right."""
     collected = _collected.get()
     if collected is not None:
         collected.update(verdicts)
@@ -85,11 +65,17 @@ def report(problem="", /, **verdicts):
 
 @contextmanager
 def collecting():
-    """Inside this context `report` neither shows nor raises: it adds its verdicts to the dict given
-    back.
+    """Collect the verdicts of all reports in this context, which neither show nor raise.
 
+    Yields
+    ------
+    dict
+        A `Verdict` for each name of an answer, filled as the reports run.
+
+    Examples
+    --------
     >>> with collecting() as verdicts:
-    ...     report(a=Verdict("missing", "not answered yet"))
+    ...     deliver({"a": Verdict("missing", "not answered yet")})
     >>> verdicts["a"].status
     'missing'
     """
@@ -98,16 +84,6 @@ def collecting():
         yield _collected.get()
     finally:
         _collected.reset(token)
-
-
-def _mistake(problem, name, answer):
-    from workbook.mistakes import name_of
-    from workbook.notebooks.exercises import UnknownExercise
-
-    try:
-        return name_of(problem, name, answer)
-    except UnknownExercise:  # a notebook of another edition
-        return ""
 
 
 def _as_text(verdicts):
@@ -138,8 +114,7 @@ def _as_html(verdicts):
 
 
 def _style(status):
-    """Ink on ground, dark on light in any theme; the site has colours of its own, for its dark
-    pages too."""
+    """Return the colours of a line, dark on light in any theme; the site overrides them."""
     ink, ground = COLOURS[status]
     return (
         f"color: var(--{status}, {ink}); background: var(--{status}-ground, {ground}); padding: "

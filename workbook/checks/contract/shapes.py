@@ -1,10 +1,7 @@
-"""What the data of checks are, by the names of their arguments: in one room the same name is always
-the same thing.
+"""Descriptions of the data of checks by the names of their arguments, one meaning in each theme.
 
-`judged` adds this to the docstring of a check, so `help` and the page of checks tell it.
+`judged` adds them to the docstring of a check, so `help` and the page of checks show them.
 """
-
-import textwrap
 
 COMMON = {
     "A": "n x n matrix",
@@ -183,14 +180,11 @@ SHAPES = {
 
 
 def with_shapes(docstring, module, names):
-    """The docstring of a check of some module with the shapes of its data."""
+    """Return the docstring of a check of some module, extended by the section of its parameters."""
+    if not docstring:
+        return docstring
     shapes = SHAPES.get(module.split(".")[-2:][0], COMMON)
-    told = "; ".join(f"`{name}`: {shapes[name]}" for name in names if name in shapes)
-    lines = textwrap.wrap(
-        f"Data: {told}.",
-        115,
-        initial_indent=" " * 4,
-        subsequent_indent=" " * 4,
-        break_on_hyphens=False,
-    )
-    return "\n".join([docstring.rstrip(), "", *lines, "    "]) if told and docstring else docstring
+    answer, *data = names
+    lines = [f"{name} : {shapes[name]}" if name in shapes else name for name in data]
+    section = ["Parameters", "----------", f"{answer} : the student's answer", *lines]
+    return "\n".join([docstring.rstrip(), "", *(f"    {line}" for line in section), "    "])

@@ -1,16 +1,16 @@
-"""How far a number of an answer may be off: the only place that knows.
+"""Tolerances: how far a number of an answer may be off. No other module defines one.
 
 - Exact: what is written without decimals has to be right, up to the rounding of what is computed
   with it.
 - Decimals: a number counts to three significant digits, which is half a unit of the third digit of
   the true number. An expression with symbols is as uncertain as such a change of each of its
-  decimals makes it (`changed`); where that cannot be followed, and in what is computed from
+  decimals makes it (`perturbed`); where that cannot be followed, and in what is computed from
   numbers, they make each term uncertain by such a share of it.
-- Computed: where the truth itself is known to a precision only, as by a search, that stands for
+- Computed: where the reference itself is known to a precision only, as by a search, that replaces
   `EXACT`.
 
-Numbers are compared by `same`, entry by entry; a residual has no digits of its own, and gets a
-`share` of its terms.
+Numbers are compared by `agree`, entry by entry; a residual has no digits of its own, and its
+tolerance is a share of its terms (`relative_tolerance`).
 """
 
 import numpy as np
@@ -34,8 +34,7 @@ MOST_TOGETHER = 3
 
 
 def in_decimals(*written):
-    """Whether answers, SymPy objects or lists of them, hold decimals; a zero is exact however it is
-    written."""
+    """Return whether answers, SymPy objects or lists of them, hold decimals other than zero."""
     return any(
         in_decimals(*part)
         if isinstance(part, (list, tuple))
@@ -44,27 +43,44 @@ def in_decimals(*written):
     )
 
 
-def changed(*written):
-    """Pairs of lists of the SymPy objects with one of their decimals smaller and larger by what
-    three digits leave open, the same with either sign; None if there are too many. The exponent of
-    a root is exact however it is written.
+def perturbed(*written):
+    """Return SymPy objects with each decimal changed by what three digits leave open.
 
-    That is the share for any number, since SymPy multiplies: of 2*0.318*a it keeps 0.636*a.
+    Parameters
+    ----------
+    *written : sympy.Basic
+        The objects; the exponent of a root is exact however it is written.
+
+    Returns
+    -------
+    list or None
+        For each decimal, the same with either sign, a pair of lists of the objects: with it smaller
+        and larger. None if there are more than `MOST_FOLLOWED`.
+
+    Notes
+    -----
+    The share is that for any number, since SymPy multiplies: of 2*0.318*a it keeps 0.636*a.
     """
     written, decimals = _followed(written)
     if len(decimals) > MOST_FOLLOWED:
         return None
-    return [[_moved(written, (number,), side) for side in (-1, 1)] for number in decimals]
+    return [[_perturbed_by(written, (number,), side) for side in (-1, 1)] for number in decimals]
 
 
-def changed_together(*written):
-    """The same with two decimals larger: for each of them a list with a change for each that comes
-    after it; empty if there are more than `MOST_TOGETHER`."""
+def perturbed_in_pairs(*written):
+    """Return SymPy objects with two of their decimals larger, as `perturbed` makes one larger.
+
+    Returns
+    -------
+    list of list
+        For each decimal a list with one entry for each that comes after it; empty if there are more
+        than `MOST_TOGETHER`.
+    """
     written, decimals = _followed(written)
     return (
         [
-            [_moved(written, (one, other), 1) for other in decimals[k + 1 :]]
-            for k, one in enumerate(decimals)
+            [_perturbed_by(written, (first, second), 1) for second in decimals[k + 1 :]]
+            for k, first in enumerate(decimals)
         ]
         if len(decimals) <= MOST_TOGETHER
         else []
@@ -72,7 +88,7 @@ def changed_together(*written):
 
 
 def _followed(written):
-    """The objects without decimals in roots, and the sizes of their decimals."""
+    """Return the objects without decimals in roots, and the sizes of their decimals."""
     written = [sp.sympify(part) for part in written]
     roots = {
         power: sp.Pow(power.base, sp.nsimplify(power.exp, rational=True))
@@ -86,39 +102,69 @@ def _followed(written):
     )
 
 
-def _moved(written, numbers, side):
-    factors = {one: one * (1 + side * DECIMALS) for number in numbers for one in (number, -number)}
+def _perturbed_by(written, numbers, side):
+    factors = {
+        signed: signed * (1 + side * DECIMALS) for number in numbers for signed in (number, -number)
+    }
     return [part.xreplace(factors) for part in written]
 
 
-def share(*written, computed=EXACT):
-    """How large a residual may be, as a share of the size of its terms."""
+def relative_tolerance(*written, computed=EXACT):
+    """Return the tolerance of a residual relative to the size of its terms.
+
+    Parameters
+    ----------
+    *written : sympy.Basic
+        The answers that the residual is computed from.
+    computed : float
+        The relative precision of the reference.
+    """
     return DECIMALS if in_decimals(*written) else computed
 
 
 def half_unit(size):
-    """Half a unit of the third significant digit of a number of this size; zero for zero."""
+    """Return half a unit of the third significant digit of numbers of this size; zero for zero."""
     with np.errstate(divide="ignore"):
         return 0.5 * (1 + 1e-9) * 10.0 ** (np.floor(np.log10(np.abs(size))) - 2)
 
 
-def rounds_to(said, true, size=0.0):
-    """True if a real number is another to three significant digits; `size` is that of the numbers
-    beside it."""
+def rounds_to(value, true, size=0.0):
+    """Return whether a real number equals another to three significant digits.
+
+    Parameters
+    ----------
+    value, true : float
+        The number of the answer and the true one.
+    size : float
+        The size of the numbers beside it, with which a small number has fewer digits.
+    """
     return bool(
-        abs(float(said) - float(true)) <= half_unit(max(abs(float(true)), NEGLIGIBLE * float(size)))
+        abs(float(value) - float(true))
+        <= half_unit(max(abs(float(true)), NEGLIGIBLE * float(size)))
     )
 
 
-def same(said, true, written, size=0.0, computed=EXACT, uncertain=None):
-    """Whether numbers, real or complex, that an answer became are the true ones: a bool, or an
-    array of them.
+def agree(values, true, written, size=0.0, computed=EXACT, uncertain=None):
+    """Return whether numbers that an answer became are the true ones.
 
-    `written` is the answer, an expression or a matrix of the same shape; `size` that of the numbers
-    that were computed with, in an array that of those beside it; `uncertain` by how much its
-    decimals leave open what an expression with symbols becomes, nan if not known.
+    Parameters
+    ----------
+    values, true : complex or numpy.ndarray
+        The numbers of the answer and the true ones.
+    written : sympy.Expr or sympy.Matrix
+        The answer, of the same shape.
+    size : float or numpy.ndarray
+        The size of the numbers that were computed with, in an array of those beside each.
+    computed : float
+        The relative precision of the true numbers.
+    uncertain : array_like, optional
+        By how much the decimals of an expression with symbols change its value; nan if not known.
+
+    Returns
+    -------
+    bool or numpy.ndarray of bool
     """
-    wrong = np.asarray(said) - true
+    wrong = np.asarray(values) - true
     beside = NEGLIGIBLE * size if wrong.shape else 0  # a number alone has the digits of its own
     allowed = computed * np.maximum(np.abs(true), size)
     if in_decimals(written):
@@ -131,8 +177,8 @@ def same(said, true, written, size=0.0, computed=EXACT, uncertain=None):
         allowed = np.maximum(
             allowed, np.where(has_symbols, open_, half_unit(np.maximum(np.abs(true), beside)))
         )
-    found = (np.abs(wrong.real) <= allowed) & (np.abs(wrong.imag) <= allowed)
-    return found if found.shape else bool(found)
+    correct = (np.abs(wrong.real) <= allowed) & (np.abs(wrong.imag) <= allowed)
+    return correct if correct.shape else bool(correct)
 
 
 def _entries(written):

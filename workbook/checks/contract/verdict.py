@@ -1,11 +1,11 @@
-"""What a check says of one answer, and how a check is written.
+"""Verdicts on answers, and the decorator of all checks.
 
-A check is a function `check(claim, *data)` under the decorator `judged(Expression("parameters"))`:
-it is handed the answer as a claim of the type declared (`contract.claims`), yields comparisons
-(`tools.comparisons`), and returns the sentence that says what holds. Under `judged` alone it reads
-the answer itself. It may raise `Wrong` (a property fails) or `Invalid` (not of the type asked).
-Whatever else it raises is our failure, and the verdict says so: `unchecked`, never wrong, never
-right.
+A check is a function `check(claim, *data)` under the decorator `judged(Expression("parameters"))`.
+Its first argument is the answer, read as a claim of the declared type (`contract.claims`); it
+yields comparisons (`tools.comparisons`) and returns the sentence that describes what holds. Under
+`judged` alone it reads the answer itself. It may raise `Wrong` (a property fails) or `Invalid` (not
+of the type asked). Any other exception is our failure, and the verdict is then `unchecked`, never
+wrong, never right.
 
 A check judges what a grader would receive: the answer encoded as data and decoded again, in a
 notebook too. What cannot be written as data is `invalid` in both, with the same message; the data
@@ -18,8 +18,10 @@ import warnings
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 
-from workbook.checks.contract.encoding import EncodingError, decode, encode
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.shapes import with_shapes
+from workbook.checks.contract.traversal import EncodingError
 
 RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = (
     "right",
@@ -30,30 +32,40 @@ RIGHT, WRONG, MISSING, INVALID, UNCHECKED = STATUSES = (
 )
 
 
-#: What was noticed while an answer was read, said only if it turns out wrong.
+#: Remarks on the form of an answer, shown only if it is wrong.
 _remarks = ContextVar("remarks", default=())
 
 
 def remark(sentence):
-    """Say this too, should the answer that is being judged be wrong."""
+    """Add a sentence to the message in case that the answer being judged is wrong."""
     _remarks.set((*_remarks.get(), sentence))
 
 
 class Wrong(Exception):
-    """The answer fails a property; the message says which one, where, with numbers, and never the
-    answer."""
+    """Raised when an answer fails a property.
+
+    The message names the property and where it fails, with numbers, and never the answer.
+    """
 
 
 class Invalid(Exception):
-    """The answer is not of the type asked; the message says kindly what was expected."""
+    """Raised when an answer is not of the type asked; the message says kindly what was expected."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """One answer judged: `status` is one of `STATUSES`, `message` a sentence for the student.
+    """The verdict on one answer.
 
-    `mistake` asks what may have gone wrong, if `answer`, one that is wrong, is known for it
-    (`workbook.mistakes`).
+    Parameters
+    ----------
+    status : str
+        One of `STATUSES`: right, wrong, missing, invalid, unchecked (our failure, never counted).
+    message : str
+        A sentence for the student.
+    mistake : str
+        What may have gone wrong, if that is known for this answer (`workbook.mistakes`).
+    answer : object
+        The decoded answer if it is wrong, to look the mistake up.
     """
 
     status: str
@@ -64,16 +76,35 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Unusable:
-    """Stands for an answer that could not be read as data; the reason becomes the verdict
-    `invalid`."""
+    """Replaces an answer that could not be read as data.
+
+    Parameters
+    ----------
+    reason : str
+        The message of the verdict `invalid`.
+    """
 
     reason: str
 
 
 def judged(check):
-    """Turn a check into a function that always returns a `Verdict`, whatever the answer is.
+    """Turn a check into a function that always returns a `Verdict`.
 
-    As `judged(claim)`, with the type as which the answer is read, a decorator that does.
+    Parameters
+    ----------
+    check : callable or Claim
+        The check, `check(answer, *data)`; or, used as `judged(claim)`, the type as which the answer
+        is read before the check is called.
+
+    Returns
+    -------
+    callable
+        A function of the same arguments, whatever the answer is; or a decorator for such a check.
+
+    Notes
+    -----
+    The check may be a generator of comparisons (`workbook.checks.tools.comparisons`), each of which is
+    judged before it goes on. It returns the message of a right answer.
     """
     return (
         _judged(check, None)
@@ -90,22 +121,22 @@ def _judged(check, claim):
         if isinstance(answer, Unusable):
             return Verdict(INVALID, answer.reason)
         _remarks.set(())
-        given = None
+        decoded = None
         try:
             # A warning on stderr would cost the cell its points in nbgrader.
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")
-                given = received = decode(encode(answer))
+                decoded = received = decode(encode(answer))
                 if _holds_ellipsis(received):
                     return Verdict(MISSING, "not answered yet")
                 if claim is not None:
                     bound = names.bind(None, *data, **options)
                     bound.apply_defaults()
                     received = claim.read(received, bound.arguments)
-                return Verdict(RIGHT, _sentence(check(received, *data, **options)))
+                return Verdict(RIGHT, _message(check(received, *data, **options)))
         except Wrong as failed:
             return Verdict(
-                WRONG, ". ".join([str(failed), *dict.fromkeys(_remarks.get())]), answer=given
+                WRONG, ". ".join([str(failed), *dict.fromkeys(_remarks.get())]), answer=decoded
             )
         except (Invalid, EncodingError) as refused:
             return Verdict(INVALID, str(refused))
@@ -120,23 +151,21 @@ def _judged(check, claim):
     return judge
 
 
-def _sentence(found):
-    """What a check returns, once all comparisons that it yields have been done; each gives back
-    what it found."""
-    if not inspect.isgenerator(found):
-        return found
-    seen = None
+def _message(outcome):
+    """Return the message that a check returns after all comparisons that it yields are judged."""
+    if not inspect.isgenerator(outcome):
+        return outcome
+    result = None
     while True:
         try:
-            comparison = found.send(seen)
+            comparison = outcome.send(result)
         except StopIteration as end:
             return end.value
-        seen = comparison.judge()
+        result = comparison.judge()
 
 
 def _holds_ellipsis(answer):
-    """True for the untouched stub, also inside a list, tuple, set or dict that is filled only in
-    part."""
+    """Return whether an answer is the untouched stub or a collection that holds it."""
     if answer is ...:
         return True
     if type(answer) in (list, tuple, set, frozenset):

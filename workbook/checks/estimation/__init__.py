@@ -1,1 +1,1 @@
-"""Judges moments, least squares, random processes and their filters."""
+"""Checks of moments, least squares, random processes and filters."""

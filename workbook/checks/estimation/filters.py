@@ -1,9 +1,8 @@
-"""Optimal estimates and their errors: by measurements at single moments, and by filters that have
-settled.
+"""Optimal estimates and their errors: measurements at single instants, steady filters.
 
-The truth is the conditional law of a Gaussian vector of all states and measurements together, or
+The reference is the conditional law of a Gaussian vector of all states and measurements together, or
 the stabilising solution of a Riccati equation at numbers, from an invariant subspace
-(`truths/processes.py`); no filter is run.
+(`references/processes.py`); no filter is run.
 
 What is `measured` are pairs (time, value or values); times, values and the time `at` which the
 state is asked for may hold the parameters, and for a time there may stand `sp.Range(1, n + 1)`: the
@@ -14,31 +13,39 @@ and covariance may be asked for at times before 0.
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Laid, Matrix, Values
-from workbook.checks.contract.tolerance import REPEATED, same
+from workbook.checks.contract.claims import Matrix, MatrixOrVector, Values
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
-from workbook.checks.tools.comparisons import Entries, Members
-from workbook.checks.tools.conditions import compare, place_text
+from workbook.checks.tools.comparisons import SameEntries, SameMembers
+from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import numbers_at
-from workbook.checks.tools.wording import entry_text, number_text, part_text, where_text
+from workbook.checks.tools.wording import (
+    entry_text,
+    number_text,
+    part_text,
+    values_text,
+    where_text,
+)
 
 COUNT = 6
 BEFORE, AFTER = "before", "after"
 
 
-@judged(Laid("parameters", shape=processes.shape_of("mean")))
+@judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
-    """The best estimate of the state at a time from what was measured; of a single coordinate an
-    expression."""
+    """Check the best estimate of the state at a time from what was measured.
+
+    Of a single coordinate it is an expression.
+    """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true, _ = processes.given(one, known, time)
-        yield Entries(
+        true, _ = processes.conditional_moments(one, known, time)
+        yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
-                f"{part_text('estimate', said, i)}{where_text(values)}; this is not the mean of "
+            lambda claimed, i, j: (
+                f"{part_text('estimate', claimed, i)}{where_text(values)}; this is not the mean of "
                 "the state under the condition of what was measured"
             ),
             values,
@@ -49,11 +56,13 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.true):
-    """The covariance matrix of the errors of the best estimate at a time; of a single coordinate
-    the variance."""
+    """Check the covariance matrix of the errors of the best estimate at a time.
+
+    Of a single coordinate it is the variance.
+    """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = processes.given(one, known, time)[1]
-        yield Entries(
+        true = processes.conditional_moments(one, known, time)[1]
+        yield SameEntries(
             claim,
             true,
             _other("the errors of the best estimate", values),
@@ -63,20 +72,22 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
     return "it is the covariance of the state under the condition of what was measured"
 
 
-@judged(Laid("parameters", shape=processes.shape_of("mean")))
-def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.true):
-    """The standard deviations of the errors of the best estimate at a time, a column; of a single
-    coordinate an expression."""
+@judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
+def estimate_standard_deviations(claim, process, measured, at, parameters=(), given=sp.true):
+    """Check the standard deviations of the errors of the best estimate at a time.
+
+    They are a column; of a single coordinate an expression.
+    """
     for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = np.sqrt(np.diag(processes.given(one, known, time)[1]))[:, None]
-        yield Entries(
+        true = np.sqrt(np.diag(processes.conditional_moments(one, known, time)[1]))[:, None]
+        yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
-                f"{part_text('answer', said, i)}{where_text(values)}; "
+            lambda claimed, i, j: (
+                f"{part_text('answer', claimed, i)}{where_text(values)}; "
                 + (
                     "a standard deviation is not negative"
-                    if said[i, j].real < 0
+                    if claimed[i, j].real < 0
                     else "its square is not the variance of the error of the best estimate"
                 )
             ),
@@ -87,27 +98,33 @@ def estimate_deviations(claim, process, measured, at, parameters=(), given=sp.tr
 
 @judged(Matrix("parameters", shape=processes.shape_of("A")))
 def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFORE):
-    """The covariance matrix of the errors of the steady filter; in discrete time that `moment` of a
-    measurement, "before" or "after"."""
+    """Check the covariance matrix of the errors of the steady filter.
+
+    In discrete time it is that at the `moment` of a measurement, "before" or "after".
+    """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.numbers(process, values, start=False)
-        true = processes.steady(one)[(BEFORE, AFTER).index(moment)]
-        yield Entries(
+        one = processes.at_values(process, values, start=False)
+        true = processes.steady_covariances(one)[(BEFORE, AFTER).index(moment)]
+        yield SameEntries(
             claim, true, _other("the errors of the settled filter", values), values, abs(true).max()
         )
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
 
-@judged(Laid("parameters", shape=lambda data: processes.plain(data["process"]).H.T.shape))
+@judged(
+    MatrixOrVector("parameters", shape=lambda data: processes.as_process(data["process"]).H.T.shape)
+)
 def steady_gain(claim, process, parameters=(), given=sp.true):
-    """The gain K of the steady filter, a column for each measurement: y' = A y + K (z - H y), in
-    discrete time y+ = y + K (z - H y)."""
-    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.numbers(process, values, start=False)
-        true = processes.gain_of(one, processes.steady(one)[0])
+    """Check the gain K of the steady filter, a column for each measurement.
 
-        def told(said, i, j):
-            loop = one.A - (one.A @ said if one.discrete else said) @ one.H
+    The filter is y' = A y + K (z - H y), in discrete time y+ = y + K (z - H y).
+    """
+    for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
+        one = processes.at_values(process, values, start=False)
+        true = processes.filter_gain(one, processes.steady_covariances(one)[0])
+
+        def message(claimed, i, j):
+            loop = one.A - (one.A @ claimed if one.discrete else claimed) @ one.H
             growing = (
                 np.log(abs(np.linalg.eigvals(loop)))
                 if one.discrete
@@ -120,20 +137,23 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
             )
             return (
                 f"with your gain {does}{where_text(values)}: look at row {i + 1}, where it is "
-                f"{number_text(said[i, j])}"
+                f"{number_text(claimed[i, j])}"
             )
 
-        yield Entries(claim, true, told, values, abs(true).max())
+        yield SameEntries(claim, true, message, values, abs(true).max())
     return "no other gain makes the variances of the errors smaller"
 
 
 @judged
 def steady_filter_exists(answer, process, parameters):
-    """The condition on the parameters under which there is a steady filter whose errors decay."""
+    """Check the condition under which there is a steady filter whose errors decay.
 
-    def told(values, holds):
+    It is a condition on the parameters.
+    """
+
+    def message(values, holds):
         return (
-            f"your condition {'does not hold' if holds else 'holds'} for {place_text(values)}; "
+            f"your condition {'does not hold' if holds else 'holds'} for {values_text(values)}; "
             + (
                 "there a filter settles, and its errors decay"
                 if holds
@@ -142,30 +162,36 @@ def steady_filter_exists(answer, process, parameters):
             )
         )
 
-    known = compare(answer, parameters, processes.steady_exists(process), told)
+    known = compare(answer, parameters, processes.steady_exists(process), message)
     return f"a filter settles, and its errors decay, for these values alone: {known}"
 
 
-@judged(Laid("estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")))
+@judged(
+    MatrixOrVector(
+        "estimates", "outputs", "covariance", "parameters", shape=processes.shape_of("mean")
+    )
+)
 def filter_equation(claim, process, estimates, outputs, covariance, parameters=()):
-    """The right-hand side of the equation of the filter in continuous time, y' = ..., a column in
-    the symbols of the estimates y, of the outputs z and of P, the `covariance` of the errors; of a
-    single coordinate an expression."""
+    """Check the right-hand side y' = ... of the equation of the filter in continuous time.
+
+    It is a column in the symbols of the estimates y, of the outputs z and of P, the
+    `covariance` of the errors; of a single coordinate an expression.
+    """
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
         one, P = (
-            processes.numbers(process, values, start=False),
-            processes.array(covariance, values),
+            processes.at_values(process, values, start=False),
+            processes.to_array(covariance, values),
         )
-        y, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
-        gain = processes.gain_of(one, P)
+        y, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
+        gain = processes.filter_gain(one, P)
         terms = one.A @ y, gain @ z, -gain @ one.H @ y
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"your rate of change of {estimates[i]} is "
-                f"{number_text(said[i, 0])}{where_text(values)}; the motion and "
+                f"{number_text(claimed[i, 0])}{where_text(values)}; the motion and "
                 "the best use of the innovation together change it at another rate"
             ),
             values,
@@ -176,31 +202,33 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
 
 @judged(Matrix("covariance", "parameters", shape=lambda data: data["covariance"].shape))
 def riccati_equation(claim, process, covariance, parameters=()):
-    """The right-hand side of the Riccati equation of the filter as a matrix in the symbols of P,
-    the `covariance`: in continuous time P' = ..., in discrete time what P, the covariance before a
-    measurement, is before the next one."""
+    """Check the right-hand side of the Riccati equation of the filter.
+
+    It is a matrix in the symbols of P, the `covariance`: in continuous time P' = ..., in
+    discrete time the covariance before the next measurement, if P is that before this one.
+    """
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
         one, P = (
-            processes.numbers(process, values, start=False),
-            processes.array(covariance, values),
+            processes.at_values(process, values, start=False),
+            processes.to_array(covariance, values),
         )
         if one.discrete:
             terms = (
                 one.A @ P @ one.A.T,
-                -one.A @ processes.gain_of(one, P) @ one.H @ P @ one.A.T,
+                -one.A @ processes.filter_gain(one, P) @ one.H @ P @ one.A.T,
                 one.Q,
             )
             found, does = "your next entry ({}, {})", "give another number"
         else:
-            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.gain_of(one, P).T
+            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.filter_gain(one, P).T
             found, does = "your rate of change of the entry ({}, {})", "change it at another rate"
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
-            lambda said, i, j: (
-                f"{found.format(i + 1, j + 1)} is {number_text(said[i, j])}{where_text(values)}; "
+            lambda claimed, i, j: (
+                f"{found.format(i + 1, j + 1)} is {number_text(claimed[i, j])}{where_text(values)}; "
                 f"the motion, the noise and the measurement together {does}"
             ),
             values,
@@ -211,20 +239,22 @@ def riccati_equation(claim, process, covariance, parameters=()):
 
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
 def error_eigenvalues(claims, process, parameters=(), given=sp.true):
-    """The different eigenvalues of the matrix of the errors of the steady filter, A - K H, in
-    discrete time A (E - K H)."""
+    """Check the different eigenvalues of the error matrix of the steady filter.
+
+    The matrix is A - K H, in discrete time A (I - K H).
+    """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
-        one = processes.numbers(process, values, start=False)
-        gain = processes.gain_of(one, processes.steady(one)[0])
+        one = processes.at_values(process, values, start=False)
+        gain = processes.filter_gain(one, processes.steady_covariances(one)[0])
         loop = one.A - (one.A @ gain if one.discrete else gain) @ one.H
         size = np.linalg.norm(loop)
-        said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
+        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
-            return same(number[1], other, number[0], size, REPEATED)
+            return agree(number[1], other, number[0], size, REPEATED)
 
-        yield Members(
-            list(zip(claims, said)),
+        yield SameMembers(
+            list(zip(claims, claimed)),
             list(np.linalg.eigvals(loop)),
             fits,
             lambda number: (
@@ -262,7 +292,7 @@ def _measured(process, measured, at, claim, parameters, given):
             for moment, value in measured
             for time in _times(sp.sympify(moment).subs(values))
         ]
-        yield processes.numbers(process, values), values, known, sp.sympify(at).subs(values)
+        yield processes.at_values(process, values), values, known, sp.sympify(at).subs(values)
 
 
 def _times(moment):
@@ -274,6 +304,6 @@ def _size(known):
 
 
 def _other(whose, values):
-    return lambda said, i, j: (
-        f"the covariance of {whose} is another one{where_text(values)}: {entry_text(said, i, j)}"
+    return lambda claimed, i, j: (
+        f"the covariance of {whose} is another one{where_text(values)}: {entry_text(claimed, i, j)}"
     )

@@ -1,5 +1,4 @@
-"""Estimates by least squares: at the estimate the weighted sum of the squared residuals is the
-least.
+"""Estimates by least squares: the weighted sum of the squared residuals is least there.
 
 Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns;
 `deviations` are the standard deviations of their errors, without which all are 1 and independent. A
@@ -10,26 +9,26 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Matrix
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Entries, Same
+from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.samples import general_values, in_every_case
-from workbook.checks.tools.values import numbers_at, uncertain_at
+from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
 @judged(Expressions("parameters", length=lambda data: len(data["unknowns"])))
 def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
-    """The estimate of the unknowns, in their order."""
+    """Check the estimate of the unknowns, in their order."""
     for values in in_every_case(general_values(parameters), claims):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
-        true, said = (
+        true, claimed = (
             np.linalg.lstsq(rows, wanted, rcond=None)[0],
             numbers_at(claims, values, unknowns),
         )
-        uncertain = [uncertain_at(claim, values) for claim in claims]
-        if not same(said, true, claims, abs(true).max(), uncertain=uncertain).all():
-            residuals = wanted - rows @ said.real
+        uncertain = [uncertainty_at(claim, values) for claim in claims]
+        if not agree(claimed, true, claims, abs(true).max(), uncertain=uncertain).all():
+            residuals = wanted - rows @ claimed.real
             slopes = rows.T @ residuals
             k = int(np.argmax(abs(slopes)))
             raise Wrong(
@@ -42,29 +41,29 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
 
 
 @judged(Expression("parameters"))
-def least_sum(claim, measured, unknowns, deviations=None, parameters=()):
-    """The least value of the weighted sum of the squared residuals."""
+def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=()):
+    """Check the least value of the weighted sum of the squared residuals."""
     for values in in_every_case(general_values(parameters), claim):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
-        yield Same(claim, residuals @ residuals, "the least sum", values, wanted @ wanted)
+        yield SameValue(claim, residuals @ residuals, "the least sum", values, wanted @ wanted)
     return "it is the sum at the estimate"
 
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["unknowns"]),) * 2))
 def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
-    """The covariance matrix of the errors of the estimate."""
+    """Check the covariance matrix of the errors of the estimate."""
     for values in in_every_case(general_values(parameters), claim):
         rows, _ = _weighted(measured, unknowns, deviations, values)
         # Each estimate is a sum of measurements, whose weighted errors are independent with the
         # variance 1.
         shares = np.linalg.pinv(rows)
-        yield Entries(
+        yield SameEntries(
             claim,
             shares @ shares.T,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(said[i, j])}{where_text(values)}; the errors "
+                f"{number_text(claimed[i, j])}{where_text(values)}; the errors "
                 "of the measurements, taken through the estimate, give another one"
             ),
             values,

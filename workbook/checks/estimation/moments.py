@@ -1,5 +1,4 @@
-"""Means, covariances and correlations of quantities made of a random vector, from what is known of
-it.
+"""Means, covariances and correlations of quantities linear or nonlinear in a random vector.
 
 Known is either the covariance matrix of the vector, and the quantities are linear in it, or the
 probabilities of all its values, {value: probability}, and the quantities may be any functions of
@@ -12,9 +11,9 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Matrix, Values
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import judged
-from workbook.checks.tools.comparisons import Members, Same
+from workbook.checks.tools.comparisons import SameMembers, SameValue
 from workbook.checks.tools.samples import general_values, in_every_case
 from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import number_text
@@ -22,11 +21,11 @@ from workbook.checks.tools.wording import number_text
 
 @judged(Expressions("parameters", length="quantities"))
 def expectations(claims, quantities, vector, law, parameters=()):
-    """The means of quantities under the law {value: probability}."""
+    """Check the means of quantities under the law {value: probability}."""
     for values in in_every_case(general_values(parameters), claims):
         for claim, quantity in zip(claims, quantities):
             mean, size = _mean(quantity, vector, law, values)
-            yield Same(claim, mean, f"the mean of {quantity}", values, size)
+            yield SameValue(claim, mean, f"the mean of {quantity}", values, size)
     return "each is the sum over all values, each with its probability"
 
 
@@ -37,8 +36,11 @@ def expectations(claims, quantities, vector, law, parameters=()):
     )
 )
 def covariance(claim, first, second, vector, law, parameters=()):
-    """The covariance of two quantities; of two lists of them the matrix of the covariances of each
-    of the first with each of the second."""
+    """Check the covariance of two quantities.
+
+    Of two lists of them it is the matrix of the covariances of each of the first with each of
+    the second.
+    """
     rows, columns = _several(first), _several(second)
     for values in in_every_case(general_values(parameters), claim):
         found, size = (
@@ -46,7 +48,7 @@ def covariance(claim, first, second, vector, law, parameters=()):
             for part in _covariances([*rows, *columns], vector, law, values)
         )
         for i, j in np.ndindex(claim.shape):
-            yield Same(
+            yield SameValue(
                 claim[i, j],
                 found[i, j],
                 f"the covariance of {rows[i]} and {columns[j]}",
@@ -58,10 +60,10 @@ def covariance(claim, first, second, vector, law, parameters=()):
 
 @judged(Expression("parameters"))
 def correlation(claim, first, second, vector, law, parameters=()):
-    """The correlation coefficient of two quantities."""
+    """Check the correlation coefficient of two quantities."""
     for values in in_every_case(general_values(parameters), claim):
         found, _ = _covariances([first, second], vector, law, values)
-        yield Same(
+        yield SameValue(
             claim,
             found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]),
             "the correlation coefficient",
@@ -72,11 +74,13 @@ def correlation(claim, first, second, vector, law, parameters=()):
 
 @judged(Values(expected="a list of angles"))
 def uncorrelated(claims, first, second, vector, law, angle):
-    """All angles from 0 to pi, without pi itself, at which two quantities, linear in the vector,
-    are not correlated."""
+    """Check all angles at which two quantities, linear in the vector, are not correlated.
+
+    The angles run from 0 to pi, without pi itself.
+    """
     rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
     crossed = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
-    said = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
+    claimed = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
     true = list(_zeros(crossed, angle))
 
     def stranger(one):
@@ -87,10 +91,10 @@ def uncorrelated(claims, first, second, vector, law, angle):
             else f"{number_text(one[1])} does not lie between 0 and pi"
         )
 
-    yield Members(
-        said,
+    yield SameMembers(
+        claimed,
         true,
-        lambda one, other: same(one[1], other, one[0]),
+        lambda one, other: agree(one[1], other, one[0]),
         stranger,
         lambda count, others: "there is another angle at which the covariance vanishes",
     )

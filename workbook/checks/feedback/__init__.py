@@ -1,1 +1,1 @@
-"""Checks of observers and feedbacks: closed loops, what no gain changes, equations of observers."""
+"""Checks of observers and feedbacks."""

@@ -1,6 +1,7 @@
-"""One equation of any order with one control and one output, a record `workbook.systems.Scalar`:
-its state forms y' = Ay + Bu, x = Cy, z = Hy, and feedback by the estimate of such a state, which is
-the student's own.
+"""Feedback for one equation of any order with one control and one output, a `Scalar`.
+
+Its state-space forms are y' = Ay + Bu, x = Cy, z = Hy; the feedback is by the estimate of such a
+state, which the student chooses.
 
 By such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, u, u', ... may have
 any values at one moment. It is right if these satisfy the equation and give z, and if x, x', ...,
@@ -10,15 +11,15 @@ function alone need not have all of them.
 
 import numpy as np
 
-from workbook.checks.contract.claims import Claim, Laid
+from workbook.checks.contract.claims import Claim, MatrixOrVector
 from workbook.checks.contract.coercion import as_matrix
 from workbook.checks.contract.tolerance import EXACT
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import Requirement
 from workbook.checks.references.fixed_modes import common_margin
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.tools.comparisons import Follows
-from workbook.checks.tools.values import matrix_at, moved, uncertain_entries
+from workbook.checks.tools.comparisons import SameSides
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturbed_arrays
 from workbook.checks.tools.wording import number_text
 
 
@@ -39,25 +40,31 @@ class StateForm(Claim):
         return [
             A,
             *(
-                Laid.coerce(part, (), (1, A.rows) if name in self.ROWS else (A.rows, 1))
+                MatrixOrVector.coerce(part, (), (1, A.rows) if name in self.ROWS else (A.rows, 1))
                 for name, part in zip(self.names[1:], answer[1:])
             ),
         ]
 
 
 @judged(StateForm("A", "B", "C", "H"))
-def state_form(claim, equation):
-    """A state form [A, B, C, H] of one equation, y' = Ay + Bu, x = Cy, z = Hy, of its order: in any
-    coordinates, with all motions x(t), z(t) of the equation and no others."""
+def state_space_form(claim, equation):
+    """Check a state-space form [A, B, C, H] of one equation.
+
+    The form is y' = Ay + Bu, x = Cy, z = Hy, of the order of the equation: in any coordinates,
+    with all motions x(t), z(t) of the equation and no others.
+    """
     yield from _comparisons(claim, equation)
     return "its motions are those of the equation, all of them, and z is what is measured"
 
 
 @judged(StateForm("A", "B", "C", "H", "K", "L"))
 def equation_gains(claim, equation):
-    """A state form as in `state_form` with the gains of u = K e, e' = Ae + Bu + L(z - He): the list
-    [A, B, C, H, K, L]. They stabilise, and where a mode that no gain changes bounds the margin,
-    with the greatest one."""
+    """Check a state-space form with gains, the list [A, B, C, H, K, L].
+
+    The form is that of `state_space_form`, the feedback u = K e, e' = Ae + Bu + L(z - He). The
+    gains have to stabilise and, where a mode that no gain changes bounds the margin, to do so
+    with the greatest one.
+    """
     *form, K, L = claim
     A, B, _, H = form
     yield from _comparisons(form, equation)
@@ -66,8 +73,8 @@ def equation_gains(claim, equation):
         raise ValueError("no feedback stabilises this equation")
     requirement = Requirement(margin=greatest or 0)
     requirement.hold(lambda gain: A + B * gain, K, "the matrix A + BK of the loop")
-    told = requirement.hold(lambda gain: A - gain * H, L, "the matrix A - LH of the errors")
-    return f"{told}, and so do those of A + BK"
+    message = requirement.hold(lambda gain: A - gain * H, L, "the matrix A - LH of the errors")
+    return f"{message}, and so do those of A + BK"
 
 
 def _comparisons(form, equation):
@@ -111,47 +118,49 @@ def _comparisons(form, equation):
     here = sides(A, B, C, H)
     others = [
         sides(*other)
-        for other in moved((A, B, C, H), [uncertain_entries(part, {}) for part in form])
+        for other in perturbed_arrays(
+            (A, B, C, H), [entry_uncertainties(part, {}) for part in form]
+        )
     ]
     allowed = [
         EXACT * (max(size) + extra) + sum(abs(other[k] - here[k]) for other in others)
         for k, (size, extra) in enumerate(zip(sizes, (0, max(abs(right)), 0)))
     ]
-    yield Follows(
+    yield SameSides(
         found[0],
         0,
         allowed[0],
-        lambda place: (
-            f"the motion of your form without control from y{place[0] + 1} = 1, the others zero, "
+        lambda point: (
+            f"the motion of your form without control from y{point[0] + 1} = 1, the others zero, "
             "does not satisfy the "
-            f"equation: its left-hand side begins with {number_text(found[0][place])}"
+            f"equation: its left-hand side begins with {number_text(found[0][point])}"
         ),
         1,
     )
-    yield Follows(
+    yield SameSides(
         found[1],
         right[:-1],
         allowed[1],
-        lambda place: (
-            f"from rest your form does not satisfy the equation: u{_primes(place[0])} enters its "
-            f"left-hand side with the coefficient {number_text(found[1][place])}, its right-hand "
-            f"side with {number_text(right[place])}"
+        lambda point: (
+            f"from rest your form does not satisfy the equation: u{_primes(point[0])} enters its "
+            f"left-hand side with the coefficient {number_text(found[1][point])}, its right-hand "
+            f"side with {number_text(right[point])}"
         ),
         1,
     )
-    if pair_of(form[0], form[2]).unseen[0]:
+    if pair_of(form[0], form[2]).unobservable[0]:
         raise Wrong(
             "your form satisfies the equation, but does not have all its motions: x = Cy stays "
             "zero from some states other than zero, so that fewer initial values of x, x', ... "
             "can be chosen than the equation allows"
         )
-    yield Follows(
+    yield SameSides(
         H[0],
         found[2],
         allowed[2],
-        lambda place: (
-            f"z is not what is measured: at y{place[0] + 1} = 1, the others zero, your row H gives "
-            f"{number_text(H[0][place])}, and x and its derivatives {number_text(found[2][place])}"
+        lambda point: (
+            f"z is not what is measured: at y{point[0] + 1} = 1, the others zero, your row H gives "
+            f"{number_text(H[0][point])}, and x and its derivatives {number_text(found[2][point])}"
         ),
         1,
     )

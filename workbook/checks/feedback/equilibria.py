@@ -1,8 +1,8 @@
-"""Gains that hold a nonlinear system at its equilibria, for each equilibrium its own.
+"""Gains that stabilise a nonlinear system at its equilibria, one for each equilibrium.
 
-The first approximation decides. Where it is silent under every gain, since an eigenvalue that none
+The linearisation decides. Where it is inconclusive under every gain, since an eigenvalue that none
 changes lies on the imaginary axis, motions that start close to the equilibrium do, as they do for
-`zero_stability`.
+`zero_solution_stability`.
 """
 
 import functools
@@ -13,15 +13,15 @@ import sympy as sp
 from workbook.checks.contract.claims import Claim, Expressions
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.feedback.loops import Gain
-from workbook.checks.references.fields import Field, known_field
+from workbook.checks.references.fields import Field, cached_field
 from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
-from workbook.checks.references.near_equilibrium import by_motions
+from workbook.checks.references.near_equilibrium import stability_from_motions
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.references.stationary_points import rest_points
+from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.values import matrix_at, numbers_at
 from workbook.checks.tools.wording import point_text, roots_text
 
-#: Loops that are tried at an equilibrium that the first approximation leaves open, and how fast
+#: Loops that are tried at an equilibrium with an inconclusive linearisation, and how fast
 #: their movable part is.
 TRIED, DECAY = 3, 0.3
 
@@ -44,28 +44,29 @@ class GainsAtPoints(Claim):
 
 
 @judged(GainsAtPoints())
-def rest_gains(claim, field, state, controls, domain=None, zeros=None):
-    """Pairs [y*, K] for all equilibria y* in the domain that need no control: the first
-    approximation under u = K (y - y*) is asymptotically stable; K is [] where no gain makes y*
-    asymptotically stable.
+def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
+    """Check pairs [y*, K] for all equilibria y* in the domain that need no control.
 
-    Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros as
-    the right-hand sides without a control, all simple.
+    The linearisation under u = K (y - y*) has to be asymptotically stable; K is [] where no
+    gain makes y* asymptotically stable.
+
+    Where derivatives vanish at a point as well, `zeros` are functions that have the same zeros
+    as the right-hand sides without a control, all simple.
     """
-    flow = known_field(tuple(field), (*state, *controls))
+    flow = cached_field(tuple(field), (*state, *controls))
     at_rest = [sp.sympify(f).subs(dict.fromkeys(controls, 0)) for f in field]
-    family = rest_points(at_rest if zeros is None else zeros, state, [], domain)
+    family = stationary_points_of(at_rest if zeros is None else zeros, state, [], domain)
     (rests,) = family.rests(np.zeros((0, 1)))
     missed = list(rests)
     for written, gain in claim:
-        place = family.reduced(numbers_at(written, {}, [f"coordinate {x}" for x in state]).real)
-        here = [k for k, rest in enumerate(missed) if family.same(place.copy(), rest, written)]
+        position = family.reduced(numbers_at(written, {}, [f"coordinate {x}" for x in state]).real)
+        here = [k for k, rest in enumerate(missed) if family.same(position.copy(), rest, written)]
         if not here:
-            if any(family.same(place.copy(), rest, written) for rest in rests):
-                raise Wrong(f"the point {point_text(place)} stands twice in your list")
-            rates = flow([*place, *[0.0] * len(controls)])
+            if any(family.same(position.copy(), rest, written) for rest in rests):
+                raise Wrong(f"the point {point_text(position)} stands twice in your list")
+            rates = flow([*position, *[0.0] * len(controls)])
             raise Wrong(
-                f"your point {point_text(place)} is no equilibrium: without a control the "
+                f"your point {point_text(position)} is no equilibrium: without a control the "
                 f"right-hand sides are {point_text(np.where(abs(rates) > 1e-12, rates, 0))} there"
             )
         rest = missed.pop(here[0])
@@ -157,5 +158,7 @@ def _by_motions(flow, state, rest, gain):
     """The verdict of motions on the deviations from an equilibrium, and what they show."""
     deviations = sp.Matrix(state)
     values = dict(zip(flow.state[len(state) :], sp.Matrix(gain) * deviations))
-    values |= {x: x + place for x, place in zip(state, rest)}
-    return by_motions(Field([f.subs(values, simultaneous=True) for f in flow.expressions], state))
+    values |= {x: x + position for x, position in zip(state, rest)}
+    return stability_from_motions(
+        Field([f.subs(values, simultaneous=True) for f in flow.expressions], state)
+    )

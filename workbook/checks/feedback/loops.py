@@ -1,5 +1,6 @@
-"""Gains, judged by the spectrum of the loop that they close: A - LH, A + BK, A + BKH, or both with
-an estimate.
+"""Gains, judged by the spectrum of the closed loop A - LH, A + BK or A + BKH.
+
+With an estimate both spectra are judged.
 
 What is required is data: a characteristic polynomial, whose coefficients may be symbols, or a
 margin mu, Re lambda <= -mu (for 0 asymptotic stability, Re lambda < 0), for all values of the
@@ -12,21 +13,21 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Claim, Laid, Parts
+from workbook.checks.contract.claims import Claim, MatrixOrVector, Parts
 from workbook.checks.contract.tolerance import EXACT, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.fixed_modes import fixed_eigenvalues, slower_than
-from workbook.checks.references.records import augmented, reached, seen
+from workbook.checks.references.records import augmented, controlled_pair, observed_pair
 from workbook.checks.references.spectra import Spectrum
-from workbook.checks.tools.conditions import Case, Truth, compare, exactly
-from workbook.checks.tools.samples import general_values, in_every_case, joined
-from workbook.checks.tools.values import matrix_at, uncertain_entries
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
+from workbook.checks.tools.samples import conjunction, general_values, in_every_case
+from workbook.checks.tools.values import entry_uncertainties, matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 from workbook.systems import Linear, Scalar
 
 
-class Gain(Laid):
+class Gain(MatrixOrVector):
     """A matrix of the `shape` given, a vector also lying down or upright; None for an empty
     list."""
 
@@ -44,7 +45,7 @@ class Gains(Claim):
             return None
         pair = Parts(
             *(
-                Laid(*self.names, shape=lambda data, k=k: self.form["shapes"](data)[k])
+                MatrixOrVector(*self.names, shape=lambda data, k=k: self.form["shapes"](data)[k])
                 for k in range(2)
             ),
             expected="a list of two matrices, [K, L], or an empty list",
@@ -81,7 +82,7 @@ class Requirement:
     def hold(self, loop, gain, what, by="your gain"):
         """Raise `Wrong` unless the matrix `loop(gain)`, called `what` in a message, meets it; `by`
         is what the student calls the answer."""
-        for values in in_every_case(self.samples(), gain, joined(self.given)):
+        for values in in_every_case(self.samples(), gain, conjunction(self.given)):
             if abs(matrix_at(gain, values).imag).max(initial=0) > 0:
                 raise Wrong(f"with {by} {what} is not real{where_text(values)}")
             if self.polynomial is not None:
@@ -91,7 +92,7 @@ class Requirement:
         return self._hold_margin(loop, gain, what, by)
 
     def _asked(self, values):
-        return joined(self.given).subs(values) is sp.true
+        return conjunction(self.given).subs(values) is sp.true
 
     def samples(self):
         return [values for values in general_values(self.parameters) if self._asked(values)]
@@ -108,8 +109,8 @@ class Requirement:
             return np.poly(np.array(closed.subs(values).evalf(30).tolist(), dtype=complex))
 
         there = matrix_at(gain, values)
-        said, true = found(there), self._coefficients(values)
-        if len(said) != len(true):
+        claimed, true = found(there), self._coefficients(values)
+        if len(claimed) != len(true):
             raise RuntimeError("the required polynomial has not the order of the loop")
         size = (
             np.linalg.norm(np.array(loop(gain).subs(values).evalf(30).tolist(), dtype=complex)) + 1
@@ -117,18 +118,18 @@ class Requirement:
         allowed = EXACT * np.maximum(abs(true), size ** np.arange(len(true)))
         if in_decimals(gain):
             # Every coefficient is linear in each entry: what its last digit may change.
-            left_open = uncertain_entries(gain, values)
+            left_open = entry_uncertainties(gain, values)
             for k in np.ndindex(there.shape):
                 moved = there.copy()
                 moved[k] += left_open[k]
-                allowed = allowed + abs(found(moved) - said)
-        wrong = ~(abs(said - true) <= allowed)
+                allowed = allowed + abs(found(moved) - claimed)
+        wrong = ~(abs(claimed - true) <= allowed)
         if wrong.any():
             k = int(np.argmax(wrong))
             raise Wrong(
                 f"with {by} the characteristic polynomial of {what} is not the one required"
-                f"{where_text(values)}: the coefficient of {self.symbol}^{len(said) - 1 - k} is "
-                f"{number_text(said[k] if abs(said[k]) > EXACT * size**k else 0)}"
+                f"{where_text(values)}: the coefficient of {self.symbol}^{len(claimed) - 1 - k} is "
+                f"{number_text(claimed[k] if abs(claimed[k]) > EXACT * size**k else 0)}"
             )
 
     def _hold_margin(self, loop, gain, what, by):
@@ -140,7 +141,7 @@ class Requirement:
         def undefined(values):
             return any(entry.subs(values).has(sp.zoo, sp.nan, sp.oo) for entry in gain)
 
-        def told(values, holds):
+        def message(values, holds):
             if undefined(values):
                 return f"an entry of {by} has no value{where_text(values)}"
             return f"with {by} {what} is not as required{where_text(values)}: {spectrum.describe(values)}"
@@ -150,12 +151,14 @@ class Requirement:
             poles = sp.Or(
                 *(sp.Eq(sp.fraction(sp.together(entry))[1], 0) for entry in in_fractions(gain))
             )
-            compare(sp.true, self.parameters, exactly(sp.Not(poles), joined(self.given)), told)
+            compare(
+                sp.true, self.parameters, exactly(sp.Not(poles), conjunction(self.given)), message
+            )
             inside, outside = (
-                Case(sp.And(joined(self.given), case.condition), case.unknowns, case.every)
+                Case(sp.And(conjunction(self.given), case.condition), case.unknowns, case.every)
                 for case, _ in spectrum.stability.cases
             )
-            truth = Truth(
+            reference = ReferenceCondition(
                 (inside,),
                 (outside,),
                 lambda values: (
@@ -166,12 +169,12 @@ class Requirement:
             )
             return (
                 f"all eigenvalues of {what} lie where they have to: "
-                f"{compare(sp.true, self.parameters, truth, told)}"
+                f"{compare(sp.true, self.parameters, reference, message)}"
             )
         if not _largest_real_part(matrix) <= (
             slack - self.margin + EXACT if self.margin else -EXACT
         ):
-            raise Wrong(told({}, False))
+            raise Wrong(message({}, False))
         return f"all eigenvalues of {what} lie where they have to"
 
     def _slack(self, loop, gain):
@@ -212,19 +215,19 @@ def _judge(gain, loop, what, requirement, pair):
                 "some gain makes the spectrum as required: no mode that stays the same forbids it"
             )
         return "there is no such gain: a mode that no gain changes forbids it"
-    # That no gain would do is the answer, and so it is not told.
-    told = requirement.hold(loop, gain, what)
+    # That no gain exists is the answer, so the message does not say it.
+    message = requirement.hold(loop, gain, what)
     if requirement.polynomial is not None:
-        in_general = sp.true if pair is None or not pair.parameters else pair.in_general
+        in_general = sp.true if pair is None or not pair.parameters else pair.generic_condition
         judge_everywhere(
             gain,
             requirement.parameters,
-            lambda: sp.And(joined(requirement.given), in_general),
+            lambda: sp.And(conjunction(requirement.given), in_general),
             "an entry of your gain has no value",
         )
     if pair is not None and requirement.impossible(pair):
         raise Wrong(f"with your gain the spectrum of {what} is not as required")
-    return told
+    return message
 
 
 def _column(data):
@@ -258,8 +261,10 @@ def loop_of(system):
 def observer_gain(
     gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
 ):
-    """A gain L of an observer, or an empty list if there is none: the spectrum of A - LH is as
-    required. Of a system `WithError` it belongs to the state with w below it.
+    """Check a gain L of an observer, or an empty list if there is none.
+
+    The spectrum of A - LH has to be as required. Of a system `WithError` the gain belongs to
+    the state with w below it.
 
     Required is the `margin` for all values of the parameters that are as `given`, or the
     `polynomial` in `symbol`, whose coefficients are parameters.
@@ -272,11 +277,12 @@ def observer_gain(
 def feedback_gain(
     gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
 ):
-    """A gain K of the feedback u = Kx, of a system with an output of the static feedback u = Kz, or
-    an empty list if there is none.
+    """Check a gain K of the feedback u = Kx, or an empty list if there is none.
 
-    The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback will
-    do is decided as a condition on the entries of K.
+    Of a system with an output it is that of the static feedback u = Kz.
+
+    The requirement is that of `observer_gain`, on A + BK or A + BKH. That no static feedback
+    will do is decided as a condition on the entries of K.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
     if not system.H:
@@ -308,12 +314,13 @@ def _judge_none_static(system, requirement):
 
 
 @judged(Gains("parameters", shapes=lambda data: [_by_state(data), _column(data)]))
-def estimate_gains(gains, system, parameters=(), given=sp.true, margin=0):
-    """The gains [K, L] of a feedback u = K e by the estimate e of an observer; an empty list if
-    there are none.
+def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=0):
+    """Check the gains [K, L] of a feedback u = K e by the estimate e of an observer.
 
-    Of a system `WithError` L belongs to the state with w below it. Required is the margin for all
-    values of the parameters, of the loop and of the errors.
+    An empty list says that there are none.
+
+    Of a system `WithError` L belongs to the state with w below it. Required is the margin for
+    all values of the parameters, of the loop and of the errors.
     """
     requirement = Requirement(tuple(parameters), given, margin)
     parts = [_driven(system, parameters, requirement), _watched(system, parameters, requirement)]
@@ -321,21 +328,25 @@ def estimate_gains(gains, system, parameters=(), given=sp.true, margin=0):
         if not any(requirement.impossible(pair) for *_, pair in parts):
             raise Wrong("there are such gains: no mode that stays the same forbids it")
         return "there are no such gains: a mode that no gain changes forbids it"
-    _, told = [_judge(gain, *part) for gain, part in zip(gains, parts)]
-    return f"{told}, and so do those of A + BK"
+    _, message = [_judge(gain, *part) for gain, part in zip(gains, parts)]
+    return f"{message}, and so do those of A + BK"
 
 
 def _driven(system, parameters, requirement):
     """What `_judge` needs of the loop by the whole state."""
     system = Linear(system.A, system.B)
-    return *loop_of(system), requirement, reached(system, _of(parameters, system.A, system.B))
+    return (
+        *loop_of(system),
+        requirement,
+        controlled_pair(system, _of(parameters, system.A, system.B)),
+    )
 
 
 def _watched(system, parameters, requirement):
     """What it needs of the errors of an observer."""
     both = augmented(system)
     system = Linear(both.A, H=both.H)
-    return *loop_of(system), requirement, seen(system, _of(parameters, system.A, system.H))
+    return *loop_of(system), requirement, observed_pair(system, _of(parameters, system.A, system.H))
 
 
 def _of(parameters, *matrices):

@@ -1,5 +1,4 @@
-"""What gains can do at all: the region of those that stabilise, the margins that can be had, and
-what stands in the way.
+"""Stabilising gains: their region, the margins that can be attained, and obstacles.
 
 A margin mu is that of Definition 1.5, Re lambda <= -mu for all eigenvalues.
 """
@@ -18,20 +17,26 @@ from workbook.checks.references.fixed_modes import (
     margins_with_parameters,
     slower_than,
 )
-from workbook.checks.references.records import augmented, by_control, reached, seen
+from workbook.checks.references.records import (
+    augmented,
+    controlled_pair,
+    has_control,
+    observed_pair,
+)
 from workbook.checks.references.spectra import compare_region
-from workbook.checks.tools.conditions import compare, exactly, place_text
+from workbook.checks.tools.conditions import compare, exactly
 from workbook.checks.tools.samples import in_every_case
-from workbook.checks.tools.values import matrix_at, number_at, uncertain_entries
-from workbook.checks.tools.wording import number_text, where_text
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, number_at
+from workbook.checks.tools.wording import number_text, values_text, where_text
 from workbook.systems import Scalar
 
 
 @judged
 def gain_region(answer, system, gain, parameters, margin=0):
-    """The condition on `parameters` under which the `gain`, a matrix of symbols, serves: with a
-    control u = Kx, or with an output too u = Kz, stabilises the system; without one the errors of
-    the observer decay, A - LH.
+    """Check the condition on `parameters` under which the `gain` stabilises.
+
+    The gain is a matrix of symbols: with a control u = Kx, or with an output too u = Kz,
+    stabilises the system; without a control the errors of the observer decay, A - LH.
 
     Of one equation, `Scalar`, u = `gain` z. With a margin its border counts either way.
     """
@@ -42,47 +47,50 @@ def gain_region(answer, system, gain, parameters, margin=0):
 
 @judged
 def possible_margins(answer, system, mu, parameters=()):
-    """The condition on mu > 0 under which the margin mu can be had; false if there is none at all:
-    with an output alone by some observer, with a control alone by some feedback u = Kx, with both,
-    or for a `Scalar` equation of its full order, by some feedback by an estimate, whose errors are
-    included, and an error of the measurement if it has one.
+    """Check the condition on mu > 0 under which the margin mu can be attained.
 
-    With parameters the condition is on mu and these, so it also says for which values there is no
-    margin.
+    The condition is false if no margin can: with an output alone by some observer, with a
+    control alone by some feedback u = Kx, with both, or for a `Scalar` equation of its full
+    order, by some feedback by an estimate, whose errors are included, and an error of the
+    measurement if it has one.
+
+    With parameters the condition is on mu and these, so it also says for which values there is
+    no margin.
     """
     if isinstance(system, Scalar):
-        what, truth = "feedback by an estimate", up_to(mu, common_margin(system))
+        what, reference = "feedback by an estimate", up_to(mu, common_margin(system))
     elif not parameters:
         what = "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
-        pairs = ([reached(system)] if system.B else []) + (
-            [seen(augmented(system))] if system.H else []
+        pairs = ([controlled_pair(system)] if system.B else []) + (
+            [observed_pair(augmented(system))] if system.H else []
         )
-        truth = up_to(mu, *map(greatest_margin, pairs))
+        reference = up_to(mu, *map(greatest_margin, pairs))
     else:
-        what, one = ("feedback", system.dual) if by_control(system) else ("observer", system)
-        truth = margins_with_parameters(one.A, one.H, mu, parameters)
-    return compare_margins(answer, [*parameters, mu], truth, what)
+        what, one = ("feedback", system.dual) if has_control(system) else ("observer", system)
+        reference = margins_with_parameters(one.A, one.H, mu, parameters)
+    return compare_margins(answer, [*parameters, mu], reference, what)
 
 
 def up_to(mu, *greatest):
-    """The `Truth` that mu is at most the least of the margins; those that are None set no bound."""
+    """The `ReferenceCondition` that mu is at most the least of the margins; those that are None set no bound."""
     bounds = [margin for margin in greatest if margin is not None]
     return exactly(mu <= min(bounds, key=float) if bounds else sp.true)
 
 
-def compare_margins(answer, symbols, truth, what):
-    def told(values, holds):
+def compare_margins(answer, symbols, reference, what):
+    def message(values, holds):
         if holds:
-            return f"your condition does not hold for {place_text(values)}, yet some {what} has this margin"
-        return f"your condition holds for {place_text(values)}, yet no {what} has this margin"
+            return f"your condition does not hold for {values_text(values)}, yet some {what} has this margin"
+        return f"your condition holds for {values_text(values)}, yet no {what} has this margin"
 
-    return f"these are the margins that some {what} has: {compare(answer, symbols, truth, told)}"
+    return f"these are the margins that some {what} has: {compare(answer, symbols, reference, message)}"
 
 
 @judged
-def observer_obstacle(answer, system, parameters=()):
-    """A motion that forbids an asymptotic observer, {lambda: v}: A v = lambda v, H v = 0, Re lambda
-    >= 0; {} if none.
+def undetectable_mode(answer, system, parameters=()):
+    """Check a motion that excludes an asymptotic observer, {lambda: v}; {} if there is none.
+
+    It satisfies A v = lambda v, H v = 0, Re lambda >= 0.
 
     With parameters: for all their values, zero too where it is allowed.
     """
@@ -90,7 +98,7 @@ def observer_obstacle(answer, system, parameters=()):
         raise Invalid(
             "expected a dictionary {lambda: v}, an empty one if nothing stands in the way"
         )
-    A, H, pair = system.A, system.H, seen(system, parameters)
+    A, H, pair = system.A, system.H, observed_pair(system, parameters)
     claims = {
         coercion.as_expression(value, parameters): sp.Matrix(
             coercion.as_expressions(vector, parameters, A.rows)
@@ -101,16 +109,16 @@ def observer_obstacle(answer, system, parameters=()):
         if slower_than(0, pair):
             raise Wrong("there is a mode that does not decay and that no gain changes")
         return "every mode that no gain changes decays"
-    places = [values for values, _ in pair.samples]
+    points = [values for values, _ in pair.samples]
     zero = {p: sp.Integer(0) for p in parameters}
     if (
         parameters
         and not any(p.is_nonzero for p in parameters)
         and not sp.Matrix.vstack(A, H).subs(zero).has(sp.zoo)
     ):
-        places.append(zero)
+        points.append(zero)
     for value, vector in claims.items():
-        for values in in_every_case(places, [value, vector]):
+        for values in in_every_case(points, [value, vector]):
             _hold_mode(value, vector, A, H, values, where_text(values))
         judge_everywhere(
             vector,
@@ -128,8 +136,8 @@ def _hold_mode(value, vector, A, H, values, where):
     if not abs(column).max() > 0:
         raise Wrong(f"your vector v is zero{where}")
     open_, (open_root,) = (
-        uncertain_entries(vector, values),
-        *uncertain_entries(sp.Matrix([value]), values),
+        entry_uncertainties(vector, values),
+        *entry_uncertainties(sp.Matrix([value]), values),
     )
     image = matrix @ column
     size = (abs(matrix) @ abs(column)).max() + abs(root) * abs(column).max()

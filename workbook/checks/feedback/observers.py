@@ -1,5 +1,4 @@
-"""Observers given by their equations, e' = f(e, z, u): judged by what becomes of the error d = x -
-e.
+"""Observers given by their equations e' = f(e, z, u), judged by the error d = x - e.
 
 Along the motions of x' = Ax + Bu, z = Hx the error has to obey an equation of its own, d' = (A -
 LH) d with some L, for all x and u; then its spectrum is judged as that of a gain.
@@ -14,14 +13,14 @@ from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.tolerance import EXACT
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import Requirement, in_fractions
-from workbook.checks.tools.comparisons import Same
+from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.samples import (
     general_values,
     in_every_case,
     sample_values,
     signed_values,
 )
-from workbook.checks.tools.values import matrix_at, number_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, number_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -42,8 +41,9 @@ def observer_equations(
     polynomial=None,
     symbol=None,
 ):
-    """The right-hand sides of the equations of an observer of x' = Ax + Bu, z = Hx, in the
-    `estimates`, z and u.
+    """Check the right-hand sides of the equations of an observer of x' = Ax + Bu, z = Hx.
+
+    They are expressions in the `estimates`, z and u.
 
     The requirement is that of `observer_gain`, on the matrix that the errors obey.
     """
@@ -58,7 +58,7 @@ def observer_equations(
         for part in (estimates, outputs, controls)
     )
     for values in in_every_case(general_values(parameters), claims):
-        open_F, open_G, open_J = (uncertain_entries(part, values) for part in (F, G, J))
+        open_F, open_G, open_J = (entry_uncertainties(part, values) for part in (F, G, J))
         _hold_same(
             J,
             B,
@@ -88,13 +88,14 @@ def observer_equations(
         length=lambda data: len(data["state"]) + len(data["estimates"]),
     )
 )
-def complete_model(claims, field, state, controls, desired, H, K, L, estimates, time):
-    """The right-hand sides for the state x and for the estimates e of its deviations from the
-    process x*, u* with the `desired` motion, under u = u* + K e and the observer e' = Ae + BKe + L
-    (z - H x* - He), z = Hx.
+def closed_loop_equations(claims, field, state, controls, desired, H, K, L, estimates, time):
+    """Check the right-hand sides for the state x and for the estimates e of its deviations.
 
-    The field is linear, `desired` prescribes some of the state as functions of time; what it leaves
-    open is constant.
+    The deviations are those from the process x*, u* with the `desired` motion, under u = u* + K
+    e and the observer e' = Ae + BKe + L (z - H x* - He), z = Hx.
+
+    The field is linear, `desired` prescribes some of the state as functions of time; what it
+    leaves open is constant.
     """
     e, prescribed = sp.Matrix(estimates), {s: sp.sympify(motion) for s, motion in desired.items()}
     open_ = [s for s in (*state, *controls) if s not in prescribed]
@@ -120,7 +121,7 @@ def complete_model(claims, field, state, controls, desired, H, K, L, estimates, 
     for values in in_every_case(sample_values(symbols), claims):
         for symbol, claim, right in zip((*state, *estimates), claims, true):
             terms = [abs(complex(term.subs(values))) for term in sp.Add.make_args(sp.expand(right))]
-            yield Same(
+            yield SameValue(
                 claim, complex(right.subs(values)).real, f"the rate of {symbol}", values, sum(terms)
             )
     return "the plant, its control and the observer agree with the signs and the process that were asked"
@@ -134,22 +135,22 @@ def _hold_linear(claims, symbols, parameters, estimates):
         itertools.cycle(general_values(parameters)), in_every_case(signed_values(symbols), claims)
     ):
         for symbol, claim, parts in zip(estimates, claims, coefficients):
-            said = number_at(claim, values | others, f"the right-hand side for {symbol}")
+            claimed = number_at(claim, values | others, f"the right-hand side for {symbol}")
             terms = [
                 number_at(part, values, "a coefficient") * others[s]
                 for part, s in zip(parts, symbols)
             ]
-            if not abs(said - sum(terms)) <= 1e-9 * (abs(said) + sum(map(abs, terms))):
+            if not abs(claimed - sum(terms)) <= 1e-9 * (abs(claimed) + sum(map(abs, terms))):
                 raise Wrong(
                     f"the right-hand side for {symbol} is not linear in "
                     f"{', '.join(map(str, symbols))}"
                 )
 
 
-def _hold_same(said, true, values, left_open, what, names):
+def _hold_same(claimed, true, values, left_open, what, names):
     found, wanted = (
         np.array(m.subs(values).evalf(30).tolist(), dtype=complex).reshape(m.shape)
-        for m in (said, true)
+        for m in (claimed, true)
     )
     wrong = ~(
         abs(found - wanted)

@@ -1,22 +1,21 @@
-"""Laws of least quadratic cost for linear systems, `Quadratic`, and feedback by measurements with
-noise.
+"""Linear-quadratic regulators, `Quadratic`, and feedback by noisy measurements.
 
 A gain is judged by its own cost, which is linear algebra: every state decays, and no other gain is
 better at a first moment if what comes later costs what it costs under the gain itself. A gain of
 which this is true is the best one. Where the end is given, or states need not decay, the least cost
-is found from the data (`truths/regulators.py`).
+is found from the data (`references/regulators.py`).
 """
 
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Expression, Laid, Matrix, Values
-from workbook.checks.contract.tolerance import REPEATED, same
+from workbook.checks.contract.claims import Expression, Matrix, MatrixOrVector, Values
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.feedback.loops import Gain
 from workbook.checks.references import processes, regulators
 from workbook.checks.references.fixed_modes import ON_BORDER
-from workbook.checks.tools.comparisons import Entries, Members, Same
+from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import matrix_at, numbers_at
 from workbook.checks.tools.wording import number_text, point_text, where_text
@@ -37,9 +36,12 @@ def _square(data):
 
 
 @judged(Gain("time", "parameters", shape=_gain_shape))
-def best_gain(claim, problem, time=None, parameters=(), given=sp.true):
-    """The gain K of the law u = Kx of least cost, with a given end in the symbol of `time`; an
-    empty list if no law is the best of those that bring every state to zero."""
+def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
+    """Check the gain K of the law u = Kx of least cost.
+
+    With a given end it is an expression in the symbol of `time`. An empty list says that no law
+    is the best of those that bring every state to zero.
+    """
     if claim is None:
         if problem.anywhere or problem.duration != sp.oo or regulators.exists(problem):
             raise Wrong(
@@ -50,23 +52,23 @@ def best_gain(claim, problem, time=None, parameters=(), given=sp.true):
         return "no law is the best one: a mode stands in the way that the control or the cost does not reach"
     for values, one, moment in _moments(problem, time, claim, parameters, given):
         if np.isfinite(one.duration) or one.anywhere:
-            true, told = one.gain_for(one.least(moment)), _other_control
+            true, message = one.gain_for(one.least(moment)), _other_control
         else:
-            true, told = _improved(claim, one, values)
-        yield Entries(claim, true, told(values), values, abs(true).max())
+            true, message = _improved(claim, one, values)
+        yield SameEntries(claim, true, message(values), values, abs(true).max())
     return "every state is led at the least cost"
 
 
 def _improved(claim, one, values):
     """The best gain for a moment, if afterwards the gain claimed is kept, and the message that it
     is another one."""
-    said = matrix_at(claim, values)
-    if said.imag.any():
+    claimed = matrix_at(claim, values)
+    if claimed.imag.any():
         raise Wrong(f"your gain is not real{where_text(values)}")
-    said = said.real
-    roots = np.linalg.eigvals(one.A + one.B @ said)
+    claimed = claimed.real
+    roots = np.linalg.eigvals(one.A + one.B @ claimed)
     try:
-        cost = one.cost_of(said)
+        cost = one.cost_of(claimed)
     except np.linalg.LinAlgError:
         raise Wrong(
             f"under your law not every state comes to zero{where_text(values)}: A + BK has the "
@@ -75,59 +77,61 @@ def _improved(claim, one, values):
     k = int(np.argmax(np.diag(cost)))
     start = point_text(np.eye(len(cost))[k])
 
-    def told(values):
+    def message(values):
         return lambda *_: (
             f"under your law every state comes to zero{where_text(values)}, and from x = {start} "
             f"it costs {one.factor * cost[k, k]:.4g}; there is a gain with which it costs less "
             "from some state, and more from none"
         )
 
-    return one.gain_for(cost), told
+    return one.gain_for(cost), message
 
 
 def _other_control(values):
-    def told(said, i, j):
+    def message(claimed, i, j):
         return (
             "from some states another control than yours leads to the least "
             f"cost{where_text(values)}: look at the "
-            f"entry ({i + 1}, {j + 1}) of K, where yours is {number_text(said[i, j])}"
+            f"entry ({i + 1}, {j + 1}) of K, where yours is {number_text(claimed[i, j])}"
         )
 
-    return told
+    return message
 
 
 @judged(Matrix("time", "parameters", shape=_square))
 def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
-    """The matrix S of the least cost from x, factor x^T S x, with a given end in the symbol of
-    `time`."""
+    """Check the matrix S of the least cost from x, factor x^T S x.
+
+    With a given end it is an expression in the symbol of `time`.
+    """
     for values, one, moment in _moments(problem, time, claim, parameters, given):
         true = one.least(moment)
-        yield Entries(claim, true, _other_cost(one, values), values, abs(true).max())
+        yield SameEntries(claim, true, _other_cost(one, values), values, abs(true).max())
     return "it solves the Riccati equation, and the law that belongs to it leads each state at this cost"
 
 
 def _other_cost(one, values):
-    def told(said, i, j):
-        place, S = where_text(values), said.real
-        if np.isfinite(one.duration) or said.imag.any():
+    def message(claimed, i, j):
+        point, S = where_text(values), claimed.real
+        if np.isfinite(one.duration) or claimed.imag.any():
             return (
-                f"the least cost is another one{place}: look at the entry ({i + 1}, {j + 1}), "
-                f"where yours is {number_text(said[i, j])}"
+                f"the least cost is another one{point}: look at the entry ({i + 1}, {j + 1}), "
+                f"where yours is {number_text(claimed[i, j])}"
             )
         if not abs(S - S.T).max() <= ROUNDED * abs(S).max():
-            return f"your matrix is not symmetric{place}, and that of a cost is"
+            return f"your matrix is not symmetric{point}, and that of a cost is"
         rate, size = sum(one.rates(S)), sum(map(abs, one.rates(S))).max()
         if not abs(rate).max() <= ROUNDED * size:
             i, j = np.unravel_index(abs(rate).argmax(), rate.shape)
             return (
-                f"your matrix would not stay constant{place}: by the Riccati equation its entry "
+                f"your matrix would not stay constant{point}: by the Riccati equation its entry "
                 f"({i + 1}, {j + 1}) changes at the rate {number_text(rate[i, j])}"
             )
         stays = (
             not one.anywhere
             and np.linalg.eigvals(one.A + one.B @ one.gain_for(S)).real.max() >= -ON_BORDER
         )
-        return f"your matrix solves the Riccati equation{place}, but " + (
+        return f"your matrix solves the Riccati equation{point}, but " + (
             "a cost cannot be negative"
             if np.linalg.eigvalsh(S).min() < -ROUNDED * abs(S).max()
             else "under its law not every state comes to zero"
@@ -135,18 +139,18 @@ def _other_cost(one, values):
             else "there is a law that costs less"
         )
 
-    return told
+    return message
 
 
 @judged(Expression("start", "parameters"))
 def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
-    """The least cost from a start at the time 0, in the symbols of the start."""
+    """Check the least cost from an initial state at the time 0, in its symbols."""
     for values in in_every_case(
         allowed_values([*start, *parameters], given, 2 * COUNT), claim, given
     ):
         one, x = regulators.Regulator(problem, values), np.array([float(values[s]) for s in start])
         least = one.least()
-        yield Same(
+        yield SameValue(
             claim,
             one.factor * x @ least @ x,
             "the least cost",
@@ -157,18 +161,18 @@ def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
 
 
 @judged(Values("parameters", expected="a list or a set of eigenvalues"))
-def best_eigenvalues(claims, problem, parameters=(), given=sp.true):
-    """The different eigenvalues of A + BK under the law of least cost for infinite time."""
+def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
+    """Check the different eigenvalues of A + BK under the law of least cost for infinite time."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
         one = regulators.Regulator(problem, values)
         loop = one.A + one.B @ one.gain_for(one.least())
-        said = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
+        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other, size=np.linalg.norm(loop)):
-            return same(number[1], other, number[0], size, REPEATED)
+            return agree(number[1], other, number[0], size, REPEATED)
 
-        yield Members(
-            list(zip(claims, said)),
+        yield SameMembers(
+            list(zip(claims, claimed)),
             list(np.linalg.eigvals(loop)),
             fits,
             lambda number: (
@@ -183,10 +187,12 @@ def best_eigenvalues(claims, problem, parameters=(), given=sp.true):
     return "these are the modes of the loop with the best law"
 
 
-@judged(Laid("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
-def best_rest(claim, problem, start, parameters=(), given=sp.true):
-    """The state at which the motion under the law of least cost comes to rest, a column in the
-    symbols of its start."""
+@judged(MatrixOrVector("start", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
+def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
+    """Check the limit of the state under the law of least cost.
+
+    It is a column in the symbols of the initial state.
+    """
     from scipy.linalg import null_space
 
     for values in in_every_case(allowed_values([*start, *parameters], given, COUNT), claim, given):
@@ -196,12 +202,12 @@ def best_rest(claim, problem, start, parameters=(), given=sp.true):
         rest, kept = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))
         begin = np.array([[float(values[s])] for s in start])
         true = rest @ np.linalg.solve(kept.T @ rest, kept.T @ begin)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"the motion under the best law{where_text(values)} comes to rest elsewhere: look "
-                f"at component {i + 1}, where yours is {number_text(said[i, 0])}"
+                f"at component {i + 1}, where yours is {number_text(claimed[i, 0])}"
             ),
             values,
             abs(begin).max(),
@@ -210,19 +216,21 @@ def best_rest(claim, problem, start, parameters=(), given=sp.true):
 
 
 @judged(Matrix("cost", "parameters", shape=_square))
-def cost_rate(claim, problem, cost, parameters=()):
-    """The right-hand side of the Riccati equation S' = ..., a matrix in the symbols of S, which are
-    the `cost`."""
+def cost_riccati_equation(claim, problem, cost, parameters=()):
+    """Check the right-hand side of the Riccati equation S' = ... of the cost.
+
+    It is a matrix in the symbols of S, which are the `cost`.
+    """
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
-        one, S = regulators.Regulator(problem, values), processes.array(cost, values)
+        one, S = regulators.Regulator(problem, values), processes.to_array(cost, values)
         terms = one.rates(S)
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"with S of these values{where_text(values)} the least cost changes at another "
-                f"rate: your entry ({i + 1}, {j + 1}) is {number_text(said[i, j])}"
+                f"rate: your entry ({i + 1}, {j + 1}) is {number_text(claimed[i, j])}"
             ),
             values,
             sum(map(abs, terms)),
@@ -232,38 +240,50 @@ def cost_rate(claim, problem, cost, parameters=()):
 
 @judged(Expression("parameters"))
 def steady_cost(claim, problem, process, parameters=(), given=sp.true):
-    """The least value of the limit of factor M[x^T G x + u^T N u], if the noise of a process drives
-    the system and u may depend on its measurements; on the state itself if the process has none."""
+    """Check the least limit of factor E[x^T G x + u^T N u] with a noise that drives the system.
+
+    The control u may depend on the measurements of the process; on the state itself if the
+    process has none.
+    """
     from scipy.linalg import solve_continuous_lyapunov
 
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
         loop, noise, weight = regulators.steady_loop(problem, process, values)
         covariance = solve_continuous_lyapunov(loop, -noise)
         factor = float(sp.sympify(problem.factor).subs(values))
-        yield Same(claim, factor * np.trace(weight @ covariance), "the least mean cost", values)
+        yield SameValue(
+            claim, factor * np.trace(weight @ covariance), "the least mean cost", values
+        )
     return "the covariance of the whole loop with the best gains has this cost"
 
 
-@judged(Laid("estimates", "outputs", "parameters", shape=lambda data: (data["problem"].A.rows, 1)))
+@judged(
+    MatrixOrVector(
+        "estimates", "outputs", "parameters", shape=lambda data: (data["problem"].A.rows, 1)
+    )
+)
 def controller_equations(claim, problem, process, estimates, outputs, parameters=(), given=sp.true):
-    """The right-hand sides of the equations of the best feedback by measurements, e' = ..., a
-    column in the symbols of the estimates e and of the outputs z, its own control u = Ke put in."""
+    """Check the right-hand sides e' = ... of the best feedback by measurements.
+
+    They are a column in the symbols of the estimates e and of the outputs z, the control u = Ke
+    inserted.
+    """
     for values in in_every_case(
         allowed_values([*estimates, *outputs, *parameters], given, COUNT), claim, given
     ):
         one, noise = (
             regulators.Regulator(problem, values),
-            processes.numbers(process, values, start=False),
+            processes.at_values(process, values, start=False),
         )
-        e, z = (processes.array(sp.Matrix(names), values) for names in (estimates, outputs))
-        L = processes.gain_of(noise, processes.steady(noise)[0])
+        e, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
+        L = processes.filter_gain(noise, processes.steady_covariances(noise)[0])
         terms = one.A @ e, one.B @ one.gain_for(one.least()) @ e, L @ z, -L @ noise.H @ e
-        yield Entries(
+        yield SameEntries(
             claim,
             sum(terms),
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"your rate of change of {estimates[i]} is "
-                f"{number_text(said[i, 0])}{where_text(values)}; the system with "
+                f"{number_text(claimed[i, 0])}{where_text(values)}; the system with "
                 "its control and the best use of the innovation together change it at another rate"
             ),
             values,

@@ -1,11 +1,11 @@
-"""A feedback law followed from many starts at once, and compared with the fastest times."""
+"""Feedback laws followed from many initial states at once and compared with fastest times."""
 
 import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.searching import bisected
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
 
 #: A law may be slower than the optimum by this share: its switching curve may be written in
 #: decimals.
@@ -28,71 +28,75 @@ STEPS, CLOSELY = (48, 1), (480, 16)
 class Law:
     """An expression of the state and the parameters, on many states at once."""
 
-    def __init__(self, expression, truth, curve=None):
-        symbols = [*truth.state, *truth.parameters, *([curve[0]] if curve else [])]
+    def __init__(self, expression, reference, curve=None):
+        symbols = [*reference.state, *reference.parameters, *([curve[0]] if curve else [])]
         self._function = real_function(symbols, [expression])
         # What a law says on a curve alone counts where it says nothing beyond, on the border of the
         # starts it is for.
         self._on_curves = expression.has(sp.Eq) and real_function(
             symbols, [expression.replace(sp.Eq, lambda a, b: abs(a - b) <= ON_CURVE * (1 + abs(a)))]
         )
-        self._cases = np.array(truth.cases, dtype=float).reshape(
-            len(truth.cases), len(truth.parameters)
+        self._cases = np.array(reference.cases, dtype=float).reshape(
+            len(reference.cases), len(reference.parameters)
         )
         self._abscissa, self._tables = (
-            (curve[1], self._tabulated(curve[2], truth)) if curve else (None, [])
+            (curve[1], self._tabulated(curve[2], reference)) if curve else (None, [])
         )
 
     @staticmethod
-    def _tabulated(ends, truth):
+    def _tabulated(ends, reference):
         key = ("table", str(ends.variable), ends.interval)
-        if key not in truth.kept:
-            truth.kept[key] = [ends.table(case) for case in truth.cases]
-        return truth.kept[key]
+        if key not in reference.kept:
+            reference.kept[key] = [ends.table(case) for case in reference.cases]
+        return reference.kept[key]
 
     def __call__(self, x, case):
         values = [*x.T, *self._cases[case].T]
         if self._tables:
-            places = np.broadcast_to(self._abscissa(*values), len(x))
+            points = np.broadcast_to(self._abscissa(*values), len(x))
             ordinate = np.full(len(x), np.nan)
             for k, (first, second) in enumerate(self._tables):
                 ordinate[case == k] = np.interp(
-                    places[case == k], first, second, left=np.nan, right=np.nan
+                    points[case == k], first, second, left=np.nan, right=np.nan
                 )
             values.append(ordinate)
-        said = self._function(*values)[0]
-        if self._on_curves and np.isnan(said).any():
-            said = np.where(np.isnan(said), self._on_curves(*values)[0], said)
-        return said
+        claimed = self._function(*values)[0]
+        if self._on_curves and np.isnan(claimed).any():
+            claimed = np.where(np.isnan(claimed), self._on_curves(*values)[0], claimed)
+        return claimed
 
 
-def follow(law, truth, lanes):
+def follow(law, reference, batch):
     """Raise `Wrong` for a start from which the law needs longer than the optimum."""
-    x, late, left = _late(law, truth, lanes, STEPS)
-    few = lanes.take(late)
+    x, late, left = _late(law, reference, batch, STEPS)
+    subset = batch.take(late)
     # What is in time by a hair's breadth may come out as late: there the distance decides.
-    missing = truth.missing(x[late], few.case, left[late], few.inside) if len(late) else np.zeros(0)
-    late = late[~(missing <= CLOSE * (1 + np.linalg.norm(few.x, axis=1)))]
+    missing = (
+        reference.missing(x[late], subset.case, left[late], subset.inside)
+        if len(late)
+        else np.zeros(0)
+    )
+    late = late[~(missing <= CLOSE * (1 + np.linalg.norm(subset.x, axis=1)))]
     for first in range(0, len(late), 8):
         # Close to the border of the starts that a law is meant for a switching may have been
         # stepped over.
-        few = lanes.take(late[first : first + 8])
-        x, slow, left = _late(law, truth, few, CLOSELY)
+        subset = batch.take(late[first : first + 8])
+        x, slow, left = _late(law, reference, subset, CLOSELY)
         # Next to a barrier a thin target may have been missed by the optimum too.
-        for k in slow[~truth.beside_barrier(few.take(slow))] if len(slow) else ():
-            passed = few.time[k] * (1 + SLOWER) + 1e-3 - left[k]
+        for k in slow[~reference.beside_barrier(subset.take(slow))] if len(slow) else ():
+            passed = subset.time[k] * (1 + SLOWER) + 1e-3 - left[k]
             raise Wrong(
-                f"{truth.told(few, k)} the target can be reached in a time of {few.time[k]:.4g}; "
+                f"{reference.start_text(subset, k)} the target can be reached in a time of {subset.time[k]:.4g}; "
                 f"your law has brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after "
                 f"{passed:.4g}, and from there it cannot be reached in the time left"
             )
 
 
-def _late(law, truth, lanes, closeness):
+def _late(law, reference, batch, closeness):
     """Where the law has brought each start, for which of them the time left does not suffice then,
     and this time."""
-    for x, passed in _closed_loop(law, truth.plant, lanes, *closeness):
-        time, left = truth.solve(x, lanes.case).time, lanes.time * (1 + SLOWER) + 1e-3 - passed
+    for x, passed in _closed_loop(law, reference.plant, batch, *closeness):
+        time, left = reference.solve(x, batch.case).time, batch.time * (1 + SLOWER) + 1e-3 - passed
         # On the way the target may seem to be out of reach by a hair's breadth: what is lost can be
         # counted.
         if (np.isfinite(time) & (time > left)).all():
@@ -100,7 +104,7 @@ def _late(law, truth, lanes, closeness):
     return x, np.flatnonzero(~(time <= left)), left
 
 
-def _closed_loop(law, plant, lanes, steps, moments):
+def _closed_loop(law, plant, batch, steps, moments):
     """Where the law has brought each start after each part of its fastest time: pairs (states,
     times).
 
@@ -108,8 +112,8 @@ def _closed_loop(law, plant, lanes, steps, moments):
     and what the law says on a curve alone, decide nothing. The law is asked at some moments of each
     step, and when it switches is found by bisection between two of them.
     """
-    x, case = lanes.x.copy(), lanes.case
-    t, h, rest = np.zeros(len(x)), FOLLOWED[-1] * lanes.time / steps, np.full(len(x), -np.inf)
+    x, case = batch.x.copy(), batch.case
+    t, h, rest = np.zeros(len(x)), FOLLOWED[-1] * batch.time / steps, np.full(len(x), -np.inf)
     low, high = plant.bounds
     around = np.array([[0, 0], [1, 0], [-1, 0], [0, 1], [0, -1]]) * 1e-8
 
@@ -130,7 +134,7 @@ def _closed_loop(law, plant, lanes, steps, moments):
     # search serves them together.
     waits, turns = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int)
     first, last = np.zeros(len(x)), np.zeros(len(x))
-    for end in (part * lanes.time for part in FOLLOWED):
+    for end in (part * batch.time for part in FOLLOWED):
         while True:
             busy = np.flatnonzero(~waits & (t < end - 1e-12) & (turns < 5 * steps))
             if len(busy):
@@ -141,22 +145,25 @@ def _closed_loop(law, plant, lanes, steps, moments):
                 early = np.clip(rest[busy] + h[busy] / 40 - t[busy], 0, step)
                 soon = np.flatnonzero(early > 0)
                 asked = np.maximum(step[:, None] * np.arange(moments + 1) / moments, early[:, None])
-                lanes_asked = np.concatenate([np.repeat(busy, moments), busy[soon]])
-                places = plant.move(
-                    x[lanes_asked],
-                    u[lanes_asked],
+                asked_rows = np.concatenate([np.repeat(busy, moments), busy[soon]])
+                points = plant.move(
+                    x[asked_rows],
+                    u[asked_rows],
                     np.concatenate([asked[:, 1:].ravel(), early[soon]]),
                 )
-                said, count = holds(places, u[lanes_asked], case[lanes_asked]), len(busy) * moments
-                held, delayed = said[:count].reshape(-1, moments), np.zeros(len(busy), dtype=bool)
-                delayed[soon] = ~said[count:]
+                claimed, count = holds(points, u[asked_rows], case[asked_rows]), len(busy) * moments
+                held, delayed = (
+                    claimed[:count].reshape(-1, moments),
+                    np.zeros(len(busy), dtype=bool),
+                )
+                delayed[soon] = ~claimed[count:]
                 switching, k = ~held.all(axis=1), held.argmin(axis=1)[:, None]
                 before, after = (np.take_along_axis(asked, j, axis=1)[:, 0] for j in (k, k + 1))
                 waits[busy] = switching
                 first[busy], last[busy] = before, np.where(delayed, early, after)
                 on = busy[~switching]
                 x[on], t[on] = (
-                    places[moments - 1 : count : moments][~switching],
+                    points[moments - 1 : count : moments][~switching],
                     t[on] + step[~switching],
                 )
                 continue
@@ -167,23 +174,23 @@ def _closed_loop(law, plant, lanes, steps, moments):
             if len(there):
 
                 def goes_on(spans, rows, there=there):
-                    lanes = there[rows]
-                    return holds(plant.move(x[lanes], u[lanes], spans), u[lanes], case[lanes])
+                    batch = there[rows]
+                    return holds(plant.move(x[batch], u[batch], spans), u[batch], case[batch])
 
-                last[there] = bisected(goes_on, first[there], last[there], 40)[1]
+                last[there] = bisect(goes_on, first[there], last[there], 40)[1]
             x[here], t[here], waits[here] = (
                 plant.move(x[here], u[here], last[here]),
                 t[here] + last[here],
                 False,
             )
-            said = law(x[here], case[here])
-            for k in np.flatnonzero((said < low - SAME) | (said > high + SAME)):
+            claimed = law(x[here], case[here])
+            for k in np.flatnonzero((claimed < low - SAME) | (claimed > high + SAME)):
                 raise Wrong(
                     f"a motion under your law comes to ({x[here[k]][0]:.4g}, {x[here[k]][1]:.4g}), "
-                    f"where it gives {said[k]:.4g}, outside the bounds of the control"
+                    f"where it gives {claimed[k]:.4g}, outside the bounds of the control"
                 )
-            u[here], rest[here] = np.clip(said, low, high), t[here]
-            for k in here[np.isnan(said)]:
+            u[here], rest[here] = np.clip(claimed, low, high), t[here]
+            for k in here[np.isnan(claimed)]:
                 near = value(beside(x[k : k + 1]), np.repeat(case[k], 5))
                 if np.isnan(near).all():
                     raise Wrong(

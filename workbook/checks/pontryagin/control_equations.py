@@ -1,4 +1,4 @@
-"""The differential equation that the control obeys where it makes H greatest inside its bounds.
+"""Differential equation of a control that maximises H inside its bounds.
 
 There H_u = 0, and so is its derivative along the equations of motion and of the costates:
 
@@ -13,11 +13,12 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
-from workbook.checks.tools.samples import draw
-from workbook.checks.tools.values import real_function, value_at
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import rounded_text
 
 #: At so many places of states, control and parameters an equation is compared, of so many that are
@@ -35,25 +36,30 @@ CURVED = 1e-3
     )
 )
 def control_equation(claim, problem, domain=None):
-    """The right-hand side of u' = ... for a control that makes H greatest inside its bounds, in
-    states, control and parameters, the costates eliminated; for problems with one control."""
-    truth = _Rate(problem)
-    places = list(truth.places(domain))
+    """Check the right-hand side of u' = ... for a control inside its bounds that maximises H.
+
+    It is an expression in states, control and parameters, the costates eliminated; for problems
+    with one control.
+    """
+    reference = _Rate(problem)
+    places = list(reference.places(domain))
     # the one true number would be the answer itself
-    told = len({round(true, 6) for _, true, _ in places}) > 1
+    message = len({round(true, 6) for _, true, _ in places}) > 1
     u = problem.control[0]
     for values, true, size in places:
-        said = value_at(claim, values, f"{u}'")
-        if same(said, true, claim, size=size, computed=EXACT):
+        claimed = value_at(claim, values, f"{u}'")
+        if agree(claimed, true, claim, size=size, computed=EXACT):
             continue
-        if not told:
+        if not message:
             raise Wrong(
-                f"dH/d{u} does not stay zero where your expression gives {u}' the value {said:.4g}"
+                f"dH/d{u} does not stay zero where your expression gives {u}' the value {claimed:.4g}"
             )
-        shown = {s: value for s, value in values.items() if s in truth.symbols | claim.free_symbols}
+        shown = {
+            s: value for s, value in values.items() if s in reference.symbols | claim.free_symbols
+        }
         raise Wrong(
             f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is {true:.4g}; your "
-            f"expression gives {said:.4g}"
+            f"expression gives {claimed:.4g}"
         )
     return f"under it dH/d{u} stays zero, tried at {PLACES} places"
 
@@ -95,7 +101,7 @@ class _Rate:
         if low.is_number and high.is_number and low.is_finite and high.is_finite:
             domain = {self._problem.control[0]: sp.Interval(low, high)} | (domain or {})
         for _ in range(TRIED):
-            values = {s: draw(random, s, domain) for s in self._symbols}
+            values = {s: random_value(random, s, domain) for s in self._symbols}
             rate = self._at(values, random)
             if rate is not None:
                 yield values, *rate

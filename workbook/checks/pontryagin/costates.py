@@ -1,15 +1,18 @@
-"""Costates along optimal processes, by the conditions of the maximum principle with lambda_0 = 1,
-and the switching function that they give. `problem` and `parameters` are those of `processes`."""
+"""Costates along optimal processes, and the switching function that they give.
+
+They are judged by the conditions of the maximum principle with lambda_0 = 1. `problem` and
+`parameters` are those of `optimal_controls`.
+"""
 
 import numpy as np
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.followed import point_text
-from workbook.checks.pontryagin.in_time import ENDING, Costates, InTime
+from workbook.checks.pontryagin.simulation import point_text
+from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.references.optima.transfer_optima import Transfer
-from workbook.checks.tools.wording import told_for
+from workbook.checks.tools.wording import prefix_text
 
 #: To which share a control between its bounds is known.
 KNOWN = 2e-3
@@ -17,12 +20,14 @@ KNOWN = 2e-3
 
 @judged(Costates("time", "parameters", problem="problem"))
 def optimal_costate(claims, problem, time, parameters=None):
-    """Costates along the optimal process with lambda_0 = 1, a list in the order of the states, or
-    one expression."""
+    """Check costates along the optimal process with lambda_0 = 1.
+
+    They are a list in the order of the states, or one expression.
+    """
     costate, sign = InTime(claims, time, parameters), -1 if problem.maximise else 1
     free = np.array(free_at_the_start(problem, parameters))
     for values, best in best_processes(problem, parameters):
-        where = told_for(values)
+        where = prefix_text(values)
         largest = np.abs(np.nan_to_num(costate.values(best.times, values))).max()
         for k, t in enumerate(best.times):
             psi, slope = (part(t * (1 - 1e-7), values) for part in (costate.values, costate.rates))
@@ -71,17 +76,22 @@ def optimal_costate(claims, problem, time, parameters=None):
 
 @judged(Expression("time"))
 def optimal_switching(claim, problem, time):
-    """The switching function dH/du along a transfer to a line in least or greatest time, with
-    lambda_0 = 1."""
+    """Check the switching function dH/du along a transfer to a line, with lambda_0 = 1.
+
+    The time of the transfer is minimised or maximised.
+    """
     function, ((_, best),) = InTime([claim], time, ()), Transfer(problem).samples()
     found = best.switching_function()
     size = max(abs(value) for _, value in found)
     for t, true in found:
-        said = function.values(t, {})[0]
-        if not abs(said - true) <= 4 * function.rounding * size + function.uncertain(t, {})[0][0]:
+        claimed = function.values(t, {})[0]
+        if (
+            not abs(claimed - true)
+            <= 4 * function.rounding * size + function.uncertain(t, {})[0][0]
+        ):
             raise Wrong(
-                f"at t = {t:.4g} your function is {said:.4g}; dH/du has another "
-                f"{'sign' if said * true < 0 else 'value'} there, if the costate that "
+                f"at t = {t:.4g} your function is {claimed:.4g}; dH/du has another "
+                f"{'sign' if claimed * true < 0 else 'value'} there, if the costate that "
                 "transversality and H = 0 "
                 f"determine at the end is followed back along the best process"
             )

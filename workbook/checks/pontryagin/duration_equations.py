@@ -4,10 +4,10 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.optima.best_processes import best_processes
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.wording import rounded_text
 
 #: At so many shorter durations an equation for the shortest one is tried, up to this part of it,
@@ -17,15 +17,18 @@ SHORTER, ALMOST, NEXT = 400, 0.99, 1e-2
 
 @judged
 def duration_equation(answer, problem, duration, parameters):
-    """An equation whose least positive root is the shortest duration; `duration` is its symbol
-    there, `parameters` a dict from the other symbols to intervals."""
+    """Check an equation whose least positive root is the shortest duration.
+
+    In it `duration` is the symbol of the duration; `parameters` is a dict from the other
+    symbols to intervals.
+    """
     symbols = [duration, *parameters]
     sides = answer.args if isinstance(answer, sp.Eq) else (answer, sp.S.Zero)
     left, right = (coercion.as_expression(side, symbols) for side in sides)
     claim = left - right
     if duration not in claim.free_symbols:
         raise Invalid(f"expected an equation for {duration}")
-    function, allowed = real_function(symbols, [claim]), max(1e-6, 10 * share(claim))
+    function, allowed = real_function(symbols, [claim]), max(1e-6, 10 * relative_tolerance(claim))
     for values, best in best_processes(problem, parameters):
         T, numbers, where = best.duration, [float(v) for v in values.values()], rounded_text(values)
         at, *near = function(T * np.array([1, 1 - NEXT, 1 + NEXT]), *numbers)[0]

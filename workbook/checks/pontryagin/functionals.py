@@ -1,5 +1,6 @@
-"""Problems of the calculus of variations, given as a `Functional`: motions on which it is least,
-its least value, and whether there is a best motion at all.
+"""Extrema of the calculus of variations, for problems given as a `Functional`.
+
+Motions on which the functional is least, its least value, and whether there is a best motion.
 
 A motion is judged by what defines it: it has the given values at the ends, no variation that keeps
 them changes the functional to first order, which is asked of variations inside and of such that
@@ -13,12 +14,18 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Number, YesNo
-from workbook.checks.contract.tolerance import changed, in_decimals, rounds_to, same, share
+from workbook.checks.contract.tolerance import (
+    agree,
+    in_decimals,
+    perturbed,
+    relative_tolerance,
+    rounds_to,
+)
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.optima.functional_optimum import FunctionalOptimum
-from workbook.checks.tools.comparisons import Same, Word
+from workbook.checks.tools.comparisons import SameValue, SameWord
+from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import sample_values
-from workbook.checks.tools.values import real_function
 from workbook.checks.tools.wording import values_text
 
 #: Sets of parameters that an answer is tried for.
@@ -45,17 +52,19 @@ class OfMotion(Expression):
 
 
 @judged(OfMotion())
-def best_motion(claim, functional, parameters=()):
-    """The motion x(t) on which a functional is least, or greatest, as an expression in time and
-    parameters."""
+def extremum_motion(claim, functional, parameters=()):
+    """Check the motion x(t) on which a functional is least, or greatest.
+
+    It is an expression in time and parameters.
+    """
     for values, best in _optima(functional, tuple(parameters)):
         where = f"for {values_text(values)} " if values else ""
-        sides = changed(claim) if in_decimals(claim) else []
+        sides = perturbed(claim) if in_decimals(claim) else []
         motion = _Motion(
             claim.subs(values),
             best,
             where,
-            share(claim) if sides is None else COMPUTED,
+            relative_tolerance(claim) if sides is None else COMPUTED,
             [[_Motion(side.subs(values), best, where) for (side,) in pair] for pair in sides or ()],
         )
         motion.has_the_given_ends()
@@ -68,21 +77,21 @@ def best_motion(claim, functional, parameters=()):
 
 
 @judged(Expression("parameters"))
-def best_value(claim, functional, parameters=()):
-    """The least, or greatest, value of a functional, as an expression in the parameters."""
+def extremum_value(claim, functional, parameters=()):
+    """Check the least, or greatest, value of a functional, as an expression in the parameters."""
     for values, best in _optima(functional, tuple(parameters)):
         if values:
-            yield Same(
+            yield SameValue(
                 claim, best.value, f"the {_word(functional)} value", values, computed=COMPUTED
             )
             continue
-        said = real_function([], [claim])()[0]
-        if not same(said, best.value, claim, computed=COMPUTED):
-            if not np.isfinite(said):
+        claimed = real_function([], [claim])()[0]
+        if not agree(claimed, best.value, claim, computed=COMPUTED):
+            if not np.isfinite(claimed):
                 raise Wrong("your value is no real number")
-            beyond = (said < best.value) != functional.maximise
+            beyond = (claimed < best.value) != functional.maximise
             raise Wrong(
-                f"your value is {said:.4g}; "
+                f"your value is {claimed:.4g}; "
                 + (
                     "no motion with the given ends attains it"
                     if beyond
@@ -93,12 +102,14 @@ def best_value(claim, functional, parameters=()):
 
 
 @judged(YesNo())
-def best_motion_exists(claim, functional, duration=None):
-    """Whether a functional has a best motion; with `duration`, the symbol in the end of the
-    interval, one that is best among those of all durations.
+def extremum_exists(claim, functional, duration=None):
+    """Check whether a functional has a best motion.
 
-    For integrands that are at most quadratic. A functional that is strictly convex for the motions
-    with the given ends has a best motion.
+    With `duration`, the symbol in the end of the interval, a motion is meant that is best among
+    those of all durations.
+
+    For integrands that are at most quadratic. A functional that is strictly convex for the
+    motions with the given ends has a best motion.
     """
     word = _word(functional)
     if duration is None:
@@ -120,14 +131,16 @@ def best_motion_exists(claim, functional, duration=None):
             f"{DURATIONS[-1]:.3g} "
             f"{'have a best one among them' if exists else 'only get better towards one side'}"
         )
-    yield Word(claim, exists, reason, "look at how the functional behaves: ")
+    yield SameWord(claim, exists, reason, "look at how the functional behaves: ")
     return reason
 
 
 @judged(Number())
 def stationary_duration(claim, functional, duration):
-    """A duration at which the best value of a functional is stationary, whether or not it is best
-    there; `duration` is its symbol in the end of the interval."""
+    """Check a duration at which the best value of a functional is stationary, optimal or not.
+
+    The symbol `duration` stands in the end of the interval.
+    """
     T = float(claim)
     if not 0 < T < DURATIONS[-1]:
         raise Wrong(f"expected a duration between 0 and {DURATIONS[-1]:g}")
@@ -162,7 +175,7 @@ def _rate(functional, duration, T, step=0.004):
 
 
 class _Motion:
-    """A student's motion for given values of the parameters; `changed` are pairs of motions that
+    """A student's motion for given values of the parameters; `perturbed` are pairs of motions that
     its decimals leave open."""
 
     def __init__(self, claim, best, where, rounding=COMPUTED, changed=()):
@@ -191,17 +204,17 @@ class _Motion:
         self.begin, self.end = best.begin, best.begin + best.duration
 
     def has_the_given_ends(self):
-        for place, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
+        for point, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
             for k, value in enumerate(given):
                 if value is None:
                     continue
-                said, wanted = self._value(k, place), float(value)
+                claimed, wanted = self._value(k, point), float(value)
                 size = max(abs(wanted), np.abs(self._along()[1][k]).max())
-                if not abs(said - wanted) <= self.rounding * size + self._open(
-                    said, lambda one: one._value(k, place)
+                if not abs(claimed - wanted) <= self.rounding * size + self._open(
+                    claimed, lambda one: one._value(k, point)
                 ):
                     raise Wrong(
-                        f"{self.where}{self._name(k)} is {said:.4g} at t = {place:.4g} for your "
+                        f"{self.where}{self._name(k)} is {claimed:.4g} at t = {point:.4g} for your "
                         f"motion, and {wanted:.4g} is given"
                     )
 
@@ -221,26 +234,26 @@ class _Motion:
                     f"first order: the rate is {rate:.4g}. Along an extremal no variation does"
                 )
         middle = (self.begin + self.end) / 2
-        for place, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
+        for point, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
             for k, value in enumerate(given):
                 if value is None:
-                    move = _reaching(place, middle, k, n)
-                    rate, size = self._moved(move, place, middle, k)
-                    left_open = self._open(rate, lambda one: one._moved(move, place, middle, k)[0])
+                    move = _reaching(point, middle, k, n)
+                    rate, size = self._moved(move, point, middle, k)
+                    left_open = self._open(rate, lambda one: one._moved(move, point, middle, k)[0])
                     if not abs(rate) <= self.rounding * size + left_open:
                         raise Wrong(
-                            f"{self.where}{self._name(k)} is not given at t = {place:.4g}; moved "
+                            f"{self.where}{self._name(k)} is not given at t = {point:.4g}; moved "
                             "there, the functional changes to first order: the rate is "
                             f"{rate:.4g}. So the natural condition at this end fails"
                         )
 
     def is_the_best(self):
-        said, size = self._functional()
-        left_open = self._open(said, lambda one: one._functional()[0])
-        if not abs(said - self.best.value) <= self.rounding * size + left_open:
+        claimed, size = self._functional()
+        left_open = self._open(claimed, lambda one: one._functional()[0])
+        if not abs(claimed - self.best.value) <= self.rounding * size + left_open:
             raise Wrong(
                 f"{self.where}your motion is an extremal and gives the functional the value "
-                f"{said:.4g}, but another motion with the given ends does better"
+                f"{claimed:.4g}, but another motion with the given ends does better"
             )
 
     def _open(self, here, quantity):
@@ -252,14 +265,14 @@ class _Motion:
         """The value of the functional, and the size of its terms."""
         nodes, along, weights = self._along()
         rates = self._rates(nodes, *along)[0]
-        said = float(weights @ rates) + self._at_end()[0]
-        return said, max(abs(said), float(weights @ abs(rates)))
+        claimed = float(weights @ rates) + self._at_end()[0]
+        return claimed, max(abs(claimed), float(weights @ abs(rates)))
 
-    def _moved(self, move, place, middle, k):
+    def _moved(self, move, point, middle, k):
         """The first variation along a polynomial that moves a free end, and the size of its
         terms."""
-        rate, size = self._variation(move, min(place, middle), max(place, middle))
-        at_end = self._at_end()[1 + k] if place == self.end else 0.0
+        rate, size = self._variation(move, min(point, middle), max(point, middle))
+        at_end = self._at_end()[1 + k] if point == self.end else 0.0
         return rate + at_end, size + abs(at_end)
 
     def _variation(self, move, a, b):
@@ -296,13 +309,13 @@ class _Motion:
             )
         return found
 
-    def _value(self, k, place):
-        said = self._claim_at[k](place)[0]
-        if not np.isfinite(said):
+    def _value(self, k, point):
+        claimed = self._claim_at[k](point)[0]
+        if not np.isfinite(claimed):
             raise Wrong(
-                f"{self.where}{self._name(k)} of your motion is no real number at t = {place:.4g}"
+                f"{self.where}{self._name(k)} of your motion is no real number at t = {point:.4g}"
             )
-        return said
+        return claimed
 
     def _name(self, k):
         return f"{self.functional.motion.func}" + "'" * k
@@ -320,11 +333,11 @@ def _quadrature(a, b, steps=40, reach=3.2):
     return nodes[inside], weights[inside]
 
 
-def _reaching(place, middle, k, n):
+def _reaching(point, middle, k, n):
     """The polynomial whose k-th derivative is 1 at `place`, all others up to n - 1 zero there and
     at `middle`."""
     rows, size = [], 2 * n
-    for where in (place, middle):
+    for where in (point, middle):
         for order in range(n):
             rows.append([np.polyder(np.poly1d([1] + [0] * m), order)(where) for m in range(size)])
     wanted = np.zeros(size)

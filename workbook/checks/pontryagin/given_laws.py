@@ -13,11 +13,12 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions
-from workbook.checks.contract.tolerance import same
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.samples import sample_cases
-from workbook.checks.tools.values import real_function, value_at
-from workbook.checks.tools.wording import rounded_text, told_for
+from workbook.checks.tools.domains import sample_cases
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import value_at
+from workbook.checks.tools.wording import prefix_text, rounded_text
 
 #: In so many steps a motion is followed, and how well its states are known then.
 STEPS, FOLLOWED = 240, 1e-7
@@ -36,8 +37,9 @@ BEGINNINGS, SEARCHED, MET = 4, 30, 1e-10
     )
 )
 def motion_under_law(claims, problem, law, time, parameters, by=None):
-    """All states of the motion as functions of time, or of `by`, the control, which then stands in
-    the place of time.
+    """Check all states of the motion under a law as functions of time.
+
+    With `by`, the control, they are functions of the control instead of the time.
     """
     run, (control,) = _Run(problem, law, time, list(parameters)), problem.control
     variable = time if by is None else control
@@ -48,10 +50,10 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
         for k in range(0, STEPS + 1, APART):
             at = values | {variable: sp.Float((times if by is None else controls)[k, 0], 17)}
             for name, claim, true, scale in zip(problem.state, claims, states[k, :, 0], size[:, 0]):
-                said = value_at(claim, at, str(name))
-                if not same(said, true, claim, size=scale, computed=FOLLOWED):
+                claimed = value_at(claim, at, str(name))
+                if not agree(claimed, true, claim, size=scale, computed=FOLLOWED):
                     raise Wrong(
-                        f"for {rounded_text(at)} your {name} is {said:.4g}; under the law given "
+                        f"for {rounded_text(at)} your {name} is {claimed:.4g}; under the law given "
                         "the motion that starts as it should "
                         + (f"has {true:.4g} there" if k else "begins otherwise")
                     )
@@ -59,12 +61,14 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
 
 
 @judged(Expression("parameters"))
-def end_under_law(claim, quantity, problem, law, time, unknown, parameters):
-    """A quantity of the end: an expression in the states there, the unknown constants of the law
-    and the parameters.
+def final_value_under_law(claim, quantity, problem, law, time, unknown, parameters):
+    """Check a final quantity in the final states, the constants of the law and the parameters.
 
-    `unknown` is a dict from these constants, the duration perhaps among them, to intervals, as many
-    as the problem has conditions at the end: these determine them, one value each in its interval.
+    The constants of the law are unknown.
+
+    `unknown` is a dict from these constants, the duration perhaps among them, to intervals, as
+    many as the problem has conditions at the end: these determine them, one value each in its
+    interval.
     """
     names = [*unknown, *parameters]
     wanted = real_function([*problem.state, *names], [sp.sympify(quantity)])
@@ -72,11 +76,11 @@ def end_under_law(claim, quantity, problem, law, time, unknown, parameters):
         problem, law, time, tuple(unknown.items()), tuple(parameters.items())
     ):
         values = dict(zip(parameters, case))
-        true, said = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
-        if not same(said, true, claim, size=size, computed=10 * FOLLOWED):
+        true, claimed = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
+        if not agree(claimed, true, claim, size=size, computed=10 * FOLLOWED):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
-                f"{told_for(values)}your {quantity} is {said:.4g}; if the constants of the law are "
+                f"{prefix_text(values)}your {quantity} is {claimed:.4g}; if the constants of the law are "
                 "chosen so that the conditions at the end hold, it is "
                 f"{f'{true:.4g}' if values else 'another number'}"
             )

@@ -8,26 +8,21 @@ what a border of a law that is a little off costs is of second order. Then the l
 the start, has to keep to the ends, and may cost no more.
 """
 
-import copy
 import itertools
 
 import numpy as np
-import sympy as sp
 
-from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import changed, in_decimals, same, share
-from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.pontryagin.followed import does_as_well, point_text
+from workbook.checks.contract.tolerance import agree
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.feedback_laws import STEPS, FeedbackLaw
+from workbook.checks.pontryagin.simulation import does_as_well, point_text
 from workbook.checks.references.optima.direct_optimum import optima
-from workbook.checks.references.optima.transfer_optima import rk4
-from workbook.checks.references.scales import TIME, differing, same_at_every_scale, scales
-from workbook.checks.tools.values import real_function, wide_function
-from workbook.checks.tools.wording import told_for
+from workbook.checks.references.optima.runge_kutta import rk4
+from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.wording import prefix_text
 
-#: A law is followed in so many steps. Where it switches it lags by a step, which costs it this
-#: share at most.
-STEPS, LAGGING = 1500, 2e-3
 #: How far from a change of its control the best process is compared with a law, as a part of the
 #: duration, and how close to a state the law is asked, as a part of its coordinates; each for exact
 #: laws and for laws in decimals.
@@ -43,21 +38,20 @@ AWAY = 0.05
 #: The law on both sides of a border, so close to it in parts of the way across, has to have both
 #: values.
 ACROSS = 1e-6
-#: In so many parts the distance of the bounds is divided, so often, to find what control an
-#: equation means.
-PARTS, ROUNDS = 16, 2
 #: To what share of its coordinates the place of a change is found.
 LOCATED = 3e-4
 
 
 @judged
 def optimal_law(answer, problem, parameters, time=None):
-    """A law in the states, parameters and time under which every start gives an optimal process.
+    """Check a law under which every initial state gives an optimal process.
+
+    The law depends on the states, parameters and time.
 
     It is an expression, or an equation with the control in it that has one solution between the
     bounds: with sp.Piecewise one for each region.
     """
-    law = _Law(answer, problem, parameters, time)
+    law = FeedbackLaw(answer, problem, parameters, time)
     found = list(optima(problem, parameters))
     for values, best in found:
         _says_what_is_best(law, values, best)
@@ -65,151 +59,46 @@ def optimal_law(answer, problem, parameters, time=None):
         for values, best in found:
             _same_at_a_scale(law, values, best, factors)
     for (values, best), times, states in zip(found, *_followed(law, found)):
-        does_as_well(times, states, best, problem, law.rounding, told_for(values), "your law")
+        does_as_well(times, states, best, problem, law.rounding, prefix_text(values), "your law")
     return "from all starts tried it does what the best process found does, keeps to the ends, and costs no more"
 
 
 @judged(Expression("domain", "parameters"))
-def optimal_change(claim, problem, change, domain, parameters):
-    """The curve in the plane of the states on which the control of the best processes goes over
-    from one kind of arc to another.
+def arc_transition_curve(claim, problem, change, domain, parameters):
+    """Check the curve on which optimal controls change from one kind of arc to another.
 
-    `change` is a pair of "bound" and "inside", before and after; `domain` gives the interval of one
-    state, in which the claim is the other one.
+    The curve lies in the plane of the states.
+
+    `change` is a pair of "bound" and "inside", before and after; `domain` gives the interval of
+    one state, in which the claim is the other one.
     """
     ((given, interval),) = domain.items()
     state = list(problem.dynamics)
     k, low, high = state.index(given), float(interval.inf), float(interval.sup)
     others = [p for p in parameters if p not in state]
-    curve, places = real_function([given, *others], [claim]), []
+    curve, points = real_function([given, *others], [claim]), []
     for values, best in optima(problem, parameters):
         for j, *kinds in best.changes():
             y = best.states[:, j]
             if [_kind(best, u) for u in kinds] != list(change) or not low <= y[k] <= high:
                 continue
-            said, true = float(curve(y[k], *(float(values[p]) for p in others))[0]), y[1 - k]
-            places.append({given: y[k], **{p: values[p] for p in others}})
-            if not np.isfinite(said):
+            claimed, true = float(curve(y[k], *(float(values[p]) for p in others))[0]), y[1 - k]
+            points.append({given: y[k], **{p: values[p] for p in others}})
+            if not np.isfinite(claimed):
                 raise Wrong(f"for {given} = {y[k]:.4g} your curve gives no real number")
-            if not same(said, true, claim, true, LOCATED):
+            if not agree(claimed, true, claim, true, LOCATED):
                 raise Wrong(
-                    f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {said:.4g}; the "
-                    f"control of the best process {told_for(values)}does not change there"
+                    f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {claimed:.4g}; the "
+                    f"control of the best process {prefix_text(values)}does not change there"
                 )
-    if not places:
+    if not points:
         raise RuntimeError("on no process that was found the control changes so")
-    same_at_every_scale(claim, problem, parameters, places, state[1 - k], str(state[1 - k]))
-    return f"the control of the best processes changes there, at {len(places)} places"
+    judge_at_every_scale(claim, problem, parameters, points, state[1 - k], str(state[1 - k]))
+    return f"the control of the best processes changes there, at {len(points)} places"
 
 
 def _kind(best, value):
     return "bound" if value is not None and value in best.bounds else "inside"
-
-
-class _Law:
-    """A law, read once: at many states and times it gives values of the control."""
-
-    def __init__(self, answer, problem, parameters, time, followed=True):
-        self.state, (self.control,) = list(problem.dynamics), problem.controls
-        others = [p for p in parameters if p not in self.state]
-        symbols = [*self.state, *others, *([time] if time else [])]
-        self._timed, self._others, self.implicit = (
-            time is not None,
-            others,
-            isinstance(answer, sp.Eq),
-        )
-        if self.implicit:
-            left, right = (
-                coercion.as_expression(side, [self.control, *symbols]) for side in answer.args
-            )
-            claim = left - right
-            if self.control not in claim.free_symbols:
-                raise Invalid(
-                    f"expected the law as an expression, or as an equation for {self.control}"
-                )
-            symbols = [self.control, *symbols]
-        else:
-            claim = coercion.as_expression(answer, symbols)
-        self._function, self._written = real_function(symbols, [claim]), (symbols, [claim])
-        self.none = "no solution between the bounds" if self.implicit else "no real number"
-        self.decimals = in_decimals(claim)
-        #: Pairs of laws that the decimals of this one leave open; none if there are too many.
-        self.changed = (
-            [
-                [
-                    _Law(
-                        sp.Eq(side, 0, evaluate=False) if self.implicit else side,
-                        problem,
-                        parameters,
-                        time,
-                        False,
-                    )
-                    for (side,) in pair
-                ]
-                for pair in changed(claim) or ()
-            ]
-            if followed
-            else ()
-        )
-        self.rounding = share(claim, computed=LAGGING)
-
-    def wide(self):
-        """The same law in numbers of any size."""
-        other = copy.copy(self)
-        other._function = wide_function(*self._written)
-        return other
-
-    def __call__(self, states, times, values, bounds):
-        """The controls at states (n x K) and times (K); nan where there is none."""
-        numbers = [
-            np.broadcast_to(float(v) if np.ndim(v) == 0 else v, len(times))
-            for v in (values[p] for p in self._others)
-        ]
-        known = [*states, *numbers, *([times] if self._timed else [])]
-        if not self.implicit:
-            return self._function(*known)[0]
-        if not np.all(np.isfinite(bounds)):
-            raise Invalid(
-                "the control has no bounds, so that an equation may have any solution: write the "
-                "law as an expression"
-            )
-        return self._solved(known, bounds)
-
-    def _solved(self, known, bounds):
-        """The solutions between the bounds: brackets, made smaller together, and a chord in the
-        last one."""
-        bounds = [np.broadcast_to(bound, known[0].shape) for bound in bounds]
-        low, high = bounds
-        allowed, every = max(1e-9, self.rounding / 10), np.arange(low.size)
-        for turn in range(ROUNDS):
-            places = low + (high - low) * np.arange(PARTS + 1)[:, None] / PARTS
-            left = self._function(places, *(np.broadcast_to(v, places.shape) for v in known))[0]
-            with np.errstate(invalid="ignore"):
-                changed = (left[:-1] * left[1:] <= 0) & (left[:-1] != 0)
-            changed[0] |= left[0] == 0
-            if turn == 0:
-                size = np.nanmax(np.abs(left), axis=0, initial=0)
-                if (changed.sum(axis=0) > 1).any():
-                    k = int(np.argmax(changed.sum(axis=0)))
-                    raise Wrong(
-                        f"at the state {point_text([v[k] for v in known[:2]])} your equation has "
-                        f"several solutions between the bounds of {self.control}"
-                    )
-                # What ends just beyond a bound is meant to be this bound.
-                ends = np.abs(left[[0, -1]])
-                meant = ~changed.any(axis=0) & (
-                    np.nanmin(ends, axis=0, initial=np.inf) <= allowed * size
-                )
-                bound = np.where(ends[0] <= ends[1], *bounds)
-                none = ~changed.any(axis=0) & ~meant
-            first = changed.argmax(axis=0)
-            low, high = places[first, every], places[first + 1, every]
-            at_low, at_high = left[first, every], left[first + 1, every]
-        with np.errstate(all="ignore"):
-            chord = np.where(
-                at_low == at_high, low, low - at_low * (high - low) / (at_high - at_low)
-            )
-        return np.where(none, np.nan, np.where(meant, bound, np.clip(chord, low, high)))
 
 
 def _says_what_is_best(law, values, best):
@@ -227,10 +116,10 @@ def _says_what_is_best(law, values, best):
         [s for s in itertools.product((-1, 0, 1), repeat=n) if n < 3 or np.count_nonzero(s) < 2]
     )
     around = states + shifts[:, :, None] * steps
-    said = law(
+    claimed = law(
         np.concatenate(list(around), axis=1), np.tile(times, len(shifts)), values, best.bounds
     )
-    said = said.reshape(len(shifts), -1)
+    claimed = claimed.reshape(len(shifts), -1)
     bends = [best.times[j] for j, *kinds in best.changes() if None in kinds]
     known = np.where(
         [
@@ -244,14 +133,14 @@ def _says_what_is_best(law, values, best):
     for pair in law.changed:
         here, *sides = (one(states, times, values, best.bounds) for one in (law, *pair))
         slack = slack + np.nan_to_num(np.fmax(*(abs(side - here) for side in sides)))
-    inside = (np.nanmin(said, axis=0, initial=np.inf) - slack <= controls) & (
-        controls <= np.nanmax(said, axis=0, initial=-np.inf) + slack
+    inside = (np.nanmin(claimed, axis=0, initial=np.inf) - slack <= controls) & (
+        controls <= np.nanmax(claimed, axis=0, initial=-np.inf) + slack
     )
     for k in np.flatnonzero(~inside)[:1]:
         here = law(states[:, [k]], times[[k]], values, best.bounds)[0]
         gives = f"{here:.4g}" if np.isfinite(here) else law.none
         raise Wrong(
-            f"{told_for(values)}the best process found comes to {point_text(states[:, k])} at t = "
+            f"{prefix_text(values)}the best process found comes to {point_text(states[:, k])} at t = "
             f"{times[k]:.4g}; there your law gives {gives}, and the best control is another one"
         )
     _jumps_where_it_should(law, values, best)
@@ -265,18 +154,21 @@ def _same_at_a_scale(law, values, best, factors):
     there, own = np.array(weights)[:, None] * states, {p: v * factors[p] for p, v in values.items()}
     scale, time = float(factors[law.control]), float(factors[TIME])
     bounds = [scale * bound for bound in best.bounds]
-    said, wanted = (
+    claimed, wanted = (
         law(there, times * time, own, bounds),
         scale * law(states, times, values, best.bounds),
     )
-    for k in differing(
-        said, wanted, KNOWN, lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0]
+    for k in first_difference(
+        claimed,
+        wanted,
+        KNOWN,
+        lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0],
     ):
         raise Wrong(
-            f"{told_for(values)}at {point_text(states[:, k])} your law gives "
+            f"{prefix_text(values)}at {point_text(states[:, k])} your law gives "
             f"{wanted[k] / scale:.4g}. In other units the problem is the same, so that "
-            f"{told_for(own)}at {point_text(there[:, k])} it has to give {wanted[k]:.4g}; it gives "
-            f"{said[k]:.4g}"
+            f"{prefix_text(own)}at {point_text(there[:, k])} it has to give {wanted[k]:.4g}; it gives "
+            f"{claimed[k]:.4g}"
         )
 
 
@@ -355,8 +247,8 @@ def _jumps_where_it_should(law, values, best):
         )
         slack = law.rounding * abs(after - before)
 
-        def at(place, one=one, other=other, t=t):
-            return law(one + place * (other - one), t, values, best.bounds)[0]
+        def at(point, one=one, other=other, t=t):
+            return law(one + point * (other - one), t, values, best.bounds)[0]
 
         if not (abs(at(0.0) - before) <= slack and abs(at(1.0) - after) <= slack):
             continue
@@ -366,7 +258,7 @@ def _jumps_where_it_should(law, values, best):
             first, last = (middle, last) if abs(at(middle) - before) <= slack else (first, middle)
         if not abs(at(min(last + ACROSS, 1.0)) - after) <= slack:
             raise Wrong(
-                f"{told_for(values)}at {point_text(best.states[:, j])} the best control jumps; "
+                f"{prefix_text(values)}at {point_text(best.states[:, j])} the best control jumps; "
                 "your law gives values between"
             )
 
@@ -384,12 +276,12 @@ def _followed(law, found):
     for _ in range(STEPS):
         u = law(y[:, :-1].T, t, values, bounds)
         for k in np.flatnonzero(~((low - slack <= u) & (u <= high + slack))):
-            said = (
+            claimed = (
                 f"{u[k]:.4g}, outside the bounds of the control" if np.isfinite(u[k]) else law.none
             )
             raise Wrong(
-                f"{told_for(found[k][0])}at t = {t[k]:.4g} the motion under your law is at "
-                f"{point_text(y[k, :-1])}, and the law gives {said}"
+                f"{prefix_text(found[k][0])}at t = {t[k]:.4g} the motion under your law is at "
+                f"{point_text(y[k, :-1])}, and the law gives {claimed}"
             )
         y = np.array(
             [

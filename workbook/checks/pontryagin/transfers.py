@@ -1,9 +1,8 @@
-"""Transfers in least or greatest time: which starts can be brought to the target, in what time,
-with how many switchings.
+"""Transfers in least or greatest time: initial states, times and numbers of switchings.
 
 `problem` is a `pontryagin.Problem` of which the cost is the time. Its parameters stand in a list; a
 state without a value at the start that is one of them stands for its start. What an optimal
-control, motion or costate is, and the time itself, is judged in `processes`. The optimum comes from
+control, motion or costate is, and the time itself, is judged in `optimal_controls` and its like. The optimum comes from
 `transfer_optima`, where neither the maximum principle nor a shooting is used.
 """
 
@@ -13,40 +12,48 @@ import math
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.claims import Expression, Integer, Number
-from workbook.checks.contract.tolerance import in_decimals, same
+from workbook.checks.contract import coercion
+from workbook.checks.contract.claims import Expression, Number
+from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.in_time import INTEGRATED
+from workbook.checks.pontryagin.time_functions import INTEGRATED
 from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Transfer
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.conditions import compare, contrary, exactly, place_text
-from workbook.checks.tools.values import real_at
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.conditions import compare, contradiction_message, exactly
+from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.wording import values_text
 
 
 @judged(Expression("count"))
 def meeting_time(claim, problem, count):
-    """The least, or greatest, time of the meeting number `count` with the target, a start on the
-    target being the meeting number 0."""
+    """Check the least, or greatest, time of the meeting number `count` with the target.
+
+    An initial state on the target is the meeting number 0.
+    """
     transfer = Transfer(problem)
     for number in (0, 1, 2, 3, 7):
-        said = real_at(claim, {count: number})
+        claimed = real_at(claim, {count: number})
         best = transfer.at({}, meetings=number)
-        if said is None or not (_close(said, best.duration, claim) if number else abs(said) < 1e-9):
+        if claimed is None or not (
+            _close(claimed, best.duration, claim) if number else abs(claimed) < 1e-9
+        ):
             if number == 0:
                 raise Wrong(
                     f"the start lies on the target already; for {count} = 0 your expression gives "
                     "another time than that of the start"
                 )
-            told = "no real number" if said is None else f"{said:.4g}; {best.told_duration(said)}"
-            raise Wrong(f"for {count} = {number} your time is {told}")
+            message = (
+                "no real number"
+                if claimed is None
+                else f"{claimed:.4g}; {best.duration_message(claimed)}"
+            )
+            raise Wrong(f"for {count} = {number} your time is {message}")
     return "it is the time of this meeting, for several numbers"
 
 
 @judged(Expression("angle", lambda data: list(data["problem"].controls)))
-def turning_rate(claim, problem, angle):
-    """The rate of the polar angle of the state of a planar system, as an expression in the angle
-    and the control."""
+def polar_angle_rate(claim, problem, angle):
+    """Check the rate of the polar angle of a planar state, in the angle and the control."""
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
     random = np.random.default_rng(9)
     for _ in range(20):
@@ -55,10 +62,10 @@ def turning_rate(claim, problem, angle):
             random.uniform(*map(float, bounds)),
             random.uniform(0.3, 3),
         )
-        place = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
-        rates = [float(f.subs(place)) for f in problem.dynamics.values()]
-        terms = np.array([place[x] * rates[1], -place[y] * rates[0]]) / r**2
-        yield Same(
+        point = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
+        rates = [float(f.subs(point)) for f in problem.dynamics.values()]
+        terms = np.array([point[x] * rates[1], -point[y] * rates[0]]) / r**2
+        yield SameValue(
             claim,
             terms.sum(),
             "the rate at which the direction of the state turns",
@@ -70,35 +77,41 @@ def turning_rate(claim, problem, angle):
 
 @judged(Expression(lambda data: list(data["problem"].dynamics)))
 def least_rate(claim, quantity, problem):
-    """The least rate of change of a quantity that an admissible control can give, as an expression
-    in the state."""
+    """Check the least rate of change of a quantity that an admissible control can give.
+
+    It is an expression in the state.
+    """
     state, ((control, bounds),) = list(problem.dynamics), problem.controls.items()
     slope = sum(sp.diff(quantity, x) * f for x, f in problem.dynamics.items())
     random = np.random.default_rng(3)
     for k in range(20):
-        place = {
+        point = {
             x: sp.Rational(int(random.integers(2, 60)), 13) * int(random.choice((-1, 1)))
             for x in state
         }
         if k >= 16:
-            place = {x: value * CLOSE for x, value in place.items()}
-        rates = [float(slope.subs(place).subs(control, u)) for u in bounds]
-        yield Same(
+            point = {x: value * CLOSE for x, value in point.items()}
+        rates = [float(slope.subs(point).subs(control, u)) for u in bounds]
+        yield SameValue(
             claim,
             min(rates),
             "the least of the rates that the admissible controls give",
-            place,
+            point,
             max(map(abs, rates)),
         )
     return "it is the least of the rates that the admissible controls give, at random states of both signs"
 
 
 @judged
-def transfer_starts(answer, problem, parameters):
-    """The starts, or parameters, for which the target can be reached; a start on the target may be
-    counted either way."""
-    transfer, truth = _reachable(problem, tuple(parameters))
-    agreement = compare(answer, parameters, truth, contrary(transfer.told_solvable))
+def transferable_initial_states(answer, problem, parameters):
+    """Check the initial states, or parameters, for which the target can be reached.
+
+    An initial state on the target counts either way.
+    """
+    transfer, reference = _reachable(problem, tuple(parameters))
+    agreement = compare(
+        answer, parameters, reference, contradiction_message(transfer.solvable_message)
+    )
     return f"it agrees with what the controls can reach: {agreement}"
 
 
@@ -112,9 +125,11 @@ def _reachable(problem, parameters):
 
 
 @judged
-def reached_within(answer, problem, duration, parameters):
-    """The condition, in the parameters and the symbol `duration`, for the target to be reached in a
-    time not longer than it."""
+def reachable_in_time(answer, problem, duration, parameters):
+    """Check the condition for the target to be reached in a time not longer than `duration`.
+
+    It is a condition on the parameters and the symbol `duration`.
+    """
     transfer = Transfer(problem, parameters)
     found = list(transfer.samples())
 
@@ -126,56 +141,60 @@ def reached_within(answer, problem, duration, parameters):
                     **values,
                 }
 
-    def in_time(place):
-        values = {p: place[p] for p in parameters}
-        return next(best for known, best in found if known == values).duration <= place[duration]
+    def in_time(point):
+        values = {p: point[p] for p in parameters}
+        return next(best for known, best in found if known == values).duration <= point[duration]
 
-    truth = exactly(transfer.in_time_condition(duration), at=in_time, points=points)
+    reference = exactly(transfer.in_time_condition(duration), at=in_time, points=points)
     agreement = compare(
         answer,
         [duration, *parameters],
-        truth,
+        reference,
         lambda values, holds: (
-            f"for {place_text(values)} the target {'can' if holds else 'cannot'} be reached in "
+            f"for {values_text(values)} the target {'can' if holds else 'cannot'} be reached in "
             f"time; your condition {'does not hold' if holds else 'holds'}"
         ),
     )
     return f"it tells the times that suffice from those that do not: {agreement}"
 
 
-@judged(Expression("parameters"))
-def switchings(claim, problem, parameters):
-    """How often the fastest control switches, as an expression in the parameters; not asked where
-    all of them are whole numbers."""
+@judged
+def switching_count(answer, problem, parameters=()):
+    """Check how often the fastest control switches, as an expression in the parameters.
+
+    It is not asked where all of the parameters are whole numbers.
+
+    Without parameters: the greatest number of switchings that a fastest transfer needs, from
+    whatever initial state.
+    """
+    if not parameters:
+        return _judge_greatest_count(coercion.as_integer(answer), problem)
+    claim = coercion.as_expression(answer, parameters)
     transfer = Transfer(problem, parameters)
     for values, best in transfer.samples(4 * SAMPLES):
         if all(value.is_integer for value in values.values()):
             # the number may be another one at exceptional starts: those on a switching curve
             continue
-        said = real_at(claim, values)
+        claimed = real_at(claim, values)
         count = best.switchings()
-        if said is None or not abs(said - count) <= 1e-9:
-            told = "no real number" if said is None else f"{said:.4g}"
+        if claimed is None or not abs(claimed - count) <= 1e-9:
+            message = "no real number" if claimed is None else f"{claimed:.4g}"
             raise Wrong(
                 f"for {values_text(values)} the fastest control switches {_times(count)}; your "
-                f"expression gives {told}"
+                f"expression gives {message}"
             )
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 
 
-@judged(Integer())
-def most_switchings(claim, problem, parameters):
-    """The greatest number of switchings that a fastest transfer needs."""
-    transfer = Transfer(problem, parameters)
-    most = max((best.switchings(), k) for k, (_, best) in enumerate(transfer.samples(4 * SAMPLES)))[
-        0
-    ]
-    if claim < most:
+def _judge_greatest_count(claim, problem):
+    transfer = Transfer(problem, [x for x in problem.dynamics if problem.initial.get(x) is None])
+    greatest = max(best.switchings() for _, best in transfer.samples(4 * SAMPLES))
+    if claim < greatest:
         raise Wrong(
             "there are starts from which the fastest control switches more often than "
             f"{_times(claim)}"
         )
-    if claim > most:
+    if claim > greatest:
         raise Wrong(
             f"among {4 * SAMPLES} starts there is none from which the fastest control switches as "
             f"often as {_times(claim)}"
@@ -185,7 +204,7 @@ def most_switchings(claim, problem, parameters):
 
 @judged(Number())
 def switching_interval(claim, problem, parameters):
-    """The time between two switchings of fastest controls, where it is the same for all."""
+    """Check the time between two switchings of fastest controls, where it is always the same."""
     intervals = [
         b - a
         for _, best in Transfer(problem, parameters).samples(4 * SAMPLES)
@@ -208,20 +227,22 @@ def switching_interval(claim, problem, parameters):
 
 @judged(Expression("count"))
 def isochrone_radius(claim, problem, duration, count):
-    """The radius of the circle of starts whose least time is `duration`, an expression in the whole
-    number `count`."""
+    """Check the radius of the circle of initial states whose least time is `duration`.
+
+    It is an expression in the whole number `count`.
+    """
     transfer = Transfer(problem, list(problem.dynamics))
     for number in range(1, 6):
-        said = real_at(claim, {count: number})
+        claimed = real_at(claim, {count: number})
         radii = transfer.reach(float(sp.sympify(duration).subs(count, number)))
         if max(radii) - min(radii) > 1e-3 * max(radii):
             raise RuntimeError("this isochrone is no circle")
-        if said is None or not _close(said, float(np.mean(radii)), claim):
-            told = "is no real number" if said is None else f"is {said:.4g}"
+        if claimed is None or not _close(claimed, float(np.mean(radii)), claim):
+            message = "is no real number" if claimed is None else f"is {claimed:.4g}"
             raise Wrong(
-                f"for {count} = {number} your radius {told}; the farthest starts from which the "
+                f"for {count} = {number} your radius {message}; the farthest starts from which the "
                 "origin can be reached in that time lie "
-                + ("farther out" if said is not None and said < min(radii) else "closer")
+                + ("farther out" if claimed is not None and claimed < min(radii) else "closer")
             )
     return "all around the origin the starts that need this time lie at that distance"
 
@@ -229,9 +250,9 @@ def isochrone_radius(claim, problem, duration, count):
 # Small things.
 
 
-def _close(said, true, claim, size=0.0):
+def _close(claimed, true, claim, size=0.0):
     """Equality to the precision of the optimum; three digits where the claim holds decimals."""
-    return same(said, true, claim, size, computed=2 * INTEGRATED)
+    return agree(claimed, true, claim, size, computed=2 * INTEGRATED)
 
 
 def _times(count):

@@ -1,1 +1,1 @@
-"""What is true of the data, found without trajlib's solvers: rest points, unseen states, optima."""
+"""Reference solutions: what is true of the data, found without the solvers of trajlib."""

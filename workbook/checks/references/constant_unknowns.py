@@ -1,9 +1,8 @@
-"""What measurements z = h(x) of constant unknowns determine locally: all of them where the Jacobian
-has full rank.
+"""Which constant unknowns x the measurements z = h(x) determine locally.
 
-The unknowns are a state that does not move, and the rows of the Jacobian its output; so the truth
-is that of `pairs`. Each row is freed of its denominators and roots first, which do not change what
-it shows.
+They are determined where the Jacobian has full rank. The unknowns are a state that does not move,
+and the rows of the Jacobian its output; so the reference is that of `pairs`. Each row is first freed
+of denominators and roots, which does not change its kernel.
 """
 
 import functools
@@ -17,13 +16,15 @@ from workbook.checks.tools.conditions import Case
 
 @functools.lru_cache(maxsize=32)
 def constants_of(jacobian, parameters):
-    """The `Pair` of an immutable Jacobian, for a tuple of parameters."""
+    """Return the `Pair` of an immutable Jacobian, for a tuple of parameters."""
     return _Constants(sp.ImmutableMatrix([_cleared(row) for row in jacobian.tolist()]), parameters)
 
 
 class _Constants(Pair):
-    """The rows of a Jacobian as the output of a state that does not move; decided by its minors one
-    by one, which are simpler than the sum of their squares."""
+    """The rows of a Jacobian as the output of a state that does not move.
+
+    Observability is decided by the minors one by one, which are simpler than the sum of their squares.
+    """
 
     def __init__(self, rows, parameters):
         super().__init__(sp.zeros(rows.cols), rows, parameters)
@@ -45,14 +46,14 @@ class _Constants(Pair):
 
 
 def _plain(product):
-    """The product of the different factors."""
+    """Return the product of the different factors."""
     return (
         sp.prod([factor for factor, _ in sp.factor_list(product)[1]]) if product != 0 else product
     )
 
 
 def _cleared(row):
-    """The row times a function that is nowhere zero, so that its entries are polynomials."""
+    """Return a row times a function without zeros, so that its entries are polynomials."""
     parts = [sp.fraction(sp.together(entry)) for entry in row]
-    below = {one for _, one in parts}
-    return [sp.expand(above * sp.prod(below - {one})) for above, one in parts]
+    below = {denominator for _, denominator in parts}
+    return [sp.expand(above * sp.prod(below - {denominator})) for above, denominator in parts]

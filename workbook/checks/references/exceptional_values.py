@@ -1,6 +1,7 @@
-"""Where an answer with parameters fails though it is right in general: where a denominator, a pivot
-or a determinant of it vanishes, at values of the parameters at which the truth is what it is
-elsewhere. All values are looked at, exactly.
+"""Exceptional values of parameters, at which an answer fails though it is right in general.
+
+A denominator, a pivot or a determinant of it vanishes there, while the reference is what it is
+elsewhere. All values are examined, exactly.
 """
 
 import itertools
@@ -9,20 +10,32 @@ import mpmath
 import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.conditions import compare, decide, exactly, place_text
+from workbook.checks.tools.conditions import compare, decide, exactly
+from workbook.checks.tools.wording import values_text
 
 #: Answers longer than this are tried at values in general position alone.
 MOST_OPERATIONS = 600
 
 
 def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
-    """Raise `Wrong` at values of the parameters where a matrix is `undefined`, as the message says,
-    or its columns are `dependent`, under the condition `given()`, which is asked for only if the
-    matrix holds a parameter."""
+    """Raise `Wrong` if a matrix fails at some values of the parameters.
+
+    Parameters
+    ----------
+    matrix : sympy.Matrix
+        The answer.
+    parameters : list of sympy.Symbol
+        Its parameters.
+    given : callable
+        `given()` returns the condition on them; it is called only if the matrix holds a parameter.
+    undefined, dependent : str
+        Messages for values where the matrix is undefined and where its columns are dependent; without
+        the latter dependent columns are accepted.
+    """
     used = [p for p in parameters if matrix.has(p)]
     if not used or matrix.has(sp.nan, sp.zoo, sp.oo) or sp.count_ops(matrix) > MOST_OPERATIONS:
         return
-    # As it is written: with (k**2 - 1)/(k - 1) in the place of k + 1 it has no value for k = 1.
+    # As it is written: with (k**2 - 1)/(k - 1) in the point of k + 1 it has no value for k = 1.
     below = [sp.denom(sp.together(sp.nsimplify(entry, rational=True))) for entry in matrix]
     matrix = matrix.applyfunc(
         lambda entry: (
@@ -51,7 +64,7 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
             for values in _sign_changes(function, used):
                 if given().subs(values) == sp.true:
                     raise Wrong(
-                        f"{failure} for a value near {place_text(values)}, where the answer is to "
+                        f"{failure} for a value near {values_text(values)}, where the answer is to "
                         "serve too"
                     )
     for failure, condition in conditions.items():
@@ -61,14 +74,25 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
                 parameters,
                 exactly(sp.true, given()),
                 lambda values, holds: (
-                    f"{failure} for {place_text(values)}, where the answer is to serve too"
+                    f"{failure} for {values_text(values)}, where the answer is to serve too"
                 ),
             )
 
 
 def judge_factors(expressions, variables, domain, failure):
-    """Raise `Wrong` at values of the other symbols where expressions that are not zero all vanish,
-    whatever the variables are, by a factor that they share."""
+    """Raise `Wrong` if nonzero expressions share a factor of other symbols that vanishes.
+
+    Parameters
+    ----------
+    expressions : list of sympy.Expr
+        The answer.
+    variables : list of sympy.Symbol
+        Its variables; the factor does not hold them.
+    domain : dict or None
+        Intervals of symbols.
+    failure : str
+        The message.
+    """
     shared = [
         {power.as_base_exp()[0] for power in sp.Mul.make_args(sp.factor(e))}
         for e in expressions
@@ -78,16 +102,17 @@ def judge_factors(expressions, variables, domain, failure):
         symbols = sorted(factor.free_symbols, key=str)
         if symbols and not factor.has(*variables):
             given = sp.And(*(domain[s].as_relational(s) for s in symbols if domain and s in domain))
-            _, place = decide(sp.Ne(factor, 0), symbols, exactly(sp.true, given))
-            if place:
+            _, point = decide(sp.Ne(factor, 0), symbols, exactly(sp.true, given))
+            if point:
                 raise Wrong(
-                    f"{failure} for {place_text(place[0])}, where the answer is to serve too"
+                    f"{failure} for {values_text(point[0])}, where the answer is to serve too"
                 )
 
 
 def _sign_changes(function, symbols):
-    """Places beside which a function that is no quotient of polynomials goes through zero: one of
-    its symbols runs, the others have general values. Between two signs a continuous function is
+    """Yield points beside which a function that is no rational one goes through zero.
+
+    One of its symbols runs, the others have general values. Between two signs a continuous function is
     zero; at a pole or a jump it does not become small.
     """
     general = dict(zip(symbols, map(sp.Rational, ("17/10", "23/10", "29/10", "31/10", "37/10"))))
@@ -100,7 +125,7 @@ def _sign_changes(function, symbols):
         grid = itertools.pairwise(
             _HALF if symbol.is_nonnegative else [-x for x in _HALF[::-1]] + _HALF
         )
-        # small numbers are told first
+        # small numbers are shown first
         for left, right in sorted(grid, key=lambda ends: abs(ends[0])):
             root = _root(lambda x: value(mpmath.mpf(x)), left, right)
             if root is not None:
@@ -113,7 +138,7 @@ _JUMPING = (sp.Piecewise, sp.sign, sp.Heaviside, sp.floor, sp.ceiling)
 
 
 def _root(value, left, right):
-    """Where a function changes its sign between two numbers, or None."""
+    """Return where a function changes its sign between two numbers, or None."""
     try:
         ends = value(left), value(right)
         if (

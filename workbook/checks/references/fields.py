@@ -1,6 +1,6 @@
-"""A vector field given by the data, made numeric: values, derivatives, rest points, motions.
+"""Vector fields of the data, made numeric: values, derivatives, equilibria, motions.
 
-Only fields of data cells come here, never an answer: they are turned into code by `lambdify`.
+Only fields of data cells come here, never an answer: they are compiled by `lambdify`.
 """
 
 import functools
@@ -15,9 +15,8 @@ STEP = 1e-30
 
 
 @functools.lru_cache(maxsize=16)
-def known_field(field, state):
-    """The `Field` of the data, given as tuples: the same for the same data, so that what is found
-    of it can be kept."""
+def cached_field(field, state):
+    """Return the `Field` of data given as tuples, the same for the same data."""
     return Field(field, state)
 
 
@@ -33,7 +32,7 @@ class Field:
         self._function = sp.lambdify(self.state, self.expressions, "numpy")
 
     def __call__(self, point):
-        """f at a point; nan where it is not defined."""
+        """Return f at a point; nan where it is not defined."""
         with np.errstate(all="ignore"):
             return np.array(
                 [
@@ -43,8 +42,7 @@ class Field:
             )
 
     def velocity(self, _, point):
-        """f at a real point and any time, for an integration: Python's own numbers take a third of
-        the time of NumPy's."""
+        """Return f at a real point and any time, for an integration, in Python's own fast numbers."""
         try:
             values = np.array(self._function(*point.tolist()))
         except (ZeroDivisionError, OverflowError):  # where NumPy's are infinite
@@ -52,37 +50,36 @@ class Field:
         return self(point) if np.iscomplexobj(values) else values  # and where they are nan
 
     def jacobian(self, point):
-        """The matrix of partial derivatives at a point, by complex steps."""
+        """Return the matrix of partial derivatives at a point, by complex steps."""
         return self._jacobians(np.asarray(point, dtype=float)[:, None])[0]
 
     def _at(self, points):
-        """f at many points, the columns of an array."""
+        """Return f at many points, the columns of an array."""
         with np.errstate(all="ignore"):
             return np.array(
                 [np.broadcast_to(value, points.shape[1:]) for value in self._function(*points)]
             )
 
     def _jacobians(self, points):
-        """The matrices of partial derivatives at the columns of an array, stacked along the first
-        axis."""
+        """Return the Jacobians at the columns of an array, stacked along the first axis."""
         # the last axis: along which variable
         steps = points[:, :, None] + 1j * STEP * np.eye(len(self.state))[:, None, :]
         return self._at(steps).imag.transpose(1, 0, 2) / STEP
 
     def derivative(self, point, direction):
-        """The derivative of f at a point along a direction."""
+        """Return the derivative of f at a point along a direction."""
         return (
             self(np.asarray(point, dtype=complex) + 1j * STEP * np.asarray(direction)).imag / STEP
         )
 
     def refine(self, start):
-        """The rest point that a damped Newton iteration reaches from `start`, or None."""
+        """Return the equilibrium that a damped Newton iteration reaches from `start`, or None."""
         (point,) = self._refined(np.array(start, dtype=float)[:, None])
         return point
 
     def _refined(self, starts, steps=60):
-        """The same for many starts at once, the columns of an array: a list of points and None."""
-        x, found = starts.copy(), [None] * starts.shape[1]
+        """Return the same for many starts, the columns of an array: a list of points and None."""
+        x, points = starts.copy(), [None] * starts.shape[1]
         value, left = self._at(x), np.arange(starts.shape[1])
         with np.errstate(all="ignore"):
             for _ in range(steps):
@@ -93,7 +90,7 @@ class Field:
                     1 + np.linalg.norm(x[:, left], axis=0)
                 )
                 for k in left[arrived]:
-                    found[k] = x[:, k].copy()
+                    points[k] = x[:, k].copy()
                 left, move = left[~arrived], move[:, ~arrived]
                 if not len(left):
                     break
@@ -103,11 +100,10 @@ class Field:
                 value[:, left] = self._at(x[:, left])
         # Steps that do not shrink lead nowhere, however small the field has become: exp(x) falls
         # without end.
-        return found
+        return points
 
     def _shortened(self, move, x, size):
-        """Steps of Newton's method halved until the field has become no larger than `size`, at most
-        30 times."""
+        """Return Newton steps halved, at most 30 times, until the field is not larger than `size`."""
         move, long = move.copy(), np.arange(move.shape[1])
         for _ in range(30):
             trial = self._at(x[:, long] + move[:, long])
@@ -120,28 +116,29 @@ class Field:
             move[:, long] /= 2
         return move
 
-    def rest_points(self, starts=240, seed=3, reach=None):
-        """The rest points that a search finds, sorted: from many starts at several scales, or
-        evenly within `reach`."""
+    def equilibria(self, starts=240, seed=3, reach=None):
+        """Return the equilibria found from many starts, sorted.
+
+        The starts are random at several scales, or uniform within `reach`.
+        """
         random, n = np.random.default_rng(seed), len(self.state)
-        places = [
+        points = [
             random.normal(scale=(0.5, 2, 8)[k % 3], size=n)
             if reach is None
             else random.uniform(-reach, reach, size=n)
             for k in range(starts)
         ]
-        found = []
-        for point in self._refined(np.array(places).T):
+        equilibria = []
+        for point in self._refined(np.array(points).T):
             if point is not None and all(
                 np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other))
-                for other in found
+                for other in equilibria
             ):
-                found.append(point)
-        return sorted(found, key=tuple)
+                equilibria.append(point)
+        return sorted(equilibria, key=tuple)
 
     def motion(self, start, duration, escape=1e3):
-        """The state after `duration`, or None if the motion leaves the ball of radius `escape`
-        before."""
+        """Return the state after `duration`, or None if the motion leaves a ball before."""
         from scipy.integrate import solve_ivp
 
         def outside(_, x):
@@ -162,8 +159,7 @@ class Field:
 
 
 def _solved(matrices, sides):
-    """Solutions of systems of linear equations, in columns as their right-hand sides are, and which
-    of them have one."""
+    """Return solutions of linear systems, in columns, and which of the systems have one."""
     try:
         return np.linalg.solve(matrices, sides.T[:, :, None])[:, :, 0].T, np.ones(
             len(matrices), dtype=bool
@@ -171,8 +167,8 @@ def _solved(matrices, sides):
     except np.linalg.LinAlgError:
         pass
     # A singular matrix among them: the others count all the same.
-    found, solved = np.full(sides.shape, np.nan), np.zeros(len(matrices), dtype=bool)
+    solutions, solved = np.full(sides.shape, np.nan), np.zeros(len(matrices), dtype=bool)
     for k, (matrix, side) in enumerate(zip(matrices, sides.T)):
         with suppress(np.linalg.LinAlgError):
-            found[:, k], solved[k] = np.linalg.solve(matrix, side), True
-    return found, solved
+            solutions[:, k], solved[k] = np.linalg.solve(matrix, side), True
+    return solutions, solved

@@ -1,7 +1,7 @@
-"""Eigenvalues that no gain changes: those of A on the states that an output never shows.
+"""Fixed eigenvalues, which no gain changes: those of A on the unobservable states.
 
 They come from the largest invariant subspace inside ker H, exactly, and not from a rank test. Those
-that no control reaches are the same for the transposed matrices.
+of the uncontrollable part are the same for the transposed matrices.
 """
 
 import itertools
@@ -15,48 +15,54 @@ from workbook.checks.references.invariant_subspaces import (
     restricted,
 )
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.tools.conditions import Case, Truth
+from workbook.checks.tools.conditions import Case, ReferenceCondition
 
 #: Real parts computed in floating point; below this the eigenvalue lies on the border.
 ON_BORDER = 1e-9
 
 
 def fixed_eigenvalues(pair):
-    """The different eigenvalues at every sample of the parameters: a list of arrays, parallel to
-    `pair.samples`."""
+    """Return the different fixed eigenvalues at every one of `pair.samples`: a list of arrays."""
     return [
-        different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen)))
-        if unseen
+        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unobservable)))
+        if unobservable
         else np.array([])
-        for (_, place), unseen in zip(pair.samples, pair.unseen)
+        for (_, point), unobservable in zip(pair.samples, pair.unobservable)
     ]
 
 
 def slower_than(margin, pair):
-    """Whether for some of the samples a fixed eigenvalue has a real part above -margin; without one
-    not below zero."""
+    """Return whether for a sample a fixed eigenvalue has a real part above -margin.
+
+    Without a margin the real part must not be below zero.
+    """
     limit = ON_BORDER - float(margin) if margin else -ON_BORDER
     return any((values.real > limit).any() for values in fixed_eigenvalues(pair))
 
 
 def greatest_margin(pair):
-    """The greatest margin that a gain gives, exact, or None if there is no greatest one; without
-    parameters."""
-    (unseen,) = pair.unseen
-    if not unseen:
+    """Return the greatest margin that a gain gives, exact, or None if there is no greatest one.
+
+    The pair must not have parameters.
+    """
+    (unobservable,) = pair.unobservable
+    if not unobservable:
         return None
-    ((_, place),) = pair.samples
+    ((_, point),) = pair.samples
     coefficients = [
         sp.Rational(c.numerator, c.denominator)
-        for c in characteristic_coefficients(restricted(pair.at(place)[0], unseen))
+        for c in characteristic_coefficients(restricted(pair.at(point)[0], unobservable))
     ]
     roots = sp.Poly(coefficients, sp.Dummy("s")).sqf_part().all_roots()
     return -max((sp.re(root) for root in roots), key=float)
 
 
 def common_margin(equation):
-    """The same for a feedback by an estimate of one equation, a `Scalar`: with v(d/dt) x = w(d/dt)
-    u, z = m(d/dt) x a common root of v and w is out of reach, one of v and m hidden."""
+    """Return the greatest margin of feedback by an estimate for one equation, a `Scalar`.
+
+    With v(d/dt) x = w(d/dt) u, z = m(d/dt) x a common root of v and w is uncontrollable, one of v and m
+    unobservable.
+    """
     left, *others = (
         sp.Poly(side, equation.symbol)
         for side in (equation.left, equation.right, equation.measured)
@@ -66,9 +72,11 @@ def common_margin(equation):
 
 
 def margins_with_parameters(A, H, mu, parameters):
-    """The `Truth` that a gain for x' = Ax, z = Hx gives the margin mu, in mu and the parameters: no
-    eigenvalue u + i w > -mu at which the columns of u + i w - A above H are dependent (the test of
-    Popov)."""
+    """Return the `ReferenceCondition` that a gain for x' = Ax, z = Hx gives the margin mu.
+
+    It is a condition on mu and the parameters: by the PBH test, no eigenvalue u + i w with u > -mu at
+    which the columns of u + i w - A above H are dependent.
+    """
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
     pencil = ((u + sp.I * w) * sp.eye(A.rows) - A).col_join(H)
     minors = (
@@ -85,7 +93,7 @@ def margins_with_parameters(A, H, mu, parameters):
         best = greatest_margin(pair_of(A.subs(values), H.subs(values)))
         return best is None or bool(values[mu] <= best)
 
-    return Truth(
+    return ReferenceCondition(
         (Case(sp.Or(u <= -mu, sp.Not(dependent)), (u, w), every=True),),
         (Case(sp.And(u > -mu, dependent), (u, w)),),
         at,

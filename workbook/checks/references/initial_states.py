@@ -1,14 +1,13 @@
-"""Outputs z = H e^(At) L u of unknown numbers u: which u the output never shows, for all values of
-the parameters, exactly.
+"""Outputs z = H e^(At) L u of unknown numbers u: which u are unobservable, exactly, with parameters.
 
-Where a start is known in part, as with an error C sin(omega t) whose amplitude alone is unknown,
-only some motions of x' = A x come into question: those from x(0) = L u. Such a motion is unseen
-exactly if L u lies in the largest invariant subspace of ker H.
+Where an initial state is known in part, as with an error C sin(omega t) whose amplitude alone is
+unknown, only some motions of x' = A x are possible: those from x(0) = L u. Such a motion is
+unobservable exactly if L u lies in the largest invariant subspace of ker H.
 
 Where a row H(t) consists of sines, cosines, exponentials and powers of t, the products of these
 functions with the coordinates obey linear equations with constant coefficients. So z = H(t) x is an
-output of a constant system of higher order, from known starts for every x(0). No derivative rows
-are needed.
+output of a constant system of higher order, from known initial states for every x(0). No rows of
+derivatives are needed.
 """
 
 import functools
@@ -25,34 +24,40 @@ from workbook.checks.tools.conditions import Case
 MOST_FUNCTIONS = 16
 
 
-def starts_of(A, H, L, parameters=(), of=None):
-    """The `Starts` of matrices as the data give them; `of` are the positions of the u that is asked
-    for, if not all of it."""
+def initial_states_of(A, H, L, parameters=(), of=None):
+    """Return the `InitialStates` of matrices as the data give them.
+
+    `of` are the positions of the unknowns that are asked for, if not all.
+    """
     return _known_starts(
         sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), sp.ImmutableMatrix(L), tuple(parameters), of
     )
 
 
-def starts_of_varying(A, H, time, parameters=()):
-    """The products of the functions in H(t) with the coordinates of x as one constant system, from
-    its starts for every x(0)."""
+def initial_states_of_varying(A, H, time, parameters=()):
+    """Return the products of functions in H(t) and coordinates of x as one constant system.
+
+    Its initial states are those of every x(0).
+    """
     functions, rates, rows = _functions(H, time)
     n, E = A.rows, sp.eye(len(functions))
     matrix = sp.kronecker_product(rates, sp.eye(n)) + sp.kronecker_product(E, A)
     begin = sp.Matrix([f.subs(time, 0) for f in functions])
-    return starts_of(
+    return initial_states_of(
         matrix, sp.Matrix.hstack(*rows), sp.kronecker_product(begin, sp.eye(n)), parameters
     )
 
 
 @functools.lru_cache(maxsize=64)
 def _known_starts(A, H, L, parameters, of):
-    return Starts(A, H, L, parameters, of)
+    return InitialStates(A, H, L, parameters, of)
 
 
-class Starts(Pair):
-    """A pair (A, H) of rational functions of the parameters with the matrix L of numbers: `unseen`
-    are now vectors u."""
+class InitialStates(Pair):
+    """A pair (A, H) of rational functions of the parameters, and initial states x(0) = L u.
+
+    `unobservable` are now vectors u; L is a matrix of numbers.
+    """
 
     def __init__(self, A, H, L, parameters, of=None):
         super().__init__(A, H, parameters)
@@ -61,38 +66,40 @@ class Starts(Pair):
         self.unknowns, self._of = L.cols, of
         self.starts = [[_fraction(entry) for entry in L.row(i)] for i in range(L.rows)]
 
-    def unseen_at(self, place):
-        """A basis of the u (or of what is asked of them) from which the output stays zero; None
-        where an entry is not defined."""
-        hidden = super().unseen_at(place)
-        if hidden is None:
+    def unobservable_at(self, point):
+        """Return a basis of the u, or of those asked for, from which the output stays zero.
+
+        None where an entry is not defined.
+        """
+        unobservable = super().unobservable_at(point)
+        if unobservable is None:
             return None
-        # Combinations L u = (hidden) d; the columns of `hidden` are independent, so every one has
+        # Combinations L u = (unobservable) d; the columns of `unobservable` are independent, so every one has
         # its own u.
         relations = kernel(
-            [[*row, *(vector[i] for vector in hidden)] for i, row in enumerate(self.starts)],
-            self.unknowns + len(hidden),
+            [[*row, *(vector[i] for vector in unobservable)] for i, row in enumerate(self.starts)],
+            self.unknowns + len(unobservable),
         )
-        found = [relation[: self.unknowns] for relation in relations]
+        unknowns = [relation[: self.unknowns] for relation in relations]
         return (
-            found
+            unknowns
             if self._of is None
-            else echelon([[vector[i] for i in self._of] for vector in found])[0]
+            else echelon([[vector[i] for i in self._of] for vector in unknowns])[0]
         )
 
     @functools.cached_property
     def _seen(self):
-        """Of what is asked for alone: no u that is unseen has a part in it."""
+        """The cases in which no unobservable u has a part in what is asked, and in which one has."""
         if self._of is None:
             return super()._seen
         u = sp.symbols(f"u:{self.unknowns}", real=True, cls=sp.Dummy)
-        unseen = sp.And(
+        unobservable = sp.And(
             self._given,
             *(sp.Eq(row, 0) for row in self._derivative_rows().to_Matrix() * sp.Matrix(u)),
         )
         asked = sp.Or(*(sp.Ne(u[i], 0) for i in self._of))
-        return Case(sp.And(self._given, sp.Not(sp.And(unseen, asked))), u, every=True), Case(
-            sp.And(unseen, asked), u
+        return Case(sp.And(self._given, sp.Not(sp.And(unobservable, asked))), u, every=True), Case(
+            sp.And(unobservable, asked), u
         )
 
     def dimension_at(self, values):
@@ -111,15 +118,15 @@ class Starts(Pair):
         return to_floats(self.starts, self.unknowns) @ vector
 
     def _derivative_rows(self):
-        """The rows H L, H A L, ..., which say what the derivatives of z at t = 0 tell of u."""
-        told = super()._derivative_rows()
-        return told * DomainMatrix(
+        """Return the rows H L, H A L, ...: the derivatives of z at t = 0 as functions of u."""
+        rows = super()._derivative_rows()
+        return rows * DomainMatrix(
             [
-                [told.domain.from_sympy(sp.Rational(x.numerator, x.denominator)) for x in row]
+                [rows.domain.from_sympy(sp.Rational(x.numerator, x.denominator)) for x in row]
                 for row in self.starts
             ],
             (self.order, self.unknowns),
-            told.domain,
+            rows.domain,
         )
 
 
@@ -131,7 +138,7 @@ def _fraction(entry):
 
 
 def _functions(H, time):
-    """Functions f of time with f' = R f and H = f1 H1 + f2 H2 + ...: (f, R, [H1, H2, ...])."""
+    """Return (f, R, [H1, H2, ...]) with f' = R f and H = f1 H1 + f2 H2 + ..., f of time."""
     parts = [_split(entry, time) for entry in H]
     functions = list(dict.fromkeys(f for part in parts for f in part))
     slopes = []
@@ -151,10 +158,10 @@ def _functions(H, time):
 
 
 def _split(expression, time):
-    """{function of time: its coefficient} of a sum."""
-    found = {}
+    """Return {function of time: its coefficient} of a sum."""
+    coefficients = {}
     for term in sp.Add.make_args(sp.expand(expression)):
         coefficient, function = term.as_independent(time, as_Add=False)
         if coefficient != 0:
-            found[function] = found.get(function, 0) + coefficient
-    return found
+            coefficients[function] = coefficients.get(function, 0) + coefficient
+    return coefficients

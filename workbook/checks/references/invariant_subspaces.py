@@ -1,9 +1,8 @@
-"""States that an output never shows, exactly: the largest subspace of ker H that A maps into
-itself.
+"""Unobservable states, exactly: the largest subspace of ker H that A maps into itself.
 
-A motion x' = A x keeps z = H x equal to zero for all time exactly if it starts in this subspace. It
-is found by leaving out of ker H what A carries away, again and again, in exact elimination of
-fractions. What a control cannot reach is the same for the transposed matrices.
+A motion x' = A x keeps z = H x equal to zero for all time exactly if it begins in this subspace. It
+is found by removing from ker H what A maps out of it, again and again, in exact elimination of
+fractions. The uncontrollable part is the same for the transposed matrices.
 """
 
 from fractions import Fraction
@@ -14,9 +13,11 @@ import sympy as sp
 ZERO, ONE = Fraction(0), Fraction(1)
 
 
-def unseen_subspace(A, H):
-    """A basis, a list of vectors, of the states from which H x stays zero; A and H are lists of
-    rows."""
+def unobservable_subspace(A, H):
+    """Return a basis, a list of vectors, of the states from which H x stays zero.
+
+    A and H are lists of rows.
+    """
     basis = kernel(H, len(A))
     while basis:
         images = [product(A, vector) for vector in basis]
@@ -30,14 +31,14 @@ def unseen_subspace(A, H):
 
 
 def restricted(A, basis):
-    """The matrix F, a list of rows, of A on an invariant subspace: A (basis) = (basis) F."""
+    """Return the matrix F, a list of rows, of A on an invariant subspace: A (basis) = (basis) F."""
     size = len(basis)
     rows, _ = echelon(list(zip(*basis, *(product(A, vector) for vector in basis))))
     return [list(row[size:]) for row in rows[:size]]
 
 
 def kernel(rows, columns):
-    """A basis of the solutions of `rows` x = 0 in so many unknowns."""
+    """Return a basis of the solutions of `rows` x = 0 in so many unknowns."""
     reduced, pivots = echelon(rows)
     basis = []
     for free in sorted(set(range(columns)) - set(pivots)):
@@ -50,8 +51,7 @@ def kernel(rows, columns):
 
 
 def echelon(rows):
-    """(rows, pivots): the reduced echelon form without its zero rows, and the columns of its
-    pivots."""
+    """Return the reduced echelon form without zero rows, and the columns of its pivots."""
     left, done, pivots = [list(row) for row in rows], [], []
     for column in range(len(left[0]) if left else 0):
         chosen = next((row for row in left if row[column]), None)
@@ -73,34 +73,38 @@ def echelon(rows):
 
 
 def product(rows, vector):
-    """The matrix with these rows times a vector."""
+    """Return the matrix with these rows times a vector."""
     return [sum((a * x for a, x in zip(row, vector) if a and x), ZERO) for row in rows]
 
 
 def combined(weights, vectors):
-    """The sum of the vectors with these weights."""
+    """Return the sum of the vectors with these weights."""
     return [sum((c * x for c, x in zip(weights, entries)), ZERO) for entries in zip(*vectors)]
 
 
 def characteristic_coefficients(rows):
-    """The coefficients of det(lambda E - rows), from the highest power down, by Leverrier's
-    recursion."""
-    n, power, found = len(rows), None, [ONE]
+    """Return coefficients of det(lambda I - rows), highest first, by Leverrier's recursion."""
+    n, power, coefficients = len(rows), None, [ONE]
     for k in range(1, n + 1):
         # power = rows * (power + found[-1] * E), with the first one being the matrix itself.
         inner = [
-            [(power[i][j] if power else ZERO) + (found[-1] if i == j else ZERO) for j in range(n)]
+            [
+                (power[i][j] if power else ZERO) + (coefficients[-1] if i == j else ZERO)
+                for j in range(n)
+            ]
             for i in range(n)
         ]
         columns = [product(rows, column) for column in zip(*inner)]
         power = [list(row) for row in zip(*columns)]
-        found.append(-sum((power[i][i] for i in range(n)), ZERO) / k)
-    return found
+        coefficients.append(-sum((power[i][i] for i in range(n)), ZERO) / k)
+    return coefficients
 
 
 def different_roots(coefficients):
-    """The different complex roots of a polynomial with fractions as coefficients; a multiple root
-    comes once, without loss of digits."""
+    """Return the different complex roots of a polynomial with fractions as coefficients.
+
+    A multiple root is returned once, without loss of digits.
+    """
     poly = sp.Poly([sp.Rational(c.numerator, c.denominator) for c in coefficients], sp.Symbol("s"))
     simple = [float(c) for c in poly.sqf_part().all_coeffs()]
     roots = np.roots(simple)
@@ -110,5 +114,5 @@ def different_roots(coefficients):
 
 
 def to_floats(rows, columns):
-    """Rows of fractions as an array of floats, also where there is none of them."""
+    """Return rows of fractions as an array of floats, also if there are none."""
     return np.array([[float(entry) for entry in row] for row in rows]).reshape(len(rows), columns)

@@ -1,5 +1,4 @@
-"""Stability of a rest point from motions that start close to it, where the first approximation is
-silent."""
+"""Stability of an equilibrium from nearby motions, where the linearisation is inconclusive."""
 
 import functools
 
@@ -7,14 +6,15 @@ import numpy as np
 
 
 @functools.lru_cache(maxsize=16)
-def by_motions(flow, radius=0.05, duration=200.0):
-    """Stability of zero from motions that start on a small sphere, for fields whose first
-    approximation is critical.
+def stability_from_motions(flow, radius=0.05, duration=200.0):
+    """Return the stability of zero, and the reason, from motions that begin on a small sphere.
 
-    What decides is whether the motions still shrink or grow after the fast parts have died out: the
-    largest distance in a late stretch of time against that in an earlier one. Distance is measured
-    in the coordinates of the eigenvectors, in which the linear terms change the amplitude of no
-    critical part.
+    Notes
+    -----
+    It is meant for fields whose linearisation is critical. Decisive is whether the motions still shrink
+    or grow after the fast parts have died out: the largest distance in a late interval of time against
+    that in an earlier one. Distance is measured in the coordinates of the eigenvectors, in which the
+    linear terms change the amplitude of no critical part.
     """
     _, vectors = np.linalg.eig(flow.jacobian([0.0] * len(flow.state)))
     measure = np.linalg.inv(vectors) if np.linalg.cond(vectors) < 1e6 else np.eye(len(flow.state))
@@ -31,22 +31,21 @@ def by_motions(flow, radius=0.05, duration=200.0):
             "unstable",
             f"a motion that starts at distance {radius} from zero leaves the ball of radius 1",
         )
-    told = (
+    reason = (
         f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to "
         f"{100 * high:.2g} per cent between the times {duration / 2:g} and {duration:g}"
     )
     if low > 1e-4:
-        return "unstable", told
+        return "unstable", reason
     if high < -1e-4:
-        return "asymptotically stable", told
+        return "asymptotically stable", reason
     if max(-low, high) < 1e-5:
-        return "stable", told
-    raise RuntimeError(f"motions near zero do not decide: {told}")
+        return "stable", reason
+    raise RuntimeError(f"motions near zero do not decide: {reason}")
 
 
 def _trend(flow, measure, start, duration, escape=1.0):
-    """The amplitude of a motion near the end of `duration` divided by that near its middle; inf if
-    it runs away."""
+    """Return the ratio of the amplitudes late and midway in a motion; inf if it escapes."""
     from scipy.integrate import solve_ivp
 
     def outside(_, x):

@@ -1,8 +1,7 @@
-"""A matrix A and an output z = H x whose entries hold parameters: what the output never shows, at
-any place of the parameters.
+"""Pairs of a matrix A and an output z = H x with parameters: their unobservable states.
 
-For all places at once the property is that Kalman's determinant is not zero, or for several outputs
-the sum of the squares of all its minors; at one place it is decided, exactly, by
+For all values at once observability means that Kalman's determinant is not zero, or for several
+outputs the sum of the squares of all its minors; at one point it is decided, exactly, by
 `invariant_subspaces`.
 """
 
@@ -13,26 +12,24 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from workbook.checks.references.invariant_subspaces import to_floats, unseen_subspace
-from workbook.checks.tools.conditions import Case, Truth, allowed
+from workbook.checks.references.invariant_subspaces import to_floats, unobservable_subspace
+from workbook.checks.tools.conditions import Case, ReferenceCondition, allowed
 from workbook.checks.tools.samples import cases, general_values, in_every_case
 
 
 @functools.lru_cache(maxsize=64)
-def known_pair(A, H, parameters):
-    """The `Pair` of the data, given as immutable matrices and a tuple: what has been found of it is
-    kept."""
+def cached_pair(A, H, parameters):
+    """Return the `Pair` of immutable matrices and a tuple of parameters, cached."""
     return Pair(A, H, parameters)
 
 
 def pair_of(A, H, parameters=()):
-    """The `Pair` of matrices as a data cell gives them."""
-    return known_pair(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), tuple(parameters))
+    """Return the `Pair` of matrices as a data cell gives them."""
+    return cached_pair(sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), tuple(parameters))
 
 
 class Pair:
-    """A square matrix A and the matrix H of an output, both of rational functions of the
-    parameters."""
+    """A square matrix A and the matrix H of an output, rational functions of the parameters."""
 
     def __init__(self, A, H, parameters):
         if A.rows != A.cols or H.cols != A.cols:
@@ -49,95 +46,90 @@ class Pair:
         ]
         return polys
 
-    def at(self, place):
-        """(A, H) as lists of rows at a place, or None where an entry is not defined."""
-        n, found = self.order, []
+    def at(self, point):
+        """Return (A, H) as lists of rows at a point, or None where an entry is not defined."""
+        n, matrices = self.order, []
         for quotients in self._quotients:
             numbers = []
             for numerator, denominator in quotients:
-                below = _value(denominator, place)
+                below = _value(denominator, point)
                 if not below:
                     return None
-                numbers.append(_value(numerator, place) / below)
-            found.append([numbers[k : k + n] for k in range(0, len(numbers), n)])
-        return found
+                numbers.append(_value(numerator, point) / below)
+            matrices.append([numbers[k : k + n] for k in range(0, len(numbers), n)])
+        return matrices
 
-    def unseen_at(self, place):
-        """A basis of the states from which the output stays zero, or None where an entry is not
-        defined."""
-        rows = self.at(place)
-        return None if rows is None else unseen_subspace(*rows)
+    def unobservable_at(self, point):
+        """Return a basis of the unobservable states at a point; None if an entry is undefined."""
+        rows = self.at(point)
+        return None if rows is None else unobservable_subspace(*rows)
 
     def state_of(self, vector):
-        """The initial state that a vector of the unknowns stands for."""
+        """Return the initial state of a vector of the unknowns."""
         return vector
 
     @functools.cached_property
     def samples(self):
-        """Pairs (values, place) for the parameters in general position, as their assumptions allow;
-        one empty pair without parameters."""
-        found = [(values, place_of(values)) for values in general_values(self.parameters)]
-        return [(values, place) for values, place in found if self.at(place) is not None]
+        """Pairs (values, point) for parameters in general position; one empty pair without them."""
+        samples = [(values, point_of(values)) for values in general_values(self.parameters)]
+        return [(values, point) for values, point in samples if self.at(point) is not None]
 
     def samples_for(self, claim):
-        """Triples (values, place, unseen): the samples, and more in general position where an
-        answer distinguishes cases that these do not meet."""
-        found = [
-            (values, place, unseen) for (values, place), unseen in zip(self.samples, self.unseen)
+        """Return (values, point, unobservable) at samples, and more for cases of an answer."""
+        samples = [
+            (values, point, unobservable)
+            for (values, point), unobservable in zip(self.samples, self.unobservable)
         ]
         if not cases(claim):
-            return found
+            return samples
         known = [values for values, _ in self.samples]
         more = [
-            (values, place_of(values))
-            for values in in_every_case(known, claim, self.in_general)[len(known) :]
+            (values, point_of(values))
+            for values in in_every_case(known, claim, self.generic_condition)[len(known) :]
         ]
-        return found + [
-            (values, place, self.unseen_at(place))
-            for values, place in more
-            if self.at(place) is not None
+        return samples + [
+            (values, point, self.unobservable_at(point))
+            for values, point in more
+            if self.at(point) is not None
         ]
 
     @functools.cached_property
-    def unseen(self):
-        """The basis of the unseen states at every sample."""
-        return [self.unseen_at(place) for _, place in self.samples]
+    def unobservable(self):
+        """The basis of the unobservable states at every sample."""
+        return [self.unobservable_at(point) for _, point in self.samples]
 
     @functools.cached_property
-    def in_general(self):
-        """The condition on the parameters under which the matrices are defined and as much is
-        unseen as in general."""
-        dimensions = set(map(len, self.unseen))
+    def generic_condition(self):
+        """The condition that the matrices are defined and as many states unobservable as in general."""
+        dimensions = set(map(len, self.unobservable))
         rank = self.unknowns - min(dimensions)
-        told = self._derivative_rows()
+        rows = self._derivative_rows()
         # This coefficient is the sum of the squares of all minors of that size.
-        minors = (told.transpose() * told).charpoly()[rank]
+        minors = (rows.transpose() * rows).charpoly()[rank]
         return sp.And(
             *(sp.Ne(poly.as_expr(), 0) for poly in self._denominators),
-            sp.Ne(told.domain.to_sympy(minors), 0),
+            sp.Ne(rows.domain.to_sympy(minors), 0),
         )
 
     @functools.cached_property
     def systems(self):
-        """(values, A, H, unseen) at every sample: arrays of floats, a basis of the unseen states in
-        the rows of the last."""
+        """(values, A, H, basis of unobservable states in rows) at every sample, as floats."""
         return self.systems_for(())
 
     def systems_for(self, claim):
-        """The same at every one of `samples_for` an answer."""
+        """Return the same at every one of `samples_for` an answer."""
         return [
             (
                 values,
-                *(to_floats(rows, self.order) for rows in self.at(place)),
-                to_floats(unseen, self.unknowns),
+                *(to_floats(rows, self.order) for rows in self.at(point)),
+                to_floats(unobservable, self.unknowns),
             )
-            for values, place, unseen in self.samples_for(claim)
+            for values, point, unobservable in self.samples_for(claim)
         ]
 
     @functools.cached_property
     def boundaries(self):
-        """Polynomials in the parameters: only where one of them vanishes can the output show fewer
-        states than in general."""
+        """Polynomials of which one vanishes wherever more states are unobservable."""
         return [poly for poly in {*self._denominators, self._determinant} if not poly.is_ground]
 
     @functools.cached_property
@@ -146,15 +138,13 @@ class Pair:
 
     @functools.cached_property
     def _determinant(self):
-        """Zero where the output does not show all unknowns: Kalman's, or the sum of the squares of
-        all its minors."""
-        told = self._derivative_rows()
-        square = told if told.shape[0] == told.shape[1] else told.transpose() * told
+        """Kalman's determinant, or the sum of the squares of all minors; zero if not observable."""
+        rows = self._derivative_rows()
+        square = rows if rows.shape[0] == rows.shape[1] else rows.transpose() * rows
         return sp.Poly(square.domain.to_sympy(square.charpoly()[-1]), *self.parameters, domain="QQ")
 
-    def truth(self, holds):
-        """The `Truth` of a condition on the parameters under which all unknowns are seen, or with
-        `holds` False are not."""
+    def reference(self, holds):
+        """Return the `ReferenceCondition` that all unknowns are observable, or are not."""
         all_seen, something_unseen = self._seen
         inside, outside = (all_seen, something_unseen) if holds else (something_unseen, all_seen)
 
@@ -165,23 +155,23 @@ class Pair:
                 else (self.dimension_at(values) == 0) == holds
             )
 
-        return Truth((inside,), (outside,), at)
+        return ReferenceCondition((inside,), (outside,), at)
 
     @functools.cached_property
     def _given(self):
-        """That the matrices are defined, as a condition."""
+        """The condition that the matrices are defined."""
         return sp.And(*(sp.Ne(poly.as_expr(), 0) for poly in self._denominators))
 
     @functools.cached_property
     def _seen(self):
-        """The `Case` in which all unknowns are seen, and the one in which something is not."""
+        """The `Case` in which all unknowns are observable, and the one in which something is not."""
         zero = sp.Eq(self._determinant.as_expr(), 0)
         return Case(sp.And(self._given, sp.Not(zero))), Case(sp.And(self._given, zero))
 
     def dimension_at(self, values):
-        """The number of independent unseen states at exact values of the parameters."""
+        """Return the number of independent unobservable states at exact values of the parameters."""
         if all(value.is_Rational for value in values.values()):
-            return len(self.unseen_at(place_of(values)))
+            return len(self.unobservable_at(point_of(values)))
         return self.unknowns - int(np.linalg.matrix_rank(self._rows_at(values), tol=1e-9))
 
     def _rows_at(self, values):
@@ -189,8 +179,7 @@ class Pair:
         return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
 
     def _derivative_rows(self):
-        """Kalman's matrix: what the output and its derivatives at t = 0 tell of the unknowns,
-        without denominators."""
+        """Return Kalman's matrix, of the derivatives of the output at t = 0, without denominators."""
         A, H = (self._cleared(quotients) for quotients in self._quotients)
         rows = [H]
         while len(rows) < self.order:
@@ -198,7 +187,7 @@ class Pair:
         return rows[0].vstack(*rows[1:])
 
     def _cleared(self, quotients):
-        """The matrix times its common denominator, over the ring of polynomials."""
+        """Return the matrix times its common denominator, over the ring of polynomials."""
         ring = sp.QQ[tuple(self.parameters)]
         common = functools.reduce(
             lambda one, other: one.lcm(other), (below for _, below in quotients)
@@ -210,27 +199,28 @@ class Pair:
         return DomainMatrix(rows, (len(rows), self.order), ring)
 
 
-def place_of(values):
-    """Rational values of the parameters as a place: fractions in a row."""
+def point_of(values):
+    """Return rational values of the parameters as a point: fractions in a row."""
     return tuple(Fraction(int(x.p), int(x.q)) for x in values.values())
 
 
 def special_values(polynomials, parameter):
-    """The rational values of a single parameter, as its assumptions allow, at which one of the
-    polynomials vanishes."""
+    """Return the rational values of a parameter at which one of the polynomials vanishes."""
     roots = {root for poly in polynomials if not poly.is_ground for root in poly.ground_roots()}
     return sorted(root for root in roots if allowed(parameter, int(sp.sign(root))))
 
 
-def _value(poly, place):
+def _value(poly, point):
     factor, numerator = _compiled(poly)
-    return (numerator if isinstance(numerator, Fraction) else Fraction(numerator(*place))) / factor
+    return (numerator if isinstance(numerator, Fraction) else Fraction(numerator(*point))) / factor
 
 
 @functools.lru_cache(maxsize=512)
 def _compiled(poly):
-    """A polynomial with rational coefficients as whole ones over a number: fractions stay fractions
-    in its code."""
+    """Return a rational polynomial as (a number, a whole polynomial as a function).
+
+    Fractions stay fractions in its code.
+    """
     factor, whole = poly.clear_denoms(convert=True)
     return Fraction(int(factor)), Fraction(int(whole.LC())) if whole.is_ground else sp.lambdify(
         poly.gens, whole.as_expr(), []

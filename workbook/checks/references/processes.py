@@ -1,8 +1,7 @@
-"""Linear random processes at numbers: what their moments become with time, and what measurements
-leave of them.
+"""Linear random processes at numbers: their moments in time, and conditional on measurements.
 
 Moments at any set of times come at once, from a matrix exponential, and measurements are taken all
-together, by the conditional moments of a Gaussian vector: no dispersion equation is integrated and
+together, by the conditional moments of a Gaussian vector: no covariance equation is integrated and
 no filter is run. Steady filters come from the invariant subspaces of their Hamiltonian or
 symplectic pencils (SciPy).
 """
@@ -16,12 +15,12 @@ import sympy as sp
 
 from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.tools.conditions import Case, Truth
+from workbook.checks.tools.conditions import Case, ReferenceCondition
 from workbook.systems import Coloured, FilterErrors, Process
 
 
 @dataclass(frozen=True)
-class Numbers:
+class NumericProcess:
     """A `Process` at values of its symbols: arrays of floats."""
 
     A: np.ndarray
@@ -33,41 +32,41 @@ class Numbers:
     discrete: bool
 
 
-def numbers(process, values, start=True):
-    """The process at values of its symbols, as arrays; without its `start` with zeros as its first
-    moments."""
-    process = plain(process)
+def at_values(process, values, start=True):
+    """Return the process at values of its symbols; without `start`, with zero initial moments."""
+    process = as_process(process)
     arrays = _arrays(process, tuple(values.items()), start)
-    return Numbers(*(part.copy() for part in arrays), process.discrete)
+    return NumericProcess(*(part.copy() for part in arrays), process.discrete)
 
 
 @functools.lru_cache(maxsize=256)
 def _arrays(process, values, start):
-    """Every claim about a process is tried at the same values."""
+    """Return the arrays of a process at values; every claim about it is tried at the same ones."""
     values = dict(values)
     start = (
         (process.mean, process.covariance) if start else (process.mean * 0, process.covariance * 0)
     )
     return [
-        array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)
+        to_array(matrix, values) for matrix in (process.A, process.Q, process.H, process.R, *start)
     ]
 
 
 @functools.lru_cache(maxsize=32)
-def plain(process):
-    """The `Process` of x and, below it, the noise w of a `Coloured` one, or that of `FilterErrors`,
-    which at the start are those of the mean; any other as it is.
+def as_process(process):
+    """Return a `Coloured` system or `FilterErrors` as a `Process`; a process as it is.
 
-    A correlation D exp(-a delay) belongs to w' = -a w + q with the intensity 2 a D, from w(0) with
-    the variance D on.
+    Notes
+    -----
+    A correlation D exp(-a delay) belongs to the noise w' = -a w + q with the intensity 2 a D, from w(0)
+    with the variance D; w is appended to x. The initial errors of a filter are those of the mean.
     """
     if isinstance(process, FilterErrors):
-        one, gain = plain(process.process), process.gain
+        process_below, gain = as_process(process.process), process.gain
         return Process(
-            one.A - gain * one.H,
-            one.Q + gain * one.R * gain.T,
-            covariance=one.covariance,
-            discrete=one.discrete,
+            process_below.A - gain * process_below.H,
+            process_below.Q + gain * process_below.R * gain.T,
+            covariance=process_below.covariance,
+            discrete=process_below.discrete,
         )
     if not isinstance(process, Coloured):
         return process
@@ -80,12 +79,12 @@ def plain(process):
 
 
 def shape_of(name):
-    """The shape of a claim that is like this matrix of the process among the data."""
-    return lambda data: getattr(plain(data["process"]), name).shape
+    """Return a function of the data: the shape of this matrix of the process among them."""
+    return lambda data: getattr(as_process(data["process"]), name).shape
 
 
 def variance_and_rate(process):
-    """(D, a) of the correlation D exp(-a delay) of a `Coloured` process."""
+    """Return (D, a) of the correlation D exp(-a delay) of a `Coloured` process."""
     D = process.correlation.subs(process.delay, 0)
     a = sp.simplify(-process.correlation.diff(process.delay) / process.correlation)
     if a.has(process.delay):
@@ -93,26 +92,24 @@ def variance_and_rate(process):
     return D, a
 
 
-def array(matrix, values):
+def to_array(matrix, values):
     return np.array(sp.Matrix(matrix).subs(values).evalf(30).tolist(), dtype=float).reshape(
         matrix.shape
     )
 
 
-def moved(one, duration):
-    """(F, N) with x(t + duration) = F x(t) + a vector of the covariance N that is independent of
-    x(t)."""
-    n = len(one.A)
-    if one.discrete:
-        powers = [np.linalg.matrix_power(one.A, k) for k in range(round(duration) + 1)]
-        return powers[-1], sum((F @ one.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
-    return _moved(one.A.tobytes(), one.Q.tobytes(), n, float(duration))
+def transition(process, duration):
+    """Return (F, N): x(t + duration) = F x(t) + an independent vector of covariance N."""
+    n = len(process.A)
+    if process.discrete:
+        powers = [np.linalg.matrix_power(process.A, k) for k in range(round(duration) + 1)]
+        return powers[-1], sum((F @ process.Q @ F.T for F in powers[:-1]), np.zeros((n, n)))
+    return _transition(process.A.tobytes(), process.Q.tobytes(), n, float(duration))
 
 
 @functools.lru_cache(maxsize=256)
-def _moved(A, Q, n, duration):
-    """The same in continuous time: it is asked again with every answer, and takes longer than all
-    else."""
+def _transition(A, Q, n, duration):
+    """Return the same in continuous time, cached: its exponentials take most of the time."""
     from scipy.linalg import expm
 
     A, Q = (np.frombuffer(part).reshape(n, n) for part in (A, Q))
@@ -122,122 +119,131 @@ def _moved(A, Q, n, duration):
     sums = np.kron(A, np.eye(n)) + np.kron(np.eye(n), A)
     block = np.block([[sums, Q.reshape(-1, 1)], [np.zeros((1, n * n + 1))]])
     noise = expm(duration * block)[:-1, -1].reshape(n, n)
-    found = expm(duration * A), (noise + noise.T) / 2
-    for matrix in found:
+    matrices = expm(duration * A), (noise + noise.T) / 2
+    for matrix in matrices:
         matrix.flags.writeable = False
-    return found
+    return matrices
 
 
-def moments(one, time):
-    """Mean (n x 1) and covariance of x at a time."""
-    F, N = moved(one, time)
-    return F @ one.mean, F @ one.covariance @ F.T + N
+def moments(process, time):
+    """Return mean (n x 1) and covariance of x at a time."""
+    F, N = transition(process, time)
+    return F @ process.mean, F @ process.covariance @ F.T + N
 
 
-def jointly(one, times):
-    """Mean and covariance of the states at several times under each other."""
-    n, found = len(one.A), [moments(one, time) for time in times]
+def joint_moments(process, times):
+    """Return mean and covariance of the states at several times, stacked."""
+    n, moments_at = len(process.A), [moments(process, time) for time in times]
     covariance = np.zeros((n * len(times), n * len(times)))
     for i, early in enumerate(times):
         for k, late in enumerate(times):
             if early <= late:
-                block = moved(one, late - early)[0] @ found[i][1]
+                block = transition(process, late - early)[0] @ moments_at[i][1]
                 covariance[k * n : (k + 1) * n, i * n : (i + 1) * n] = block
                 covariance[i * n : (i + 1) * n, k * n : (k + 1) * n] = block.T
-    return np.vstack([mean for mean, _ in found]), covariance
+    return np.vstack([mean for mean, _ in moments_at]), covariance
 
 
-def given(one, measured, at):
-    """Mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
-    n, m = len(one.A), len(one.H)
+def conditional_moments(process, measured, at):
+    """Return mean and covariance of x(at) given [(time, z), ...], z a list of numbers each."""
+    n, m = len(process.A), len(process.H)
     if not measured:
-        return moments(one, at)
-    mean, covariance = jointly(one, [*(time for time, _ in measured), at])
-    rows = np.kron(np.eye(len(measured)), one.H)
+        return moments(process, at)
+    mean, covariance = joint_moments(process, [*(time for time, _ in measured), at])
+    rows = np.kron(np.eye(len(measured)), process.H)
     rows = np.hstack([rows, np.zeros((m * len(measured), n))])
-    noise = np.kron(np.eye(len(measured)), one.R)
+    noise = np.kron(np.eye(len(measured)), process.R)
     crossed = covariance[-n:] @ rows.T
     weights = np.linalg.solve(rows @ covariance @ rows.T + noise, crossed.T).T
     innovation = np.reshape([z for _, z in measured], (-1, 1)) - rows @ mean
     return mean[-n:] + weights @ innovation, covariance[-n:, -n:] - weights @ crossed.T
 
 
-def settled(one):
-    """The covariance that x tends to, whatever it is at the start."""
+def stationary_covariance(process):
+    """Return the covariance that x tends to from any initial covariance."""
     from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
     return (
-        solve_discrete_lyapunov(one.A, one.Q)
-        if one.discrete
-        else solve_continuous_lyapunov(one.A, -one.Q)
+        solve_discrete_lyapunov(process.A, process.Q)
+        if process.discrete
+        else solve_continuous_lyapunov(process.A, -process.Q)
     )
 
 
-def steady(one):
-    """The covariance of the errors of the steady filter, in discrete time before a measurement and
-    after it.
+def steady_covariances(process):
+    """Return the error covariances of the steady filter before and after a measurement.
 
-    Raises `numpy.linalg.LinAlgError` where no filter settles to one whose errors decay.
+    In continuous time both are the same. Raises `numpy.linalg.LinAlgError` where there is no steady
+    filter with decaying errors.
     """
     from scipy.linalg import solve_continuous_are, solve_discrete_are
 
-    solve = solve_discrete_are if one.discrete else solve_continuous_are
-    found = solve(one.A.T, one.H.T, one.Q, one.R)
+    solve = solve_discrete_are if process.discrete else solve_continuous_are
+    covariance = solve(process.A.T, process.H.T, process.Q, process.R)
     for _ in range(2):  # Kleinman's iteration takes off the rounding of a pencil
-        gain = gain_of(one, found)
-        found = erring(one, (one.A @ gain if one.discrete else gain))
-    return (found, found - gain_of(one, found) @ one.H @ found) if one.discrete else (found, found)
+        gain = filter_gain(process, covariance)
+        covariance = error_covariance(process, (process.A @ gain if process.discrete else gain))
+    return (
+        (covariance, covariance - filter_gain(process, covariance) @ process.H @ covariance)
+        if process.discrete
+        else (covariance, covariance)
+    )
 
 
-def gain_of(one, covariance):
-    """The gain K of the best correction K (z - Hx) at this covariance of the errors, before a
-    measurement."""
-    spread = one.H @ covariance @ one.H.T + one.R if one.discrete else one.R
-    return np.linalg.solve(spread.T, one.H @ covariance.T).T
+def filter_gain(process, covariance):
+    """Return the gain K of the best correction K (z - Hx) at this error covariance."""
+    spread = process.H @ covariance @ process.H.T + process.R if process.discrete else process.R
+    return np.linalg.solve(spread.T, process.H @ covariance.T).T
 
 
-def erring(one, gain):
-    """The covariance that the errors x - y of y' = A y + L (z - H y) settle to, in discrete time
-    those of predictions.
+def error_covariance(process, gain):
+    """Return the stationary covariance of the errors x - y of y' = A y + L (z - H y).
+
+    In discrete time it is that of predictions.
     """
-    loop = one.A - gain @ one.H
+    loop = process.A - gain @ process.H
     largest = np.linalg.eigvals(loop)
-    if (abs(largest).max() if one.discrete else 1 + largest.real.max()) >= 1 - 1e-12:
+    if (abs(largest).max() if process.discrete else 1 + largest.real.max()) >= 1 - 1e-12:
         raise np.linalg.LinAlgError("the errors do not decay")
-    return settled(replace(one, A=loop, Q=one.Q + gain @ one.R @ gain.T))
+    return stationary_covariance(replace(process, A=loop, Q=process.Q + gain @ process.R @ gain.T))
 
 
 def steady_exists(process):
-    """The `Truth`, in the symbols of the process, that there is a steady filter whose errors decay.
+    """Return the `ReferenceCondition` that there is a steady filter whose errors decay.
 
-    By the test of Popov, for every number s = u + i w: the columns of s - A above H are independent
-    unless s is that of a mode that decays, and those of s - A^T above Q unless it decays or grows.
+    By the PBH test, for every number s = u + i w: the columns of s - A above H are independent unless s
+    is that of a mode that decays, and those of s - A^T above Q unless it decays or grows.
     """
     u, w = sp.symbols("u w", real=True, cls=sp.Dummy)
-    process = plain(process)
+    process = as_process(process)
     size = u**2 + w**2 - 1 if process.discrete else u
-    hidden, quiet = (
+    unobservable, uncontrollable = (
         _dependent(u + sp.I * w, matrix, below)
         for matrix, below in ((process.A, process.H), (process.A.T, process.Q))
     )
-    spoiled = sp.Or(sp.And(size >= 0, hidden), sp.And(sp.Eq(size, 0), quiet))
+    none_exists = sp.Or(sp.And(size >= 0, unobservable), sp.And(sp.Eq(size, 0), uncontrollable))
 
     def at(values):
         if not all(value.is_Rational for value in values.values()):
             return None
         one = process.subs(values)
-        hidden, quiet = (
+        unobservable, uncontrollable = (
             np.concatenate(fixed_eigenvalues(pair_of(matrix, below)))
             for matrix, below in ((one.A, one.H), (one.A.T, one.Q))
         )
-        rates = [abs(found) - 1 if process.discrete else found.real for found in (hidden, quiet)]
+        rates = [
+            abs(values) - 1 if process.discrete else values.real
+            for values in (unobservable, uncontrollable)
+        ]
         return not ((rates[0] > -ON_BORDER).any() or (abs(rates[1]) < ON_BORDER).any())
 
-    return Truth((Case(sp.Not(spoiled), (u, w), every=True),), (Case(spoiled, (u, w)),), at)
+    return ReferenceCondition(
+        (Case(sp.Not(none_exists), (u, w), every=True),), (Case(none_exists, (u, w)),), at
+    )
 
 
 def _dependent(s, A, below):
-    """Whether the columns of s - A above a matrix are dependent, for a complex s."""
+    """Return the condition that the columns of s - A above a matrix are dependent."""
     pencil = (s * sp.eye(A.rows) - A).col_join(below)
     minors = (
         pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")

@@ -1,12 +1,11 @@
-"""What the output of a system shows that is told as a record (`workbook.systems`), and what its
-control reaches, as a `Pair`."""
+"""The observable and the controllable part of systems given as records, as pairs of matrices."""
 
 import functools
 
 import sympy as sp
 
 from workbook.checks.references.constant_unknowns import constants_of
-from workbook.checks.references.initial_states import starts_of, starts_of_varying
+from workbook.checks.references.initial_states import initial_states_of, initial_states_of_varying
 from workbook.checks.references.pairs import pair_of
 from workbook.systems import (
     Deviations,
@@ -20,50 +19,52 @@ from workbook.systems import (
 
 
 @functools.singledispatch
-def seen(system, parameters=()):
-    """The `Pair` of what an output shows; its unknowns are the numbers that a start consists of."""
+def observed_pair(system, parameters=()):
+    """Return the `Pair` of a system with an output; its unknowns are those of an initial state."""
     raise TypeError(
         f"system: expected a record of a system with an output, got {type(system).__name__}"
     )
 
 
-@seen.register(Linear)
-@seen.register(Process)
+@observed_pair.register(Linear)
+@observed_pair.register(Process)
 def _(system, parameters=()):
     return pair_of(system.A, system.H, parameters)
 
 
-@seen.register
+@observed_pair.register
 def _(system: Mechanical, parameters=()):
-    return seen(_in_states(system), parameters)
+    return observed_pair(_in_states(system), parameters)
 
 
-@seen.register
+@observed_pair.register
 def _(system: WithError, parameters=(), of=None):
     """`of` are the positions of those unknowns that are asked for, if not all of them."""
     both = augmented(system)
     if not system.start:
-        return seen(both, parameters)
-    return starts_of(both.A, both.H, sp.diag(sp.eye(system.A.rows), system.start), parameters, of)
+        return observed_pair(both, parameters)
+    return initial_states_of(
+        both.A, both.H, sp.diag(sp.eye(system.A.rows), system.start), parameters, of
+    )
 
 
-@seen.register
+@observed_pair.register
 def _(system: Varying, parameters=()):
-    return starts_of_varying(system.A, system.H, system.time, parameters)
+    return initial_states_of_varying(system.A, system.H, system.time, parameters)
 
 
-@seen.register
+@observed_pair.register
 def _(system: Measurements, parameters=()):
     return constants_of(system.jacobian, tuple(parameters))
 
 
-def reached(system, parameters=()):
-    """The `Pair` of what the control reaches: that of the transposed matrices."""
-    return seen(_in_states(system).dual, parameters)
+def controlled_pair(system, parameters=()):
+    """Return the `Pair` of the controllable part: that of the transposed matrices."""
+    return observed_pair(_in_states(system).dual, parameters)
 
 
 def augmented(system):
-    """The `Linear` system of x with the error w below it; without an error the system itself."""
+    """Return the `Linear` system of x and the error w; without an error the system itself."""
     if not isinstance(system, WithError):
         return system
     k, s = system.S.rows, system.B.cols
@@ -73,7 +74,7 @@ def augmented(system):
 
 
 def matrix_of(system, parameters=()):
-    """The matrix of the equations."""
+    """Return the matrix of the equations."""
     return (
         row_of(system, *system.field, parameters=parameters)
         if isinstance(system, Deviations)
@@ -82,23 +83,26 @@ def matrix_of(system, parameters=()):
 
 
 def row_of(system, *quantities, parameters=()):
-    """What quantities of the state are in x: rows of numbers as they are, in deviations expressions
-    by their derivatives on the motion, which hold the parameters alone."""
+    """Return quantities of the state as rows of numbers in x.
+
+    For `Deviations` they are expressions, and the rows their derivatives on the motion, which hold the
+    parameters alone.
+    """
     if not isinstance(system, Deviations):
         return sp.Matrix.vstack(*quantities)
-    found = (
+    rows = (
         sp.Matrix(quantities)
         .jacobian(list(system.state))
         .subs(system.motion)
         .applyfunc(sp.simplify)
     )
-    if not found.free_symbols <= set(parameters):
+    if not rows.free_symbols <= set(parameters):
         raise ValueError("the equations in deviations are not constant")
-    return found
+    return rows
 
 
-def by_control(system):
-    """Whether a system, which has a control or an output, has a control."""
+def has_control(system):
+    """Return whether a system, which has a control or an output, has a control."""
     if isinstance(system, Mechanical):
         control, output = any(system.L), any(system.H1) or any(system.H2)
     else:
@@ -109,8 +113,7 @@ def by_control(system):
 
 
 def _in_states(system):
-    """A `Mechanical` system, with invertible M, as the `Linear` one of the state (x, x'); others as
-    they are."""
+    """Return a `Mechanical` system as the `Linear` one of (x, x'); others unchanged."""
     if not isinstance(system, Mechanical):
         return system
     n, inverse = system.M.rows, system.M.inv(method="ADJ")

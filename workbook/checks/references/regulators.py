@@ -1,11 +1,10 @@
-"""Linear regulators with a quadratic cost at numbers, given as a `Quadratic`: what a law costs, and
-what costs least.
+"""Linear regulators with a quadratic cost, given as a `Quadratic`: costs of laws, and least costs.
 
-A regulator is a steady filter of the dual process (`truths/processes.py`), whose errors have the
-transposed matrix of its loop; so what a gain costs comes from a linear equation, of Lyapunov, and
-the least cost from an invariant subspace. With a given end it comes from the exponential of the
-Hamiltonian matrix, with what the cost does not see left out it is that of the rest. No Riccati
-equation is integrated.
+A regulator is a steady filter of the dual process (`references/processes.py`), whose errors have the
+transposed matrix of its loop; so the cost of a gain comes from a Lyapunov equation, and the least
+cost from an invariant subspace. With a finite duration it comes from the exponential of the
+Hamiltonian matrix; if states that the cost does not depend on are left out, it is that of the rest.
+No Riccati equation is integrated.
 """
 
 import numpy as np
@@ -21,32 +20,34 @@ class Regulator:
 
     def __init__(self, problem, values):
         for name in "ABGNF":
-            setattr(self, name, processes.array(getattr(problem, name), values))
+            setattr(self, name, processes.to_array(getattr(problem, name), values))
         self.duration = float(sp.sympify(problem.duration).subs(values))
         self.factor = float(sp.sympify(problem.factor).subs(values))
         self.anywhere, self._values = problem.anywhere, values
-        self._dual = processes.numbers(dual(problem), values, start=False)
+        self._dual = processes.at_values(dual(problem), values, start=False)
 
     def cost_of(self, gain):
-        """The matrix X of what u = gain x costs from x, factor x^T X x; raises LinAlgError if a
-        state does not decay.
-        """
-        return processes.erring(self._dual, -gain.T)
+        """Return X, where u = gain x costs factor x^T X x; LinAlgError if a state does not decay."""
+        return processes.error_covariance(self._dual, -gain.T)
 
     def gain_for(self, cost):
-        """The gain that costs least now, if what comes later costs x^T `cost` x."""
-        return -processes.gain_of(self._dual, cost).T
+        """Return the gain of least cost at present, if the later cost is x^T `cost` x."""
+        return -processes.filter_gain(self._dual, cost).T
 
     def rates(self, cost):
-        """The terms of the rate at which the matrix of the cost changes by the Riccati equation."""
+        """Return the terms of the Riccati equation for the rate of the matrix of the cost."""
         gain = self.gain_for(cost)
         return -self.A.T @ cost, -cost @ self.A, -self.G, gain.T @ self.N @ gain
 
     def least(self, time=0.0):
-        """The matrix S of the least cost from a state at a time."""
+        """Return the matrix S of the least cost from a state at a time."""
         if np.isfinite(self.duration):
             return self._with_an_end(self.duration - time)
-        return self._of_what_is_seen() if self.anywhere else processes.steady(self._dual)[0]
+        return (
+            self._of_observable_part()
+            if self.anywhere
+            else processes.steady_covariances(self._dual)[0]
+        )
 
     def _with_an_end(self, left):
         from scipy.linalg import expm
@@ -56,53 +57,67 @@ class Regulator:
             [np.eye(len(self.A)), self.F]
         )
         n = len(self.A)
-        found = np.linalg.solve(both[:n].T, both[n:].T)
-        return (found + found.T) / 2
+        cost = np.linalg.solve(both[:n].T, both[n:].T)
+        return (cost + cost.T) / 2
 
-    def _of_what_is_seen(self):
+    def _of_observable_part(self):
         exact = [
             sp.Matrix(matrix).applyfunc(lambda x: sp.nsimplify(x, rational=True))
             for matrix in (self.A, self.G)
         ]
-        unseen = np.array(pair_of(*exact).unseen[0], dtype=float).reshape(-1, len(self.A))
-        seen = np.linalg.svd(unseen)[2][len(unseen) :] if len(unseen) else np.eye(len(self.A))
-        if not len(seen):
+        unobservable = np.array(pair_of(*exact).unobservable[0], dtype=float).reshape(
+            -1, len(self.A)
+        )
+        observable = (
+            np.linalg.svd(unobservable)[2][len(unobservable) :]
+            if len(unobservable)
+            else np.eye(len(self.A))
+        )
+        if not len(observable):
             return 0 * self.A
         rest = Quadratic(
             *map(
                 sp.Matrix,
-                (seen @ self.A @ seen.T, seen @ self.B, _even(seen @ self.G @ seen.T), self.N),
+                (
+                    observable @ self.A @ observable.T,
+                    observable @ self.B,
+                    _even(observable @ self.G @ observable.T),
+                    self.N,
+                ),
             )
         )
-        return seen.T @ Regulator(rest, {}).least() @ seen
+        return observable.T @ Regulator(rest, {}).least() @ observable
 
 
 def dual(problem):
-    """The process whose steady filter is the regulator, transposed."""
+    """Return the process whose steady filter is the regulator, transposed."""
     return Process(problem.A.T, Q=problem.G, H=problem.B.T, R=problem.N)
 
 
 def exists(problem):
-    """Whether a law of least cost brings every state to zero, at general values of the symbols:
-    Popov's test."""
+    """Return whether a law of least cost brings every state to zero, by the PBH test."""
     return processes.steady_exists(dual(problem)).at({})
 
 
 def steady_loop(problem, process, values):
-    """The matrix and the noise of (x, e) for the best feedback by the measurements of a process,
-    and the weight of (x, e) in its cost; without measurements those of x, the state being known."""
-    one, noise = Regulator(problem, values), processes.numbers(process, values, start=False)
-    K = one.gain_for(one.least())
+    """Return matrix, noise and weight of cost of (x, e) under the best feedback.
+
+    Without measurements they are those of x, the state being known.
+    """
+    regulator, noise = Regulator(problem, values), processes.at_values(process, values, start=False)
+    K = regulator.gain_for(regulator.least())
     if not len(noise.H):
-        return one.A + one.B @ K, noise.Q, one.G + K.T @ one.N @ K
-    L = processes.gain_of(noise, processes.steady(noise)[0])
+        return regulator.A + regulator.B @ K, noise.Q, regulator.G + K.T @ regulator.N @ K
+    L = processes.filter_gain(noise, processes.steady_covariances(noise)[0])
     n = len(K.T)
-    loop = np.block([[one.A, one.B @ K], [L @ noise.H, one.A + one.B @ K - L @ noise.H]])
+    loop = np.block(
+        [[regulator.A, regulator.B @ K], [L @ noise.H, regulator.A + regulator.B @ K - L @ noise.H]]
+    )
     zero = np.zeros((n, n))
     return (
         loop,
         np.block([[noise.Q, zero], [zero, L @ noise.R @ L.T]]),
-        np.block([[one.G, zero], [zero, K.T @ one.N @ K]]),
+        np.block([[regulator.G, zero], [zero, K.T @ regulator.N @ K]]),
     )
 
 

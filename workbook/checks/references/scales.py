@@ -1,10 +1,9 @@
-"""Other units in which a problem is the same: x'' = u with |u| <= 1 is so if times are halved and
-places quartered.
+"""Scalings of a problem: x'' = u with |u| <= 1 is the same if times are halved and positions quartered.
 
 Then all that is asked of it is known at every scale as soon as it is known at one: next to a corner
 of the answer as well as far out, where a smooth imitation such as tanh(1000 x) for the sign of x is
-seen however steep it is. Each symbol has a weight w, and is multiplied by (a number)^w; the weights
-solve linear equations, which the statement gives.
+detected however steep it is. Each symbol has a weight w, and is multiplied by (a number)^w; the
+weights solve linear equations, which the statement gives.
 """
 
 import functools
@@ -14,8 +13,8 @@ import sympy as sp
 
 from workbook.checks.contract.tolerance import DECIMALS, EXACT
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.values import real_function, wide_function
-from workbook.checks.tools.wording import told_for
+from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
+from workbook.checks.tools.wording import prefix_text
 
 #: The numbers of which powers are taken: close to the corner, closer, and far out. Most roots of
 #: them are rational.
@@ -28,8 +27,20 @@ TIME, COST = sp.Dummy("time"), sp.Dummy("cost")
 
 
 def scales(problem, parameters):
-    """Dicts from the symbols of a `pontryagin.Problem`, its parameters, `TIME` and `COST` to
-    factors that leave the problem as it is; none if no factors but 1 do."""
+    """Return the scalings of a problem: dicts from symbols to factors that leave it as it is.
+
+    Parameters
+    ----------
+    problem : pontryagin.Problem
+        The problem; its symbols and the `parameters` are scaled, and `TIME` and `COST`.
+    parameters : list of sympy.Symbol
+        Its parameters.
+
+    Returns
+    -------
+    list of dict
+        Empty if only factors 1 leave it as it is.
+    """
     stated = (
         *(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
         tuple(problem.terminal),
@@ -64,60 +75,79 @@ def _scales(stated, parameters):
     except _Other:
         return []
     return [
-        {s: scale**w for s, w in zip(weights, found)}
-        for found in weights.solutions()
+        {s: scale**w for s, w in zip(weights, solution)}
+        for solution in weights.solutions()
         for scale in SCALES
     ]
 
 
-def same_at_every_scale(claim, problem, parameters, places, weight, what):
-    """Raise `Wrong` for an expression that is not the same in other units: its values have to
-    change by the factor of the symbol `weight`; `places` are dicts from the symbols in it to
-    numbers."""
-    found = scales(problem, parameters)
-    if not found:
+def judge_at_every_scale(claim, problem, parameters, points, weight, what):
+    """Raise `Wrong` for an expression that does not scale with the problem.
+
+    Parameters
+    ----------
+    claim : sympy.Expr
+        The answer; its values have to change by the factor of the symbol `weight`.
+    problem : pontryagin.Problem
+        The problem.
+    parameters : list of sympy.Symbol
+        Its parameters.
+    points : list of dict
+        {symbol: number} each.
+    weight : sympy.Symbol
+        A symbol of the scalings.
+    what : str
+        The quantity, for the message.
+    """
+    factors_of_scales = scales(problem, parameters)
+    if not factors_of_scales:
         return
-    symbols = [s for s in places[0] if s in claim.free_symbols]
+    symbols = [s for s in points[0] if s in claim.free_symbols]
     roughly = any(
         power.exp.is_Float and not float(4 * power.exp).is_integer()
         for power in claim.atoms(sp.Pow)
     )
-    function, wide = (kind(symbols, [claim]) for kind in (real_function, wide_function))
-    at = np.array([[float(place[s]) for s in symbols] for place in places])
-    said = function(*at.T)[0]
-    # An exponent in decimals has three digits: over many powers of ten they tell nothing.
-    for factors in found[:: len(SCALES) if roughly else 1]:
+    function, wide = (kind(symbols, [claim]) for kind in (real_function, multiprecision_function))
+    at = np.array([[float(point[s]) for s in symbols] for point in points])
+    numbers = function(*at.T)[0]
+    # An exponent in decimals has three digits: over many powers of ten they decide nothing.
+    for factors in factors_of_scales[:: len(SCALES) if roughly else 1]:
         other = at * [float(factors[s]) for s in symbols]
-        there, wanted = function(*other.T)[0], said * float(factors[weight])
-        for k in differing(
+        there, wanted = function(*other.T)[0], numbers * float(factors[weight])
+        for k in first_difference(
             there, wanted, DECIMALS if roughly else EXACT, lambda k, other=other: wide(*other[k])[0]
         ):
             gives = f"it is {there[k]:.6g}" if np.isfinite(there[k]) else "it is no real number"
             raise Wrong(
-                f"{told_for(dict(zip(symbols, at[k])))}your {what} is {said[k]:.6g}. In other "
+                f"{prefix_text(dict(zip(symbols, at[k])))}your {what} is {numbers[k]:.6g}. In other "
                 "units the problem is the same, so that "
-                f"{told_for(dict(zip(symbols, other[k])))}it has to be {wanted[k]:.6g}; {gives}"
+                f"{prefix_text(dict(zip(symbols, other[k])))}it has to be {wanted[k]:.6g}; {gives}"
             )
 
 
-def differing(said, wanted, share, wide):
-    """The index of the first of the numbers `said` that is not the one wanted, up to a share of it
-    and to what is mere rounding beside the rest; an empty list if there is none.
+def first_difference(numbers, wanted, share, wide):
+    """Return the index of the first wrong number, in a list, or an empty list.
 
-    What was computed in other units may have been too much for floats: `wide(k)` says it anew, as
-    in `wide_function`.
+    Parameters
+    ----------
+    numbers, wanted : numpy.ndarray
+        The numbers; those that floats could not compute are replaced by those of `wide`.
+    share : float
+        The tolerance, relative to a number and to what is mere rounding beside the rest.
+    wide : callable
+        `wide(k)` computes a number anew, as in `multiprecision_function`.
     """
     size = np.abs(wanted)
     slack = share * np.maximum(size, ROUNDING * np.nanmax(size, initial=0))
-    for k in np.flatnonzero(np.isfinite(wanted) & ~(abs(said - wanted) <= slack)):
-        said[k] = wide(k)
-        if not abs(said[k] - wanted[k]) <= slack[k]:
+    for k in np.flatnonzero(np.isfinite(wanted) & ~(abs(numbers - wanted) <= slack)):
+        numbers[k] = wide(k)
+        if not abs(numbers[k] - wanted[k]) <= slack[k]:
             return [k]
     return []
 
 
 class _Other(Exception):
-    """An expression of a kind that has no weight."""
+    """Raised for an expression of a kind that has no weight."""
 
 
 class _Weights(dict):
@@ -128,16 +158,15 @@ class _Weights(dict):
         self._equations = []
 
     def equate(self, expression, weight):
-        """Ask for an expression to have a weight; zero has every one."""
+        """Demand that an expression has a weight; zero has every one."""
         if expression == 0 or expression.is_infinite:
             return
-        found = self.of(expression)
+        own = self.of(expression)
         if weight is not None:
-            self._equations.append(found - weight)
+            self._equations.append(own - weight)
 
     def of(self, expression):
-        """The weight of an expression in those of its symbols; sums and functions ask for equal
-        ones."""
+        """Return the weight of an expression in those of its symbols; terms of sums need equal ones."""
         if expression.is_number:
             return sp.S.Zero
         if expression in self:
@@ -159,7 +188,7 @@ class _Weights(dict):
         return first if isinstance(expression, sp.Add) else sp.S.Zero
 
     def solutions(self):
-        """Independent lists of weights."""
+        """Return independent lists of weights."""
         unknown = list(self.values())
         matrix = sp.Matrix([[equation.coeff(w) for w in unknown] for equation in self._equations])
         return [list(column) for column in matrix.nullspace()] if matrix else []

@@ -1,5 +1,4 @@
-"""Points of singular arcs, found as numbers: states and costates at which H does not depend on a
-control for a while.
+"""Points of singular arcs, as numbers: states and costates at which H does not depend on a control.
 
 The problem is a `pontryagin.Problem`, of which the statement alone is used, with lambda_0 = 1. For
 a control u that enters H linearly, S = dH/du and its derivatives along the trajectories vanish on a
@@ -14,10 +13,11 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.tools.samples import draw, found_once
-from workbook.checks.tools.values import real_function
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.samples import cached_points
 
-#: From so many places the search for points begins, and so many points are enough.
+#: From so many points the search for points begins, and so many points are enough.
 STARTS, ENOUGH = 160, 8
 #: Newton's steps, and what is left of the equations at a point, as a share of their terms.
 STEPS, SOLVED = 40, 1e-11
@@ -26,7 +26,7 @@ VANISHES = 1e-6
 
 
 def hamiltonian(problem, costates):
-    """H with lambda_0 = 1."""
+    """Return H with lambda_0 = 1."""
     sign = -1 if problem.maximise else 1
     return (
         sum((psi * f for psi, f in zip(costates, problem.field)), sp.S.Zero)
@@ -35,8 +35,10 @@ def hamiltonian(problem, costates):
 
 
 def known_costates(problem, costates):
-    """{costate: value} for the states that enter neither the equations nor the target, and the
-    final cost linearly: their costates do not change, and the end says what they are."""
+    """Return {costate: value} for costates that are constant and given by the final cost.
+
+    Their states enter neither the equations nor the target, and the final cost linearly.
+    """
     sign = -1 if problem.maximise else 1
     entered = set().union(
         *(e.free_symbols for e in (*problem.field, problem.running, *problem.terminal))
@@ -53,7 +55,7 @@ def known_costates(problem, costates):
 
 @functools.lru_cache(maxsize=32)
 def singular_arcs(problem, control, costates):
-    """The `SingularArcs` of a control; `costates` is a tuple of symbols."""
+    """Return the `SingularArcs` of a control; `costates` is a tuple of symbols."""
     return SingularArcs(problem, control, costates)
 
 
@@ -105,14 +107,16 @@ class SingularArcs:
         )
         self._last = real_function([*self._unknown, *given], last)
 
-    @found_once
+    @cached_points
     def points(self, domain=None):
-        """Values {symbol: number} of states, costates, parameters and other controls at points of
-        singular arcs, at most `ENOUGH`; the symbols range over the intervals of `domain`, or what
-        their assumptions allow."""
-        random, found = np.random.default_rng(17), []
+        """Return values {symbol: number} at points of singular arcs, at most `ENOUGH`.
+
+        They are values of states, costates, parameters and other controls; the symbols range over the
+        intervals of `domain`, or what their assumptions allow.
+        """
+        random, samples = np.random.default_rng(17), []
         for k in range(STARTS):
-            values = {p: draw(random, p, domain) for p in self.parameters}
+            values = {p: random_value(random, p, domain) for p in self.parameters}
             ends = [
                 tuple(
                     None if b.is_finite is False else float(b.subs(values))
@@ -120,7 +124,7 @@ class SingularArcs:
                 )
                 for u in self.others
             ]
-            start = [draw(random, s, domain) for s in self._unknown]
+            start = [random_value(random, s, domain) for s in self._unknown]
             # Neither bound of the other controls always comes first.
             for others in list(itertools.product(*ends))[:: (-1) ** k]:
                 point = (
@@ -137,17 +141,19 @@ class SingularArcs:
                     for gain, u, (_, high) in zip(gains, others, ends)
                 ):
                     values |= dict(zip(self._unknown, point)) | dict(zip(self.others, others))
-                    found.append(
+                    samples.append(
                         values | {s: float(e.subs(values)) for s, e in self._known.items()}
                     )
                     break
-            if len(found) == ENOUGH:
+            if len(samples) == ENOUGH:
                 break
-        return found
+        return samples
 
     def multipliers_exist(self, values, share):
-        """Whether costates belong to a state that make it a point of a singular arc: `values` holds
-        all but these."""
+        """Return whether costates exist with which a state is a point of a singular arc.
+
+        `values` holds all symbols but these.
+        """
         left = [s for s in self._unknown if s in self.costates]
         for others in itertools.product(
             *([float(b.subs(values)) for b in self.problem.controls[u]] for u in self.others)
@@ -158,7 +164,7 @@ class SingularArcs:
             slopes = self._slopes(*point, *given).reshape(len(constant), -1)
             matrix = slopes[:, [self._unknown.index(s) for s in left]]
             # An equation between states alone, or nearly, is as large as it may become next to the
-            # place.
+            # point.
             general = self._slopes(
                 *(1.0 if s in left else values[s] for s in self._unknown), *given
             )
@@ -168,17 +174,16 @@ class SingularArcs:
                 if self._scaled(matrix, point, given, left, share):
                     return True
                 continue
-            found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
-            rest = matrix @ found + constant
-            if np.all(np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(found))) and self._kept(
-                matrix, constant, point, given, left, share
-            ):
+            costates = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+            rest = matrix @ costates + constant
+            if np.all(
+                np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(costates))
+            ) and self._kept(matrix, constant, point, given, left, share):
                 return True
         return False
 
     def _scaled(self, matrix, point, given, left, share):
-        """Whether costates of length 1 satisfy equations that are linear in them, and a control
-        keeps S at zero."""
+        """Return whether costates of length 1 solve the equations and a control keeps S at zero."""
         costates = np.linalg.svd(matrix)[2][-1]
         full = np.array(point, dtype=float)
         full[[self._unknown.index(s) for s in left]] = costates
@@ -189,8 +194,7 @@ class SingularArcs:
         )
 
     def _kept(self, matrix, constant, point, given, left, share):
-        """Whether among the costates for which the equations hold there are some with which a
-        control keeps S at zero."""
+        """Return whether for some costates that satisfy the equations a control keeps S at zero."""
         at = [self._unknown.index(s) for s in left]
 
         def last(costates):
@@ -200,10 +204,10 @@ class SingularArcs:
 
         zero = last(np.zeros(len(left)))
         slopes = np.array([last(row) - zero for row in np.eye(len(left))]).reshape(len(left), 2)
-        found = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+        solution = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
         _, sizes, basis = np.linalg.svd(matrix)
         free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()) :]
-        (rest, factor), turns = zero + found @ slopes, free @ slopes
+        (rest, factor), turns = zero + solution @ slopes, free @ slopes
         size = 1 + np.abs(slopes).max(initial=0)
         if max(abs(factor), np.abs(turns[:, 1]).max(initial=0)) > share * size:
             return True
@@ -225,8 +229,7 @@ class SingularArcs:
         return derivatives, None
 
     def _near(self, start, given):
-        """The point where the equations hold that is next to a start, by steps of least length;
-        None for none."""
+        """Return the point near a start where the equations hold, by steps of least length, or None."""
         point = np.array(start, dtype=float)
         for _ in range(STEPS):
             rest = self._values(*point, *given)
@@ -245,8 +248,7 @@ class SingularArcs:
         return None
 
     def _inside(self, point, domain):
-        """Whether the states lie where they are to be; the point is not to be the limit of an
-        escape either."""
+        """Return whether the states lie in the domain; the point must not be the limit of an escape."""
         for s, value in zip(self._unknown, point):
             interval = (domain or {}).get(s)
             if interval is not None and not float(interval.inf) < value < float(interval.sup):

@@ -1,8 +1,8 @@
 """The spectrum of a linear system with parameters, and where in their space it is stable.
 
-The truth is polynomial: Hurwitz's determinants for asymptotic stability, and for a root to the
+The reference is polynomial: Hurwitz determinants for asymptotic stability, and for a root to the
 right of the border that some u + i w with u > 0 satisfies the characteristic equation. Where a
-claim is not, it is compared at points, with Routh's reduction in exact fractions.
+claim is not, it is compared at points, with the Routh reduction in exact fractions.
 """
 
 import functools
@@ -13,41 +13,53 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 from sympy.polys.polyerrors import BasePolynomialError
 
-from workbook.checks.tools.conditions import Case, Truth, compare, place_text
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
+from workbook.checks.tools.wording import values_text
 
-#: For how many places it is kept whether they are stable.
-PLACES = 8192
+#: For how many points it is kept whether they are stable.
+MOST_CACHED = 8192
 
 
 def compare_region(answer, system, parameters, what, margin=0, unstable=False):
-    """Compare a claimed region with the stable polynomials, or the `unstable` ones; `what` is the
-    word for a message.
+    """Compare a claimed region with the stable polynomials, or the unstable ones.
 
-    With a margin both sides of the border are right, the border being where the largest real part
-    is -margin.
+    Parameters
+    ----------
+    answer : object
+        The condition.
+    system : sympy.Expr or sympy.Matrix
+        The polynomial or the matrix.
+    parameters : list of sympy.Symbol
+        Its parameters.
+    what : str
+        The property, for the message.
+    margin : number
+        The border is where the largest real part is -margin; with a margin both sides are accepted.
+    unstable : bool
+        Whether the region is that of unstable polynomials.
     """
     if isinstance(system, sp.MatrixBase):
         system = system.as_immutable()
     spectrum = _spectrum(system, tuple(parameters), margin)
-    truth = spectrum.instability if unstable else spectrum.stability
+    reference = spectrum.instability if unstable else spectrum.stability
 
-    def told(values, holds):
-        says = (
+    def message(values, holds):
+        position = (
             f"outside your region, yet it is {what}"
             if holds
             else f"inside your region, yet it is not {what}"
         )
-        return f"the point {place_text(values)} lies {says}: {spectrum.describe(values)}"
+        return f"the point {values_text(values)} lies {position}: {spectrum.describe(values)}"
 
-    return f"agrees with the roots: {compare(answer, parameters, truth, told)}"
+    return f"agrees with the roots: {compare(answer, parameters, reference, message)}"
 
 
 def decays(A, discrete=False):
-    """The condition on the symbols of A that all motions of x' = A x, in discrete time x(k + 1) = A
-    x(k), decay.
+    """Return the condition on the symbols of A that all motions decay.
 
-    There z = (1 + s)/(1 - s) makes the left half-plane of the inside of the circle; where z = -1 is
-    an eigenvalue, the polynomial in s loses its order.
+    Of x' = A x, or in discrete time of x(k + 1) = A x(k). There z = (1 + s)/(1 - s) maps the left
+    half-plane to the inside of the circle; where z = -1 is an eigenvalue, the polynomial in s loses its
+    order.
     """
     symbol = sp.Dummy("s")
     coefficients = A.charpoly().all_coeffs()
@@ -64,14 +76,15 @@ def decays(A, discrete=False):
 
 @functools.lru_cache(maxsize=8)
 def _spectrum(system, parameters, margin):
-    """The spectrum of data: many claims are compared with the same."""
+    """Return the spectrum of data; many claims are compared with the same."""
     return Spectrum(system, parameters, margin)
 
 
 def _rational(matrix):
-    """A matrix with a symbol for each entry that is no rational function, a modulus for instance,
-    and what the symbols mean: SymPy cannot order the factors of its characteristic polynomial
-    otherwise."""
+    """Return a matrix with symbols for irrational entries, and their meaning.
+
+    SymPy cannot order the factors of its characteristic polynomial otherwise.
+    """
     others = {
         entry: sp.Dummy("entry", real=True)
         for entry in matrix
@@ -97,31 +110,31 @@ class Spectrum:
         shifted = sp.Poly(sp.expand(polynomial.subs(symbol, symbol - self.margin)), symbol)
         self._terms = [sp.nsimplify(c, rational=True) for c in shifted.all_coeffs()]
         self.root = sp.symbols("u w", real=True, cls=sp.Dummy)
-        # all claims are tried at like places
-        self._stable_at = functools.lru_cache(maxsize=PLACES)(self._decide)
+        # all claims are tried at like points
+        self._stable_at = functools.lru_cache(maxsize=MOST_CACHED)(self._decide)
 
     @functools.cached_property
     def stability(self):
-        """The `Truth` that all roots have real parts below -margin."""
+        """The `ReferenceCondition` that all roots have real parts below -margin."""
         stable = sp.And(*self.order_kept, self.hurwitz)
         unstable = Case(sp.And(*self.order_kept, sp.Not(self.hurwitz)))
-        return Truth(
+        return ReferenceCondition(
             (Case(stable),), (self.some_root_right if self.margin else unstable,), self.is_stable
         )
 
     @functools.cached_property
     def instability(self):
-        """The `Truth` that some root has a real part above -margin."""
-        return Truth((self.some_root_right,), (self.no_root_right,), self.is_unstable)
+        """The `ReferenceCondition` that some root has a real part above -margin."""
+        return ReferenceCondition((self.some_root_right,), (self.no_root_right,), self.is_unstable)
 
     @property
     def order_kept(self):
-        """Where the order drops nothing is asked: that is a convention, not a property."""
+        """The condition that the order does not drop; elsewhere nothing is asked, by convention."""
         return [sp.Ne(self._terms[0], 0)]
 
     @functools.cached_property
     def hurwitz(self):
-        """All Hurwitz determinants have the sign that goes with the leading coefficient."""
+        """The condition that Hurwitz determinants have the signs of the leading coefficient."""
         n, signs = len(self._terms) - 1, []
         hurwitz = sp.Matrix(
             n, n, lambda i, j: self._terms[2 * j - i + 1] if 0 <= 2 * j - i + 1 <= n else 0
@@ -143,7 +156,7 @@ class Spectrum:
 
     @property
     def some_root_right(self):
-        """u + i w with u > 0 is a root."""
+        """The case that u + i w with u > 0 is a root."""
         real, imaginary = self._value
         return Case(
             sp.And(*self.order_kept, self.root[0] > 0, sp.Eq(real, 0), sp.Eq(imaginary, 0)),
@@ -152,6 +165,7 @@ class Spectrum:
 
     @property
     def no_root_right(self):
+        """The case that no u + i w with u > 0 is a root."""
         real, imaginary = self._value
         return Case(
             sp.And(*self.order_kept, sp.Or(self.root[0] <= 0, sp.Ne(real, 0), sp.Ne(imaginary, 0))),
@@ -168,16 +182,15 @@ class Spectrum:
         ).as_real_imag()
 
     def _coefficients(self, values):
-        """The coefficients at values of the parameters: fractions where all is rational."""
-        place = [values[p] for p in self.parameters]
-        if self._in_fractions and all(x.is_Rational for x in place):
-            return self._in_fractions(*(Fraction(int(x.p), int(x.q)) for x in place))
+        """Return the coefficients at values of the parameters, as fractions if all is rational."""
+        point = [values[p] for p in self.parameters]
+        if self._in_fractions and all(x.is_Rational for x in point):
+            return self._in_fractions(*(Fraction(int(x.p), int(x.q)) for x in point))
         return [c.subs(values) for c in self._terms]
 
     @functools.cached_property
     def _in_fractions(self):
-        """The coefficients as a function of fractions, or None where they are no rational
-        polynomials."""
+        """The coefficients as a function of fractions, or None if they are no rational polynomials."""
         try:
             polys = [sp.Poly(c, *self.parameters) for c in self._terms]
         except BasePolynomialError:
@@ -187,17 +200,19 @@ class Spectrum:
         # Whole coefficients, so that fractions stay fractions in the code that is made of them.
         wholes, cleared = zip(*(poly.clear_denoms(convert=True) for poly in polys))
         function = sp.lambdify(self.parameters, [poly.as_expr() for poly in cleared], [])
-        return lambda *place: [
-            Fraction(value) / int(whole) for value, whole in zip(function(*place), wholes)
+        return lambda *point: [
+            Fraction(value) / int(whole) for value, whole in zip(function(*point), wholes)
         ]
 
     def is_stable(self, values):
-        """Whether all roots have negative real parts: by Routh's reduction in exact arithmetic;
-        None where the order drops, or on the border of a margin."""
+        """Return whether all roots have negative real parts, by the exact Routh reduction.
+
+        None where the order drops, or on the border of a margin.
+        """
         return self._stable_at(tuple(values[p] for p in self.parameters))
 
-    def _decide(self, place):
-        values = dict(zip(self.parameters, place))
+    def _decide(self, point):
+        values = dict(zip(self.parameters, point))
         current = self._coefficients(values)
         if current[0] == 0:
             return None
@@ -215,22 +230,23 @@ class Spectrum:
         return True
 
     def is_unstable(self, values):
-        """Whether a root has a positive real part, by more than rounding."""
+        """Return whether a root has a positive real part, by more than rounding."""
         return None if self._coefficients(values)[0] == 0 else bool(self._largest(values) > 1e-7)
 
     def _largest(self, values):
-        """The largest real part of a root, beyond the margin, relative to the size of the roots."""
+        """Return the largest real part of a root beyond the margin, relative to their size."""
         roots = np.roots([float(c) for c in self._coefficients(values)])
         return max(roots.real) / (1 + max(abs(roots)))
 
     def describe(self, values):
+        """Return a text on the largest real part of a root at values of the parameters."""
         try:
             largest = max(np.roots([float(c) for c in self._coefficients(values)]).real) - float(
                 self.margin
             )
         except OverflowError:
             return "so says Routh's scheme, with coefficients beyond 1e308"
-        # Roots computed in floating point: below this the place lies on the imaginary axis, which
+        # Roots computed in floating point: below this the point lies on the imaginary axis, which
         # without a margin Routh has decided.
-        told = f"{largest:.4g}" if abs(largest) >= 1e-7 else "0" if self.margin else "exactly 0"
-        return f"the largest real part of a root is {told}"
+        text = f"{largest:.4g}" if abs(largest) >= 1e-7 else "0" if self.margin else "exactly 0"
+        return f"the largest real part of a root is {text}"

@@ -1,9 +1,8 @@
-"""Stationary angles of phi'' = f(phi, phi'), f of period 2 pi in phi, for values of the parameters:
-all of them, in an instant, from the signs of f(phi, 0) on a grid; where they cease to exist, and
-where two of them meet.
+"""Stationary angles of phi'' = f(phi, phi'), f of period 2 pi in phi, for values of the parameters.
 
-Rest points of other fields are searched for by Newton's method: in `fields` for a field with
-numbers, in `rest_points` for one with parameters, for many values at once.
+All of them are found at once from the signs of f(phi, 0) on a grid; also where they cease to exist,
+and where two of them meet. Equilibria of other fields are found by Newton's method: in `fields` for
+a field with numbers, in `stationary_points` for one with parameters, for many values at once.
 """
 
 import functools
@@ -22,12 +21,11 @@ MOST_KEPT = 5000
 
 @functools.lru_cache(maxsize=16)
 def stationary_angles(field, state, parameters):
-    """The `RestAngles` of the data, the same for the same data: what it has found serves the next
-    verdict too."""
-    return RestAngles(field, state, parameters)
+    """Return the `StationaryAngles` of the data, the same for the same data."""
+    return StationaryAngles(field, state, parameters)
 
 
-class RestAngles:
+class StationaryAngles:
     """Stationary solutions of phi'' = f(phi, phi'), f of period 2 pi in phi."""
 
     GRID = np.linspace(0.0123, 0.0123 + 2 * np.pi, 361)
@@ -50,27 +48,28 @@ class RestAngles:
         return [float(values[p]) for p in self.parameters]
 
     def rest(self, values):
-        """The simple stationary angles between 0 and 2 pi."""
+        """Return the simple stationary angles between 0 and 2 pi."""
         return self._zeros(self._force, self._slope, self._numbers(values))
 
     def force(self, values, phi):
-        """f(phi, 0)."""
+        """Return f(phi, 0)."""
         return float(self._force(phi, *self._numbers(values)))
 
     def extremes(self, values):
-        """The smallest and the largest value of f(phi, 0)."""
+        """Return the smallest and the largest value of f(phi, 0)."""
         numbers = self._numbers(values)
         turning = self._zeros(self._slope, self._curvature, numbers)
         heights = [float(self._force(phi, *numbers)) for phi in [*turning, 0.0]]
         return min(heights), max(heights)
 
     def exist(self, values):
+        """Return whether there are stationary angles, up to rounding."""
         low, high = self.extremes(values)
         rounding = 1e-12 * (abs(low) + abs(high))
         return low <= rounding and high >= -rounding
 
     def slopes(self, values):
-        """The `derivatives` at all stationary angles."""
+        """Return the `derivatives` at all stationary angles."""
         asked = tuple(values[p] for p in self.parameters)
         if asked not in self._known:
             if len(self._known) == MOST_KEPT:
@@ -79,14 +78,14 @@ class RestAngles:
         return self._known[asked]
 
     def derivatives(self, values, phi):
-        """The derivatives of f at a stationary angle with respect to phi and phi'."""
+        """Return the derivatives of f at a stationary angle with respect to phi and phi'."""
         numbers = self._numbers(values)
         return float(self._slope(phi, *numbers)), float(self._friction(phi, *numbers))
 
     @functools.cached_property
     def samples(self):
         """Five sets of values of the parameters for which there are stationary angles."""
-        found = list(
+        samples = list(
             itertools.islice(
                 (
                     values
@@ -96,12 +95,12 @@ class RestAngles:
                 5,
             )
         )
-        if not found:
+        if not samples:
             raise RuntimeError("no parameters with stationary angles were met")
-        return found
+        return samples
 
     def samples_for(self, claims):
-        """The samples, and more where an answer distinguishes cases that these do not meet."""
+        """Return the samples, and more for cases of an answer that these do not meet."""
         return [values for values in in_every_case(self.samples, claims) if len(self.rest(values))]
 
     @functools.cached_property
@@ -110,8 +109,10 @@ class RestAngles:
         return [pair for values in self.samples[:2] for pair in self.border(values)]
 
     def border(self, values):
-        """Pairs (values close to the border of existence, values on it or None), along each
-        parameter from `values`."""
+        """Yield pairs (values close to the border of existence, values on it or None).
+
+        They are found along each parameter from `values`.
+        """
         for p in self.parameters:
             inside, outside = values[p], 64 * values[p]
             if self.exist(values | {p: outside}):
@@ -134,7 +135,7 @@ class RestAngles:
             )
 
     def double(self, values):
-        """The angles where f and its slope vanish together."""
+        """Return the angles where f and its slope vanish together."""
         numbers = self._numbers(values)
         size = max(map(abs, self.extremes(values)))
         return [

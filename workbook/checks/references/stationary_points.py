@@ -1,6 +1,6 @@
 """Stationary points of fields that contain parameters, for many sets of values at once.
 
-The truth is found from the field alone, for sample values of the parameters, by Newton's method
+The reference is found from the field alone, for sample values of the parameters, by Newton's method
 from many starts at once. An interval of length 2 pi makes a state variable an angle, for which
 values modulo 2 pi are the same.
 """
@@ -11,16 +11,15 @@ import math
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.tolerance import same
-from workbook.checks.tools.samples import (
-    cases,
-    draw,
-    ends,
-    in_every_case,
+from workbook.checks.contract.tolerance import agree
+from workbook.checks.tools.domains import (
+    endpoints,
     interval_of,
     lies_inside,
+    random_value,
     simple_rational,
 )
+from workbook.checks.tools.samples import cases, in_every_case
 from workbook.checks.tools.wording import sample_text
 
 #: How many starts Newton's method gets.
@@ -32,9 +31,8 @@ MOST_KEPT = 200
 END = 1e-7
 
 
-def rest_points(field, state, parameters, domain):
-    """The `RestPoints` of the data, the same for the same data: what it has found serves the next
-    verdict too."""
+def stationary_points_of(field, state, parameters, domain):
+    """Return the `StationaryPoints` of the data, the same for the same data."""
     return _known(
         tuple(map(sp.sympify, field)),
         tuple(state),
@@ -45,12 +43,11 @@ def rest_points(field, state, parameters, domain):
 
 @functools.lru_cache(maxsize=16)
 def _known(field, state, parameters, domain):
-    return RestPoints(field, state, parameters, dict(domain))
+    return StationaryPoints(field, state, parameters, dict(domain))
 
 
-class RestPoints:
-    """A field with parameters: its values, first approximation and stationary points for arrays of
-    parameter values."""
+class StationaryPoints:
+    """A field with parameters: its values, linearisation and stationary points."""
 
     def __init__(self, field, state, parameters, domain):
         self.state, self.parameters, self.domain = list(state), list(parameters), dict(domain or {})
@@ -69,10 +66,10 @@ class RestPoints:
         self._angles = [
             x in self.domain and self.domain[x].measure == 2 * sp.pi for x in self.state
         ]
-        self._intervals = [ends(x, self.domain) for x in self.state]
+        self._intervals = [endpoints(x, self.domain) for x in self.state]
         random = np.random.default_rng(14)
         self._starts = np.array(
-            [[draw(random, x, self.domain) for x in self.state] for _ in range(STARTS)]
+            [[random_value(random, x, self.domain) for x in self.state] for _ in range(STARTS)]
         ).T
         self._settled = {}
 
@@ -84,19 +81,21 @@ class RestPoints:
         )
         return sp.lambdify([*self.state, *self.parameters], expressions + slopes, "numpy", cse=True)
 
-    def __call__(self, place, numbers):
-        """The field at places (state first) for parameter values that broadcast with them."""
-        values = _evaluated(self._function, place, numbers)
+    def __call__(self, point, numbers):
+        """Return the field at points (state first) for parameter values that broadcast with them."""
+        values = _evaluated(self._function, point, numbers)
         return values[: len(self.state)] if self._square else values
 
-    def jacobian(self, place, numbers):
-        """The partial derivatives, axes (component, variable, ...)."""
-        values = _evaluated(self._function, place, numbers)[len(self.state) :]
+    def jacobian(self, point, numbers):
+        """Return the partial derivatives, axes (component, variable, ...)."""
+        values = _evaluated(self._function, point, numbers)[len(self.state) :]
         return values.reshape(len(self.state), len(self.state), *values.shape[1:])
 
     def settle(self, numbers, starts, steps):
-        """Newton's method from many starts for every column of parameter values: places (n,
-        columns, starts) and which of them are stationary points in the domain."""
+        """Return results of Newton's method from many starts for every column of parameters.
+
+        They are points (n, columns, starts) and which of them are stationary points in the domain.
+        """
         asked = (numbers.tobytes(), numbers.shape, starts, steps)
         if asked not in self._settled:
             if len(self._settled) == MOST_KEPT:
@@ -132,68 +131,81 @@ class RestPoints:
         return x, settled & self.inside(x)
 
     def rests(self, numbers):
-        """For every column of parameter values the list of stationary points in the domain."""
+        """Return the list of stationary points in the domain for every column of parameter values."""
         x, good = self.settle(numbers, starts=STARTS, steps=40)
         return [_different(x[:, j, good[j]]) for j in range(x.shape[1])]
 
     def first_rests(self, numbers):
-        """The stationary point for every column of parameter values (n, columns), and where there
-        is one."""
+        """Return the stationary point for every column of parameters, and whether it exists."""
         x, good = self.settle(numbers, starts=32, steps=40)
         first = np.take_along_axis(x, np.argmax(good, axis=1)[None, :, None], axis=2)
         if np.any(good & (abs(x - first) > 1e-5 * (1 + abs(first))).any(axis=0)):
             raise RuntimeError("there are several stationary points in the domain")
         return first[:, :, 0], good.any(axis=1)
 
-    def reduced(self, places):
-        """The same places with their angles in their intervals."""
-        places = np.array(places, dtype=float)
+    def reduced(self, points):
+        """Return points with their angles in their intervals."""
+        points = np.array(points, dtype=float)
         for k, (low, high) in enumerate(self._intervals):
             if self._angles[k]:
                 # Rounding must not throw an angle from the closed end of its interval to the open
                 # one.
                 margin = END if self.domain[self.state[k]].left_open else -END
-                places[k] = low + margin + (places[k] - low - margin) % (high - low)
-        return places
+                points[k] = low + margin + (points[k] - low - margin) % (high - low)
+        return points
 
-    def inside(self, places):
-        """Where places lie in the domain; angles always do."""
-        result = np.ones(np.shape(places)[1:], dtype=bool)
+    def inside(self, points):
+        """Return which points lie in the domain; angles always do."""
+        result = np.ones(np.shape(points)[1:], dtype=bool)
         for k, (low, high) in enumerate(self._intervals):
             if not self._angles[k]:
                 interval = interval_of(self.state[k], self.domain)
-                result &= places[k] > low + (END if interval.left_open else -END)
-                result &= places[k] < high - (END if interval.right_open else -END)
+                result &= points[k] > low + (END if interval.left_open else -END)
+                result &= points[k] < high - (END if interval.right_open else -END)
         return result
 
-    def same(self, place, rest, written, uncertain=None):
-        """Whether a claimed place is this rest point: to three significant digits if it is written
-        in decimals, which may leave open the coordinates by so much."""
-        difference = place - rest
+    def same(self, point, rest, written, uncertain=None):
+        """Return whether a claimed point is this stationary point.
+
+        To three significant digits if it is written in decimals, which may change the coordinates by
+        `uncertain`.
+        """
+        difference = point - rest
         for k, angle in enumerate(self._angles):
             if angle:
                 difference[k] = (difference[k] + math.pi) % (2 * math.pi) - math.pi
         size = max(np.abs(rest).max(), 1e-12)
         uncertain = [None] * len(rest) if uncertain is None else uncertain
         return all(
-            same(r + d, r, expression, size, uncertain=open_)
+            agree(r + d, r, expression, size, uncertain=open_)
             for d, r, expression, open_ in zip(difference, rest, written, uncertain)
         )
 
     def samples(self, claim=(), count=7, need_rest=True, alone=True):
-        """Triples (exact values, their floats, the stationary point), or unless `alone` with all
-        points of the domain, for values too for which there is none; more of them where the answer
-        distinguishes cases that these do not meet."""
+        """Yield triples (exact values, their floats, the stationary point).
+
+        Parameters
+        ----------
+        claim : object
+            The answer; samples are added for cases of it that the others do not meet.
+        count : int
+            The number of samples.
+        need_rest : bool
+            Whether stationary points are computed.
+        alone : bool
+            Whether there has to be one; otherwise the third is the list of all points of the domain, and
+            values without a point are taken, too.
+        """
         tries, numbers = self._tries
         rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
-        chosen = [k for k, found in enumerate(rests) if found]
+        chosen = [k for k, stationary in enumerate(rests) if stationary]
         if not chosen:
             raise RuntimeError(
                 "no sample values of the parameters have a stationary point in the domain"
             )
         # Samples with the most points first: these are the ones where a point can be missed.
         most = sorted(chosen, key=lambda k: -len(rests[k]))[:count]
-        without = [k for k, found in enumerate(rests) if not found]
+        without = [k for k, stationary in enumerate(rests) if not stationary]
         taken = [
             (
                 {
@@ -208,21 +220,20 @@ class RestPoints:
         known = [values for values, *_ in taken]
         for values in in_every_case(known, claim, self.given)[len(known) :] if cases(claim) else ():
             column = self.numbers(values)
-            found = [] if column is None else self.rests(column)[0] if need_rest else [None]
-            if column is not None and (found or not alone):
-                taken.append((values, column[:, 0], found))
-        for values, column, found in taken:
-            if alone and len(found) > 1:
+            stationary = [] if column is None else self.rests(column)[0] if need_rest else [None]
+            if column is not None and (stationary or not alone):
+                taken.append((values, column[:, 0], stationary))
+        for values, column, stationary in taken:
+            if alone and len(stationary) > 1:
                 raise RuntimeError(
-                    f"there are {len(found)} stationary points in the domain for "
+                    f"there are {len(stationary)} stationary points in the domain for "
                     f"{sample_text(values)}"
                 )
-            yield values, column, found[0] if alone else found
+            yield values, column, stationary[0] if alone else stationary
 
     @functools.cached_property
     def _tries(self):
-        """Rational values of the parameters to choose samples from, in rows, and their floats, in
-        columns."""
+        """Candidate values of the parameters: rationals in rows, floats in columns."""
         count = 30 if self.parameters else 1
         # Multiples of irrational numbers are spread evenly, every few of them that follow one
         # another.
@@ -235,7 +246,7 @@ class RestPoints:
         )
         tries = [
             [
-                simple_rational(draw(None, p, self.domain, share), p, self.domain)
+                simple_rational(random_value(None, p, self.domain, share), p, self.domain)
                 for p, share in zip(self.parameters, row)
             ]
             for row in shares
@@ -248,12 +259,12 @@ class RestPoints:
 
     @functools.cached_property
     def given(self):
-        """What the domain says of the parameters, as a condition."""
+        """The condition of the domain on the parameters."""
         return sp.And(*(_within(p, interval_of(p, self.domain)) for p in self.parameters))
 
     @functools.cached_property
     def at_rest(self):
-        """That a state lies in the domain and the right-hand sides vanish there, as a condition."""
+        """The condition that a state lies in the domain and the right-hand sides vanish there."""
         return sp.And(
             *(_within(x, interval_of(x, self.domain)) for x in self.state),
             *(sp.Eq(component, 0) for component in self.field),
@@ -261,22 +272,20 @@ class RestPoints:
 
     @functools.cached_property
     def invariants(self):
-        """Trace, determinant and discriminant of the first approximation in the plane, as
-        expressions."""
+        """Trace, determinant and discriminant of the linearisation in the plane, as expressions."""
         matrix = sp.Matrix(self.field).jacobian(self.state)
         trace, determinant = sp.expand(matrix.trace()), sp.expand(matrix.det())
         return trace, determinant, sp.expand(trace**2 - 4 * determinant)
 
     def numbers(self, values):
-        """Values of the parameters as one column of floats, or None outside the domain."""
+        """Return values of the parameters as one column of floats, or None outside the domain."""
         if not all(lies_inside(float(x), p, self.domain) for p, x in values.items()):
             return None
         return np.array([[float(values[p])] for p in self.parameters])
 
 
 def _within(symbol, interval):
-    """That a number lies in an interval; of an angle, by the signs of its sine and cosine, where
-    they tell."""
+    """Return the condition that a symbol lies in an interval; of an angle, by sine or cosine."""
     turns = {
         sp.Interval.Lopen(-sp.pi, sp.pi): sp.true,
         sp.Interval.open(0, sp.pi): sp.sin(symbol) > 0,
@@ -286,26 +295,25 @@ def _within(symbol, interval):
     return turns[interval] if interval in turns else interval.as_relational(symbol)
 
 
-def _different(places):
-    """The columns of an array without those that are close to an earlier one: a list."""
-    found = []
-    while places.shape[1]:
-        first = places[:, 0]
-        found.append(first)
-        places = places[
+def _different(points):
+    """Return the columns of an array without those close to an earlier one: a list."""
+    different = []
+    while points.shape[1]:
+        first = points[:, 0]
+        different.append(first)
+        points = points[
             :,
-            ~(np.linalg.norm(places - first[:, None], axis=0) < 1e-6 * (1 + np.linalg.norm(first))),
+            ~(np.linalg.norm(points - first[:, None], axis=0) < 1e-6 * (1 + np.linalg.norm(first))),
         ]
-    return found
+    return different
 
 
-def _evaluated(function, place, numbers):
-    """Values of a compiled list of expressions at places and parameter values that broadcast with
-    them."""
+def _evaluated(function, point, numbers):
+    """Return values of compiled expressions at points and parameter values that broadcast."""
     with np.errstate(all="ignore"):
-        values = function(*place, *numbers)
+        values = function(*point, *numbers)
     result = np.empty(
-        (len(values), *np.broadcast_shapes(*(np.shape(x) for x in (*place, *numbers))))
+        (len(values), *np.broadcast_shapes(*(np.shape(x) for x in (*point, *numbers))))
     )
     for k, value in enumerate(values):
         result[k] = value
@@ -313,8 +321,7 @@ def _evaluated(function, place, numbers):
 
 
 def _newton(values):
-    """The step -J^-1 f of Newton's method from the values of f and of its derivatives, for one or
-    two equations."""
+    """Return the Newton step -J^-1 f from f and its derivatives, for one or two equations."""
     with np.errstate(all="ignore"):
         if len(values) == 2:
             return -values[:1] / values[1:]

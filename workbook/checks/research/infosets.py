@@ -13,9 +13,10 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.conditions import compare, exactly, place_text
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.conditions import compare, exactly
 from workbook.checks.tools.samples import in_every_case, random_values
+from workbook.checks.tools.wording import values_text
 
 #: By how much of its size a side may seem violated at a corner that lies on it.
 ROUNDING = 1e-9
@@ -23,15 +24,17 @@ ROUNDING = 1e-9
 
 @judged(Expressions("bounds", length=lambda data: data["directions"].rows))
 def support_values(claims, sides, bounds, directions):
-    """How far {p: sides p <= bounds} reaches in each direction: the greatest n p over it, for the
-    rows n."""
+    """Check the support function of {p: sides p <= bounds} in each direction.
+
+    For the rows n it is the greatest n p over the set.
+    """
     symbols = _symbols(bounds)
     for values in in_every_case(random_values(symbols, 91), sp.Matrix(claims)):
         corners = _corners(sides, bounds, values)
         reach = np.array(directions.tolist(), dtype=float) @ corners.T
         for k, claim in enumerate(claims):
             row = ", ".join(f"{float(part):.3g}" for part in directions.row(k))
-            yield Same(
+            yield SameValue(
                 claim,
                 reach[k].max(),
                 f"how far the polygon reaches in the direction ({row})",
@@ -42,14 +45,16 @@ def support_values(claims, sides, bounds, directions):
 
 
 @judged
-def common_point(answer, sides, bounds):
-    """Condition for {p: sides p <= bounds} to have a point, for positive values of the symbols of
-    the bounds."""
+def common_point_exists(answer, sides, bounds):
+    """Check the condition for {p: sides p <= bounds} to have a point.
+
+    The symbols of the bounds have positive values.
+    """
     symbols = _symbols(bounds)
     here = sp.And(*(symbol > 0 for symbol in symbols))
 
     def reason(values, holds):
-        return f"for {place_text(values)} " + (
+        return f"for {values_text(values)} " + (
             "some point keeps all bounds, yet your condition fails"
             if holds
             else "no point keeps all bounds, yet your condition holds"

@@ -1,5 +1,8 @@
-"""Formulas that agree with a table of motions: the polynomial of the table is found here by its
-powers, from linear equations, and not by fundamental polynomials."""
+"""Formulas that agree with a table of motions.
+
+The polynomial of the table is found here by its powers, from linear equations, and not by
+fundamental polynomials.
+"""
 
 import math
 
@@ -8,17 +11,19 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import judged
-from workbook.checks.tools.comparisons import Same
+from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.samples import in_every_case
 
 SAMPLES, SEED = 8, 81
 
 
 @judged(Expression("nodes"))
-def of_interpolant(claim, quantity, motion, nodes, level, slope=None, places=None):
-    """A quantity of the polynomial that agrees with a motion at all nodes, as an expression in
-    their variables. In the quantity `level` stands for the polynomial and `slope` for its
-    derivative by the first variable."""
+def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, places=None):
+    """Check a quantity of the polynomial that agrees with a motion at all nodes.
+
+    It is an expression in the variables of the nodes. In the quantity `level` stands for the
+    polynomial and `slope` for its derivative by the first variable.
+    """
     powers, places, names = (
         _powers(motion, nodes),
         places or {},
@@ -31,7 +36,7 @@ def of_interpolant(claim, quantity, motion, nodes, level, slope=None, places=Non
         values = values | places
         found = dict(zip(names, (_polynomial(powers, nodes, values, order) for order in (0, 1))))
         true = complex(sp.sympify(quantity).subs(found | values).evalf())
-        yield Same(
+        yield SameValue(
             claim,
             true.real if abs(true.imag) < 1e-12 else math.nan,
             "the quantity that was asked for",
@@ -62,8 +67,8 @@ def _powers(motion, nodes):
 def _exactly(nodes, row):
     """The nodes that a row of decimals stands for."""
     return [
-        min(axis, key=lambda node: abs(float(node) - place))
-        for axis, place in zip(nodes.values(), row)
+        min(axis, key=lambda node: abs(float(node) - point))
+        for axis, point in zip(nodes.values(), row)
     ]
 
 

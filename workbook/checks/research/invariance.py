@@ -5,16 +5,19 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.verdict import judged
-from workbook.checks.tools.comparisons import Entries
+from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.samples import in_every_case, random_values
 from workbook.checks.tools.wording import rounded_text
 
 
 @judged(Expressions("signal", "nuisance", length=lambda data: len(data["signal"][0])))
 def invariant_weights(claims, signal, nuisance, functional):
-    """The weights of least sum of squares with which the estimate of a number, linear in the
-    coefficients of the signal, is unbiased whatever the coefficients of signal and nuisance are.
-    `functional`: that number for each function of the signal."""
+    """Check the weights of least sum of squares that make an estimate unbiased.
+
+    The estimated number is linear in the coefficients of the signal, and the estimate is
+    unbiased whatever the coefficients of signal and nuisance are. `functional`: that number for
+    each function of the signal.
+    """
     claim, symbols = (
         sp.Matrix(list(claims)),
         sorted(sp.Matrix([*signal, *nuisance]).free_symbols, key=str),
@@ -30,8 +33,8 @@ def invariant_weights(claims, signal, nuisance, functional):
         conditions, right = np.vstack([psi, theta]), np.append(wanted, np.zeros(len(theta)))
         true = np.linalg.pinv(conditions) @ right
 
-        def told(said, i, j):
-            weights, where = said[:, 0].real, rounded_text(values)
+        def message(claimed, i, j):
+            weights, where = claimed[:, 0].real, rounded_text(values)
             means, passes = psi @ weights, theta @ weights
             slack = 1e-6 * np.abs(conditions) @ np.abs(weights)
             for k in np.flatnonzero(np.abs(means - wanted) > slack[: len(psi)])[:1]:
@@ -49,7 +52,7 @@ def invariant_weights(claims, signal, nuisance, functional):
                 f"squares {weights @ weights:.4g} is not the least"
             )
 
-        yield Entries(
-            claim, true[:, None], told, values, np.full((true.size, 1), np.abs(true).max())
+        yield SameEntries(
+            claim, true[:, None], message, values, np.full((true.size, 1), np.abs(true).max())
         )
     return "unbiased, blind to the nuisance and of least variance, for random values of the symbols"

@@ -1,5 +1,4 @@
-"""Reconstruction of a motion from samples: the transition of state and costate, small records,
-continuous measurements.
+"""Reconstruction of a motion from samples: transition matrix, splines, continuous records.
 
 The motion of least cost is found here by dense least squares in positions and velocities at the
 samples, where the integral of u^2 between two states is a quadratic form; the sweep is not used.
@@ -13,11 +12,11 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Number
-from workbook.checks.contract.tolerance import half_unit, in_decimals, same
+from workbook.checks.contract.tolerance import agree, half_unit, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.samples import in_every_case, random_values, spread
-from workbook.checks.tools.values import uncertain_entries, value_at
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.samples import in_every_case, log_spread, random_values
+from workbook.checks.tools.values import entry_uncertainties, value_at
 from workbook.checks.tools.wording import number_text, rounded_text
 
 RECORDS = 6
@@ -28,12 +27,13 @@ PIECES = 16
 
 @judged(Expression("lam", "kappa"))
 def transition_polynomial(claim, transition, lam, kappa):
-    """The characteristic polynomial P(lambda) = det(lambda E - A) of a transition matrix that
-    depends on kappa.
+    """Check the characteristic polynomial P(lambda) of a transition matrix.
+
+    It is det(lambda I - A), and the matrix A depends on kappa.
 
     Where `lam` is written with another symbol, w/2 + sqrt(w^2/4 - 1) or exp(i phi),
-    P(lambda)/lambda^(n/2) in this symbol, which is real for a reciprocal polynomial: without the
-    imaginary unit on the unit circle.
+    P(lambda)/lambda^(n/2) in this symbol, which is real for a reciprocal polynomial: without
+    the imaginary unit on the unit circle.
     """
     if lam.has(sp.I) and claim.has(sp.I):
         raise Wrong(
@@ -46,13 +46,13 @@ def transition_polynomial(claim, transition, lam, kappa):
         if lam == symbol
         else (f"det(lambda E - A)/lambda^{n // 2}", n // 2)
     )
-    for stiffness in spread(random, 0.1, 9, RECORDS):
+    for stiffness in log_spread(random, 0.1, 9, RECORDS):
         at = random.uniform(-3, 3)
         point = complex(lam.subs(symbol, at))
         true = (
             np.linalg.det(point * np.eye(n) - _matrix(transition, kappa, stiffness)) / point**power
         )
-        yield Same(
+        yield SameValue(
             claim,
             true.real,
             what if power == 0 else f"{what} at lambda = {number_text(point)}",
@@ -64,7 +64,7 @@ def transition_polynomial(claim, transition, lam, kappa):
 
 @judged(Number())
 def multiple_eigenvalues(number, transition, kappa):
-    """The kappa > 0 for which eigenvalues coincide, to three digits or exactly."""
+    """Check the kappa > 0 for which eigenvalues coincide, to three digits or exactly."""
     claim = float(number)
     if claim <= 0:
         raise Wrong(f"kappa = {claim:.4g} is not positive")
@@ -82,10 +82,10 @@ def multiple_eigenvalues(number, transition, kappa):
 
 @judged(Number())
 def digits_lost(number, transition, kappa, value):
-    """By how many decimal digits the error of the forward recursion grows with every sample."""
+    """Check by how many decimal digits the error of the forward recursion grows each sample."""
     claim = float(number)
     greatest = np.abs(np.linalg.eigvals(_matrix(transition, kappa, float(value)))).max()
-    if not same(claim, math.log10(greatest), number):
+    if not agree(claim, math.log10(greatest), number):
         factor = 10**claim if abs(claim) < 300 else math.inf
         raise Wrong(
             f"an error would grow by the factor {factor:.4g} with every sample; multiplying a "
@@ -96,11 +96,14 @@ def digits_lost(number, transition, kappa, value):
 
 @judged(Expression("times", "samples", "rho", "M"))
 def spline_acceleration(claim, times, samples, rho=None, M=None):
-    """The acceleration of the motion of least cost at the middle one of three samples of equal
-    weight rho, without weights of the easiest motion through the samples."""
+    """Check the acceleration of the motion of least cost at the middle one of three samples.
+
+    The samples have the equal weight rho; without weights the easiest motion through the
+    samples is meant.
+    """
     for values, t, h in _drawn(times, samples, *filter(None, (rho, M))):
         states = _least_cost(t, h, values.get(rho), values.get(M))
-        yield Same(
+        yield SameValue(
             claim,
             _middle(t, *states),
             "the acceleration at the middle sample",
@@ -113,22 +116,22 @@ def spline_acceleration(claim, times, samples, rho=None, M=None):
 
 @judged(Expressions("times", "samples", "rho", "M", length=lambda data: len(data["times"])))
 def spline_positions(claims, times, samples, rho, M):
-    """The positions at the samples of the motion of least cost."""
+    """Check the positions at the samples of the motion of least cost."""
     for values, t, h in _drawn(times, samples, rho, M):
         x, _ = _least_cost(t, h, values[rho], values[M])
         for k, claim in enumerate(claims):
-            yield Same(claim, x[k], f"x{k}", values, np.abs(h).max())
+            yield SameValue(claim, x[k], f"x{k}", values, np.abs(h).max())
     return "they are those of the motion with the least cost, for random samples and weights"
 
 
 @judged(Expression("times", "samples", "rho", "D"))
 def weight_for_bound(claim, times, samples, rho, D):
-    """The weight M for which the motion of least cost has the greatest acceleration D."""
+    """Check the weight M for which the motion of least cost has the greatest acceleration D."""
     for values, t, h in _bounded(times, samples, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
-        ((open_,),) = uncertain_entries(sp.Matrix([[claim]]), values)
+        ((open_,),) = entry_uncertainties(sp.Matrix([[claim]]), values)
         greatest, *others = (
             abs(_middle(t, *_least_cost(t, h, values[rho], max(one, weight / 2))))
             for one in (weight, weight - open_, weight + open_)
@@ -145,15 +148,17 @@ def weight_for_bound(claim, times, samples, rho, D):
 
 @judged(Expression("times", "samples", "rho", "D"))
 def spline_misfit(claim, times, samples, rho, D):
-    """The misfit rho sum (x_k - h_k)^2 of the motion of least cost whose greatest acceleration is
-    D."""
+    """Check the misfit of the motion of least cost whose greatest acceleration is D.
+
+    The misfit is rho sum (x_k - h_k)^2.
+    """
     for values, t, h in _bounded(times, samples, rho, D):
         low, high = math.log(values[rho] * t[1] ** 3) - 30, math.log(values[rho] * t[1] ** 3) + 30
         for _ in range(80):
             middle = (low + high) / 2
             states = _least_cost(t, h, values[rho], math.exp(middle))
             low, high = (middle, high) if abs(_middle(t, *states)) > values[D] else (low, middle)
-        yield Same(
+        yield SameValue(
             claim,
             values[rho] * np.sum((states[0] - h) ** 2),
             "the misfit",
@@ -168,7 +173,7 @@ def spline_misfit(claim, times, samples, rho, D):
 
 @judged(Expression("times", "samples", "rho", "D"))
 def bounded_misfit(claim, times, samples, rho, D):
-    """The least misfit rho sum (x_k - h_k)^2 among all motions with |u| <= D."""
+    """Check the least misfit rho sum (x_k - h_k)^2 among all motions with |u| <= D."""
     from scipy.optimize import lsq_linear
 
     for values, t, h in _bounded(times, samples, rho, D):
@@ -184,7 +189,7 @@ def bounded_misfit(claim, times, samples, rho, D):
         free = np.array([np.inf, np.inf])
         limits = np.append(free, np.full(step.size, values[D]))
         found = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
-        yield Same(
+        yield SameValue(
             claim,
             2 * values[rho] * found.cost,
             "the least misfit",
@@ -197,7 +202,10 @@ def bounded_misfit(claim, times, samples, rho, D):
 
 @judged(Expression("omega", "rho", "M"))
 def filter_gain(claim, omega, rho, M):
-    """The factor g with which x = g cos(omega t) solves M x'''' + rho (x - cos(omega t)) = 0."""
+    """Check the factor g with which x = g cos(omega t) solves the filter equation.
+
+    The equation is M x'''' + rho (x - cos(omega t)) = 0.
+    """
     for values in in_every_case(random_values([omega, rho, M], SEED), claim):
         gain = value_at(claim, values, "the factor")
         left = values[M] * values[omega] ** 4 * gain + values[rho] * (gain - 1)
@@ -211,11 +219,13 @@ def filter_gain(claim, omega, rho, M):
 
 @judged(Expression("rho", "M"))
 def boundary_decay(claim, rho, M):
-    """The rate at which the influence of an end dies out: -Re s of the solutions exp(s t) of M
-    x'''' + rho x = 0 that decay."""
+    """Check the rate at which the influence of an end decays.
+
+    It is -Re s of the solutions exp(s t) of M x'''' + rho x = 0 that decay.
+    """
     for values in in_every_case(random_values([rho, M], SEED), claim):
         roots = np.roots([values[M], 0, 0, 0, values[rho]])
-        yield Same(
+        yield SameValue(
             claim, -max(root.real for root in roots if root.real < 0), "the rate of decay", values
         )
     return "the solutions exp(s t) that decay have -Re s equal to it, for random weights"
@@ -223,8 +233,10 @@ def boundary_decay(claim, rho, M):
 
 @judged(Expression("amplitude", "omega", "rho", "D"))
 def weight_of_harmonic(claim, amplitude, omega, rho, D):
-    """The weight M for which the reconstruction of `amplitude` cos(omega t) has the greatest
-    acceleration D."""
+    """Check the weight M for which a reconstructed harmonic has the greatest acceleration D.
+
+    The harmonic is `amplitude` cos(omega t).
+    """
     for values in in_every_case(random_values([amplitude, omega, rho, D], SEED), claim):
         values[D] = values[amplitude] * values[omega] ** 2 * 0.8 * values[D] / (1 + values[D])
         weight = value_at(claim, values, "M")

@@ -1,7 +1,7 @@
 """Solvability: what measurements along a motion determine, and how well.
 
 Motions are found by the matrix exponential at random values of the symbols, errors by solving small
-systems of equations, and what is unseen by applying the measurements to it; conditions are decided
+systems of equations, and what is unobservable by applying the measurements to it; conditions are decided
 in exact rational arithmetic, on and off the surfaces where they change.
 """
 
@@ -13,14 +13,14 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.claims import Expression, Expressions, Integer
+from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.tools.comparisons import Same
-from workbook.checks.tools.conditions import compare, exactly, place_text
+from workbook.checks.tools.comparisons import SameValue
+from workbook.checks.tools.conditions import compare, exactly
 from workbook.checks.tools.samples import in_every_case, random_values
 from workbook.checks.tools.values import value_at
-from workbook.checks.tools.wording import rounded_text
+from workbook.checks.tools.wording import rounded_text, values_text
 
 MOMENTS = 12
 #: What counts as nothing beside numbers of size one.
@@ -29,14 +29,16 @@ ZERO = 1e-8
 
 @judged(Expression("system.A", "left_out"))
 def bias_of_estimate(claim, system, unknowns, wanted, left_out):
-    """The error of the estimate of `wanted` when the constant unknown `left_out` is taken for
-    zero."""
+    """Check the error of the estimate of `wanted` if the unknown `left_out` is taken for zero.
+
+    The unknown `left_out` is constant.
+    """
     j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
     kept = [i for i in range(system.A.rows) if i != k]
     for values in in_every_case(random_values([*_symbols(system.A), left_out], 73), claim):
         rows = _rows(system.A, system.H, values, np.linspace(0, 4, 3 * MOMENTS))
         found = np.linalg.lstsq(rows[:, kept], rows[:, k] * values[left_out], rcond=None)[0]
-        yield Same(
+        yield SameValue(
             claim,
             found[kept.index(j)],
             f"the error of the estimate of {wanted}",
@@ -48,9 +50,11 @@ def bias_of_estimate(claim, system, unknowns, wanted, left_out):
 
 
 @judged(Expression("system.A", "tau", "delta"))
-def worst_of_three(claim, system, unknowns, wanted, tau, delta):
-    """The greatest error of `wanted` from three measurements at 0, tau, 2 tau with errors up to
-    delta."""
+def worst_case_error(claim, system, unknowns, wanted, tau, delta):
+    """Check the greatest error of `wanted` from three measurements with errors up to delta.
+
+    The measurements are taken at 0, tau, 2 tau.
+    """
     j = list(unknowns).index(wanted)
     for values in in_every_case(random_values([*_symbols(system.A), tau, delta], 74), claim):
         fastest = np.abs(np.linalg.eigvals(_array(system.A, values))).max()
@@ -61,7 +65,7 @@ def worst_of_three(claim, system, unknowns, wanted, tau, delta):
             np.linalg.solve(rows, np.array(signs) * values[delta])[j]
             for signs in itertools.product((-1, 1), repeat=3)
         )
-        yield Same(
+        yield SameValue(
             claim,
             max(abs(error) for error in corners),
             f"the greatest error of {wanted}",
@@ -73,8 +77,11 @@ def worst_of_three(claim, system, unknowns, wanted, tau, delta):
 
 
 @judged
-def unseen_by_bearings(answer, relative, t):
-    """A change (dx0, dy0, dvx, dvy) of a uniform motion that changes no bearing to first order."""
+def unobservable_by_bearings(answer, relative, t):
+    """Check a change of a uniform motion that changes no bearing to first order.
+
+    The change is (dx0, dy0, dvx, dvy).
+    """
     claim = coercion.as_expressions(answer, _symbols(sp.Matrix(relative), t), 4)
     for values in random_values(_symbols(sp.Matrix(relative), t), 75):
         direction = _direction(claim, values)
@@ -99,24 +106,26 @@ def unseen_by_bearings(answer, relative, t):
 
 
 @judged
-def bearing_tells_range(answer, relative, t, T, turn):
-    """Condition that one bearing at t > T, after the observer's velocity has changed by `turn`,
-    fixes the range."""
+def range_observable(answer, relative, t, T, turn):
+    """Check the condition that one bearing after the observer's turn determines the range.
+
+    The bearing is taken at t > T, after the observer's velocity has changed by `turn`.
+    """
     symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn]
     after = [part - change * (t - T) for part, change in zip(relative, turn)]
     # the targets left over by the bearings before T are those whose relative motion is `relative`
     # times a factor
-    told = _without(after[0] * relative[1] - after[1] * relative[0], t - T)
+    message = _without(after[0] * relative[1] - after[1] * relative[0], t - T)
     here = sp.And(t > T, sp.Or(*(sp.Ne(part, 0) for part in after)))
 
     def reason(values, holds):
-        return f"for {place_text(values)} a small change of the range " + (
+        return f"for {values_text(values)} a small change of the range " + (
             "turns the bearing, yet your condition fails"
             if holds
             else "does not change the bearing, yet your condition holds"
         )
 
-    agreement = compare(answer, symbols, exactly(sp.Ne(told, 0), here), reason)
+    agreement = compare(answer, symbols, exactly(sp.Ne(message, 0), here), reason)
     return f"it agrees with the change of the bearing: {agreement}"
 
 
@@ -130,8 +139,10 @@ def _without(expression, positive):
 
 @judged(Expression("relative", "t", "T", "turn", "delta"))
 def range_error(claim, relative, t, T, turn, delta):
-    """The size of the relative error of the range that an error delta of one bearing after the turn
-    causes, to first order."""
+    """Check the relative error of the range that a bearing error delta after the turn causes.
+
+    Its size to first order is meant.
+    """
     symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn, delta]
     random = np.random.default_rng(77)
     for values in in_every_case(random_values(symbols, 78), claim):
@@ -142,20 +153,22 @@ def range_error(claim, relative, t, T, turn, delta):
         before = np.array([float(part.subs(values)) for part in relative])
         after = before - np.array([values[s] for s in turn]) * (values[t] - values[T])
         slope = (after[0] * before[1] - after[1] * before[0]) / (after @ after)
-        said = value_at(claim, values, "the error")
-        if said < 0:
+        claimed = value_at(claim, values, "the error")
+        if claimed < 0:
             raise Wrong(
                 f"for {rounded_text(values)} your expression is negative; its size was asked for"
             )
-        yield Same(claim, values[delta] / abs(slope), "the relative error of the range", values)
+        yield SameValue(
+            claim, values[delta] / abs(slope), "the relative error of the range", values
+        )
     return (
         "it is delta over the sensitivity of the bearing to the range, for random motions and turns"
     )
 
 
 @judged(Expressions("matrix", "sight", "initial", length=4))
-def modes_of_range(claims, matrix, sight, initial, rate, t):
-    """The four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
+def range_modes(claims, matrix, sight, initial, rate, t):
+    """Check the four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
     symbols = [*_symbols(matrix), *sight, *initial]
     for values in in_every_case(random_values(symbols, 79), claims):
         now = [value_at(claim, values, "a coefficient") for claim in claims]
@@ -163,21 +176,20 @@ def modes_of_range(claims, matrix, sight, initial, rate, t):
         times, towards = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
         for time, move in zip(times, _moves(matrix, values, times)):
             true = towards @ (move @ start)[: len(sight)]
-            said = (
+            claimed = (
                 now[0] + now[1] * time + now[2] * math.cos(w * time) + now[3] * math.sin(w * time)
             )
-            if not abs(said - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
+            if not abs(claimed - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
                 raise Wrong(
                     f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by "
-                    f"{true:.5g}; your four terms sum up to {said:.5g}"
+                    f"{true:.5g}; your four terms sum up to {claimed:.5g}"
                 )
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 
 
 @judged(Expressions(length=lambda data: len(data["sights"])))
-def numbers_seen(claims, matrix, sights):
-    """How many combinations of the unknowns are determined by ranges along each of the given
-    directions."""
+def observability_ranks(claims, matrix, sights):
+    """Check how many combinations of the unknowns ranges along each direction determine."""
     values = next(random_values(_symbols(matrix), 81))
     for number, (claim, sight) in enumerate(zip(claims, sights), 1):
         claim = coercion.as_integer(claim)
@@ -196,8 +208,11 @@ def numbers_seen(claims, matrix, sights):
 
 @judged
 def stations_insufficient(answer, matrix, first, second):
-    """Condition on two unit vectors, none of whose components vanish, under which ranges along both
-    leave something unseen."""
+    """Check the condition on two unit vectors for ranges along both to be insufficient.
+
+    Insufficient means that something is unobservable; none of the components of the vectors
+    vanish.
+    """
     symbols = [*first, *second]
     given = sp.And(
         *(sp.Eq(sum(n**2 for n in sight), 1) for sight in (first, second)),
@@ -207,23 +222,23 @@ def stations_insufficient(answer, matrix, first, second):
         matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)}), first, second
     )
 
-    def told(values, holds):
-        return f"for {place_text(values)} the ranges determine " + (
+    def message(values, holds):
+        return f"for {values_text(values)} the ranges determine " + (
             "not everything, yet your condition fails"
             if holds
             else "everything, yet your condition holds"
         )
 
-    truth = exactly(
+    reference = exactly(
         unseen, given, points=lambda: (dict(zip(symbols, pair)) for pair in _pairs_of_directions())
     )
-    agreement = compare(answer, symbols, truth, told)
+    agreement = compare(answer, symbols, reference, message)
     return f"it agrees with the rank, for directions in general position and in special ones: {agreement}"
 
 
 def _unseen_along(matrix, *sights):
     """The condition under which ranges along all of the directions miss a motion of x' = A x
-    (Popov's criterion)."""
+    (PBH test)."""
     rows = sp.Matrix([[*sight, *[0] * (matrix.rows - len(sight))] for sight in sights])
     found = []
     for _, _, vectors in matrix.eigenvects():
@@ -283,78 +298,6 @@ def _pairs_of_directions(count=48):
         turned = [*one[k:], *one[:k]], [*other[k:], *other[:k]]
         if all(turned[0]) and all(turned[1]):
             yield turned[0] + turned[1]
-
-
-@judged(Expressions(length=lambda data: data["matrix"].rows))
-def breaks_bound(claim, matrix, state, factor):
-    """An error e of the measurements for which |dx| exceeds mu |e| |x|/|Z| at least `factor` times,
-    with Z = H x + e."""
-    e = np.array([float(coercion.as_number(part)) for part in claim])
-    H, x = np.array(matrix.tolist(), dtype=float), np.array([float(part) for part in state])
-    if not np.abs(e).max() > 0:
-        raise Wrong("without an error nothing is wrong: both sides are zero")
-    values = np.linalg.svd(H, compute_uv=False)
-    found = np.linalg.norm(np.linalg.lstsq(H, e, rcond=None)[0])
-    bound = (
-        values[0] / values[-1] * np.linalg.norm(e) / np.linalg.norm(H @ x + e) * np.linalg.norm(x)
-    )
-    if not found >= float(factor) * bound * (1 - 1e-9):
-        raise Wrong(
-            f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is "
-            f"exceeded {found / bound:.3g} times, not {float(factor):g} times"
-        )
-    return "the estimate is wrong by more than the printed bound, as many times as was asked"
-
-
-@judged(Integer())
-def most_rows(n, m, mu, eps):
-    """The greatest number n of rows for which the condition number mu is below the threshold
-    mu*."""
-    m, mu, eps = int(m), sp.Rational(mu), sp.Rational(eps)
-    if n < m:
-        raise Wrong(f"{n} rows are fewer than the {m} unknowns")
-
-    def threshold(rows):
-        return 1 / ((sp.sqrt(m) * (2 * m - 3) * (4 * rows + 27) + 11) * eps)
-
-    for rows, below in ((n, True), (n + 1, False)):
-        if bool(mu < threshold(rows)) != below:
-            raise Wrong(
-                f"with {rows} rows the threshold is {float(threshold(rows)):.8g}, so that {rows} "
-                "is " + ("too many" if below else "still not too many")
-            )
-    return (
-        "with this many rows the condition number is below the threshold, with one more it is not"
-    )
-
-
-@judged(Expression("delta"))
-def condition_of_nearly_equal(claim, delta):
-    """The condition number of two columns of length 1 along h and h + delta g, for perpendicular
-    unit vectors h, g."""
-    for size in (1.0, 0.3, 0.04, 0.003, 2.5, 9.0):
-        columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
-        values = np.linalg.svd(columns, compute_uv=False)
-        yield Same(claim, values[0] / values[-1], "the condition number", {delta: size})
-    return "it is the ratio of the singular values, for small and large errors"
-
-
-@judged(Expression("M"))
-def fooling_error(claim, M):
-    """The error of a column that is a multiple of another from which on the condition number is
-    below M."""
-    for limit in (1.5, 4.0, 30.0, 1e3, 1e5):
-        size = value_at(claim, {M: limit}, "the error")
-        if size <= 0:
-            raise Wrong(f"for M = {limit:g} your error {size:.4g} is not positive")
-        columns = np.array([[1, 1 / math.hypot(1, size)], [0, size / math.hypot(1, size)]])
-        values = np.linalg.svd(columns, compute_uv=False)
-        if not abs(values[0] / values[-1] - limit) <= 1e-6 * limit:
-            raise Wrong(
-                f"for M = {limit:g} your error gives the condition number "
-                f"{values[0] / values[-1]:.6g}"
-            )
-    return "with this error the condition number is just M, for small and large M"
 
 
 def _rows(matrix, output, values, times):

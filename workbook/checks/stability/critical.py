@@ -1,8 +1,9 @@
-"""Stability of x' = A x where roots lie on the imaginary axis: multiplicities, motions that grow,
-forms that are conserved.
+"""Stability of x' = A x with roots on the imaginary axis.
+
+Multiplicities, motions that grow without bound, and conserved quadratic forms.
 
 The matrix is that of the equations in deviations from rest, or, where a `program` is given, from a
-program motion (`workbook.checks.stability.nominal_motions`); a `part` of the state picks a subsystem that
+nominal motion (`workbook.checks.stability.nominal_motions`); a `part` of the state picks a subsystem that
 does not depend on the others. What decides is computed from the matrix at sampled values of the
 parameters: clusters of eigenvalues and ranks of A - lambda E, by singular values.
 """
@@ -15,11 +16,23 @@ from workbook.checks.contract.claims import Choice
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.stability.linearisation import STABILITY
 from workbook.checks.stability.nominal_motions import Motion
-from workbook.checks.tools.comparisons import Word
-from workbook.checks.tools.conditions import Truth, compare, contrary, decide, exactly, place_text
+from workbook.checks.tools.comparisons import SameWord
+from workbook.checks.tools.conditions import (
+    ReferenceCondition,
+    compare,
+    contradiction_message,
+    decide,
+    exactly,
+)
 from workbook.checks.tools.samples import in_every_case, sample_values
 from workbook.checks.tools.values import matrix_at, number_at, numbers_at
-from workbook.checks.tools.wording import number_text, point_text, rounded_text, where_text
+from workbook.checks.tools.wording import (
+    number_text,
+    point_text,
+    rounded_text,
+    values_text,
+    where_text,
+)
 
 #: Eigenvalues closer together than this, relative to the size of the matrix, are one eigenvalue: a
 #: Jordan block of order m spreads its eigenvalue by the m-th root of the rounding error.
@@ -28,7 +41,7 @@ SPREAD = 2e-5
 
 @judged
 def eigenvalue_multiplicities(answer, field, state, parameters, program=None, part=None):
-    """All eigenvalues, each as [value, algebraic multiplicity, geometric multiplicity].
+    """Check all eigenvalues as [value, algebraic multiplicity, geometric multiplicity].
 
     The values are judged by the characteristic polynomial, the last number by the rank of A -
     lambda E.
@@ -79,30 +92,35 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
 
 @judged(Choice(words=STABILITY))
 def critical_stability(claim, field, state, parameters, program=None, part=None):
-    """Whether x = 0 of the linear system is asymptotically stable, stable (and no more) or
-    unstable."""
+    """Check whether x = 0 of a linear system is asymptotically stable, stable or unstable.
+
+    The word "stable" means stable and no more.
+    """
     verdicts = [
         (values, matrix, stability(matrix))
         for values, matrix in _matrices(field, state, parameters, program, part)
     ]
     if len({verdict for _, _, verdict in verdicts}) > 1:
         raise RuntimeError("the verdict depends on the parameters")
-    values, matrix, truth = verdicts[0]
+    values, matrix, reference = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
-    told = (
+    message = (
         "motions that start at distance 1 from zero are at distances of up to "
         f"{_distance(matrix, duration)} after {duration:.3g} units of time and up to "
         f"{_distance(matrix, 100 * duration)} after {100 * duration:.3g}{where_text(values)}"
     )
-    return (yield Word(claim, truth, told, "this does not agree with the motions: "))
+    return (yield SameWord(claim, reference, message, "this does not agree with the motions: "))
 
 
 @judged
 def stable_parameters(answer, field, state, parameters, program=None, part=None):
-    """The parameters for which x = 0 of the linear system is stable, asymptotically or not."""
+    """Check the parameters for which x = 0 of a linear system is stable.
+
+    Stable is meant, asymptotically or not.
+    """
     at = _linear_part(field, state, parameters, program, part)
 
-    def told(values):
+    def message(values):
         matrix = at(values)
         duration = 2000 / np.linalg.norm(matrix)
         return (
@@ -110,14 +128,14 @@ def stable_parameters(answer, field, state, parameters, program=None, part=None)
             f"{_distance(matrix, duration)} after {duration:.3g} units of time"
         )
 
-    truth = Truth(at=lambda values: stability(at(values)) != "unstable")
-    agreement = compare(answer, parameters, truth, contrary(told))
+    reference = ReferenceCondition(at=lambda values: stability(at(values)) != "unstable")
+    agreement = compare(answer, parameters, reference, contradiction_message(message))
     return f"for these parameters, and for no others, all motions stay bounded: {agreement}"
 
 
 @judged
-def growing_motion(answer, field, state, parameters, time, constants=(), program=None, part=None):
-    """A motion x(t) that satisfies x' = A x and grows without bound: the witness of instability."""
+def unbounded_motion(answer, field, state, parameters, time, constants=(), program=None, part=None):
+    """Check a motion x(t) of x' = A x that grows without bound and so proves instability."""
     part = list(state if part is None else part)
     motion = coercion.as_expressions(answer, [time, *constants, *parameters], len(part))
     rates = [sp.diff(component, time) for component in motion]
@@ -165,8 +183,7 @@ def growing_motion(answer, field, state, parameters, time, constants=(), program
 
 @judged
 def limit_state(answer, field, state, parameters, start, program=None, part=None):
-    """The state that x(t) tends to for t to infinity, as a linear function of the initial state
-    `start`."""
+    """Check the limit of x(t) for t to infinity, a linear function of the initial state `start`."""
     part = list(state if part is None else part)
     limit = coercion.as_expressions(answer, [*start, *parameters], len(part))
     for values, matrix in _matrices(field, state, parameters, program, part, limit):
@@ -181,20 +198,22 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
         ]
         for at in in_every_case(starts, limit):
             begin = np.array([float(at[s]) for s in start])
-            said = numbers_at(limit, at, [f"limit of {s}" for s in part])
+            claimed = numbers_at(limit, at, [f"limit of {s}" for s in part])
             true = late @ begin
-            if not np.linalg.norm(said - true) <= 1e-7 * np.linalg.norm(begin):
+            if not np.linalg.norm(claimed - true) <= 1e-7 * np.linalg.norm(begin):
                 raise Wrong(
                     f"the motion from {point_text(begin)} has come to {point_text(true + 0.0)} "
-                    f"after a long time{where_text(values)}; your limit is {point_text(said.real)}"
+                    f"after a long time{where_text(values)}; your limit is {point_text(claimed.real)}"
                 )
     return "motions from several starts come to these states"
 
 
 @judged
-def conserved_form(answer, field, state, parameters, program=None, part=None):
-    """A positive definite quadratic form that keeps its value along all motions of the linear
-    system."""
+def conserved_quadratic_form(answer, field, state, parameters, program=None, part=None):
+    """Check a positive definite quadratic form that is constant along all motions.
+
+    The motions are those of the linear system.
+    """
     part = list(state if part is None else part)
     form = coercion.as_expression(answer, [*part, *parameters])
     for values, matrix in _matrices(field, state, parameters, program, part):
@@ -222,7 +241,7 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
         if not lowest[0] > 1e-9 * lowest[-1]:
             direction = np.linalg.eigh(weights)[1][:, 0]
             direction = np.where(abs(direction) < 1e-9, 0, direction)
-            told = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
+            message = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
             value = (
                 "zero"
                 if lowest[0] >= -1e-9 * lowest[-1]
@@ -230,15 +249,15 @@ def conserved_form(answer, field, state, parameters, program=None, part=None):
             )
             raise Wrong(
                 f"it is conserved but not positive definite: it is {value} at "
-                f"{told}{where_text(values)}"
+                f"{message}{where_text(values)}"
             )
     minors = [
         sp.hessian(sp.expand(form), part)[:k, :k].det(method="berkowitz")
         for k in range(1, len(part) + 1)
     ]
-    _, place = decide(sp.And(*(minor > 0 for minor in minors)), parameters, exactly(sp.true))
-    if place:
-        raise Wrong(f"it is conserved, but for {place_text(place[0])} it is not positive definite")
+    _, point = decide(sp.And(*(minor > 0 for minor in minors)), parameters, exactly(sp.true))
+    if point:
+        raise Wrong(f"it is conserved, but for {values_text(point[0])} it is not positive definite")
     return (
         "it is positive away from zero, and its derivative along the motions vanishes identically"
     )

@@ -1,5 +1,4 @@
-"""Planar motions in polar coordinates: the equations, limit cycles, and what becomes of
-neighbouring motions.
+"""Planar motions in polar coordinates: equations, limit cycles and neighbouring motions.
 
 The closed orbits of these checks are circles around zero. They are found from the field alone: on
 such a circle the radial velocity vanishes at every angle and the angular velocity nowhere.
@@ -15,10 +14,15 @@ from sympy.core.relational import Relational
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Number
 from workbook.checks.contract.members import NUMBERS, members
-from workbook.checks.contract.tolerance import REPEATED, in_decimals, rounds_to, same
+from workbook.checks.contract.tolerance import REPEATED, agree, in_decimals, rounds_to
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.references.fields import known_field
+from workbook.checks.references.fields import cached_field
+from workbook.checks.references.stationary_points import stationary_points_of
+from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import number_at, value_at
+from workbook.checks.tools.wording import (
+    sample_text,
+)
 
 CYCLES = ("stable", "unstable", "semistable")
 #: Angles at which a circle is tried; not multiples of pi/2, where single terms of a field vanish.
@@ -27,33 +31,34 @@ ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
 
 @judged(Expressions("polar", length=2))
 def polar_form(rates, field, state, polar):
-    """The pair (r', phi') of a planar system, in the polar coordinates `polar`."""
-    flow = known_field(tuple(field), tuple(state))
+    """Check the pair (r', phi') of a planar system, in the polar coordinates `polar`."""
+    flow = cached_field(tuple(field), tuple(state))
     random = np.random.default_rng(8)
     for _ in range(20):
         r, phi = random.uniform(0.2, 2.5), random.uniform(0, 2 * math.pi)
         true = _polar_velocity(flow, r, phi)
         size = abs(true[0]) / r + abs(true[1]) + np.linalg.norm(flow(_place(r, phi))) * (1 + 1 / r)
         for name, rate, value in zip(("r'", "phi'"), rates, true):
-            said = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
-            if not abs(said - value) <= 1e-9 * size:
+            stated = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
+            if not abs(stated - value) <= 1e-9 * size:
                 raise Wrong(
                     f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your "
-                    f"expression gives {said.real:.4g}"
+                    f"expression gives {stated.real:.4g}"
                 )
     return "both rates agree with the velocity of the motion at random points"
 
 
 @judged(Expression("time", "start"))
 def radial_motion(claim, field, state, time, start):
-    """The distance r(t) from zero of the motion with r(0) = r0, for t >= 0 as long as the motion
-    lasts.
+    """Check the distance r(t) from zero of the motion with r(0) = r0.
 
-    For fields whose r' does not depend on the angle. Judged by substitution: the initial value and
-    the rate of change.
+    It is asked for t >= 0, as long as the motion lasts.
+
+    For fields whose r' does not depend on the angle. Judged by substitution: the initial value
+    and the rate of change.
     """
     slope = sp.diff(claim, time)
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     for r0 in (0.3, 0.85, 1.0, 1.4, 2.3):
         life = _life(flow, r0)
         for t in (0.0, 0.1 * life, 0.35 * life, 0.8 * life):
@@ -66,22 +71,22 @@ def radial_motion(claim, field, state, time, start):
                     f"for r0 = {r0:g} your motion has r = {r:.4g} at t = {t:.3g}; a distance from "
                     "zero stays positive here"
                 )
-            true, said = (
+            true, stated = (
                 _polar_velocity(flow, r, ANGLES[0])[0],
                 value_at(slope, values, "r, differentiated,"),
             )
-            if not abs(said - true) <= 1e-9 * (abs(true) + r) < math.inf:
+            if not abs(stated - true) <= 1e-9 * (abs(true) + r) < math.inf:
                 raise Wrong(
                     f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes "
-                    f"at the rate {said:.4g} there; the system demands r' = {true:.4g} at this r"
+                    f"at the rate {stated:.4g} there; the system demands r' = {true:.4g} at this r"
                 )
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 
 
 @judged
 def limit_cycles(answer, field, state):
-    """The radii of all limit cycles that are circles around zero."""
-    flow = known_field(tuple(field), tuple(state))
+    """Check the radii of all limit cycles that are circles around zero."""
+    flow = cached_field(tuple(field), tuple(state))
     entries = members(answer, "a list of radii", single=(*NUMBERS, Relational))
     if any(isinstance(entry, Relational) for entry in entries):
         raise Invalid("expected the radii themselves, without equations")
@@ -93,7 +98,7 @@ def limit_cycles(answer, field, state):
             raise Wrong("r = 0 is a position of equilibrium, not a closed orbit")
         if radius < 0:
             raise Wrong(f"the radius {radius:.4g} is negative")
-        if not any(same(radius, other, number, computed=REPEATED) for other in found):
+        if not any(agree(radius, other, number, computed=REPEATED) for other in found):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
             raise Wrong(
                 f"the circle r = {radius:.4g} is not a closed orbit: r' = "
@@ -103,7 +108,8 @@ def limit_cycles(answer, field, state):
         other
         for other in found
         if not any(
-            same(radius, other, number, computed=REPEATED) for number, radius in zip(numbers, radii)
+            agree(radius, other, number, computed=REPEATED)
+            for number, radius in zip(numbers, radii)
         )
     ]
     if missed:
@@ -137,21 +143,22 @@ def _proved(radii, field, state):
 
 @judged
 def cycle_stability(answer, field, state, radius=None):
-    """Whether a limit cycle is stable, unstable or semistable: the only one, or that with the
-    `radius` given.
+    """Check whether a limit cycle is stable, unstable or semistable.
+
+    It is the only one, or that with the `radius` given.
 
     Judged by motions that start a little inside and a little outside of it.
     """
     # semi-stable
     joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer
     claim = coercion.as_choice(joined, CYCLES)
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     inside, outside = (_tendency(flow, radius, side) for side in (-1, 1))
-    truth = {("to", "to"): "stable", ("from", "from"): "unstable"}.get(
+    reference = {("to", "to"): "stable", ("from", "from"): "unstable"}.get(
         (inside, outside), "semistable"
     )
-    if claim != truth:
+    if claim != reference:
         claimed = {"stable": ("to", "to"), "unstable": ("from", "from")}.get(claim)
         if claimed is None:
             raise Wrong(
@@ -172,15 +179,44 @@ def cycle_stability(answer, field, state, radius=None):
     )
 
 
-@judged(Number())
-def return_slope(claim, field, state, radius=None):
-    """The slope of the return map r -> P(r) at a limit cycle: by how much one turn multiplies a
-    small deviation.
+@judged(Expression("parameters"))
+def cycle_period(claim, radial, angular, radius, parameters):
+    """Check the period of the closed orbit of r' = R(r), phi' = W(r).
 
-    Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over one
-    turn.
+    At the rate W the angle gains 2 pi in it.
     """
-    flow = known_field(tuple(field), tuple(state))
+    family = stationary_points_of([radial], [radius], parameters, _cycles(radius))
+    turning = stationary_points_of([angular], [radius], parameters, _cycles(radius))
+    for values, numbers, rest in family.samples(claim):
+        period = real_at(claim, values)
+        if period is None:
+            raise Wrong(
+                f"for {sample_text(values)} there is a closed orbit, but your expression gives no "
+                "real number"
+            )
+        rate = float(turning(rest, numbers)[0])
+        if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
+            raise Wrong(
+                f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
+                f"{period:.4g}, which is not one turn"
+            )
+    return "in this time the angle gains one full turn on the closed orbit"
+
+
+def _cycles(radius):
+    return {radius: sp.Interval.open(0, sp.oo)}
+
+
+@judged(Number())
+def return_map_slope(claim, field, state, radius=None):
+    """Check the slope of the return map r -> P(r) at a limit cycle.
+
+    One turn multiplies a small deviation by this number.
+
+    Judged by Liouville's formula: in the plane it is exp of the integral of the divergence over
+    one turn.
+    """
+    flow = cached_field(tuple(field), tuple(state))
     radius = _circle(flow, radius)
     exponent = 0.0
     # the trapezoidal rule is exact here for trigonometric polynomials below degree 24
@@ -197,7 +233,7 @@ def return_slope(claim, field, state, radius=None):
         exponent = 0.0
     slope = math.exp(exponent)
     # A whole number may be one that was rounded: such a slope is large.
-    if not same(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
+    if not agree(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
         if float(claim) <= 0:
             raise Wrong(
                 "the slope is positive: a motion that starts outside the cycle stays outside, for "

@@ -1,5 +1,4 @@
-"""Positions of equilibrium of an autonomous system, the spectra there, and which of them are
-stable."""
+"""Equilibria of an autonomous system, their spectra and stability."""
 
 import functools
 
@@ -8,7 +7,7 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.members import in_order
-from workbook.checks.contract.tolerance import REPEATED, same
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
 from workbook.checks.tools.values import numbers_at
@@ -17,9 +16,9 @@ from workbook.checks.tools.wording import number_text, point_text
 
 @judged
 def equilibria(answer, field, state):
-    """All equilibria of x' = f(x): every point given is one, and a search finds no other."""
+    """Check all equilibria of x' = f(x): every point given is one, and a search finds no other."""
     flow, found = _searched(tuple(field), tuple(state))
-    given = [_rest_point(flow, place) for place in _places(answer, state)]
+    given = [_rest_point(flow, position) for position in _places(answer, state)]
     missed = [point for point in found if not _among(point, given)]
     if missed:
         raise Wrong("your list does not hold all of them: a search finds another")
@@ -28,16 +27,17 @@ def equilibria(answer, field, state):
 
 @judged
 def spectra(answer, field, state):
-    """The eigenvalues of the first approximation at every equilibrium: rows of the coordinates,
-    then the eigenvalues.
+    """Check the eigenvalues of the linearisation at every equilibrium.
 
-    Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by their
-    sum, the trace of A.
+    The rows are the coordinates of an equilibrium, then the eigenvalues.
+
+    Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by
+    their sum, the trace of A.
     """
     flow, found = _searched(tuple(field), tuple(state))
     given = []
-    for place, numbers in _spectra_by_place(answer, state):
-        point = _rest_point(flow, place)
+    for position, numbers in _spectra_by_place(answer, state):
+        point = _rest_point(flow, position)
         given.append(point)
         _judge_spectrum(numbers, flow.jacobian(point), point)
     missed = [point for point in found if not _among(point, given)]
@@ -51,7 +51,7 @@ def spectra(answer, field, state):
 
 @judged
 def stable_equilibria(answer, field, state):
-    """The asymptotically stable equilibria among all, by the first approximation."""
+    """Check the asymptotically stable equilibria among all, by the first approximation."""
     flow, found = _searched(tuple(field), tuple(state))
     given = _places(answer, state)
     stable = []
@@ -61,17 +61,17 @@ def stable_equilibria(answer, field, state):
             raise RuntimeError("the first approximation does not decide here")
         if real_part < 0:
             stable.append(point)
-        elif any(_is_at(place, point) for place in given):
+        elif any(_is_at(position, point) for position in given):
             raise Wrong(
                 f"the point {point_text(point)} is listed as stable, but the first approximation "
                 f"there has an eigenvalue with real part {real_part:.4g}"
             )
-    for place in given:
-        if not any(_is_at(place, point) for point in stable):
+    for position in given:
+        if not any(_is_at(position, point) for point in stable):
             raise Wrong(
-                f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}"
+                f"your point {point_text(position)} is not an equilibrium: {_values_text(flow, position)}"
             )
-    missed = [point for point in stable if not any(_is_at(place, point) for place in given)]
+    missed = [point for point in stable if not any(_is_at(position, point) for position in given)]
     if missed:
         raise Wrong(
             "not all asymptotically stable equilibria are there: some equilibrium that you leave "
@@ -85,7 +85,7 @@ def _searched(field, state):
     """The field and its rest points. Several answers of a problem ask about the same system: one
     search serves them all."""
     flow = Field(field, state)
-    return flow, flow.rest_points()
+    return flow, flow.equilibria()
 
 
 def _places(answer, state):
@@ -134,7 +134,7 @@ def _judge_spectrum(written, matrix, point):
     left = list(eigenvalues)
     for number, claim in zip(numbers, written):
         # A double eigenvalue comes out of the floating-point computation with half of its digits.
-        near = [value for value in eigenvalues if same(number, value, claim, 1, REPEATED)]
+        near = [value for value in eigenvalues if agree(number, value, claim, 1, REPEATED)]
         if not near:
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
             raise Wrong(
@@ -152,27 +152,29 @@ def _judge_spectrum(written, matrix, point):
         left.remove(min(close, key=lambda value: abs(value - number)))
 
 
-def _rest_point(flow, place):
+def _rest_point(flow, position):
     """The equilibrium at a point as it is written."""
-    rest = flow.refine(np.array(place, dtype=float))
-    if rest is None or not _is_at(place, rest):
+    rest = flow.refine(np.array(position, dtype=float))
+    if rest is None or not _is_at(position, rest):
         raise Wrong(
-            f"your point {point_text(place)} is not an equilibrium: {_values_told(flow, place)}"
+            f"your point {point_text(position)} is not an equilibrium: {_values_text(flow, position)}"
         )
     return rest
 
 
-def _values_told(flow, place):
-    values = flow(np.array(place, dtype=float))
+def _values_text(flow, position):
+    values = flow(np.array(position, dtype=float))
     if not np.all(np.isfinite(values)):
         return "the right-hand sides are not defined there"
     return f"the right-hand sides are {point_text(values)} there, not zero"
 
 
-def _is_at(place, point):
+def _is_at(position, point):
     """Whether a point as it is written is one that was searched for; a double zero is found to half
     of its digits."""
-    return same(np.array(place, dtype=float), point, place, np.abs(point).max(), REPEATED).all()
+    return agree(
+        np.array(position, dtype=float), point, position, np.abs(point).max(), REPEATED
+    ).all()
 
 
 def _among(point, points):

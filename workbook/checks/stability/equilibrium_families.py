@@ -1,5 +1,4 @@
-"""Stationary solutions that depend on parameters or repeat periodically, and what becomes of
-deviations from them.
+"""Stationary solutions that depend on parameters or repeat periodically, and stability.
 
 An equation of second order in x stands here as the field of its state (x, x'). A stationary
 solution x(t) = x* is named by the number x* alone; a periodic family of them is an expression in an
@@ -15,21 +14,26 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.members import VECTORS, families
-from workbook.checks.contract.tolerance import REPEATED, half_unit, in_decimals, same
+from workbook.checks.contract.tolerance import REPEATED, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
 from workbook.checks.stability.equilibrium_sets import agreement
-from workbook.checks.tools.conditions import Case, Truth, compare, contrary
-from workbook.checks.tools.samples import allowed_values, in_every_case, joined
-from workbook.checks.tools.values import matrix_at, number_at, uncertain_at
-from workbook.checks.tools.wording import number_text, point_text, roots_text, where_text
+from workbook.checks.tools.conditions import (
+    Case,
+    ReferenceCondition,
+    compare,
+    contradiction_message,
+)
+from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
+from workbook.checks.tools.values import matrix_at, number_at, uncertainty_at
+from workbook.checks.tools.wording import number_text, point_text, where_text
 
 #: Stationary values are compared between -REACH and REACH; families are followed as far as that and
 #: a little further.
 REACH = 12.0
 #: What rounding leaves of a zero matrix, next to the largest one.
 ROUNDING = 1e-12
-#: By the word that `agreement` knows: what an answer names, and which of the rest points found
+#: By the word that `agreement` knows: what an answer names, and which of the equilibria found
 #: belong to these.
 SORTED = {
     "stationary": ("stationary solutions", lambda flow, point: True),
@@ -39,13 +43,13 @@ SORTED = {
     ),
     "unstable": ("unstable ones", lambda flow, point: _growth(flow, point) > 0),
 }
-KINDS = ("stable node", "stable focus", "unstable node", "unstable focus", "saddle", "centre")
 
 
 @judged
-def rest_values(answer, field, state, parameters=(), given=(), integer=None):
-    """The values x* of all stationary solutions x(t) = x*, as expressions in the parameters and an
-    integer.
+def equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
+    """Check the values x* of all stationary solutions x(t) = x*.
+
+    They are expressions in the parameters and an integer.
 
     Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0).
     """
@@ -56,8 +60,11 @@ def rest_values(answer, field, state, parameters=(), given=(), integer=None):
 
 
 @judged
-def stable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
-    """The values of the stationary solutions that Theorem 1.4 proves asymptotically stable."""
+def stable_equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
+    """Check the stationary values that Theorem 1.4 proves asymptotically stable.
+
+    The form is that of `equilibrium_values`.
+    """
     return (
         "there, and nowhere else, all roots of the characteristic equation have negative real parts"
         + _all_and_no_others(
@@ -67,8 +74,11 @@ def stable_rest_values(answer, field, state, parameters=(), given=(), integer=No
 
 
 @judged
-def unstable_rest_values(answer, field, state, parameters=(), given=(), integer=None):
-    """The values of the stationary solutions that Theorem 1.4 proves unstable."""
+def unstable_equilibrium_values(answer, field, state, parameters=(), given=(), integer=None):
+    """Check the stationary values that Theorem 1.4 proves unstable.
+
+    The form is that of `equilibrium_values`.
+    """
     return (
         "there, and nowhere else, a root of the characteristic equation has a positive real part"
         + _all_and_no_others("unstable", answer, field, state, parameters, given, integer)
@@ -79,7 +89,7 @@ def _all_and_no_others(word, answer, field, state, parameters, given, integer):
     """How it is known that an answer names all rest points of a kind, a key of `SORTED`, and no
     others."""
     claims, (noun, belongs) = _claims(answer, state, parameters, integer), SORTED[word]
-    for values, flow, found in _systems(field, state, parameters, given, claims):
+    for values, flow, found in sampled_systems(field, state, parameters, given, claims):
         _judge_values(
             claims,
             values,
@@ -89,13 +99,14 @@ def _all_and_no_others(word, answer, field, state, parameters, given, integer):
             integer,
             noun,
         )
-    return agreement(claims, integer, field, state, parameters, joined(given), word)
+    return agreement(claims, integer, field, state, parameters, conjunction(given), word)
 
 
 @judged
-def deviation_matrices(answer, field, state, parameters=(), given=(), integer=None, zeros=None):
-    """The matrices A of the equations in deviations y' = A y that occur at the stationary
-    solutions, in any order.
+def linearisation_matrices(answer, field, state, parameters=(), given=(), integer=None, zeros=None):
+    """Check the matrices A of y' = A y that occur at the stationary solutions.
+
+    The order of the matrices is free; y are the deviations.
 
     Where A may be singular, `zeros` are functions that have the same zeros as the field, all
     simple.
@@ -105,7 +116,7 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
         coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n))
         for part in _list_of_matrices(answer)
     ]
-    for values, flow, found in _systems(field, state, parameters, given, matrices, zeros):
+    for values, flow, found in sampled_systems(field, state, parameters, given, matrices, zeros):
         true = [(point, flow.jacobian(point)) for point in found]
         floor = ROUNDING * max(np.linalg.norm(other) for _, other in true)
         claimed = [
@@ -135,31 +146,40 @@ def deviation_matrices(answer, field, state, parameters=(), given=(), integer=No
 
 @judged(Expression("parameters"))
 def growth_rate(claim, field, state, parameters=(), given=()):
-    """The positive root of the characteristic equation at the unstable stationary solutions."""
-    for values, flow, found in _systems(field, state, parameters, given, claim):
+    """Check the positive eigenvalue at the unstable stationary solutions.
+
+    It is the positive root of the characteristic equation there.
+    """
+    for values, flow, found in sampled_systems(field, state, parameters, given, claim):
         number = number_at(claim, values)
         for point in found:
             matrix = flow.jacobian(point)
             rate = max(np.linalg.eigvals(matrix).real)
-            if rate <= 1e-9 or same(number, rate, claim, 0, REPEATED, uncertain_at(claim, values)):
+            if rate <= 1e-9 or agree(
+                number, rate, claim, 0, REPEATED, uncertainty_at(claim, values)
+            ):
                 continue
             residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
             # Which solution it is the student is asked for in another item.
-            told = (
+            message = (
                 "it is a root of the characteristic equation at an unstable stationary solution, "
                 "but not a positive one"
                 if residual < 1e-9 * np.linalg.norm(matrix) ** len(state)
                 else "at an unstable stationary solution the characteristic determinant has the modulus "
                 f"{residual:.4g} for it, not zero"
             )
-            raise Wrong(f"your expression gives {number_text(number)}{where_text(values)}; {told}")
+            raise Wrong(
+                f"your expression gives {number_text(number)}{where_text(values)}; {message}"
+            )
     return "it is positive and a root of the characteristic equation at every unstable stationary solution"
 
 
 @judged
-def single_rest(answer, field, state, parameters):
-    """The parameters for which x' = f(x) with polynomial f has one stationary solution only; real
-    roots are counted exactly."""
+def unique_equilibrium(answer, field, state, parameters):
+    """Check the parameters for which x' = f(x) has one stationary solution only.
+
+    The right-hand side f is a polynomial; its real roots are counted exactly.
+    """
     *others, force = [sp.sympify(f).subs(dict.fromkeys(state[1:], 0)) for f in field]
     if any(other != 0 for other in others):
         raise RuntimeError("this is no equation of second order")
@@ -173,94 +193,22 @@ def single_rest(answer, field, state, parameters):
     def count(values):
         return sp.Poly(force.subs(values), x).sqf_part().count_roots()
 
-    def told(values):
+    def message(values):
         number = count(values)
-        places = (
+        points = (
             "no value" if not number else "one value only" if number == 1 else "more than one value"
         )
-        return f"there the right-hand sides vanish at {places} of {x}"
+        return f"there the right-hand sides vanish at {points} of {x}"
 
-    truth = Truth((inside,), outside, lambda values: count(values) == 1)
-    agreement = compare(answer, parameters, truth, contrary(told))
+    reference = ReferenceCondition((inside,), outside, lambda values: count(values) == 1)
+    agreement = compare(answer, parameters, reference, contradiction_message(message))
     return f"the number of real roots of the equation of rest is one there and nowhere else: {agreement}"
 
 
-@judged
-def rest_kinds(answer, field, state):
-    """The kind of every stationary point of a planar portrait, as a dict {x*: word}; the words are
-    `KINDS`."""
-    ((_, flow, found),) = _systems(field, state, (), ())
-    left = list(found)
-    pairs = list(answer.items()) if isinstance(answer, dict) else answer
-    if not (
-        isinstance(pairs, (list, tuple))
-        and all(isinstance(p, (list, tuple)) and len(p) == 2 for p in pairs)
-    ):
-        raise Invalid("expected a dict such as {3: 'saddle'}, from the value to the word")
-    for value, word in pairs:
-        kind = coercion.as_choice(word, KINDS)
-        claim = coercion.as_number(_first_coordinate(value, state, ()))
-        number = float(claim)
-        near = [point for point in found if _is(number, point[0], claim, {})]
-        if not near:
-            raise Wrong(
-                f"x = {number:.4g} is no stationary solution: the right-hand sides are "
-                f"{point_text(flow([number, 0.0]))}, not zero"
-            )
-        eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
-        if kind != _kind(eigenvalues):
-            raise Wrong(
-                f"at x = {number:.4g} the roots of the characteristic equation are "
-                f"{roots_text(eigenvalues)}: that is no {kind}"
-            )
-        left = [point for point in left if point is not near[0]]
-    if left:
-        raise Wrong("the portrait has a stationary point that your answer does not name")
-    return "at every stationary point the roots of the characteristic equation are as the word says"
-
-
-@judged
-def saddle_slopes(answer, field, state):
-    """The slopes of the motions through the saddles of an equation of second order: [of those that
-    leave, of those that come].
-
-    Judged by the direction of the field close to each saddle: along these lines it points to or
-    away from it.
-    """
-    claims = list(map(coercion.as_number, coercion.as_expressions(answer, (), 2)))
-    ((_, flow, found),) = _systems(field, state, (), ())
-    saddles = [point for point in found if np.linalg.det(flow.jacobian(point)) < 0]
-    if not saddles:
-        raise RuntimeError("the equation has no saddle")
-    for point in saddles:
-
-        def rates(slope, point=point):
-            line = np.array([1.0, slope]) / np.hypot(1, slope)
-            velocity = flow.derivative(point, line)
-            return line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
-
-        for claim, sign, told in zip(claims, (1, -1), ("leave", "come to")):
-            slope = float(claim)
-            across, along = rates(slope)
-            moved = (
-                [slope - half_unit(slope), slope + half_unit(slope)] if in_decimals(claim) else []
-            )
-            allowed = 1e-7 * np.linalg.norm(flow.jacobian(point)) + max(
-                (abs(rates(other)[0] - across) for other in moved), default=0.0
-            )
-            if not abs(across) <= allowed or not along * sign > 0:
-                raise Wrong(
-                    f"along the line of slope {slope:.4g} through the saddle at {state[0]} = "
-                    f"{point[0]:.4g} small deviations change at the rate {along:.3g} along it and "
-                    f"{across:.3g} across it: these motions do not {told} the saddle"
-                )
-    return "along these lines the linear field at each saddle points straight away from it and straight to it"
-
-
-def _systems(field, state, parameters, given, claim=(), zeros=None):
+def sampled_systems(field, state, parameters, given, claim=(), zeros=None):
     """Triples (values, field, rest points between -REACH and REACH) for four samples of the
     parameters that satisfy `given`, and for more where the answer distinguishes cases that these do
-    not meet; the rest points are the zeros of `zeros`, if these are told."""
+    not meet; the equilibria are the zeros of `zeros`, if these are given."""
     for values in in_every_case(allowed_values(parameters, given, 4), claim, given):
         yield (
             values,
@@ -276,7 +224,7 @@ def _systems(field, state, parameters, given, claim=(), zeros=None):
 @functools.lru_cache(maxsize=64)
 def _searched(field, state, zeros, values):
     # Several answers of a problem ask about the same equation: one search serves them all.
-    found = Field(zeros, state, dict(values)).rest_points(160, reach=1.2 * REACH)
+    found = Field(zeros, state, dict(values)).equilibria(160, reach=1.2 * REACH)
     return Field(field, state, dict(values)), [point for point in found if abs(point[0]) < REACH]
 
 
@@ -289,10 +237,10 @@ def _claims(answer, state, parameters, integer):
         integer,
         "the values written out: a list of expressions, or a set as solveset gives it",
     )
-    return [_first_coordinate(part, state, symbols) for part in parts]
+    return [first_coordinate(part, state, symbols) for part in parts]
 
 
-def _first_coordinate(part, state, symbols):
+def first_coordinate(part, state, symbols):
     """The value x* of a number or of a point (x*, 0, ...)."""
     if isinstance(part, VECTORS) and np.ndim(part) > 0:
         first, *others = coercion.as_expressions(part, symbols, len(state))
@@ -308,23 +256,23 @@ def _first_coordinate(part, state, symbols):
 def _judge_values(claims, values, flow, found, wanted, integer, what):
     claimed = []
     for family in claims:
-        for told, number, here in _members(family, values, integer):
+        for message, number, here in _members(family, values, integer):
             if abs(number.imag) > 1e-9 * (1 + abs(number)):
-                raise Wrong(f"your value{told} is not real{where_text(values)}")
+                raise Wrong(f"your value{message} is not real{where_text(values)}")
             number = number.real
             if abs(number) > REACH:
                 continue
-            near = [point for point in found if _is(number, point[0], family, here)]
+            near = [point for point in found if is_value(number, point[0], family, here)]
             if not near:
                 rates = point_text(flow([number] + [0.0] * (len(flow.state) - 1)))
                 raise Wrong(
-                    f"your value {number:.4g}{told} is no stationary solution{where_text(values)}: "
+                    f"your value {number:.4g}{message} is no stationary solution{where_text(values)}: "
                     f"the right-hand sides are {rates} there"
                 )
             if not any(point is near[0] for point in wanted):
                 rate = _growth(flow, near[0])
                 raise Wrong(
-                    f"at your value {number:.4g}{told} the largest real part of a root of the "
+                    f"at your value {number:.4g}{message} the largest real part of a root of the "
                     f"characteristic equation is {rate:.4g}{where_text(values)}"
                 )
             claimed.append(near[0])
@@ -389,15 +337,6 @@ def _list_of_matrices(answer):
     return [answer] if flat else list(answer)
 
 
-def _kind(eigenvalues):
-    real, imaginary = eigenvalues.real, max(abs(eigenvalues.imag))
-    if min(real) < 0 < max(real):
-        return "saddle"
-    if max(abs(real)) < 1e-9 * (1 + imaginary):
-        return "centre"
-    return f"{'stable' if max(real) < 0 else 'unstable'} {'focus' if imaginary > 1e-9 else 'node'}"
-
-
 def _symbols(integer):
     return [] if integer is None else [integer]
 
@@ -406,10 +345,10 @@ def _same(matrix, other, floor):
     return np.linalg.norm(matrix - other) <= max(1e-6 * np.linalg.norm(other), floor)
 
 
-def _is(number, value, claim, values):
+def is_value(number, value, claim, values):
     """Whether a number, that an expression became at values of its symbols, is one that was
     searched for."""
-    return same(number, value, claim, 1, REPEATED, uncertain_at(claim, values))
+    return agree(number, value, claim, 1, REPEATED, uncertainty_at(claim, values))
 
 
 def _matrix_text(matrix):

@@ -1,11 +1,11 @@
-"""Sets of rest points of an equation of second order, decided for all values of the parameters.
+"""Sets of equilibria of a second-order equation, decided for all parameter values.
 
 That a set of expressions names all stationary values x*, or all that are stable, and no others, is
 a condition on the parameters and one more number: it is a member exactly if the right-hand sides
 vanish there, and the first approximation is as required. Where the equation holds x in sines and
 cosines of multiples of m x alone, the number is the angle m x, and members are compared as points
 of the circle. Families that do not come back with every such turn are left to samples. Where two
-rest points meet, s = 0, either kind may be said.
+equilibria meet, s = 0, either kind is accepted.
 """
 
 import functools
@@ -16,7 +16,7 @@ from sympy.functions.elementary.trigonometric import TrigonometricFunction
 
 from workbook.checks.contract.tolerance import in_decimals
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.conditions import Case, Truth, decide
+from workbook.checks.tools.conditions import Case, ReferenceCondition, decide
 
 #: What the first approximation y'' = s y + r y' has to satisfy, by its coefficients s and r.
 WANTED = {
@@ -33,16 +33,16 @@ def agreement(claims, integer, field, state, parameters, given, word):
         membership = _membership(tuple(claims), integer, sp.sympify(field[1]), tuple(state), word)
         if membership:
             number, member, elsewhere, right, wrong = membership
-            truth = Truth(
+            reference = ReferenceCondition(
                 (Case(sp.And(given, right)),),
                 (Case(sp.And(given, elsewhere)), Case(sp.And(given, wrong))),
             )
-            decided, place = decide(member, [*parameters, number], truth)
-            if place:
-                values, holds = place
-                told = ", ".join(f"{p} = {values[p]}" for p in parameters)
+            decided, point = decide(member, [*parameters, number], reference)
+            if point:
+                values, holds = point
+                message = ", ".join(f"{p} = {values[p]}" for p in parameters)
                 raise Wrong(
-                    f"for {told} your answer "
+                    f"for {message} your answer "
                     + (
                         f"leaves out one that is {word}"
                         if holds
@@ -72,7 +72,7 @@ def _membership(claims, integer, acceleration, state, word):
     if not angles:
         if any(integer is not None and claim.has(integer) for claim in claims):
             return None
-        place, members = number, [sp.Eq(number, claim) for claim in claims]
+        point, members = number, [sp.Eq(number, claim) for claim in claims]
     else:
         turns = [angle.coeff(x) for angle in angles]
         if not all(turn.is_Integer and not turn.is_zero for turn in turns):
@@ -81,14 +81,14 @@ def _membership(claims, integer, acceleration, state, word):
         turned = [_in_a_turn(claim, integer, m) for claim in claims]
         if None in turned:
             return None
-        place = number / m
+        point = number / m
         members = [
             sp.And(
                 *(sp.Eq(f(number), sp.expand_trig(f(sp.expand(m * one)))) for f in (sp.cos, sp.sin))
             )
             for one in sum(turned, [])
         ]
-    rest, slope, friction = (part.subs(x, place) for part in (force, slope, friction))
+    rest, slope, friction = (part.subs(x, point) for part in (force, slope, friction))
     if angles and any(
         part.has(number) and part.subs({sp.sin(number): 0, sp.cos(number): 0}).has(number)
         for part in map(sp.expand_trig, (rest, slope, friction))

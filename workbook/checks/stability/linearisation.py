@@ -1,4 +1,4 @@
-"""The first approximation at a stationary solution, and what it says of stability."""
+"""Linearisation at a stationary solution, and the stability that follows from it."""
 
 from dataclasses import dataclass
 
@@ -7,13 +7,13 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Choice
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.references.fields import known_field
-from workbook.checks.references.near_equilibrium import by_motions
+from workbook.checks.references.fields import cached_field
+from workbook.checks.references.near_equilibrium import stability_from_motions
 from workbook.checks.references.records import matrix_of
 from workbook.checks.references.spectra import compare_region
-from workbook.checks.tools.comparisons import Word
+from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.values import matrix_at
-from workbook.checks.tools.wording import other_rate, where_text
+from workbook.checks.tools.wording import deviation_rate_text, where_text
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 #: Below this a derivative is zero: what complex steps leave of terms of higher order.
@@ -31,16 +31,18 @@ class Rates:
     values: dict
 
     def judge(self):
-        said, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
-        for symbol, own, column in zip(self.symbols, said.T, self.true.T):
+        claimed, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
+        for symbol, own, column in zip(self.symbols, claimed.T, self.true.T):
             if not np.linalg.norm(own - column) <= 1e-9 * size:
-                raise Wrong(f"{other_rate(symbol, own, column)}{where_text(self.values)}")
+                raise Wrong(f"{deviation_rate_text(symbol, own, column)}{where_text(self.values)}")
 
 
 @judged
-def first_approximation_unstable(answer, system, parameters):
-    """The parameters for which some eigenvalue of the first approximation in `Deviations` has a
-    positive real part."""
+def linearisation_unstable(answer, system, parameters):
+    """Check the parameters for which a linearisation has an eigenvalue with positive real part.
+
+    The linearisation is that of the equations in `Deviations`.
+    """
     return compare_region(
         answer,
         matrix_of(system, parameters),
@@ -51,21 +53,25 @@ def first_approximation_unstable(answer, system, parameters):
 
 
 @judged(Choice(words=STABILITY))
-def zero_stability(claim, field, state):
-    """Whether x = 0 is asymptotically stable, stable (and no more) or unstable.
+def zero_solution_stability(claim, field, state):
+    """Check whether x = 0 is asymptotically stable, stable or unstable.
 
-    Decided by the spectrum of the first approximation; where that is silent, by motions that start
-    close to zero.
+    The word "stable" means stable and no more.
+
+    Decided by the spectrum of the linearisation; where that is inconclusive, by motions that
+    start close to zero.
     """
-    flow = known_field(tuple(field), tuple(state))
+    flow = cached_field(tuple(field), tuple(state))
     real_part = max(np.linalg.eigvals(flow.jacobian([0.0] * len(state))).real)
     if abs(real_part) > 1e-9:
-        truth = "unstable" if real_part > 0 else "asymptotically stable"
+        reference = "unstable" if real_part > 0 else "asymptotically stable"
         reason = (
             f"the first approximation has an eigenvalue with real part {real_part:.4g}"
             if real_part > 0
             else f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
         )
     else:
-        truth, reason = by_motions(flow)
-    return (yield Word(claim, truth, reason, "this does not agree with the motions near zero: "))
+        reference, reason = stability_from_motions(flow)
+    return (
+        yield SameWord(claim, reference, reason, "this does not agree with the motions near zero: ")
+    )

@@ -1,40 +1,34 @@
-"""Program motions: that they satisfy the equations, what deviations from them do, and for which
-parameters they exist.
+"""Nominal motions: that they satisfy the equations, and the linearisation along them.
 
 A program is a dict from those components of the state that a problem prescribes to functions of
 time, `{x: V0*t, y: 0}`; the other components and the controls along it are constants, which the
-checks here find for themselves by Newton's iteration. A stationary angle is the solution phi(t) =
-phi0 of an equation phi'' = f(phi, phi'), given as the field of its state (phi, phi'), found by
-`rest_angles`.
+checks here find for themselves by Newton's iteration.
 """
 
 import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.claims import Expression, Matrix
-from workbook.checks.contract.members import VECTORS, families, in_order
-from workbook.checks.contract.tolerance import same
-from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.contract.claims import Matrix
+from workbook.checks.contract.members import in_order
+from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.fields import STEP
-from workbook.checks.references.stationary_angles import stationary_angles
-from workbook.checks.stability.equilibrium_sets import WANTED, agreement
 from workbook.checks.stability.linearisation import Rates
-from workbook.checks.tools.conditions import Case, Truth, compare, contrary, exactly, place_text
 from workbook.checks.tools.samples import in_every_case, sample_values
 from workbook.checks.tools.values import number_at, numbers_at
-from workbook.checks.tools.wording import roots_text, values_text
+from workbook.checks.tools.wording import values_text
 
-#: What a right matrix of equations in deviations is told.
+#: The message on a right matrix of deviation equations.
 AS_IT_SAYS = (
     "for small deviations in every direction the right-hand sides change as the matrix says"
 )
 
 
 @judged
-def program_motion(answer, field, state, parameters, program, controls, time):
-    """The program motion and its controls as functions of time: a dict by names, or a list, the
-    controls last.
+def nominal_motion(answer, field, state, parameters, program, controls, time):
+    """Check a nominal motion and its controls as functions of time.
+
+    The answer is a dict by names, or a list with the controls last.
 
     Judged by the equations and by what the program prescribes, at random times and parameters.
     """
@@ -52,19 +46,19 @@ def program_motion(answer, field, state, parameters, program, controls, time):
     ]
     for at in in_every_case(samples, list(motion.values()), time >= 0):
         values = {p: at[p] for p in parameters}
-        place = dict(zip(motion, numbers_at(motion.values(), at, motion).tolist()))
+        position = dict(zip(motion, numbers_at(motion.values(), at, motion).tolist()))
         where = f"for {values_text(at)}"
         for symbol, expression in program.items():
             wanted = complex(sp.sympify(expression).subs(at).evalf(20))
-            if not abs(place[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
+            if not abs(position[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
                 raise Wrong(
-                    f"this is not the program: {where} your {symbol} is {place[symbol].real:.4g}, "
+                    f"this is not the program: {where} your {symbol} is {position[symbol].real:.4g}, "
                     f"prescribed is {wanted.real:.4g}"
                 )
         for symbol, rate, right_side in zip(state, rates, field):
             left = number_at(rate, at, f"the derivative of your {symbol}")
             terms = [
-                complex(term.subs(values).subs(place).evalf(20))
+                complex(term.subs(values).subs(position).evalf(20))
                 for term in sp.Add.make_args(sp.expand(right_side))
             ]
             if (
@@ -81,8 +75,10 @@ def program_motion(answer, field, state, parameters, program, controls, time):
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["state"]),) * 2))
 def linearisation(claim, field, state, at, parameters=()):
-    """The n x n matrix A of the equations in deviations x' = A x + B w from the motion `at`: a
-    stationary point, n expressions, or what a program prescribes."""
+    """Check the n x n matrix A of the deviation equations x' = A x + B w from the motion `at`.
+
+    The motion is a stationary point, n expressions, or what a program prescribes.
+    """
     motion = Motion(field, state, parameters, at if isinstance(at, dict) else dict(zip(state, at)))
     for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.matrix(values), state, values)
@@ -90,132 +86,15 @@ def linearisation(claim, field, state, at, parameters=()):
 
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["state"]), len(data["controls"]))))
-def input_matrix_along(claim, field, state, parameters, program, controls):
-    """The n x s matrix B of the equations in deviations x' = A x + B w from a program motion (s
-    symbols `controls`)."""
+def input_matrix(claim, field, state, parameters, program, controls):
+    """Check the n x s matrix B of the deviation equations x' = A x + B w from a nominal motion.
+
+    The s controls are the symbols `controls`.
+    """
     motion = Motion(field, state, parameters, program)
     for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.input_matrix(values, controls), controls, values)
     return AS_IT_SAYS
-
-
-@judged
-def rest_angles_exist(answer, field, state, parameters):
-    """The parameters for which phi'' = f(phi, phi') has stationary solutions at all."""
-    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
-    at_rest = sp.Eq(sp.sympify(field[1]).subs(state[1], 0), 0)
-    truth = Truth(
-        (Case(at_rest, (state[0],)),),
-        (Case(sp.Not(at_rest), (state[0],), every=True),),
-        angles.exist,
-    )
-    agreement = compare(
-        answer,
-        parameters,
-        truth,
-        contrary(
-            lambda values: "there f(phi, 0) runs from {:.4g} to {:.4g}".format(
-                *angles.extremes(values)
-            )
-        ),
-    )
-    return f"f(phi, 0) takes the value zero for these parameters and for no others: {agreement}"
-
-
-@judged
-def rest_angles(answer, field, state, parameters, integer):
-    """All stationary angles, as expressions in the parameters and an integer; angles that differ by
-    2 pi are the same."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, "stationary")
-
-
-@judged
-def stable_rest_angles(answer, field, state, parameters, integer):
-    """The stationary angles that Theorem 1.4 proves asymptotically stable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, "asymptotically stable")
-
-
-@judged
-def unstable_rest_angles(answer, field, state, parameters, integer):
-    """The stationary angles that Theorem 1.4 proves unstable, in the same form."""
-    return _judge_rest_angles(answer, field, state, parameters, integer, "unstable")
-
-
-@judged(Expression("deviations", "angle", "parameters"))
-def angle_deviations(claim, field, state, parameters, angle, deviations):
-    """The first approximation psi'' = ... of the equation in deviations from a stationary angle,
-    linear in psi and psi'.
-
-    `angle` is the symbol of the stationary angle, `deviations` those of psi and psi'. It is judged
-    at angles that are stationary, so that a parameter may stand for what the equation of rest makes
-    of it.
-    """
-    if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
-        raise Invalid(
-            f"expected an expression that is linear in {deviations[0]} and {deviations[1]}"
-        )
-    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
-    for values in angles.samples_for(claim):
-        for phi in angles.rest(values):
-            slope, friction = angles.derivatives(values, phi)
-            for deviation, true in (
-                ((1, 0), slope),
-                ((0, 1), friction),
-                ((0, 0), 0.0),
-                ((1, 1), slope + friction),
-            ):
-                at = values | {angle: sp.Float(phi, 20)} | dict(zip(deviations, deviation))
-                said = number_at(claim, at)
-                if not abs(said - true) <= 1e-8 * (abs(slope) + abs(friction)):
-                    told = ", ".join(
-                        f"{symbol} = {value}" for symbol, value in zip(deviations, deviation)
-                    )
-                    raise Wrong(
-                        f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation "
-                        f"{told} changes phi'' by {true:.4g} to first order; your expression gives "
-                        f"{said.real:.4g}"
-                    )
-    return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
-
-
-@judged
-def stable_angles(answer, field, state, parameters, angle):
-    """The condition on a stationary angle for it to be asymptotically stable."""
-    return _judge_angles(
-        answer,
-        field,
-        state,
-        parameters,
-        angle,
-        lambda sum_, product: (sum_ < 0) & (product > 0),
-        "asymptotically stable",
-    )
-
-
-@judged
-def saddle_angles(answer, field, state, parameters, angle):
-    """The condition on a stationary angle for it to be a saddle."""
-    return _judge_angles(
-        answer, field, state, parameters, angle, lambda sum_, product: product < 0, "a saddle"
-    )
-
-
-@judged
-def focus_parameters(answer, field, state, parameters):
-    """The parameters for which the stationary angles that are no saddles are foci (complex roots);
-    borders count either way."""
-    return _judge_kind(
-        answer, field, state, parameters, lambda discriminant: discriminant < 0, "focus"
-    )
-
-
-@judged
-def node_parameters(answer, field, state, parameters):
-    """The parameters for which the stationary angles that are no saddles are nodes (real roots);
-    borders count either way."""
-    return _judge_kind(
-        answer, field, state, parameters, lambda discriminant: discriminant > 0, "node"
-    )
 
 
 class Motion:
@@ -259,8 +138,8 @@ class Motion:
         moved = point.astype(complex) + 1j * STEP * np.eye(len(point))[columns]
         return np.array(
             [
-                [complex(value).imag / STEP for value in self._function(*place, *numbers)]
-                for place in moved
+                [complex(value).imag / STEP for value in self._function(*position, *numbers)]
+                for position in moved
             ]
         ).T
 
@@ -275,121 +154,3 @@ class Motion:
                 self._columns(self._free, point, numbers), residual, rcond=None
             )[0]
         raise RuntimeError("no motion was found that satisfies the program")
-
-
-def _judge_rest_angles(answer, field, state, parameters, integer, word):
-    # A stationary solution may be given as the point (phi0, 0) of the phase plane.
-    parts = [
-        part[0] if isinstance(part, VECTORS) and len(part) == 2 and part[1] == 0 else part
-        for part in families(answer, integer, "a list of angles, as expressions")
-    ]
-    claims = [coercion.as_expression(part, [*parameters, integer]) for part in parts]
-    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
-    for values in angles.samples_for(claims):
-        found = angles.rest(values)
-        chosen = [phi for phi in found if WANTED[word](*angles.derivatives(values, phi))]
-        matched = set()
-        for family in claims:
-            for number in range(-3, 4) if family.has(integer) else (0,):
-                given = number_at(family, values | {integer: sp.Integer(number)}, "your angle")
-                member = f" ({integer} = {number})" if family.has(integer) else ""
-                if abs(given.imag) > 1e-9 * (1 + abs(given)):
-                    raise Wrong(
-                        f"your value{member} is not real for {values_text(values)}, where there "
-                        "are stationary angles"
-                    )
-                turned = [
-                    given.real + np.remainder(phi - given.real + np.pi, 2 * np.pi) - np.pi
-                    for phi in found
-                ]
-                near = [
-                    phi
-                    for phi, true in zip(found, turned)
-                    if same(given.real, true, family, 2 * np.pi)
-                ]
-                if not near:
-                    raise Wrong(
-                        f"your value {given.real:.4g}{member} is no stationary angle for "
-                        f"{values_text(values)}: f(phi, 0) is "
-                        f"{angles.force(values, given.real):.4g} there"
-                    )
-                if near[0] not in chosen:
-                    raise Wrong(
-                        f"your angle {given.real:.4g}{member} for {values_text(values)} is "
-                        "stationary, but not "
-                        f"{word}: {_roots_told(*angles.derivatives(values, near[0]))}"
-                    )
-                matched.add(near[0])
-        if len(matched) < len(chosen):
-            raise Wrong(
-                f"not all angles are there: between 0 and 2 pi there is one that is {word} for "
-                f"{values_text(values)} and that your answer does not give"
-            )
-    # Angles that differ by 2 pi are the same here.
-    turned = [claim if claim.has(integer) else claim + 2 * sp.pi * integer for claim in claims]
-    known = agreement(turned, integer, field, state, parameters, sp.true, word)
-    return f"these angles are {word} for several sets of parameters, and a search of the circle finds no other{known}"
-
-
-def _judge_angles(answer, field, state, parameters, angle, kind, word):
-    symbols = [angle, *parameters]
-    force, at_rest = sp.sympify(field[1]).subs(state[0], angle), {state[1]: 0}
-    slope, friction = (sp.diff(force, x).subs(at_rest) for x in (angle, state[1]))
-    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
-
-    def truth(values):
-        slope, friction = angles.derivatives(values, float(values[angle]))
-        return bool(kind(friction, -slope))
-
-    def points():
-        """Stationary angles in general position, and close to where two of them meet."""
-        for values in [*angles.samples, *(near for near, _ in angles.edges)]:
-            yield from (values | {angle: sp.Rational(float(phi))} for phi in angles.rest(values))
-
-    def told(values, holds):
-        return (
-            f"the stationary angle {float(values[angle]):.4g} for "
-            f"{place_text({p: values[p] for p in parameters})} is {'' if holds else 'not '}{word}, "
-            f"and your condition {'does not hold' if holds else 'holds'} there: "
-            f"{_roots_told(*angles.derivatives(values, float(values[angle])))}"
-        )
-
-    exact = exactly(kind(friction, -slope), sp.Eq(force.subs(at_rest), 0), at=truth, points=points)
-    agreement = compare(answer, symbols, exact, told)
-    return f"it agrees with the roots of the characteristic equation at the stationary angles: {agreement}"
-
-
-def _judge_kind(answer, field, state, parameters, kind, word):
-    phi, rate = state
-    force = sp.sympify(field[1])
-    slope, friction = (sp.diff(force, x).subs(rate, 0) for x in state)
-    border = friction**2 + 4 * slope
-    given = sp.And(sp.Eq(force.subs(rate, 0), 0), slope < 0, sp.Ne(border, 0))
-    angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
-
-    def discriminants(values):
-        pairs = angles.slopes(values)
-        return [friction**2 + 4 * slope for slope, friction in pairs if slope < 0], pairs
-
-    def truth(values):
-        found, pairs = discriminants(values)
-        if not found or min(abs(d) for d in found) < 1e-9 * max(
-            friction**2 + abs(slope) for slope, friction in pairs
-        ):
-            return None
-        return all(map(kind, found))
-
-    def told(values):
-        slope, friction = next((pair for pair in discriminants(values)[1] if pair[0] < 0), (0, 0))
-        return _roots_told(slope, friction)
-
-    exact = exactly(border < 0 if word == "focus" else border > 0, given, (phi,), truth)
-    agreement = compare(answer, parameters, exact, contrary(told))
-    return (
-        "for these parameters, and for no others, the stationary angles that are no saddles are "
-        f"of the kind {word}: {agreement}"
-    )
-
-
-def _roots_told(slope, friction):
-    return f"the roots of the characteristic equation are {roots_text(np.roots([1.0, -friction, -slope]))}"

@@ -1,6 +1,6 @@
 """Regions of parameters in which a linear system is stable.
 
-The truth about the spectrum stands in `truths.spectra`.
+The reference spectrum is that of `references.spectra`.
 """
 
 import functools
@@ -16,13 +16,15 @@ from workbook.systems import Deviations
 
 @judged
 def stability_region(answer, system, parameters, margin=0):
-    """The set of parameters for which every root has real part below `-margin` (asymptotic
-    stability for 0).
+    """Check the parameters for which every root has real part below `-margin`.
+
+    This is asymptotic stability for the margin 0.
 
     `system` is a characteristic polynomial in one further symbol, a square matrix, a linear
-    differential equation `system` = 0 of an unknown x(t), or `Deviations` from a motion of another
-    one, by their first approximation. Parameters where the order of the equation drops are accepted
-    either way; with a positive margin (Definition 1.5, Re <= -mu) so is the boundary.
+    differential equation `system` = 0 of an unknown x(t), or `Deviations` from a motion of
+    another one, by their first approximation. Parameters where the order of the equation drops
+    are accepted either way; with a positive margin (Definition 1.5, Re <= -mu) so is the
+    boundary.
     """
     if isinstance(system, Deviations):
         return compare_region(

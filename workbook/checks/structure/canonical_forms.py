@@ -1,5 +1,6 @@
-"""Canonical forms by observation (2.5) and by control (2.4), and the changes of variables that lead
-to them; the matrix in the basis b, A b, A^2 b, ...
+"""Canonical forms by observation (2.5) and by control (2.4), and the changes to them.
+
+Also the matrix in the basis b, A b, A^2 b, ...
 
 A form is judged by its shape and by its characteristic polynomial; a change of variables by what it
 makes of the equations. The form by control is the other one of the transposed matrix, with rows and
@@ -17,12 +18,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from workbook.checks.contract.claims import Matrix
-from workbook.checks.contract.tolerance import same, share
+from workbook.checks.contract.tolerance import agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
-from workbook.checks.references.records import by_control, reached, seen
-from workbook.checks.tools.comparisons import Entries
+from workbook.checks.references.records import controlled_pair, has_control, observed_pair
+from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 
@@ -67,56 +68,64 @@ OF_CHAIN = _Form(
 
 @judged(Matrix("parameters", shape="system.A"))
 def canonical_matrix(claim, system, parameters=()):
-    """The n x n matrix of the canonical form of a system, with an output by observation (2.5), its
-    first column, with a control by control (2.4), its last row: ones above the diagonal, and the
-    eigenvalues of A."""
-    if by_control(system):
-        return judge_form(claim.T[::-1, ::-1], reached(system, parameters), BY_CONTROL)
-    return judge_form(claim, seen(system, parameters), BY_OBSERVATION)
+    """Check the n x n matrix of the canonical form of a system.
+
+    With an output the form is that by observation (2.5), determined by its first column; with a
+    control that by control (2.4), determined by its last row: ones above the diagonal, and the
+    eigenvalues of A.
+    """
+    if has_control(system):
+        return judge_form(claim.T[::-1, ::-1], controlled_pair(system, parameters), BY_CONTROL)
+    return judge_form(claim, observed_pair(system, parameters), BY_OBSERVATION)
 
 
 @judged(Matrix("parameters", shape="system.A"))
 def canonical_change(claim, system, parameters=()):
-    """The change to the canonical form of a system with one output or one control.
+    """Check the change of coordinates to the canonical form, with one output or one control.
 
     By observation (2.5) it is T of xi = T x: z = xi1, xi1' = alpha_n xi1 + xi2, and so on; by
     control (2.4) it is P of x = P xi: its last column is b, and A P = P A0.
     """
     orders = range(1, system.A.rows + 1)
-    if by_control(system):
+    if has_control(system):
         return _judge_change(
             claim.T[::-1, :],
-            reached(system, parameters),
+            controlled_pair(system, parameters),
             [f"column {k}" for k in orders[::-1]],
             by_rows=False,
         )
-    return _judge_change(claim, seen(system, parameters), [f"xi{k}" for k in orders], by_rows=True)
+    return _judge_change(
+        claim, observed_pair(system, parameters), [f"xi{k}" for k in orders], by_rows=True
+    )
 
 
 @judged(Matrix("parameters", shape="system.A"))
 def chain_basis_matrix(claim, system, parameters=()):
-    """The matrix of a controllable system with one control (A: n x n, B: n x 1) in the basis g^1 =
-    b, g^2 = A b, ..., g^n = A^(n-1) b.
+    """Check the matrix of a controllable system in the basis b, A b, ..., A^(n-1) b.
+
+    The system has one control (A: n x n, B: n x 1); g^1 = b, g^2 = A b, ..., g^n = A^(n-1) b.
 
     Column i holds the coordinates of A g^i: ones below the diagonal, and the last column as the
     eigenvalues of A demand.
     """
-    pair = reached(system, parameters)
-    if pair.outputs != 1 or any(pair.unseen):
+    pair = controlled_pair(system, parameters)
+    if pair.outputs != 1 or any(pair.unobservable):
         raise ValueError("b, A b, A^2 b, ... are no basis")
     return judge_form(claim[::-1, ::-1], pair, OF_CHAIN)
 
 
 @judged(Matrix("parameters"))
 def canonical_part_coordinates(claim, system, parameters=()):
-    """The matrix F (rank N x n) of coordinates xi = F x in which the observable part of the system
-    has the form (2.5) (A: n x n, H: 1 x n)."""
+    """Check the coordinates xi = F x of the observable part in the canonical form (2.5).
+
+    F has as many rows as N has rank (F: rank N x n, A: n x n, H: 1 x n).
+    """
     if claim.cols != system.A.rows:
         raise Invalid(
             f"expected a matrix with {system.A.rows} columns, one for each coordinate of x; the "
             f"shape of yours is {claim.shape}"
         )
-    pair = seen(system, parameters)
+    pair = observed_pair(system, parameters)
     if pair.outputs != 1:
         raise ValueError("the canonical form belongs to one output")
     for values, A_there, (h,), unseen in pair.systems_for(claim):
@@ -132,20 +141,20 @@ def canonical_part_coordinates(claim, system, parameters=()):
                 f"combination{'s' if claim.rows != 1 else ''} of the coordinates{where}; yours are "
                 "too few for them"
             )
-        yield Entries(
+        yield SameEntries(
             claim[0, :],
             h[None, :],
-            lambda said, _, j: (
-                f"z has to be xi1 alone{where}; your xi1 holds {number_text(said[0, j])} x{j + 1}"
+            lambda claimed, _, j: (
+                f"z has to be xi1 alone{where}; your xi1 holds {number_text(claimed[0, j])} x{j + 1}"
             ),
             values,
             np.linalg.norm(h),
         )
-        said = matrix_at(claim, values)
-        for k, (row, following) in enumerate(zip(said, [*said[1:], 0 * h])):
+        claimed = matrix_at(claim, values)
+        for k, (row, following) in enumerate(zip(claimed, [*claimed[1:], 0 * h])):
             rate = row @ A_there
             rest = rate - following - h * ((rate - following) @ h) / (h @ h)
-            if not np.linalg.norm(rest) <= share(claim) * (
+            if not np.linalg.norm(rest) <= relative_tolerance(claim) * (
                 np.linalg.norm(rate) + np.linalg.norm(following)
             ):
                 j = int(np.argmax(abs(rest)))
@@ -154,20 +163,22 @@ def canonical_part_coordinates(claim, system, parameters=()):
                     f"{what} has to be a multiple of z{where}; by your rows it differs from the "
                     f"nearest multiple by terms such as {number_text(rest[j])} x{j + 1}"
                 )
-    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
+    judge_everywhere(
+        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
+    )
     return "z = xi1, and the derivatives are as the form (2.5) says"
 
 
 def judge_form(claim, pair, form):
     """Shape and characteristic polynomial of a matrix that is to be the form by observation of the
     pair's A."""
-    tolerance = share(claim)
+    tolerance = relative_tolerance(claim)
     for values, place, _ in pair.samples_for(claim):
-        said = matrix_at(claim, values)
-        shape_of_form(said, tolerance, form, where_text(values))
+        claimed = matrix_at(claim, values)
+        shape_of_form(claimed, tolerance, form, where_text(values))
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
-        own = np.array([1, *(0 - said[:, 0])])  # not -said: a zero would be told as -0
-        if not same(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
+        own = np.array([1, *(0 - claimed[:, 0])])  # not -said: a zero would be told as -0
+        if not agree(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
             # not 0: the value there is a coefficient, which is asked for
             at = max(
                 (1, -1, 2, -2, 3, 5),
@@ -178,24 +189,28 @@ def judge_form(claim, pair, form):
                 f"of A is {number_text(np.polyval(true, at))}, that of your matrix "
                 f"{number_text(np.polyval(own, at))}"
             )
-    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
+    judge_everywhere(
+        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
+    )
     return f"it has {form.shape} and the characteristic polynomial of A"
 
 
-def shape_of_form(said, tolerance, form, where):
+def shape_of_form(claimed, tolerance, form, where):
     """Raise `Wrong` unless a matrix of numbers, turned so that it should be the form by
     observation, has ones above the diagonal and zeros outside its first column."""
-    n = len(said)
+    n = len(claimed)
     pattern = np.eye(n, k=1)
-    if _has_shape(said, pattern, tolerance):
+    if _has_shape(claimed, pattern, tolerance):
         return
-    for view, relative in zip((said.T[::-1, ::-1], said.T, said[::-1, ::-1]), form.relatives):
+    for view, relative in zip(
+        (claimed.T[::-1, ::-1], claimed.T, claimed[::-1, ::-1]), form.relatives
+    ):
         if _has_shape(view, pattern, tolerance):
             raise Wrong(f"{relative}{where}; asked is {form.shape}: {form.ones_and_zeros}")
-    off = abs(said - pattern) * (np.arange(n) > 0)
+    off = abs(claimed - pattern) * (np.arange(n) > 0)
     i, j = map(int, np.unravel_index(np.argmax(off), off.shape))
     raise Wrong(
-        f"the entry {form.place(i, j, n)} of your matrix is {number_text(said[i, j])}{where}; "
+        f"the entry {form.place(i, j, n)} of your matrix is {number_text(claimed[i, j])}{where}; "
         f"{form.shape} has {form.ones_and_zeros}"
     )
 
@@ -208,7 +223,7 @@ def _judge_change(claim, pair, said_rows, by_rows):
     """The rows r of a change of variables: r1 = h, and r_k A = alpha r1 + r_(k+1) with the
     coefficients of A's polynomial."""
     n = pair.order
-    if any(pair.unseen):
+    if any(pair.unobservable):
         raise ValueError("there is no canonical form: the system loses an eigenvalue")
     for (values, A, (h,), _), (_, place, _) in zip(
         pair.systems_for(claim), pair.samples_for(claim)
@@ -218,11 +233,11 @@ def _judge_change(claim, pair, said_rows, by_rows):
             true.append(true[-1] @ A + float(coefficient) * h)
         true = np.array(true)
 
-        def told(said, k, j):
-            own, wanted = (said, true) if by_rows else (said[::-1].T, true[::-1].T)
+        def message(claimed, k, j):
+            own, wanted = (claimed, true) if by_rows else (claimed[::-1].T, true[::-1].T)
             if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(
                 own @ wanted - np.eye(n)
-            ) <= 10 * share(claim):
+            ) <= 10 * relative_tolerance(claim):
                 return "this is the inverse of the matrix asked: it gives " + (
                     "x from xi; asked is T in xi = T x"
                     if by_rows
@@ -247,8 +262,10 @@ def _judge_change(claim, pair, said_rows, by_rows):
                 f"{j + 1} of your {own} does not fit"
             )
 
-        yield Entries(claim, true, told, values, np.linalg.norm(true, axis=1)[:, None])
-    judge_everywhere(claim, pair.parameters, lambda: pair.in_general, "your matrix is undefined")
+        yield SameEntries(claim, true, message, values, np.linalg.norm(true, axis=1)[:, None])
+    judge_everywhere(
+        claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
+    )
     return (
         "z = xi1 and each derivative is as the form says"
         if by_rows

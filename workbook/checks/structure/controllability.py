@@ -1,9 +1,11 @@
-"""Controllability of x' = A x + B u, told as `Linear`, and of a `Mechanical` system: what is asked
-of observability in `observability.py`, of the dual system."""
+"""Controllability of x' = A x + B u, a `Linear`, and of a `Mechanical` system.
+
+The questions are those of `observability.py` about the dual system.
+"""
 
 from workbook.checks.contract.claims import Matrix, Vectors, YesNo
 from workbook.checks.contract.verdict import judged
-from workbook.checks.references.records import reached
+from workbook.checks.references.records import controlled_pair
 from workbook.checks.structure.dual_questions import (
     CONTROL,
     judge_kalman,
@@ -21,22 +23,25 @@ from workbook.systems import Mechanical
 
 @judged(YesNo())
 def controllable(claim, system, parameters=()):
-    """Whether the system is controllable; with parameters, whether it is for all values that their
-    assumptions allow."""
+    """Check whether the system is controllable.
+
+    With parameters: whether it is for all values that their assumptions allow.
+    """
     if isinstance(system, Mechanical) and not parameters:
         return judge_rank(claim, system.dual, DRIVEN)
-    return judge_yes_no(claim, reached(system, parameters), CONTROL)
+    return judge_yes_no(claim, controlled_pair(system, parameters), CONTROL)
 
 
 @judged
 def controllable_parameters(answer, system, parameters):
-    """The condition on the parameters under which the system is controllable: true exactly there,
-    at isolated values too.
+    """Check the condition on the parameters under which the system is controllable.
 
-    Where the M of a `Mechanical` system is singular its order drops; what is said of these values
-    does not count.
+    It has to be true exactly there, at isolated values too.
+
+    Where the M of a `Mechanical` system is singular its order drops; what is said of these
+    values does not count.
     """
-    return judge_region(answer, reached(system, parameters), CONTROL)
+    return judge_region(answer, controlled_pair(system, parameters), CONTROL)
 
 
 @judged(
@@ -46,32 +51,36 @@ def controllable_parameters(answer, system, parameters):
     )
 )
 def controllability_matrix(claim, system, parameters=()):
-    """Kalman's matrix W (n x n s) of Definition 2.4: the columns of B, then those of A B, and so on
-    to A^(n-1) B."""
-    return judge_kalman(claim.T, reached(system, parameters), CONTROL)
+    """Check the controllability matrix W = (B, A B, ..., A^(n-1) B) of Definition 2.4.
+
+    Its shape is n x n s: the columns of B, then those of A B, and so on.
+    """
+    return judge_kalman(claim.T, controlled_pair(system, parameters), CONTROL)
 
 
 @judged(Vectors("parameters", size="system.unknowns"))
-def uncontrolled_combinations(claim, system, parameters=()):
-    """A basis of the rows w whose combinations w x of the coordinates no control changes; an empty
-    list if every one is changed.
+def uncontrollable_combinations(claim, system, parameters=()):
+    """Check a basis of the rows w whose combinations w x no control changes.
 
-    With parameters: for their values in general position, as the assumptions allow; with one, also
-    where the answer might fail.
+    An empty list says that every combination is changed by some control.
+
+    With parameters: for their values in general position, as the assumptions allow; with one,
+    also where the answer might fail.
     """
-    return judge_basis(claim, reached(system, parameters), CONTROL)
+    return judge_basis(claim, controlled_pair(system, parameters), CONTROL)
 
 
 @judged(bases_by_value(CONTROL))
-def uncontrolled_where_lost(claim, system, parameter):
-    """Every real value of the parameter for which the system is not controllable, as {value: basis
-    of the rows w}.
+def uncontrollable_combinations_at(claim, system, parameter):
+    """Check the parameter values without controllability, as {value: basis of the rows w}.
+
+    Every real value of the parameter for which the system is not controllable is asked for.
 
     For systems that lose controllability at finitely many values, all of them rational.
     """
     return judge_where_lost(
         claim,
-        reached(system, (parameter,)),
+        controlled_pair(system, (parameter,)),
         CONTROL,
-        lambda value: reached(system.subs(parameter, value)),
+        lambda value: controlled_pair(system.subs(parameter, value)),
     )

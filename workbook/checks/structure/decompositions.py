@@ -1,27 +1,11 @@
-"""Decompositions by observation (2.7) and by control (2.6), and by the components of the output and
-of the control.
+"""Decompositions by observation (2.7) and by control (2.6).
 
 A change of variables is judged by the zeros that it makes. A system given in new variables is
 judged by the existence of the change: a matrix T with T A = A' T and H = H' T is the solution of
 linear equations, and an invertible one exists if a random solution is invertible. So every choice
 of coordinates is right that has the form asked.
-
-By components (example 7 and problems 2.14, 2.15, 2.33, 2.34): the coordinates come in parts, part i
-with the output z_i or the control u_i, then what is left over. Each output shows its own part
-alone, each control enters its own part alone; a component that has no part (the others see or reach
-all that it does) is free of this.
-- Sequential: part 1 is all that the first component sees or reaches, part 2 what the second adds to
-  it, and so on. By outputs the derivatives of part i contain the parts 1..i only, by controls the
-  parts i, i+1, ... only.
-- Parallel (the source calls it a shuttle): rows h1, h2, h1 A, h2 A, ... (columns b1, b2, A b1, A
-  b2, ...) are taken by turns as long as they are independent. Part i is spanned by the rows h_i A^k
-  (columns A^k b_i) taken from its own chain, each up to what is taken with lower powers of A: so
-  the canonical form of each part, which example 7 goes on to, is as right as the chains are. The
-  parts may act on one another, yet each is observable by its own output (controllable by its own
-  control).
 """
 
-import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,14 +13,19 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Matrix
-from workbook.checks.contract.tolerance import EXACT, half_unit, share
+from workbook.checks.contract.tolerance import EXACT, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.references.invariant_subspaces import echelon, product, unseen_subspace
 from workbook.checks.references.pairs import pair_of
-from workbook.checks.references.records import by_control, matrix_of, reached, seen
+from workbook.checks.references.records import (
+    controlled_pair,
+    has_control,
+    matrix_of,
+    observed_pair,
+)
 from workbook.checks.structure.canonical_forms import BY_OBSERVATION, shape_of_form
-from workbook.checks.tools.values import matrix_at, uncertain_entries
+from workbook.checks.structure.similar_systems import are_similar, difference_text
+from workbook.checks.tools.values import entry_uncertainties, matrix_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -76,21 +65,23 @@ CONTROL = _Side(
 
 @judged(Matrix("parameters", shape="system.A"))
 def decomposition(claim, system, parameters=()):
-    """The change of variables of a decomposition into (xi; eta).
+    """Check the change of variables of a decomposition into (xi; eta).
 
-    Of a system with an output it is T of (xi; eta) = T x, which leads to the form (2.7): neither
-    xi' nor z contains eta, and xi has rank N coordinates. With a control it is P of x = P (xi;
-    eta), which leads to the form (2.6): eta' contains neither xi nor u, and xi has rank W
-    coordinates.
+    Of a system with an output it is T of (xi; eta) = T x, which leads to the form (2.7):
+    neither xi' nor z contains eta, and xi has rank N coordinates. With a control it is P of x =
+    P (xi; eta), which leads to the form (2.6): eta' contains neither xi nor u, and xi has rank
+    W coordinates.
     """
-    return _judge_split(*_by_observation(claim, system, parameters))
+    return _judge_split(*by_observation(claim, system, parameters))
 
 
 @judged
 def decomposed_system(answer, system, parameters=()):
-    """The list [A', H'] or [A', B'] of the system in coordinates (xi; eta), as in (2.7) or (2.6):
-    any right ones, xi first, with as many coordinates as N or W has rank."""
-    control = by_control(system)
+    """Check the system [A', H'] or [A', B'] in coordinates (xi; eta), as in (2.7) or (2.6).
+
+    Any right coordinates are accepted, xi first, with as many coordinates as N or W has rank.
+    """
+    control = has_control(system)
     matrix, other = _as_system(
         answer,
         parameters,
@@ -98,19 +89,18 @@ def decomposed_system(answer, system, parameters=()):
         system.B.cols if control else system.H.rows,
         columns=control,
     )
-    matrix, pair, side = _by_observation(matrix, system, parameters)
+    matrix, pair, side = by_observation(matrix, system, parameters)
     return _judge_system(matrix, other.T if control else other, pair, side)
 
 
 @judged
 def canonical_observable_part(answer, system, parameters=()):
-    """The list [A11, H1] of the observable subsystem in the canonical form by observation (2.5),
-    with H1 = (1 0 ... 0)."""
+    """Check the observable subsystem [A11, H1] in the canonical form (2.5), H1 = (1 0 ... 0)."""
     matrix, output = _as_system(answer, parameters, ("A11", "H1"), system.H.rows)
-    pair, tolerance = seen(system, parameters), share(matrix, output)
+    pair, tolerance = observed_pair(system, parameters), relative_tolerance(matrix, output)
     for values, *_ in pair.samples_for([matrix, output]):
-        said = matrix_at(output, values)
-        if not abs(said - np.eye(len(said), said.shape[1])).max(initial=0) <= 1e-6:
+        claimed = matrix_at(output, values)
+        if not abs(claimed - np.eye(len(claimed), claimed.shape[1])).max(initial=0) <= 1e-6:
             raise Wrong(
                 f"in the form (2.5) z is the first coordinate alone{where_text(values)}; that is "
                 "not what your H1 says"
@@ -119,53 +109,29 @@ def canonical_observable_part(answer, system, parameters=()):
     return _judge_part(matrix, output, pair)
 
 
-@judged(Matrix(shape="system.A"))
-def sequential_split(claim, system):
-    """New coordinates in parts: part 1 is all that the first component sees or reaches, part 2 what
-    the second adds, and so on, the rest last.
-
-    Of a system with an output it is the matrix T of the coordinates T x: the derivatives of part i
-    contain the parts 1..i alone; z_i shows part i alone, unless it adds nothing to those before.
-    With a control it is P of x = P xi: the derivatives of part i contain the parts from i on; u_i
-    enters part i alone, unless it adds nothing.
-    """
-    return _judge_components(claim, system, sequential=True)
-
-
-@judged(Matrix(shape="system.A"))
-def parallel_split(claim, system):
-    """New coordinates in parts, one a component, the rest last: with an output the matrix T of T x,
-    z_i shows part i alone and makes it observable; with a control P of x = P xi, u_i enters part i
-    alone and makes it controllable.
-
-    Part i is spanned by the rows of its chain that are taken when h1, h2, h1 A, h2 A, ... (columns
-    b1, b2, A b1, ...) are taken by turns while independent, each up to those with lower powers of
-    A.
-    """
-    return _judge_components(claim, system, sequential=False)
-
-
 @judged(Matrix("parameters", shape="system.A"))
-def similarity(claim, system, other, parameters=()):
-    """A matrix S of y = S x that turns x' = A x into the equations y' = A' y of the `other` system,
-    which may be in `Deviations`: it is invertible and S A = A' S (all n x n)."""
+def similarity_matrix(claim, system, other, parameters=()):
+    """Check a matrix S of y = S x that turns x' = A x into the `other` system y' = A' y.
+
+    The other system may be in `Deviations`; S is invertible and S A = A' S (all n x n).
+    """
     A_from, A_to = system.A, matrix_of(other, parameters)
-    tolerance = share(claim)
+    tolerance = relative_tolerance(claim)
     given, wanted = (
         pair_of(A_from, A_from[:1, :], parameters),
         pair_of(A_to, A_to[:1, :], parameters),
     )
     for (values, one, _, _), (_, other, _, _) in zip(given.systems, wanted.systems):
-        said = matrix_at(claim, values)
-        _invertible(said, tolerance, values)
-        left, right = said @ one, other @ said
+        claimed = matrix_at(claim, values)
+        require_invertible(claimed, tolerance, values)
+        left, right = claimed @ one, other @ claimed
         size = (
-            np.linalg.norm(said, axis=1)[:, None] * np.linalg.norm(one)
-            + abs(other) @ np.linalg.norm(said, axis=1)[:, None]
+            np.linalg.norm(claimed, axis=1)[:, None] * np.linalg.norm(one)
+            + abs(other) @ np.linalg.norm(claimed, axis=1)[:, None]
         )
         bad = ~(abs(left - right) <= tolerance * size)
         if bad.any():
-            inverse = np.linalg.inv(said)
+            inverse = np.linalg.inv(claimed)
             off = np.linalg.norm(inverse @ one - other @ inverse)
             if off <= tolerance * np.linalg.norm(inverse) * np.linalg.norm(one):
                 raise Wrong("this matrix gives x from y; asked is S in y = S x")
@@ -185,39 +151,39 @@ def similarity(claim, system, other, parameters=()):
     return "it is invertible, and the derivatives of y agree in both systems"
 
 
-def _by_observation(claim, system, parameters=()):
+def by_observation(claim, system, parameters=()):
     """A matrix, the pair and the words of a question, transposed if it is one of control."""
-    if by_control(system):
-        return claim.T, reached(system, parameters), CONTROL
-    return claim, seen(system, parameters), OUTPUT
+    if has_control(system):
+        return claim.T, controlled_pair(system, parameters), CONTROL
+    return claim, observed_pair(system, parameters), OUTPUT
 
 
 def _judge_split(claim, pair, side):
     """The rows of T for the pair: the first ones vanish on the unseen states."""
-    n, tolerance = pair.order, share(claim)
+    n, tolerance = pair.order, relative_tolerance(claim)
     for values, A, H, unseen in pair.systems_for(claim):
-        said, size = matrix_at(claim, values), n - len(unseen)
-        _invertible(said, tolerance, values)
+        claimed, size = matrix_at(claim, values), n - len(unseen)
+        require_invertible(claimed, tolerance, values)
         space, _ = np.linalg.qr(unseen.T)
         if (
-            abs(said[:size] @ space)
-            <= EXACT * np.linalg.norm(said[:size], axis=1)[:, None]
-            + uncertain_entries(claim, values)[:size] @ abs(space)
+            abs(claimed[:size] @ space)
+            <= EXACT * np.linalg.norm(claimed[:size], axis=1)[:, None]
+            + entry_uncertainties(claim, values)[:size] @ abs(space)
         ).all():
             continue
-        if _vanishes(np.linalg.inv(said)[:size], space, tolerance):
+        if _vanishes(np.linalg.inv(claimed)[:size], space, tolerance):
             raise Wrong(f"this matrix gives {side.reverse}; asked is {side.asked}")
-        if _vanishes(said[n - size :], space, tolerance):
+        if _vanishes(claimed[n - size :], space, tolerance):
             raise Wrong(
                 f"your matrix has the {side.rest} coordinates first; the {side.part} ones, xi, "
                 "have to stand first"
             )
-        if _vanishes(said.T[:size], space, tolerance):
+        if _vanishes(claimed.T[:size], space, tolerance):
             raise Wrong(
                 f"the coordinates stand in your matrix the other way, as "
                 f"{'rows' if side.by_control else 'columns'}; asked is {side.asked}"
             )
-        new_A, new_H = said @ A @ np.linalg.inv(said), H @ np.linalg.inv(said)
+        new_A, new_H = claimed @ A @ np.linalg.inv(claimed), H @ np.linalg.inv(claimed)
         raise Wrong(
             f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many "
             f"coordinates as {side.size} says"
@@ -225,7 +191,7 @@ def _judge_split(claim, pair, side):
     judge_everywhere(
         claim,
         pair.parameters,
-        lambda: pair.in_general,
+        lambda: pair.generic_condition,
         "your matrix is undefined",
         "your matrix has no inverse",
     )
@@ -235,7 +201,7 @@ def _judge_split(claim, pair, side):
 def _judge_system(matrix, output, pair, side):
     """A system (A', H') of the pair's order: the blocks vanish, and some change of variables turns
     the pair into it."""
-    n, tolerance = pair.order, share(matrix, output)
+    n, tolerance = pair.order, relative_tolerance(matrix, output)
     if matrix.rows != n:
         raise Invalid(
             f"expected the matrices of the whole system of order {n}; the order of yours is "
@@ -251,27 +217,27 @@ def _judge_system(matrix, output, pair, side):
                 f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi "
                 f"has as many coordinates as {side.size} says"
             )
-        open_ = uncertain_entries(matrix, values)
-        if not _same_system(A, H, new_A, new_H, tolerance, A, open_):
+        open_ = entry_uncertainties(matrix, values)
+        if not are_similar(A, H, new_A, new_H, tolerance, A, open_):
             part = new_A[:size, :size], new_H[:, :size]
             if (
                 size < n
                 and np.allclose(np.poly(new_A), np.poly(A))
-                and _same_system(A, H, *part, tolerance, _seen_part(A, unseen), open_)
+                and are_similar(A, H, *part, tolerance, _seen_part(A, unseen), open_)
             ):
                 raise Wrong(
                     f"your {side.part} part is that of the given system, but no change of "
                     f"variables gives the rest of your equations{where_text(values)}: look at eta, "
                     "and at how the two parts act on each other"
                 )
-            raise Wrong(_why_different(A, new_A, *part, values, side))
+            raise Wrong(difference_text(A, new_A, *part, values, side))
     _serves_everywhere(matrix, output, pair, side)
     return "the blocks are zero where they have to be, and a change of variables turns the given system into yours"
 
 
 def _judge_part(matrix, output, pair):
     """An observable system of order rank N that is the image of the pair's."""
-    tolerance = share(matrix, output)
+    tolerance = relative_tolerance(matrix, output)
     for values, A, H, unseen in pair.systems_for([matrix, output]):
         if matrix.rows != pair.order - len(unseen):
             raise Wrong(
@@ -279,10 +245,16 @@ def _judge_part(matrix, output, pair):
                 f"rank N, and that is not {matrix.rows}{where_text(values)}"
             )
         new_A, new_H = matrix_at(matrix, values), matrix_at(output, values)
-        if not _same_system(
-            A, H, new_A, new_H, tolerance, _seen_part(A, unseen), uncertain_entries(matrix, values)
+        if not are_similar(
+            A,
+            H,
+            new_A,
+            new_H,
+            tolerance,
+            _seen_part(A, unseen),
+            entry_uncertainties(matrix, values),
         ):
-            raise Wrong(_why_different(None, new_A, new_A, new_H, values, OUTPUT))
+            raise Wrong(difference_text(None, new_A, new_A, new_H, values, OUTPUT))
     _serves_everywhere(matrix, output, pair, OUTPUT)
     return "its outputs are those of the given system, and it is observable"
 
@@ -293,12 +265,14 @@ def _serves_everywhere(matrix, output, pair, side):
     rows = [output]
     while len(rows) < matrix.rows and pair.parameters:
         rows.append(rows[-1] * matrix)
-    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unseen[0])]
-    judge_everywhere(matrix, pair.parameters, lambda: pair.in_general, "your system is undefined")
+    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unobservable[0])]
+    judge_everywhere(
+        matrix, pair.parameters, lambda: pair.generic_condition, "your system is undefined"
+    )
     judge_everywhere(
         seen,
         pair.parameters,
-        lambda: pair.in_general,
+        lambda: pair.generic_condition,
         "your system is undefined",
         f"less of your system than of the given one is {side.part}",
     )
@@ -308,231 +282,6 @@ def _seen_part(A, unseen):
     """The matrix of the states without what is unseen, in an orthonormal basis."""
     kept = np.linalg.svd(unseen)[2][len(unseen) :] if len(unseen) else np.eye(len(A))
     return kept @ A @ kept.T
-
-
-def _same_system(A, H, new_A, new_H, tolerance, similar=None, open_=()):
-    """Whether T A = A' T, H = H' T has a solution T of full rank; T has as many rows as A'.
-    Decimals leave A' `open_` by so much; it has to be similar to the matrix `similar`."""
-    # Decimals may have all their digits, or stand for simple fractions.
-    if tolerance > 1e-6 and (
-        _same_system(A, H, new_A, new_H, 1e-9)
-        or _same_system(A, H, _as_fractions(new_A), _as_fractions(new_H), 1e-9)
-    ):
-        return True
-    # Rounded entries leave some T almost a solution for an eigenvalue that is off; the
-    # characteristic polynomial tells.
-    if tolerance > 1e-6 and not _same_polynomial(new_A, similar, open_):
-        return False
-    rows, n = len(new_A), len(A)
-    weight, unit = (
-        max(np.linalg.norm(H), 1e-300),
-        max(np.linalg.norm(A) + np.linalg.norm(new_A), 1e-300),
-    )
-    scale = max(np.linalg.norm(new_H), 1e-300)
-    left, right = np.eye(rows), np.eye(n)
-    # Row by row: the entry (i, j) of T is number n i + j of the unknowns, in units in which H and
-    # H' have the same size.
-    equations = np.vstack(
-        [(np.kron(left, A.T) - np.kron(new_A, right)) / unit, np.kron(new_H / scale, right)]
-    )
-    sides = np.concatenate([np.zeros(rows * n), (H / weight).ravel()])
-    u, sizes, v = np.linalg.svd(equations)
-    count = int((sizes > 0.5 * tolerance).sum()) if tolerance > 1e-6 else int((sizes > 1e-9).sum())
-    particular = v[:count].T.conj() @ ((u[:, :count].T.conj() @ sides) / sizes[:count])
-    if not np.linalg.norm(equations @ particular - sides) <= max(2 * tolerance, 1e-8):
-        return False
-    random, free = np.random.default_rng(4), v[count:]
-    for _ in range(3):
-        step = free.T.conj() @ random.normal(size=len(free)) if len(free) else 0
-        spread = np.linalg.svd(
-            (particular + max(np.linalg.norm(particular), 1.0) * step).reshape(rows, n),
-            compute_uv=False,
-        )
-        if spread.size == 0 or spread[-1] > (1e-3 if tolerance > 1e-6 else 1e-8) * spread[0]:
-            return True
-    return False
-
-
-def _same_polynomial(said, true, open_):
-    """Whether two matrices have the same characteristic polynomial, up to what the entries of the
-    first are off by."""
-    own = np.poly(said)
-    allowed = EXACT * max(np.linalg.norm(said), np.linalg.norm(true)) ** np.arange(len(own))
-    for i, j in np.ndindex(said.shape):
-        step = np.zeros(said.shape)
-        step[i, j] = open_[i, j]
-        allowed = allowed + abs(np.poly(said + step) - own)
-    # A hundredth for products of two such steps.
-    return bool((abs(own - np.poly(true)) <= 1.01 * allowed).all())
-
-
-@functools.partial(np.vectorize, otypes=[complex])
-def _as_fractions(number):
-    """The fraction with the smallest denominator up to 60 that the number is to three digits; else
-    the number itself."""
-    size = abs(number)
-    if not size or number.imag:
-        return number
-    return next(
-        (
-            round(number.real * q) / q
-            for q in range(1, 61)
-            if abs(round(number.real * q) / q - number.real) <= half_unit(size)
-        ),
-        number,
-    )
-
-
-def _why_different(A, new_A, part, part_output, values, side):
-    """The property in which a system differs from the given one."""
-    if A is not None:
-        own, true = np.poly(new_A), np.poly(A)
-        if not np.allclose(own, true, rtol=1e-6, atol=1e-6 * max(abs(true))):
-            # not 0: the value there is a coefficient, which is asked for
-            at = max(
-                (1, -1, 2, -2, 3, 5),
-                key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))),
-            )
-            there, here = (number_text(np.polyval(poly, at)) for poly in (true, own))
-            told = (
-                f"det(lambda E - A) at lambda = {at} is {there} for the given matrix and {here} "
-                "for yours"
-                if there != here
-                else "by rounding, your matrix has other eigenvalues; exact numbers would be safe"
-            )
-            return f"no change of variables turns the given system into yours: {told}{where_text(values)}"
-    if not _observable(part, part_output):
-        return f"in your system the part xi is not {side.part}{where_text(values)}"
-    if side.by_control:
-        return (
-            f"no change of variables turns the given system into yours{where_text(values)}: "
-            "controls have another influence there"
-        )
-    return f"no change of variables turns the given system into yours{where_text(values)}: it has other functions z(t)"
-
-
-def _judge_components(claim, system, sequential):
-    """Zeros outside the blocks that a decomposition by components leaves, in the form by
-    observation."""
-    claim, pair, side = _by_observation(claim, system)
-    tolerance, n, m = share(claim), pair.order, pair.outputs
-    ((_, A, H, _),), ((_, place),) = pair.systems, pair.samples
-    sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(place))
-    # of every coordinate; m is the rest
-    part = np.repeat(np.arange(m + 1), [*sizes, n - sum(sizes)])
-    said = matrix_at(claim, {})
-    _invertible(said, tolerance, {})
-    try:
-        _judge_parts(said, A, H, part, tolerance, side, sequential)
-    except Wrong:
-        # Which coordinate each row would be if the rows stood in the order in which they are taken.
-        turns = sorted(
-            range(n), key=lambda k: (part[k] == m, k - np.flatnonzero(part == part[k])[0], part[k])
-        )
-        if not sequential and _is_parallel(said[np.argsort(turns)], A, H, part, tolerance, side):
-            raise Wrong(
-                f"your {'columns' if side.by_control else 'rows'} stand in the order in which they "
-                "are taken "
-                f"by turns; asked is part by part, first all that belong to the first component"
-            ) from None
-        raise
-    return "the matrix is invertible, and every zero that the decomposition asks for is one"
-
-
-def _is_parallel(said, *rest):
-    try:
-        _judge_parts(said, *rest, sequential=False)
-    except Wrong:
-        return False
-    return True
-
-
-def _judge_parts(said, A, H, part, tolerance, side, sequential):
-    """The zeros of a decomposition; `part` is the number of the part of every coordinate, the rest
-    having the last number."""
-    n, m = len(A), len(H)
-    sizes = [int((part == k).sum()) for k in range(m)]
-    inverse = np.linalg.inv(said)
-    new_A, new_H = said @ A @ inverse, H @ inverse
-    names = [f"coordinate {k + 1}" for k in range(n)]
-    told = "look again at which coordinates make up each part, and how many they are"
-    # What rounding of T to three digits can make of a zero.
-    bound = (
-        tolerance
-        * np.linalg.norm(said, axis=1)[:, None]
-        * np.linalg.norm(A)
-        * np.linalg.norm(inverse, axis=0)[None, :]
-    )
-    for i, j in np.ndindex(n, n):
-        free = part[j] <= part[i] if sequential else part[j] < m or part[i] == m
-        if not free and not abs(new_A[i, j]) <= bound[i, j]:
-            raise Wrong(f"{side.mixed(names[i], names[j], new_A[i, j])}, and it should not: {told}")
-    bound = (
-        tolerance * np.linalg.norm(H, axis=1)[:, None] * np.linalg.norm(inverse, axis=0)[None, :]
-    )
-    for k, j in np.ndindex(m, n):
-        free = part[j] == k if sizes[k] else part[j] < k if sequential else part[j] < m
-        if not free and not abs(new_H[k, j]) <= bound[k, j]:
-            raise Wrong(f"{side.shown(k, m, names[j], new_H[k, j])}, and it should not: {told}")
-    if not sequential:
-        _judge_chains([said[part == k] for k in range(m)], A, H, tolerance, side)
-
-
-def _judge_chains(parts, A, H, tolerance, side):
-    """Each part is spanned by its own rows h A^k, each up to rows with lower powers of A."""
-    lower, ends = np.zeros((0, len(A))), H
-    for power in range(max(map(len, parts), default=0)):
-        upper = _orthonormal(np.vstack([lower, ends]))
-        for k, part in enumerate(parts):
-            if power >= len(part):
-                continue
-            rows = _orthonormal(part)
-            u, sizes, _ = np.linalg.svd(rows - rows @ upper.T @ upper)
-            inside = u[:, np.pad(sizes, (0, len(rows) - len(sizes))) <= 10 * tolerance].T @ rows
-            own = _orthonormal(np.vstack([lower, ends[k : k + 1]]))
-            if (
-                len(inside) != power + 1
-                or np.linalg.norm(inside - inside @ own.T @ own) > 10 * tolerance
-            ):
-                name = (
-                    f"b{k + 1}, A b{k + 1}, ..."
-                    if side.by_control
-                    else f"h{k + 1}, h{k + 1} A, ..."
-                )
-                raise Wrong(
-                    f"part {k + 1} is not spanned by its own chain {name}, each up to what is "
-                    f"taken with lower powers of A: it fails at the power {power}"
-                )
-        lower, ends = upper, ends @ A
-
-
-def _orthonormal(rows):
-    """An orthonormal basis, in rows, of the span of some rows, whatever their lengths."""
-    lengths = np.linalg.norm(rows, axis=1)
-    _, sizes, v = np.linalg.svd(rows[lengths > 0] / lengths[lengths > 0, None], full_matrices=False)
-    return v[sizes > 1e-9 * sizes.max(initial=0)]
-
-
-def _sizes_in_turn(A, H):
-    """How many coordinates each output adds to what those before see."""
-    seen = [len(A) - len(unseen_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
-    return [after - before for before, after in zip([0, *seen], seen)]
-
-
-def _sizes_by_turns(A, H):
-    """How many rows each chain h, h A, h A^2, ... gives when they are taken by turns while
-    independent of all before."""
-    transposed, taken, sizes = list(zip(*A)), [], [0] * len(H)
-    ends = [list(row) for row in H]
-    for _ in range(len(A)):
-        for k, row in enumerate(ends):
-            if row is not None and len(echelon([*taken, row])[0]) > len(taken):
-                taken.append(row)
-                sizes[k] += 1
-                ends[k] = product(transposed, row)
-            else:
-                ends[k] = None
-    return sizes
 
 
 def _as_system(answer, parameters, names, outputs, columns=False):
@@ -561,14 +310,14 @@ def _as_system(answer, parameters, names, outputs, columns=False):
     return matrix, other
 
 
-def _invertible(said, tolerance, values):
+def require_invertible(claimed, tolerance, values):
     """Raise `Wrong` for a matrix without an inverse, whatever the units of its rows."""
-    lengths = np.linalg.norm(said, axis=1)
+    lengths = np.linalg.norm(claimed, axis=1)
     if not lengths.all():
         raise Wrong(
             f"your matrix has no inverse{where_text(values)}: one of its rows or columns is zero"
         )
-    if np.linalg.svd(said / lengths[:, None], compute_uv=False)[-1] <= 1e-2 * tolerance:
+    if np.linalg.svd(claimed / lengths[:, None], compute_uv=False)[-1] <= 1e-2 * tolerance:
         raise Wrong(f"your matrix has no inverse{where_text(values)}")
 
 
@@ -588,14 +337,3 @@ def _first_mixed(new_A, new_H, size, side):
         return side.mixed(names[i], names[size + j], new_A[i, size + j])
     k, j = np.unravel_index(np.argmax(shown), shown.shape)
     return side.shown(k, len(new_H), names[size + j], new_H[k, size + j])
-
-
-def _observable(A, H):
-    """Whether a small system of floats is observable, by Kalman's matrix with blocks of one
-    size."""
-    if not len(A):
-        return True
-    blocks = [H / max(np.linalg.norm(H), 1e-300)]
-    for _ in range(len(A) - 1):
-        blocks.append(blocks[-1] @ A / max(np.linalg.norm(A), 1e-300))
-    return bool(np.linalg.svd(np.vstack(blocks), compute_uv=False)[-1] > 1e-6)

@@ -1,5 +1,4 @@
-"""Questions that are asked both of an output and of a control: one judgement serves both, by
-transposition.
+"""Questions about an output or a control: one judgement serves both, by transposition.
 
 What a control cannot reach is what the output B^T y of y' = A^T y does not show: a row w with w A =
 lambda w and w B = 0 is a column there. So each function here takes a `Pair`, of (A, H) or of (A^T,
@@ -14,17 +13,17 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from workbook.checks.contract.claims import Values
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
     restricted,
 )
-from workbook.checks.tools.comparisons import Entries, Members, Word
-from workbook.checks.tools.conditions import compare, place_text
+from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameWord
+from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.values import numbers_at
-from workbook.checks.tools.wording import number_text, where_text
+from workbook.checks.tools.wording import number_text, values_text, where_text
 
 
 def _output_shows(k, order, number, value):
@@ -102,35 +101,35 @@ EIGENVALUES = Values(
 def judge_yes_no(claim, pair, side):
     """Whether the property holds, for all values of the parameters that their assumptions allow."""
     if not pair.parameters:
-        (unseen,) = pair.unseen
-        return (yield Word(claim, not unseen, left_over(len(unseen), side)))
+        (unseen,) = pair.unobservable
+        return (yield SameWord(claim, not unseen, left_over(len(unseen), side)))
     holds, reason = True, f"{side.none_free}, for any values of the parameters"
     try:
         compare(
             sp.true,
             pair.parameters,
-            pair.truth(True),
+            pair.reference(True),
             lambda values, _: (
                 f"for some values of the parameters {left_over(pair.dimension_at(values), side)}"
             ),
         )
     except Wrong as found:
-        always = min(map(len, pair.unseen))
+        always = min(map(len, pair.unobservable))
         holds, reason = (
             False,
             f"{left_over(always, side)}, whatever the parameters" if always else str(found),
         )
-    return (yield Word(claim, holds, reason))
+    return (yield SameWord(claim, holds, reason))
 
 
 def judge_region(answer, pair, side, holds=True):
     """The parameters for which the property holds (or, with `holds` False, fails)."""
 
-    def told(values, truth):
-        dimension, says = pair.dimension_at(values), "does not hold" if truth else "holds"
+    def message(values, reference):
+        dimension, says = pair.dimension_at(values), "does not hold" if reference else "holds"
         found = f"the system is {side.fails if dimension else side.holds}"
-        if truth == holds or not dimension:
-            return f"at {place_text(values)} your condition {says}, yet {found} there: {left_over(dimension, side)}"
+        if reference == holds or not dimension:
+            return f"at {values_text(values)} your condition {says}, yet {found} there: {left_over(dimension, side)}"
         # An exceptional value itself would be the answer: one parameter of those it depends on
         # stays unsaid.
         asked = set().union(*(poly.free_symbols for poly in pair.boundaries))
@@ -142,7 +141,7 @@ def judge_region(answer, pair, side, holds=True):
         )
 
     try:
-        agreement = compare(answer, pair.parameters, pair.truth(holds), told)
+        agreement = compare(answer, pair.parameters, pair.reference(holds), message)
     except Wrong as reason:
         if (
             not holds
@@ -165,8 +164,8 @@ def judge_kalman(claim, pair, side):
         true = np.vstack([H @ np.linalg.matrix_power(A, k) for k in range(pair.order)])
         sizes = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))[:, None]
 
-        def told(said, k, j):
-            if said.shape == true.T.shape and same(said.T, true, claim.T, sizes).all():
+        def message(claimed, k, j):
+            if claimed.shape == true.T.shape and agree(claimed.T, true, claim.T, sizes).all():
                 return f"this is the transpose of {side.matrix}"
             asked = (
                 f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}"
@@ -177,10 +176,10 @@ def judge_kalman(claim, pair, side):
             )
             return (
                 f"{asked}{where_text(values)}: {block} {k + 1} of your matrix, with "
-                f"{number_text(said[k, j])} in {side.across} {j + 1}, does not fit"
+                f"{number_text(claimed[k, j])} in {side.across} {j + 1}, does not fit"
             )
 
-        yield Entries(claim, true, told, values, sizes)
+        yield SameEntries(claim, true, message, values, sizes)
     return f"the {block}s are those of the definition, each block A times the one before"
 
 
@@ -188,10 +187,10 @@ def judge_eigenvalues(claims, pair, side):
     """The different eigenvalues at which the rank of Popov's criterion falls: those of A on the
     unseen states."""
     lost = [
-        different_roots(characteristic_coefficients(restricted(pair.at(place)[0], unseen)))
+        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unseen)))
         if unseen
         else np.array([])
-        for _, place, unseen in pair.samples_for(claims)
+        for _, point, unseen in pair.samples_for(claims)
     ]
     spectra = [
         (values, found, np.linalg.eigvals(A))
@@ -211,7 +210,7 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
         scale, where = max([1e-30, *abs(every)]), where_text(values)
 
         def fits(one, other, computed=EXACT):
-            return same(one[1], other, one[0], scale, computed)
+            return agree(one[1], other, one[0], scale, computed)
 
         def stranger(one):
             number = number_text(one[1])
@@ -225,7 +224,7 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
             )
 
         numbers = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
-        yield Members(
+        yield SameMembers(
             list(zip(claims, numbers)),
             list(lost),
             fits,

@@ -1,5 +1,7 @@
-"""A measurement with an error of a known kind and an unknown size, told as `WithError`: z = H x + c
-w, w' = S w, w(0) = C (start): the system of both together, and C by the output.
+"""Measurements with an error of a known kind and an unknown size, as `WithError`.
+
+The measurement is z = H x + c w, w' = S w, w(0) = C (start): the system of both together, and C by
+the output.
 
 What z determines of x(0) and C is asked in `observability.py`: a pair (x(0), C) that gives z = 0
 for all time cannot be told from nothing at all. These pairs come from the largest invariant
@@ -11,26 +13,29 @@ import numpy as np
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import EXACT, same
+from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.invariant_subspaces import echelon, product, to_floats
-from workbook.checks.references.records import augmented, seen
-from workbook.checks.tools.comparisons import Same
+from workbook.checks.references.records import augmented, observed_pair
+from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.samples import in_every_case
-from workbook.checks.tools.values import matrix_at, moved, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturbed_arrays
 from workbook.checks.tools.wording import number_text, where_text
 
 
 @judged
 def augmented_system(answer, system, parameters=(), own=False):
-    """[A', H']: the system of x together with coordinates of the error, as few as it has, in any
-    scale and combination; or those of S and c themselves, where these are the error's `own`."""
+    """Check the system [A', H'] of x together with coordinates of the measurement error.
+
+    The error has as few coordinates as possible, in any scale and combination; or those of S
+    and c themselves, where these are the error's `own`.
+    """
     if not isinstance(answer, (list, tuple)) or len(answer) != 2:
         raise Invalid(
             "expected a list [A', H'] of the matrix of the augmented system and the row of its "
             "output"
         )
-    n, outputs, pair = system.A.rows, system.H.rows, seen(system, parameters)
+    n, outputs, pair = system.A.rows, system.H.rows, observed_pair(system, parameters)
     matrix = coercion.as_matrix(answer[0], parameters)
     if matrix.rows != matrix.cols or matrix.rows <= n:
         raise Invalid(
@@ -42,9 +47,9 @@ def augmented_system(answer, system, parameters=(), own=False):
     row = coercion.as_matrix(
         row.T if outputs == 1 == row.cols else row, parameters, (outputs, matrix.rows)
     )
-    for values, place, _ in pair.samples_for([matrix, row]):
+    for values, point, _ in pair.samples_for([matrix, row]):
         where = where_text(values)
-        true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(place))
+        true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(point))
         said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
         x, w = slice(0, n), slice(n, None)
         for claim, block, true, what in (
@@ -53,8 +58,8 @@ def augmented_system(answer, system, parameters=(), own=False):
             (matrix, (w, x), 0, "the motion does not act on the error: this part of A' is zero"),
             (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H"),
         ):
-            said = (said_A if claim is matrix else said_H)[block]
-            _compare_block(said, true + 0 * said, claim[block], what, where)
+            claimed = (said_A if claim is matrix else said_H)[block]
+            _compare_block(claimed, true + 0 * claimed, claim[block], what, where)
         if own and matrix.rows == pair.order:
             _compare_block(
                 said_A[w, w],
@@ -70,12 +75,12 @@ def augmented_system(answer, system, parameters=(), own=False):
                 "the last coordinate is the error itself",
                 where,
             )
-        open_ = uncertain_entries(matrix, values)[w, w], uncertain_entries(row, values)[:, w]
+        open_ = entry_uncertainties(matrix, values)[w, w], entry_uncertainties(row, values)[:, w]
         _compare_errors(
             said_A[w, w],
             said_H[:, w],
             open_,
-            _error_derivatives(pair, place, n, matrix.rows),
+            _error_derivatives(pair, point, n, matrix.rows),
             where,
         )
     return (
@@ -86,7 +91,10 @@ def augmented_system(answer, system, parameters=(), own=False):
 
 @judged(Expression("outputs", "time"))
 def amplitude_from_output(claim, system, outputs, time):
-    """C by z and its derivatives at one moment, the symbols `outputs`, and the time."""
+    """Check C as an expression in z, its derivatives at one instant and the time.
+
+    The symbols of z and of its derivatives are the `outputs`.
+    """
     from scipy.linalg import expm
 
     both = augmented(system)
@@ -103,21 +111,23 @@ def amplitude_from_output(claim, system, outputs, time):
         for symbol in outputs:
             values[symbol] = float(row @ state)
             state = matrix @ state
-        yield Same(claim, amplitude, "C", values, 1e-2 * sum(abs(v) for v in values.values()), 1e-8)
+        yield SameValue(
+            claim, amplitude, "C", values, 1e-2 * sum(abs(v) for v in values.values()), 1e-8
+        )
     return "it gives C at every moment of motions with all kinds of starts and errors"
 
 
-def _compare_block(said, true, claim, what, where):
-    bad = ~same(said, true, claim, max(abs(true).max(initial=0), 1.0))
+def _compare_block(claimed, true, claim, what, where):
+    bad = ~agree(claimed, true, claim, max(abs(true).max(initial=0), 1.0))
     if bad.any():
         i, j = np.argwhere(bad)[0]
-        raise Wrong(f"{what}{where}; yours has {number_text(said[i, j])} there")
+        raise Wrong(f"{what}{where}; yours has {number_text(claimed[i, j])} there")
 
 
-def _error_derivatives(pair, place, n, count):
+def _error_derivatives(pair, point, n, count):
     """The derivatives of the error with C = 1 at t = 0, exact: as many as tell two equations of
     these orders apart."""
-    A, H = pair.at(place)
+    A, H = pair.at(point)
     state, found = [row[-1] for row in pair.starts], []
     for _ in range(count + pair.order):
         found.append(product(H, state))
@@ -146,14 +156,16 @@ def _compare_errors(S, c, left_open, derivatives, where):
         rows = [c]
         while len(rows) < count:
             rows.append(rows[-1] @ S)
-        told = np.vstack(rows) * weights[:, None]
-        if not np.isfinite(told).all():
+        message = np.vstack(rows) * weights[:, None]
+        if not np.isfinite(message).all():
             raise Wrong(f"the derivatives of your error are not finite{where}")
-        start = np.linalg.lstsq(told, wanted.astype(complex), rcond=1e-12)[0]
-        return told @ start - wanted
+        start = np.linalg.lstsq(message, wanted.astype(complex), rcond=1e-12)[0]
+        return message @ start - wanted
 
     here = rest(S, c)
-    allowed = sum(np.linalg.norm(rest(*other) - here) for other in moved((S, c), left_open))
+    allowed = sum(
+        np.linalg.norm(rest(*other) - here) for other in perturbed_arrays((S, c), left_open)
+    )
     if not np.linalg.norm(here) <= 10 * EXACT * np.linalg.norm(wanted) + allowed:
         raise Wrong(
             "from no start do your coordinates of the error give the error of the "

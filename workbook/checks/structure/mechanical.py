@@ -1,5 +1,7 @@
-"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', told as `Mechanical`: the ranks of
-Theorems 2.5, and 2.6 by the dual system, which need no states.
+"""Rank tests of mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x'.
+
+The systems are records `Mechanical`. The ranks are those of Theorem 2.5, and of Theorem 2.6 by the
+dual system; they need no states.
 
 A rank falls exactly where all maximal minors of its matrix vanish together, so the values of lambda
 are the roots of their greatest common divisor, a polynomial with rational coefficients. That holds
@@ -19,7 +21,7 @@ from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
     different_roots,
 )
-from workbook.checks.references.records import seen
+from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import (
     CONTROL,
     EIGENVALUES,
@@ -27,7 +29,7 @@ from workbook.checks.structure.dual_questions import (
     compare_eigenvalues,
     known_roots,
 )
-from workbook.checks.tools.comparisons import Word
+from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.samples import general_values, in_every_case
 
 LAMBDA = sp.Symbol("lambda")
@@ -56,13 +58,15 @@ ALONE = dataclasses.replace(
 
 
 @judged(EIGENVALUES)
-def mechanical_roots(claim, system, parameters=()):
-    """The different roots of det(M lambda^2 + D lambda + K), also complex ones, with invertible M;
-    with parameters for their values in general position."""
-    pair = seen(system, parameters)
+def mechanical_eigenvalues(claim, system, parameters=()):
+    """Check the different roots of det(M lambda^2 + D lambda + K), also complex ones.
+
+    M is invertible; with parameters the roots are asked for their values in general position.
+    """
+    pair = observed_pair(system, parameters)
     samples = pair.samples_for(claim)
     roots = [
-        different_roots(characteristic_coefficients(pair.at(place)[0])) for _, place, _ in samples
+        different_roots(characteristic_coefficients(pair.at(point)[0])) for _, point, _ in samples
     ]
     spectra = [(values, found, found) for (values, *_), found in zip(samples, roots)]
     yield from compare_eigenvalues(claim, spectra, ALONE)
@@ -75,7 +79,7 @@ def judge_rank(claim, system, side):
     singular."""
     ((_, lost, _),) = _spectra(system, ())
     falls = "falls at some lambda" if len(lost) else f"is full at every {side.spectrum}"
-    return (yield Word(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
+    return (yield SameWord(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
 
 
 def judge_roots(claim, system, parameters, side):

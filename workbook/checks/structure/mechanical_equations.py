@@ -1,5 +1,6 @@
-"""The equations of small motions of a mechanical system, M q'' + K q = L u, in whatever way they
-are combined.
+"""Equations of small motions of a mechanical system, M q'' + K q = L u.
+
+Any combination of the equations is accepted.
 
 Equations may be added, multiplied by numbers and written in any order: what they say is q'' = -M^-1
 K q + M^-1 L u, and this is compared.
@@ -9,10 +10,10 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Matrix, Parts
-from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.tools.comparisons import Follows
+from workbook.checks.tools.comparisons import SameSides
 from workbook.checks.tools.samples import general_values, in_every_case
 from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import number_text, where_text
@@ -31,10 +32,9 @@ def _like(name):
     )
 )
 def mechanical_equations(claim, system, parameters=()):
-    """The list [M, K, L] of equations M q'' + K q = L u with the accelerations of the `Mechanical`
-    system."""
+    """Check the matrices [M, K, L] of the equations M q'' + K q = L u of a `Mechanical` system."""
     for values in in_every_case(general_values(parameters), claim):
-        mass, *said = (matrix_at(part, values) for part in claim)
+        mass, *claimed = (matrix_at(part, values) for part in claim)
         if not np.linalg.cond(mass) < 1e12:
             raise Wrong(
                 "your equations do not determine the accelerations: M has no "
@@ -43,19 +43,19 @@ def mechanical_equations(claim, system, parameters=()):
         true_mass, *true = (
             np.array(part.subs(values), dtype=float) for part in (system.M, system.K, system.L)
         )
-        for own, wanted, name, sign in zip(said, true, "qu", (-1, 1)):
+        for own, wanted, name, sign in zip(claimed, true, "qu", (-1, 1)):
             own, wanted = np.linalg.solve(mass, own), np.linalg.solve(true_mass, wanted)
-            yield Follows(
+            yield SameSides(
                 own,
                 wanted,
                 max(abs(wanted).max(), 1e-300),
-                lambda place: (
-                    f"by your equations {name}{place[1] + 1 if own.shape[1] > 1 or name == 'q' else ''} enters the "
-                    f"acceleration of q{place[0] + 1} with the coefficient "
-                    f"{number_text(sign * own[place])}"
+                lambda point: (
+                    f"by your equations {name}{point[1] + 1 if own.shape[1] > 1 or name == 'q' else ''} enters the "
+                    f"acceleration of q{point[0] + 1} with the coefficient "
+                    f"{number_text(sign * own[point])}"
                     f"{where_text(values)}, and that is not what the energies give"
                 ),
-                share(*claim),
+                relative_tolerance(*claim),
             )
     judge_everywhere(
         claim[0],

@@ -1,13 +1,16 @@
-"""Observability of a system that is told as a record: x' = A x, z = H x as `Linear` or `Process`,
-with an error in the measurement as `WithError`, with a row H(t) as `Varying`, and `Mechanical`; of
-constants as `Measurements`, locally. For the `parameters` (a list of symbols) in them."""
+"""Observability of a system given as a record.
+
+The records are x' = A x, z = H x as `Linear` or `Process`, with an error in the measurement as
+`WithError`, with a row H(t) as `Varying`, and `Mechanical`; of constants as `Measurements`,
+locally. The `parameters` in them are a list of symbols.
+"""
 
 from workbook.checks.contract.claims import Vectors, YesNo
 from workbook.checks.contract.verdict import judged
-from workbook.checks.references.records import seen
+from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import OUTPUT, judge_region, judge_yes_no
 from workbook.checks.structure.mechanical import SEEN, judge_rank
-from workbook.checks.structure.phrases import PARTS, words
+from workbook.checks.structure.output_wording import PARTS, words
 from workbook.checks.structure.unobservable_bases import (
     bases_by_value,
     judge_basis,
@@ -18,58 +21,70 @@ from workbook.systems import Mechanical
 
 @judged(YesNo())
 def observable(claim, system, parameters=()):
-    """Whether z determines every start, with an error its size too; with parameters, whether it
-    does for all values that their assumptions allow."""
+    """Check whether z determines every initial state.
+
+    With an error its size has to be determined too; with parameters: whether this holds for all
+    values that their assumptions allow.
+    """
     if isinstance(system, Mechanical) and not parameters:
         return judge_rank(claim, system, SEEN)
-    return judge_yes_no(claim, seen(system, parameters), words(system))
+    return judge_yes_no(claim, observed_pair(system, parameters), words(system))
 
 
 @judged
 def observable_parameters(answer, system, parameters, part=None):
-    """The condition on the parameters under which the system is observable: true exactly there, at
-    isolated values too.
+    """Check the condition on the parameters under which the system is observable.
 
-    Of a system `WithError` a `part` may be asked for, "state" or "error": that it is found, whether
-    or not the other one is. Where the M of a `Mechanical` system is singular its order drops; what
-    is said of these values does not count. Of `Measurements` it is that their Jacobian has full
-    rank.
+    It has to be true exactly there, at isolated values too.
+
+    Of a system `WithError` a `part` may be asked for, "state" or "error": that it is found,
+    whether or not the other one is. Where the M of a `Mechanical` system is singular its order
+    drops; what is said of these values does not count. Of `Measurements` it is that their
+    Jacobian has full rank.
     """
     pair = (
-        seen(system, parameters) if part is None else seen(system, parameters, PARTS[part](system))
+        observed_pair(system, parameters)
+        if part is None
+        else observed_pair(system, parameters, PARTS[part](system))
     )
     return judge_region(answer, pair, words(system, part))
 
 
 @judged
 def unobservable_parameters(answer, system, parameters):
-    """The condition on the parameters under which the system is not observable; a set or a list of
-    values of the only one as well."""
-    return judge_region(answer, seen(system, parameters), words(system), holds=False)
+    """Check the condition on the parameters under which the system is not observable.
+
+    A set or a list of values of the only parameter is accepted as well.
+    """
+    return judge_region(answer, observed_pair(system, parameters), words(system), holds=False)
 
 
 @judged(Vectors("parameters", size="system.unknowns", names="start"))
-def unseen_states(claim, system, parameters=(), start=()):
-    """A basis of the starts whose motions give z = 0 for all time, an empty list if zero is the
-    only one: x(0), with an error (x(0), C), for a `Mechanical` system, with invertible M, (x(0),
-    x'(0)); of `Measurements` the changes of the unknowns that alter none to first order.
+def unobservable_states(claim, system, parameters=(), start=()):
+    """Check a basis of the initial states whose motions give z = 0 for all time.
 
-    With parameters: for their values in general position, as the assumptions allow, and wherever as
-    much is unseen. By the symbols of the `start` a vector may be given as a dict.
+    An empty list says that zero is the only one. The vectors are x(0), with an error (x(0), C),
+    for a `Mechanical` system with invertible M (x(0), x'(0)); of `Measurements` the changes of
+    the unknowns that alter none to first order.
+
+    With parameters: for their values in general position, as the assumptions allow, and
+    wherever as much is unobservable. By the symbols of the `start` a vector may be given as a dict.
     """
-    return judge_basis(claim, seen(system, parameters), words(system))
+    return judge_basis(claim, observed_pair(system, parameters), words(system))
 
 
 @judged(bases_by_value(OUTPUT))
-def unseen_where_lost(claim, system, parameter):
-    """Every real value of the parameter for which the system is not observable, as {value: basis of
-    the starts that give z = 0}.
+def unobservable_states_at(claim, system, parameter):
+    """Check the parameter values without observability, as {value: basis of initial states}.
+
+    Every real value of the parameter for which the system is not observable is asked for, with
+    the initial states that give z = 0.
 
     For systems that lose observability at finitely many values, all of them rational.
     """
     return judge_where_lost(
         claim,
-        seen(system, (parameter,)),
+        observed_pair(system, (parameter,)),
         words(system),
-        lambda value: seen(system.subs(parameter, value)),
+        lambda value: observed_pair(system.subs(parameter, value)),
     )

@@ -16,9 +16,11 @@ from workbook.checks.references.records import matrix_of, row_of
 
 @judged(Choice(words="quantities"))
 def measured_quantity(claim, system, known, quantities):
-    """Which of the `quantities` {name: row} of the system `known` the measurement z = H x of x' = A
-    x is; of one in `Deviations` they are {name: expression in its state}, and their deviations are
-    meant."""
+    """Check which of the `quantities` {name: row} the measurement z = H x of x' = A x is.
+
+    The rows are those of the system `known`; of one in `Deviations` they are {name: expression
+    in its state}, and their deviations are meant.
+    """
     equations = {
         name: _equation(matrix_of(known), row_of(known, quantity))
         for name, quantity in quantities.items()
@@ -29,13 +31,13 @@ def measured_quantity(claim, system, known, quantities):
         raise RuntimeError("the equations do not tell the quantities apart")
     if equations[claim] != seen:
         raise Wrong(
-            f"the {claim} satisfies the linear equation {_told(equations[claim])} and none of "
+            f"the {claim} satisfies the linear equation {_text(equations[claim])} and none of "
             "lower order, in all motions; what is measured has motions that do not"
             if _breaks(equations[claim], A, H)
-            else f"the {claim} has motions that break {_told(seen)}, an equation that holds for what is measured "
+            else f"the {claim} has motions that break {_text(seen)}, an equation that holds for what is measured "
             f"in all motions"
         )
-    return f"both satisfy {_told(seen)} and no equation of lower order, and no other of the quantities does"
+    return f"both satisfy {_text(seen)} and no equation of lower order, and no other of the quantities does"
 
 
 def _equation(A, H):
@@ -62,7 +64,7 @@ def _breaks(equation, A, H):
     return not total.is_zero_matrix
 
 
-def _told(equation):
+def _text(equation):
     """The equation for z, its derivatives with primes."""
     order = len(equation) - 1
     names = ["z", *("z" + "'" * k for k in range(1, order + 1))]

@@ -1,5 +1,6 @@
-"""One scalar equation in place of x' = A x + b u: of order n, between y = c x, the control and
-their derivatives.
+"""Scalar equations equivalent to x' = A x + b u.
+
+An equation is of order n, between y = c x, the control and their derivatives.
 
 At one moment x, u, u', ... may have any values, and the system then says what y, y', ..., y^(n)
 are. An equation is right if it is linear with constant coefficients, of order n, and satisfied by
@@ -14,12 +15,12 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 
 from workbook.checks.contract.claims import Expressions
-from workbook.checks.contract.tolerance import EXACT, same, share
+from workbook.checks.contract.tolerance import EXACT, agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
-from workbook.checks.references.records import reached, seen
+from workbook.checks.references.records import controlled_pair, observed_pair
 from workbook.checks.tools.samples import general_values, in_every_case
-from workbook.checks.tools.values import number_at, numbers_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, number_at, numbers_at
 from workbook.checks.tools.wording import number_text, where_text
 
 LARGEST_ORDER = 12
@@ -27,16 +28,18 @@ LARGEST_ORDER = 12
 
 @judged
 def scalar_equation(answer, system, motion, control, parameters=()):
-    """The equation of order n between the control and y, the output or else the first coordinate of
-    the canonical form by control (2.4); `motion` and `control` are functions of time such as y(t),
-    u(t)."""
+    """Check the equation of order n between the control and y.
+
+    Here y is the output or else the first coordinate of the canonical form by control (2.4);
+    `motion` and `control` are functions of time such as y(t), u(t).
+    """
     claim, canonical = _LinearEquation(answer, motion, control, parameters), not system.H
     for values in general_values(list(parameters)):
         there = system.subs(values)
         row = _first_coordinate(there.A, there.B) if canonical else there.H
         claim.judge(there.A, there.B, row, values, canonical=canonical)
-    pair = reached(system, parameters) if canonical else seen(system, parameters)
-    claim.judge_everywhere(system.A.rows, parameters, lambda: pair.in_general)
+    pair = controlled_pair(system, parameters) if canonical else observed_pair(system, parameters)
+    claim.judge_everywhere(system.A.rows, parameters, lambda: pair.generic_condition)
     return "it is linear, of the order of the system, and " + (
         "the first canonical coordinate satisfies it at random states and controls"
         if canonical
@@ -46,14 +49,18 @@ def scalar_equation(answer, system, motion, control, parameters=()):
 
 @judged(Expressions("parameters", length="system.A"))
 def canonical_coordinate(claim, system, parameters=()):
-    """The row c (of n entries) for which y = c x is the first coordinate of the canonical form by
-    control (2.4), with one control."""
+    """Check the row c for which y = c x is the first coordinate of the canonical form (2.4).
+
+    The row has n entries; the form is that by control, with one control.
+    """
     for values in in_every_case(general_values(list(parameters)), claim):
         there, b = system.A.subs(values), system.B.subs(values)
         row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, there.rows + 1)])
         true = _floats(_first_coordinate(there, b))[0]
-        if not same(row, true, claim, np.linalg.norm(true)).all():
-            _explain_row(row, _floats(there), _floats(b)[:, 0], share(claim), where_text(values))
+        if not agree(row, true, claim, np.linalg.norm(true)).all():
+            _explain_row(
+                row, _floats(there), _floats(b)[:, 0], relative_tolerance(claim), where_text(values)
+            )
     return "the control enters the last derivative alone, with the coefficient 1"
 
 
@@ -128,7 +135,7 @@ class _LinearEquation:
             for row in self.coefficients
         ]
         self.uncertain = [
-            uncertain_entries(sp.Matrix([row]), values)[0] for row in self.coefficients
+            entry_uncertainties(sp.Matrix([row]), values)[0] for row in self.coefficients
         ]
         size = max(abs(a) for row in numbers for a in row)
         present = [[k for k, a in enumerate(row) if abs(a) > 1e-9 * size] for row in numbers]
@@ -144,8 +151,8 @@ class _LinearEquation:
         rows = [c]
         while len(rows) <= n:
             rows.append(rows[-1] * A)
-        told = sp.Matrix.vstack(*rows[:n])
-        if told.det() == 0:
+        message = sp.Matrix.vstack(*rows[:n])
+        if message.det() == 0:
             raise ValueError("y does not tell the state: its equation is not the system")
         # y^(k) in terms of x and of u, u', ..., u^(highest)
         driven = sp.Matrix(
@@ -154,7 +161,7 @@ class _LinearEquation:
         to_all = np.array(sp.Matrix.vstack(*rows).row_join(driven).tolist(), dtype=float)
         # The states at which y, ..., y^(n-1), u, u', ... vanish but for one of them: there no other
         # term hides a wrong one.
-        back = told.inv()
+        back = message.inv()
         states = np.array(
             (back.row_join(-back * driven[:n, :]))
             .col_join(sp.zeros(highest + 1, n).row_join(sp.eye(highest + 1)))

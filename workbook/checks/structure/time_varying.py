@@ -1,6 +1,8 @@
-"""An output z = H x of x' = A x in the course of time; where its row H(t) changes, told as
-`Varying`: its derivatives, its Gramian, the trap of frozen rows. What it never shows is asked in
-`observability.py`."""
+"""An output z = H x of x' = A x in time: its derivatives, its Gramian, frozen rows.
+
+Where the row H(t) changes, the system is a `Varying`. Unobservable states are asked for in
+`observability.py`.
+"""
 
 from math import comb
 
@@ -8,32 +10,39 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Matrix
-from workbook.checks.contract.tolerance import share
+from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.tools.comparisons import Entries, Same
+from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.samples import in_every_case, signed_values
 from workbook.checks.tools.values import value_at
 from workbook.checks.tools.wording import number_text, rounded_text
 
 
 @judged(Expression("time", "start", "parameters"))
-def measured_motion(claim, system, start, time, parameters=()):
-    """The single output z(t) along the motion from the start, an expression in the symbols of the
-    start, the time and the parameters; its row may change with the time."""
+def measured_output(claim, system, start, time, parameters=()):
+    """Check the output z(t) along the motion from an initial state.
+
+    The output is single, an expression in the symbols of the initial state, the time and the
+    parameters; its row may change with the time.
+    """
     from scipy.linalg import expm
 
     for values in in_every_case(signed_values([time, *start, *parameters], positive=[time]), claim):
         x = np.array([values[symbol] for symbol in start])
         matrix, row = _at(system.A, values), _at(system.H, values)
         z = float((row @ expm(values[time] * matrix) @ x)[0])
-        yield Same(claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x))
+        yield SameValue(
+            claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x)
+        )
     return "it is what is measured for all starts, moments and parameters tried"
 
 
 @judged(Matrix("system.time", "parameters", shape="system.A"))
-def derivative_rows(claim, system, parameters):
-    """The n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ... along all motions
-    (H: 1 x n)."""
+def observability_matrix(claim, system, parameters):
+    """Check the n x n matrix of the rows N0, ..., N(n-1) with z = N0 x, z' = N1 x, ...
+
+    The derivatives are those along all motions (H: 1 x n).
+    """
     n = system.A.rows
     slopes = [system.H.diff(system.time, k) if k else system.H for k in range(n)]
     for values in in_every_case(
@@ -46,8 +55,8 @@ def derivative_rows(claim, system, parameters):
         # The derivative of order k of the product H(t) x(t), by the rule of Leibniz.
         terms = [[comb(k, j) * rows[j] @ powers[k - j] for j in range(k + 1)] for k in range(n)]
 
-        def told(said, k, j):
-            if k and np.allclose(said[k], terms[k][0], rtol=0, atol=1e-6 * sizes[k]):
+        def message(claimed, k, j):
+            if k and np.allclose(claimed[k], terms[k][0], rtol=0, atol=1e-6 * sizes[k]):
                 return (
                     f"row {k + 1} of your matrix leaves out that H changes with time: the "
                     "derivative of z = H(t) x has one term more"
@@ -61,18 +70,20 @@ def derivative_rows(claim, system, parameters):
             )
             return (
                 f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in "
-                f"column {j + 1}: there your matrix has {number_text(said[k, j])}"
+                f"column {j + 1}: there your matrix has {number_text(claimed[k, j])}"
             )
 
         sizes = np.array([sum(map(np.linalg.norm, row)) for row in terms])
-        yield Entries(claim, list(map(sum, terms)), told, values, sizes[:, None])
+        yield SameEntries(claim, list(map(sum, terms)), message, values, sizes[:, None])
     return "the rows times x are z and its derivatives, at all moments and parameters tried"
 
 
 @judged(Matrix("parameters", shape="system.A"))
 def output_gramian(claim, system, duration, parameters):
-    """The n x n matrix G with x(0)^T G x(0) = the integral of z^2 over 0 <= t <= `duration` (A: n x
-    n, H: 1 x n), for parameters in general position."""
+    """Check the n x n matrix G with x(0)^T G x(0) = integral of z^2 over 0 <= t <= `duration`.
+
+    The shapes are A: n x n, H: 1 x n; parameters are in general position.
+    """
     from scipy.linalg import expm
 
     nodes, weights = np.polynomial.legendre.leggauss(160)
@@ -84,16 +95,16 @@ def output_gramian(claim, system, duration, parameters):
         measured = np.array([np.broadcast_to(entry, moments.shape) for entry in row(moments)]).T
         rows = np.einsum("ti,tij->tj", measured, expm(moments[:, None, None] * matrix))
         true = rows.T @ (weights[:, None] * rows)
-        yield Entries(
+        yield SameEntries(
             claim,
             true,
-            lambda said, i, j: (
+            lambda claimed, i, j: (
                 f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(said[i, j])}; the "
+                f"{number_text(claimed[i, j])}; the "
                 # the true number would be the answer itself
                 f"integral is {true[i, j]:.4g}"
                 if values
-                else f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(said[i, j])}, "
+                else f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(claimed[i, j])}, "
                 "and the integral is not"
             ),
             values,
@@ -104,22 +115,24 @@ def output_gramian(claim, system, duration, parameters):
 
 @judged(Expression("system.time", "parameters"))
 def frozen_determinant(claim, system, parameters):
-    """The determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one moment, with H taken as it
-    is then."""
+    """Check the determinant of the rows H(t), H(t) A, ..., H(t) A^(n-1) of one instant.
+
+    The row H is taken as it is at this instant.
+    """
     for values in in_every_case(
         signed_values([system.time, *parameters], positive=[system.time]), claim
     ):
         matrix, row = _at(system.A, values), _at(system.H, values)
         rows = [(row @ np.linalg.matrix_power(matrix, k))[0] for k in range(system.A.rows)]
-        scale, said = (
+        scale, claimed = (
             np.prod([np.linalg.norm(r) for r in rows]),
             value_at(claim, values, "this determinant"),
         )
-        if not abs(said - np.linalg.det(rows)) <= share(claim) * scale:
+        if not abs(claimed - np.linalg.det(rows)) <= relative_tolerance(claim) * scale:
             # The rows and not their determinant, which may be the answer itself.
-            told = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
+            message = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(
-                f"at one of the moments tried the rows are {told}; {number_text(said)}, which your "
+                f"at one of the moments tried the rows are {message}; {number_text(claimed)}, which your "
                 "expression gives, is not their determinant"
             )
     return "it is the determinant at all moments and parameters tried"

@@ -1,9 +1,10 @@
-"""What is unseen, as bases: for a system, for all values of a parameter, or at the values at which
-observability is lost. Of the transposed matrices: the combinations of the coordinates that no
-control changes.
+"""Bases of the unobservable states, and of the uncontrollable combinations by duality.
 
-A condition such as alpha != 1 may be guessed; the states that stay unseen at the value left out may
-not. The truth is that of `pairs`: the largest invariant subspace in the kernel of the output, at
+They are asked for a system, for all values of a parameter, or at the values at which observability
+is lost. The combinations are those of the coordinates that no control changes.
+
+A condition such as alpha != 1 may be guessed; the states that stay unobservable at the value left out may
+not. The reference is that of `pairs`: the largest invariant subspace in the kernel of the output, at
 every value where it can appear.
 """
 
@@ -11,24 +12,24 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Number, Table, Vectors
-from workbook.checks.contract.tolerance import EXACT, in_decimals, rounds_to, share
+from workbook.checks.contract.tolerance import EXACT, in_decimals, relative_tolerance, rounds_to
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import to_floats
-from workbook.checks.references.pairs import place_of, special_values
+from workbook.checks.references.pairs import point_of, special_values
 from workbook.checks.structure.dual_questions import left_over
-from workbook.checks.tools.comparisons import Members
+from workbook.checks.tools.comparisons import SameMembers
 from workbook.checks.tools.conditions import allowed
-from workbook.checks.tools.values import number_at, uncertain_entries
+from workbook.checks.tools.values import entry_uncertainties, number_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
 def judge_basis(vectors, pair, side, at=None):
     """A basis of what is unseen, a list of vectors; `at` tells of the place, if `pair` does not."""
-    n, tolerance = pair.unknowns, share(*vectors)
-    for values, place, unseen in pair.samples_for(vectors):
+    n, tolerance = pair.unknowns, relative_tolerance(*vectors)
+    for values, point, unseen in pair.samples_for(vectors):
         where = where_text(values) if at is None else at
-        said = np.array(
+        claimed = np.array(
             [
                 [
                     number_at(entry, values, f"component {i} of your vector {k}")
@@ -38,11 +39,11 @@ def judge_basis(vectors, pair, side, at=None):
             ]
         ).reshape(len(vectors), n)
         space, _ = np.linalg.qr(to_floats(unseen, n).T)
-        left_open = uncertain_entries(
+        left_open = entry_uncertainties(
             sp.Matrix(len(vectors), n, [entry for one in vectors for entry in one]), values
         )
         across = abs(np.eye(n) - space @ space.T)
-        for k, vector in enumerate(said, 1):
+        for k, vector in enumerate(claimed, 1):
             size = np.linalg.norm(vector)
             if size == 0:
                 raise Wrong(
@@ -51,14 +52,16 @@ def judge_basis(vectors, pair, side, at=None):
             if not (
                 abs(vector - space @ (space.T @ vector)) <= EXACT * size + across @ left_open[k - 1]
             ).all():
-                raise Wrong(f"{_seen(pair, place, vector, k, side)}{where}")
+                raise Wrong(f"{_seen(pair, point, vector, k, side)}{where}")
         if (
-            len(said)
-            and np.linalg.svd(said / np.linalg.norm(said, axis=1)[:, None], compute_uv=False)[-1]
+            len(claimed)
+            and np.linalg.svd(claimed / np.linalg.norm(claimed, axis=1)[:, None], compute_uv=False)[
+                -1
+            ]
             < 1e-2 * tolerance
         ):
-            raise Wrong(f"your {len(said)} vectors are linearly dependent{where}")
-        if len(said) < len(unseen):
+            raise Wrong(f"your {len(claimed)} vectors are linearly dependent{where}")
+        if len(claimed) < len(unseen):
             raise Wrong(
                 f"{left_over(len(unseen), side)}{where}, and it is no combination of those in your "
                 "answer"
@@ -67,17 +70,17 @@ def judge_basis(vectors, pair, side, at=None):
         judge_everywhere(
             sp.Matrix(vectors).T,
             pair.parameters,
-            lambda: pair.in_general,
+            lambda: pair.generic_condition,
             "one of your vectors is undefined",
             "your vectors are linearly dependent" if len(vectors) > 1 else "your vector is zero",
         )
     return side.basis_right if vectors else side.none_free
 
 
-def _seen(pair, place, vector, k, side):
+def _seen(pair, point, vector, k, side):
     """Why a vector does not belong: the first of the numbers H A^k v, or w A^k B, that is not
     zero."""
-    A, H = (to_floats(rows, pair.order) for rows in pair.at(place))
+    A, H = (to_floats(rows, pair.order) for rows in pair.at(point))
     state = pair.state_of(vector)
     scale, growth = max(np.linalg.norm(state), 1e-30), max(1.0, np.linalg.norm(A))
     for order in range(pair.order):
@@ -114,7 +117,7 @@ def judge_where_lost(claim, pair, side, at_value):
     """
     (parameter,) = pair.parameters
     lost = _values_where_lost(pair, parameter)
-    named = yield Members(
+    named = yield SameMembers(
         [value for value, _ in claim],
         lost,
         _same,
@@ -134,7 +137,7 @@ def judge_where_lost(claim, pair, side, at_value):
 
 def _values_where_lost(pair, parameter):
     """The exceptional values, SymPy rationals."""
-    if all(pair.unseen):
+    if all(pair.unobservable):
         raise ValueError("something is unseen for all values in general position")
     values = special_values(pair.boundaries, parameter)
     real = {
@@ -149,7 +152,7 @@ def _values_where_lost(pair, parameter):
         if allowed(parameter, 1 if root > 0 else -1)
     ):
         raise ValueError("something is unseen at an irrational value")
-    return [value for value in values if pair.unseen_at(place_of({parameter: value}))]
+    return [value for value in values if pair.unobservable_at(point_of({parameter: value}))]
 
 
 def _same(value, other):

@@ -1,2 +1,1 @@
-"""What checks of several themes use: values at places, samples, conditions, places of parameters,
-words."""
+"""Tools of checks: comparisons, values of expressions, samples, domains, conditions, wording."""

@@ -1,14 +1,16 @@
-"""What a check yields: comparisons of an answer with the truth.
+"""Comparisons of an answer with its reference, which a check yields.
 
-`judged` does them one after the other. Here the answer gets its values, has to be finite there, is
-compared to the precision that `contract.tolerance` knows, and the first difference is told with its
-place. What a comparison found on the way it gives back: `said = yield Entries(...)`.
+`judged` runs them one after the other. Here symbols of the answer are given values, the answer has
+to be finite there, is compared to the precision that `contract.tolerance` defines, and the first
+difference raises `Wrong` with its position. A comparison returns what it computed:
+`numbers = yield SameEntries(...)`.
 
-- `Same`: an expression has a value, `Entries`: a matrix has its entries, at values of the symbols.
-- `Agrees`: a condition is as true as a property, at values of the symbols.
-- `Members`: of several things all are named and no more.
-- `Word`: a word is the right one of those offered.
-- `Follows`: two sides of a law are equal.
+- `SameValue`: an expression has a value, `SameEntries`: a matrix has its entries, at values of the
+  symbols.
+- `SameTruth`: a condition is as true as a property, at values of the symbols.
+- `SameMembers`: of several things all are named and no more.
+- `SameWord`: a word is the right one of those offered.
+- `SameSides`: two sides of an equation are equal.
 """
 
 import cmath
@@ -18,17 +20,34 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.tolerance import EXACT, in_decimals, same
+from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import Wrong
-from workbook.checks.tools.values import matrix_at, truth_at, uncertain_at, value_at
-from workbook.checks.tools.wording import apart, rounded_text
+from workbook.checks.tools.values import matrix_at, truth_at, uncertainty_at, value_at
+from workbook.checks.tools.wording import distinct_texts, rounded_text
 
 
 @dataclass
-class Same:
-    """An expression has the value `true` of the quantity `what`; `size` is that of the terms, which
-    may cancel. A value that is `constant`, the same for all values of the symbols, is not told: it
-    would be the answer itself."""
+class SameValue:
+    """An expression has the true value of a quantity.
+
+    Parameters
+    ----------
+    claim : sympy.Expr
+        The answer.
+    true : float
+        The true value.
+    what : str
+        The quantity, for the message.
+    values : dict
+        {symbol: value}.
+    size : float
+        The size of the terms, which may cancel.
+    computed : float
+        The relative precision of the true value.
+    constant : bool
+        Whether the value is the same for all values of the symbols; then it is not shown, since it
+        would be the answer itself.
+    """
 
     claim: sp.Expr
     true: float
@@ -39,113 +58,157 @@ class Same:
     constant: bool = False
 
     def judge(self):
-        said = value_at(self.claim, self.values, self.what)
+        value = value_at(self.claim, self.values, self.what)
         if not cmath.isfinite(self.true):
             raise RuntimeError(f"{self.what} could not be computed")
-        if not same(
-            said,
+        if not agree(
+            value,
             self.true,
             self.claim,
             self.size,
             self.computed,
-            uncertain_at(self.claim, self.values),
+            uncertainty_at(self.claim, self.values),
         ):
             if self.constant or not self.values:
-                raise Wrong(f"{self.what} is another number than {said:.4g}")
-            true, said = apart(self.true, said)
+                raise Wrong(f"{self.what} is another number than {value:.4g}")
+            true_text, text = distinct_texts(self.true, value)
             raise Wrong(
-                f"for {rounded_text(self.values)}, {self.what} is {true}; your expression gives "
-                f"{said}"
+                f"for {rounded_text(self.values)}, {self.what} is {true_text}; your expression gives "
+                f"{text}"
             )
 
 
 @dataclass
-class Entries:
-    """A matrix has the entries `true`; `size` is that of the terms of each, of each row, or of all.
+class SameEntries:
+    """A matrix has the true entries; returns its numbers.
 
-    `told(said, i, j)` is the message on the worst entry of the first wrong row. Gives back the
-    numbers said.
+    Parameters
+    ----------
+    claim : sympy.Matrix
+        The answer.
+    true : numpy.ndarray
+        The true entries.
+    message : callable
+        `message(numbers, i, j)` is the message on the worst entry of the first wrong row.
+    values : dict
+        {symbol: value}.
+    size : float or numpy.ndarray
+        The size of the terms of each entry, of each row, or of all.
+    computed : float
+        The relative precision of the true entries.
     """
 
     claim: sp.MatrixBase
     true: np.ndarray
-    told: Callable
+    message: Callable
     values: dict
     size: np.ndarray | float = 0.0
     computed: float = EXACT
 
     def judge(self):
-        said, true = matrix_at(self.claim, self.values), np.asarray(self.true)
+        numbers, true = matrix_at(self.claim, self.values), np.asarray(self.true)
         uncertain = (
             [
-                [uncertain_at(self.claim[i, j], self.values) for j in range(self.claim.cols)]
+                [uncertainty_at(self.claim[i, j], self.values) for j in range(self.claim.cols)]
                 for i in range(self.claim.rows)
             ]
             if in_decimals(*self.claim)
             else None
         )
-        right = same(said, true, self.claim, self.size, self.computed, uncertain)
+        right = agree(numbers, true, self.claim, self.size, self.computed, uncertain)
         if not right.all():
             row = int(np.argmin(right.all(axis=1)))
             raise Wrong(
-                self.told(said, row, int(np.argmax(abs(said[row] - true[row]) * ~right[row])))
+                self.message(
+                    numbers, row, int(np.argmax(abs(numbers[row] - true[row]) * ~right[row]))
+                )
             )
-        return said
+        return numbers
 
 
 @dataclass
-class Agrees:
-    """A condition is as `true` as the property; `told` says how it is there."""
+class SameTruth:
+    """A condition is as true as a property.
+
+    Parameters
+    ----------
+    claim : sympy.Basic
+        The condition of the answer.
+    true : bool
+        Whether the property holds.
+    message : str
+        How it is there, for the message.
+    values : dict
+        {symbol: value}.
+    """
 
     claim: sp.Basic
     true: bool
-    told: str
+    message: str
     values: dict
 
     def judge(self):
         if truth_at(self.claim, self.values) != self.true:
             raise Wrong(
-                f"for {rounded_text(self.values)} {self.told}, yet your condition "
+                f"for {rounded_text(self.values)} {self.message}, yet your condition "
                 f"{'fails' if self.true else 'holds'}"
             )
 
 
 @dataclass
-class Members:
-    """Of `true` things all are named and no more, in any order; `fits(one, other)` says whether one
-    named is another.
+class SameMembers:
+    """Of several things all are named and no more, in any order; returns the matched ones.
 
-    `stranger(one)` is the message on one that belongs not, `missing(count, others)` that on so many
-    named where others are left out, `twice(one)` that on one named before; without it things may be
-    named again. Gives back what the named ones are.
+    Parameters
+    ----------
+    claimed, true : list
+        The members named in the answer and the true ones.
+    fits : callable
+        `fits(member, other)`: whether a named member is a true one.
+    extra : callable
+        `extra(member)` builds the message on a named member that is none of the true ones.
+    missing : callable
+        `missing(count, others)` builds the message if of the true members only so many are named and
+        the others are not.
+    repeated : callable, optional
+        `repeated(member)` builds the message on a member named before; without it members may be
+        named again.
     """
 
-    said: list
+    claimed: list
     true: list
     fits: Callable
-    stranger: Callable
+    extra: Callable
     missing: Callable
-    twice: Callable | None = None
+    repeated: Callable | None = None
 
     def judge(self):
-        found, left = [], list(range(len(self.true)))
-        for one in self.said:
-            near = [k for k, other in enumerate(self.true) if self.fits(one, other)]
+        matched, left = [], list(range(len(self.true)))
+        for member in self.claimed:
+            near = [k for k, other in enumerate(self.true) if self.fits(member, other)]
             if not near:
-                raise Wrong(self.stranger(one))
-            if self.twice and not set(near) & set(left):
-                raise Wrong(self.twice(one))
-            left = [k for k in left if k not in (near[:1] if self.twice else near)]
-            found.append(self.true[near[0]])
+                raise Wrong(self.extra(member))
+            if self.repeated and not set(near) & set(left):
+                raise Wrong(self.repeated(member))
+            left = [k for k in left if k not in (near[:1] if self.repeated else near)]
+            matched.append(self.true[near[0]])
         if left:
             raise Wrong(self.missing(len(self.true) - len(left), [self.true[k] for k in left]))
-        return found
+        return matched
 
 
 @dataclass
-class Word:
-    """A word is the `true` one. The reason is told either way, after the words `contrary` if it is
-    not, and given back.
+class SameWord:
+    """A word is the right one; returns the reason.
+
+    Parameters
+    ----------
+    claim, true : object
+        The word of the answer and the right one.
+    reason : str
+        The reason, which the message holds either way.
+    contrary : str
+        What precedes it in the message if the word is wrong.
     """
 
     claim: object
@@ -160,20 +223,28 @@ class Word:
 
 
 @dataclass
-class Follows:
-    """Two sides of a law, numbers or arrays of them, are equal up to a `share` of the `size` of
-    their terms.
+class SameSides:
+    """Two sides of an equation are equal up to rounding.
 
-    `told(k)` is the message, with the place of the largest difference where there are several.
+    Parameters
+    ----------
+    left, right : complex or numpy.ndarray
+        Their numbers.
+    size : float
+        The size of the terms.
+    message : callable
+        `message(k)` builds the message; k is the index of the largest difference.
+    share : float
+        The tolerance relative to the size.
     """
 
     left: np.ndarray | complex
     right: np.ndarray | complex
     size: float
-    told: Callable
+    message: Callable
     share: float = EXACT
 
     def judge(self):
         difference = abs(np.asarray(self.left) - self.right)
         if not (difference <= self.share * self.size).all() or not np.isfinite(self.size).all():
-            raise Wrong(self.told(np.unravel_index(np.argmax(difference), difference.shape)))
+            raise Wrong(self.message(np.unravel_index(np.argmax(difference), difference.shape)))

@@ -1,13 +1,14 @@
-"""Where an expression bends: places between others at which it goes over from one form to another,
-by a corner, by a jump, or quickly. Next to them an answer may be wrong that is right at all other
-places."""
+"""Kinks of expressions: corners, jumps and steep transitions between sample points.
+
+Next to them an answer may be wrong that is right at all other points.
+"""
 
 import numpy as np
 
 from workbook.checks.contract.verdict import Invalid
-from workbook.checks.tools.values import is_slow, real_function
+from workbook.checks.tools.numeric_functions import is_slow, real_function
 
-#: In so many parts the way from one place to the next is divided, so often; the strongest bends of
+#: In so many parts the way from one point to the next is divided, so often; the strongest bends of
 #: so many ways count, by what they are after so many rounds, unless they are a smaller share of the
 #: values than this.
 PARTS, ROUNDS, MOST, JUDGED, NONE = 32, 8, 2, 3, 1e-11
@@ -18,16 +19,27 @@ ORDER = 4
 ASIDE, SAME = 1e-7, 1e-6
 
 
-def next_to_bends(claim, places):
-    """Places at the strongest bends of an expression, on the ways from each of the places, dicts
-    from the same symbols to real numbers, to the next one; on both sides of a bend if the values
-    there differ. None where it has no bends, or is too slow to be asked so often, as an integral
-    is."""
+def points_at_kinks(claim, points):
+    """Return points at the strongest kinks of an expression on segments between points.
+
+    Parameters
+    ----------
+    claim : sympy.Expr
+        The expression.
+    points : list of dict
+        {symbol: real number} each, of the same symbols.
+
+    Returns
+    -------
+    list of dict
+        Points on both sides of a kink if the values there differ, else on one. Empty if there is no
+        kink, or if the expression is too slow to be evaluated so often, as an integral is.
+    """
     if is_slow(claim):
         return []
-    symbols = list(places[0])
+    symbols = list(points[0])
     function = real_function(symbols, [claim])
-    ends = np.array([[float(place[s]) for s in symbols] for place in places])
+    ends = np.array([[float(point[s]) for s in symbols] for point in points])
     begin, way, every = ends[:-1], np.diff(ends, axis=0), np.arange(len(ends) - 1)
 
     def values(parts):
@@ -38,19 +50,23 @@ def next_to_bends(claim, places):
     for _ in range(ROUNDS):
         parts = first[:, None] + width[:, None] * np.arange(PARTS + 1) / PARTS
         try:
-            said = values(parts)[1]
+            numbers = values(parts)[1]
         except Invalid:
             return []
-        differences = np.nan_to_num(np.abs(np.diff(said, ORDER, axis=1)), nan=np.inf)
+        differences = np.nan_to_num(np.abs(np.diff(numbers, ORDER, axis=1)), nan=np.inf)
         top = differences.argmax(axis=1)
-        strength.append(differences[every, top] / np.nanmax(np.abs(said), axis=1, initial=1e-300))
+        strength.append(
+            differences[every, top] / np.nanmax(np.abs(numbers), axis=1, initial=1e-300)
+        )
         first, width = parts[every, top], ORDER * width / PARTS
     # Looked at so much closer, what is smooth bends less by the power ORDER, a corner by the first
     # or the second one.
     bent = (strength[1] > strength[0] * (ORDER / PARTS) ** 2.5) & (strength[1] > NONE)
-    at, said = values(np.clip((first + width / 2)[:, None] + [-ASIDE, ASIDE], 0, 1))
+    at, numbers = values(np.clip((first + width / 2)[:, None] + [-ASIDE, ASIDE], 0, 1))
     return [
         dict(zip(symbols, at[k, side].tolist()))
         for k in sorted(np.flatnonzero(bent), key=lambda k: -strength[JUDGED][k])[:MOST]
-        for side in range(1 if abs(said[k, 1] - said[k, 0]) <= SAME * abs(said[k, 0]) else 2)
+        for side in range(
+            1 if abs(numbers[k, 1] - numbers[k, 0]) <= SAME * abs(numbers[k, 0]) else 2
+        )
     ]

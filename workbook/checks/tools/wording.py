@@ -1,10 +1,10 @@
-"""How messages write numbers and the values of symbols."""
+"""Texts of numbers and of values of symbols in messages."""
 
 import math
 
 
 def number_text(number):
-    """A real or complex number for a message: `0.5`, `-1 + 2i`."""
+    """Return a real or complex number for a message: `0.5`, `-1 + 2i`."""
     z = complex(number)
     return (
         f"{z.real:.4g}"
@@ -13,73 +13,68 @@ def number_text(number):
     )
 
 
-def apart(*numbers):
-    """Different real numbers for a message, with as many digits, four at least, as tell them
-    apart."""
-    told = [f"{number:.4g}" for number in numbers]
+def distinct_texts(*numbers):
+    """Return texts of real numbers with as many digits, at least four, as distinguish them."""
+    texts = [f"{number:.4g}" for number in numbers]
     for digits in range(5, 16):
-        if len(set(told)) > 1:
+        if len(set(texts)) > 1:
             break
-        told = [f"{number:.{digits}g}" for number in numbers]
-    return told
+        texts = [f"{number:.{digits}g}" for number in numbers]
+    return texts
 
 
 def roots_text(roots):
-    """The roots of an equation for a message; what rounding leaves of a zero imaginary part is
-    none."""
+    """Return the roots of an equation for a message, without imaginary parts of rounding."""
     return " and ".join(
         number_text(z.real if abs(z.imag) < 1e-9 * (1 + abs(z)) else z) for z in map(complex, roots)
     )
 
 
 def values_text(values):
-    """Values of symbols for a message: `k = 1/3, omega = 2`, in decimals where they are no simple
-    fractions."""
+    """Return values of symbols: `k = 1/3, omega = 2`, in decimals if not simple fractions."""
     return ", ".join(
         f"{symbol} = {x if x.is_Rational and x.q < 1000 else f'{float(x):.6g}'}"
         for symbol, x in values.items()
     )
 
 
-def entry_text(said, i, j):
-    """Where a matrix is wrong and what it says there; of a single number only that."""
-    place = "yours" if said.size == 1 else f"look at the entry ({i + 1}, {j + 1}), where yours"
-    return f"{place} is {number_text(said[i, j])}"
+def entry_text(values, i, j):
+    """Return the position and value of a wrong entry; of a single number the value only."""
+    entry = "yours" if values.size == 1 else f"look at the entry ({i + 1}, {j + 1}), where yours"
+    return f"{entry} is {number_text(values[i, j])}"
 
 
-def part_text(what, said, i):
-    """What is wrong in a column: `component 2 of your estimate is 0.5`; of a single number `your
-    estimate is 0.5`."""
+def part_text(what, values, i):
+    """Return the text on a wrong component: `component 2 of your estimate is 0.5`."""
     return (
-        f"component {i + 1} of " if said.size > 1 else ""
-    ) + f"your {what} is {number_text(said[i, 0])}"
+        f"component {i + 1} of " if values.size > 1 else ""
+    ) + f"your {what} is {number_text(values[i, 0])}"
 
 
 def where_text(values):
-    """The values of a sample for the end of a message; nothing where there are none."""
+    """Return the values of a sample for the end of a message; empty without values."""
     return f" for {values_text(values)}" if values else ""
 
 
 def rounded_text(values):
-    """Values of symbols that nobody has to see in full: `M = 0.713, rho = 2.4`."""
+    """Return values of symbols rounded to three digits: `M = 0.713, rho = 2.4`."""
     return ", ".join(f"{symbol} = {float(value):.3g}" for symbol, value in values.items())
 
 
-def told_for(values):
-    """The beginning of a sentence that holds for values of symbols: `for M = 0.713 `."""
+def prefix_text(values):
+    """Return values of symbols for the beginning of a sentence: `for M = 0.713 `."""
     return f"for {rounded_text(values)} " if values else ""
 
 
-def other_rate(symbol, said, true):
-    """That a matrix of equations in deviations is wrong in a column: where, and what it says there,
-    not what is right."""
-    k = max(range(len(said)), key=lambda i: abs(said[i] - true[i]))
-    which = "the right-hand side" if len(said) == 1 else f"right-hand side {k + 1}"
-    return f"a small deviation of {symbol} alone changes {which} at another rate than yours, {number_text(said[k])}"
+def deviation_rate_text(symbol, values, true):
+    """Return the message on a wrong column of deviation equations: which entry, and its value."""
+    k = max(range(len(values)), key=lambda i: abs(values[i] - true[i]))
+    which = "the right-hand side" if len(values) == 1 else f"right-hand side {k + 1}"
+    return f"a small deviation of {symbol} alone changes {which} at another rate than yours, {number_text(values[k])}"
 
 
 def sample_text(values):
-    """Values of parameters for a message, as fractions where they are simple."""
+    """Return values of parameters, as fractions where they are simple."""
     return (
         ", ".join(f"{p} = {v if v.q < 20 else f'{float(v):.4g}'}" for p, v in values.items())
         or "the system given"
@@ -87,7 +82,7 @@ def sample_text(values):
 
 
 def point_text(point):
-    """Numbers for a message: `(1, -0.5)`. What is mere rounding beside the others is told as 0."""
+    """Return the coordinates of a point: `(1, -0.5)`, with 0 for mere rounding."""
     numbers = [float(x) for x in point]
     least = max([1e-12, *(1e-8 * abs(x) for x in numbers if math.isfinite(x))])
     return "(" + ", ".join(f"{0 if abs(x) < least else x:.4g}" for x in numbers) + ")"

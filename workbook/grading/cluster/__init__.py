@@ -1,1 +1,1 @@
-"""Grading on the machines of a Dask cluster: the coordinator here, the workers there."""
+"""Grading on the machines of a Dask cluster: the coordinator here, the Dask workers there."""

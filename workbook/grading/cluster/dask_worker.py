@@ -1,12 +1,12 @@
-"""What runs inside a worker of a Dask cluster: a lane (`lanes`) for each of its threads, kept from
-one notebook to the next.
+"""What runs inside a worker of a Dask cluster: one of our worker processes for each thread.
 
 A Dask worker has threads and is often a daemon of `multiprocessing`; judging forks, which such a
-process should not or must not do. So below the worker there is a fresh process (`forkserver`) from
-which the lane is forked that builds the sandbox and judges. The kernel ends it when the thread that
-started it ends (`end_with_parent`), which is right here, since no other thread ever uses it.
+process should not or must not do. So below the Dask worker there is a fresh `forkserver`, from
+which a worker process (`worker_pool`) is forked that builds the sandbox and judges; it is kept from
+one notebook to the next. The kernel ends it when the thread that started it ends
+(`die_with_parent`), which is right here, since no other thread ever uses it.
 
-The grader calls `ready`, `grade` and `end` by their names; what goes in and out is bytes of JSON.
+The coordinator calls `prepare`, `grade` and `end_run`; arguments and results are bytes of JSON.
 """
 
 import asyncio
@@ -22,64 +22,80 @@ from importlib import metadata
 from workbook.grading import grader, worker_pool
 from workbook.grading.fingerprint import fingerprint
 from workbook.grading.forkserver import Forkserver
-from workbook.grading.isolation import NoIsolation, NotStarted, shown_through
+from workbook.grading.isolation import ProcessStartError, SandboxUnavailableError, visible_parent
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import module_closure
 
 #: Libraries whose version may decide whether an answer is right.
 PACKAGES = ("numpy", "scipy", "sympy", "mpmath", "casadi", "control", "matplotlib", "ipython")
-#: Seconds after which a lane without work ends, should nobody be there any more to end it.
-PATIENCE = 60
-TELL = "from workbook.grading.cluster.dask_worker import tell_library; tell_library()"
+#: Seconds after which a worker process without work ends, if the Dask worker no longer ends it.
+IDLE_SECONDS = 60
+PRINT_VERSIONS = (
+    "from workbook.grading.cluster.dask_worker import print_library_versions; "
+    "print_library_versions()"
+)
 
 
-class Unfit(RuntimeError):
-    """This worker cannot grade for that grader; the message says why."""
+class UnfitWorkerError(RuntimeError):
+    """This Dask worker cannot grade for that coordinator; the message gives the reason."""
 
 
-# Called by the grader
+# Called by the coordinator
 
 
-def ready(settings):
-    """Start this thread's lane. Bytes of {"refused": why, "sandbox": whether for lack of one},
-    empty if nothing is wrong."""
+def prepare(settings):
+    """Start this thread's worker process.
+
+    Returns
+    -------
+    bytes
+        JSON of {"refused": reason, "sandbox": whether for lack of one}, of {} if all is well.
+    """
     try:
-        _lane(settings)
-    except (Unfit, NoIsolation) as error:
+        _thread_worker(settings)
+    except (UnfitWorkerError, SandboxUnavailableError) as error:
         return _refusal(error)
     return b"{}"
 
 
-def grade(settings, unit):
-    """Grade a unit. Bytes of {"result": .., "limits": those it had here}, of a refusal, or of {} if
-    a process ended in the midst."""
+def grade(settings, task):
+    """Grade a task.
+
+    Returns
+    -------
+    bytes
+        JSON of {"result": .., "limits": those it had here}, of a refusal as of `prepare`, or of {}
+        if a process ended meanwhile.
+    """
     try:
-        lane = _lane(settings)
-    except (Unfit, NoIsolation) as error:
+        worker = _thread_worker(settings)
+    except (UnfitWorkerError, SandboxUnavailableError) as error:
         return _refusal(error)
-    result = lane.graded(json.loads(unit))
+    result = worker.graded(json.loads(task))
     if result is None:
-        lane.stop()
+        worker.stop()
     return json.dumps(
-        {"result": result, "limits": lane.settings["limits"]} if result else {}
+        {"result": result, "limits": worker.settings["limits"]} if result else {}
     ).encode()
 
 
-async def end(run):
-    """End all lanes of a run, also in the midst of a notebook."""
-    await asyncio.to_thread(_end, run)
+async def end_run(run):
+    """End all worker processes of a run, also during a notebook."""
+    await asyncio.to_thread(_end_run, run)
 
 
-def library(problems):
-    """All that a grade rests on besides the notebook, part by part, so that it can be said which
-    one differs."""
+def library_versions(problems):
+    """Return all that a grade depends on besides the notebook, by part: versions and hashes.
+
+    So it can be said which part differs between two machines.
+    """
     parts = {"Python": ".".join(platform.python_version_tuple()[:2])}
     for name in PACKAGES:
         try:
             parts[name] = metadata.version(name)
         except metadata.PackageNotFoundError:
             parts[name] = None
-    parts["workbook"] = _workbook()
+    parts["workbook"] = _workbook_hash()
     for problem in problems:
         try:
             parts[f"problem {problem}"] = fingerprint(exercises.find(problem))
@@ -88,164 +104,174 @@ def library(problems):
     return parts
 
 
-def tell_library():
-    """For a fresh process: the parts of the library here of the problems that come in, as JSON."""
-    json.dump(library(json.load(sys.stdin)), sys.stdout)
+def print_library_versions():
+    """Print, in a fresh process, the versions for the problems on standard input, as JSON."""
+    json.dump(library_versions(json.load(sys.stdin)), sys.stdout)
 
 
 # Inside
 
 
-_mine = threading.local()
-_all, _guard = set(), threading.Lock()
-#: Runs that were told to end: a lane of theirs that is still getting ready must not stay.
-_ended = set()
+_thread_local = threading.local()
+_all, _lock = set(), threading.Lock()
+#: Runs that have ended: a worker process of theirs that is still starting must not stay.
+_ended_runs = set()
 
 
-def _workbook():
+def _workbook_hash():
     closure = module_closure(f"import {__name__}")
     return hashlib.sha256(json.dumps(closure, sort_keys=True).encode()).hexdigest()
 
 
-#: Of the files that this very process has loaded: a worker may outlive the library that it was
-#: started with.
-LOADED = _workbook()
+#: Of the files that this very process has loaded: the library on disk may change while it runs.
+LOADED_HASH = _workbook_hash()
 
 
-def _lane(settings):
-    """This thread's lane for a run, started if there is none or it has ended. Raises `Unfit` and
-    `NoIsolation`."""
-    mine = _mine.__dict__.setdefault("lanes", {})
-    for run in [run for run, lane in mine.items() if not lane.alive()]:
-        mine.pop(run).stop()
-    given = json.loads(settings)
-    run = given["run"]
-    if run not in mine:
-        mine[run] = _Kept(given)
-    return mine[run]
+def _thread_worker(settings):
+    """Return this thread's worker process for a run, started if there is none or it has ended.
+
+    Raises `UnfitWorkerError` and `SandboxUnavailableError`.
+    """
+    workers = _thread_local.__dict__.setdefault("workers", {})
+    for run in [run for run, worker in workers.items() if not worker.alive()]:
+        workers.pop(run).stop()
+    settings = json.loads(settings)
+    run = settings["run"]
+    if run not in workers:
+        workers[run] = _ThreadWorker(settings)
+    return workers[run]
 
 
-class _Kept:
-    """A lane that its thread uses and another one may end."""
+class _ThreadWorker:
+    """A worker process that one thread uses and another one may end."""
 
-    def __init__(self, given):
-        _compare(given["library"])
-        if not given["trusting"]:
-            _look_around()
-        limits, bounds, trusting = grader.from_settings(given)
-        self.settings = grader.settings(
-            grader.fitting(limits, given["lanes"]), grader.fitting(bounds, given["lanes"]), trusting
+    def __init__(self, settings):
+        _require_same_library(settings["library"])
+        if not settings["trusting"]:
+            _require_hidden_files()
+        limits, bounds, trusting = grader.from_settings(settings)
+        count = settings["workers"]
+        self.settings = grader.to_settings(
+            grader.fit_memory(limits, count), grader.fit_memory(bounds, count), trusting
         )
-        self.run, self._using = given["run"], threading.Lock()
-        with _guard:
-            if self.run in _ended:
-                raise Unfit("the run has ended")
-            self._forkserver, mine = Forkserver.start([]), []
+        self.run, self._in_use = settings["run"], threading.Lock()
+        with _lock:
+            if self.run in _ended_runs:
+                raise UnfitWorkerError("the run has ended")
+            self._forkserver, workers = Forkserver.start([]), []
             try:
-                worker_pool.begin(
-                    mine,
+                worker_pool.start_workers(
+                    workers,
                     1,
-                    self.settings | {"patience": PATIENCE, "modules": worker_pool.modules(given)},
+                    self.settings
+                    | {"idle_seconds": IDLE_SECONDS, "modules": worker_pool.modules(settings)},
                     self._forkserver,
                 )
-            except NoIsolation:
+            except SandboxUnavailableError:
                 self._forkserver.close()
                 raise
-            (self._lane,) = mine
+            (self._worker,) = workers
             _all.add(self)
         try:
-            with self._using:
-                self._lane.greeted()
+            with self._in_use:
+                self._worker.wait_until_ready()
         except BaseException:
             self.stop()
             raise
 
     def alive(self):
-        return self._lane.alive()
+        """Return whether the worker process runs."""
+        return self._worker.alive()
 
-    def graded(self, unit):
-        """The result, or None if the lane has died."""
-        with self._using:
+    def graded(self, task):
+        """Return the result, or None if the worker process has died."""
+        with self._in_use:
             if not self.alive():
                 return None
-            self._lane.send(unit)
-            return self._lane.result()
+            self._worker.send(task)
+            return self._worker.receive_result()
 
     def stop(self):
-        # Whoever waits for a result is woken first, since a pipe must not be closed under a thread
-        # that reads from it.
-        self._lane.end()
-        if not self._using.acquire(timeout=5):
-            self._lane.end(at_once=True)
-            self._using.acquire()
-        self._lane.stop()
+        """End the worker process and its forkserver."""
+        # A thread that waits for a result is woken first, since a pipe must not be closed under a
+        # thread that reads from it.
+        self._worker.terminate()
+        if not self._in_use.acquire(timeout=5):
+            self._worker.terminate(at_once=True)
+            self._in_use.acquire()
+        self._worker.stop()
         self._forkserver.close()
-        self._using.release()
-        with _guard:
+        self._in_use.release()
+        with _lock:
             _all.discard(self)
 
 
-def _end(run):
-    with _guard:
-        _ended.add(run)
-        mine = [lane for lane in _all if lane.run == run]
-    for lane in mine:
-        lane.stop()
+def _end_run(run):
+    with _lock:
+        _ended_runs.add(run)
+        workers = [worker for worker in _all if worker.run == run]
+    for worker in workers:
+        worker.stop()
 
 
 def _refusal(error):
-    lacks_sandbox = isinstance(error, NoIsolation) and not isinstance(error, NotStarted)
-    return json.dumps({"refused": str(error), "sandbox": lacks_sandbox}).encode()
+    no_sandbox = isinstance(error, SandboxUnavailableError) and not isinstance(
+        error, ProcessStartError
+    )
+    return json.dumps({"refused": str(error), "sandbox": no_sandbox}).encode()
 
 
-def _compare(expected):
-    """Raise `Unfit` unless the library here, as a fresh process finds it, is that of the grader."""
-    if LOADED != expected["workbook"]:
-        raise Unfit(
+def _require_same_library(expected):
+    """Raise `UnfitWorkerError` unless a fresh process finds the coordinator's library here."""
+    if LOADED_HASH != expected["workbook"]:
+        raise UnfitWorkerError(
             "its workbook is another one than here: install the same one there, and start the "
             "worker again"
         )
-    here = _library_now(
+    here = _library_versions_now(
         [name.removeprefix("problem ") for name in expected if name.startswith("problem ")]
     )
-    for part, wanted in expected.items():
-        if here[part] == wanted:
+    for part, version in expected.items():
+        if here[part] == version:
             continue
         if part in ("Python", *PACKAGES):
-            raise Unfit(
-                f"it has {part} {here[part] or '(none)'}, and this machine {wanted or '(none)'}"
+            raise UnfitWorkerError(
+                f"it has {part} {here[part] or '(none)'}, and this machine {version or '(none)'}"
             )
-        raise Unfit(
+        raise UnfitWorkerError(
             f"its {part} is another one than here: install the same workbook there, and start the "
             "worker again"
         )
 
 
-def _library_now(problems):
-    told = subprocess.run(
-        [sys.executable, "-c", TELL],
+def _library_versions_now(problems):
+    process = subprocess.run(
+        [sys.executable, "-c", PRINT_VERSIONS],
         input=json.dumps(problems),
         capture_output=True,
         text=True,
         timeout=120,
     )
-    if told.returncode != 0:
-        raise Unfit(
+    if process.returncode != 0:
+        raise UnfitWorkerError(
             f"it cannot load workbook: "
-            f"{(told.stderr.strip().splitlines() or ['it ended without a word'])[-1][:200]}"
+            f"{(process.stderr.strip().splitlines() or ['it ended without a word'])[-1][:200]}"
         )
-    return json.loads(told.stdout)
+    return json.loads(process.stdout)
 
 
-def _look_around():
-    """Raise `Unfit` if notebooks could read what Dask keeps in files: its key, and data that it put
-    aside."""
-    from distributed import get_worker
+def _require_hidden_files():
+    """Raise `UnfitWorkerError` if notebooks could read Dask's key, or data that it spilled."""
+    from distributed import get_worker  # loaded by now, since this runs in a Dask worker
 
     worker = get_worker()
-    kept = [worker.local_directory, worker.security.tls_worker_key, worker.security.tls_worker_cert]
-    for path in kept:
-        if path and os.path.exists(path) and (shown := shown_through(path)) is not None:
-            raise Unfit(
-                f"it keeps {path} in {shown}, which every notebook can read: move it elsewhere"
+    paths = [
+        worker.local_directory,
+        worker.security.tls_worker_key,
+        worker.security.tls_worker_cert,
+    ]
+    for path in paths:
+        if path and os.path.exists(path) and (visible := visible_parent(path)) is not None:
+            raise UnfitWorkerError(
+                f"it keeps {path} in {visible}, which every notebook can read: move it elsewhere"
             )

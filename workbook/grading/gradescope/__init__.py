@@ -1,2 +1,1 @@
-"""The same grading inside Gradescope: a bundle to upload, and what runs there for each
-submission."""
+"""Grading inside Gradescope: a bundle to upload, and what runs there for each submission."""

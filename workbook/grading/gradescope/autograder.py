@@ -1,8 +1,8 @@
-"""What runs on Gradescope for one submission: read /autograder/submission, grade, write
-/autograder/results/results.json.
+"""The autograder that Gradescope runs for one submission.
 
-Gradescope keeps due dates itself; which attempt counts is as assignment.toml says, from the scores
-of earlier ones.
+It reads /autograder/submission, grades it, and writes /autograder/results/results.json. Gradescope
+keeps due dates itself; which attempt counts is decided by assignment.toml, from the scores of
+earlier submissions.
 """
 
 import dataclasses
@@ -19,30 +19,31 @@ from pathlib import Path
 from workbook.grading import assignment as assignments
 from workbook.grading import exporting, matching, record, submissions
 from workbook.grading.feedback import hints
-from workbook.grading.grader import unreadable
+from workbook.grading.grader import unreadable_notebook
 from workbook.grading.gradescope.own_user import OwnUser
 from workbook.grading.judging import Bounds, judge
 from workbook.grading.sandbox import Limits
-from workbook.grading.sanitising import printable
+from workbook.grading.sanitising import sanitise
 from workbook.grading.scores import of_student
 from workbook.grading.store import Attempt
 from workbook.notebooks import exercises
 
 #: The user that setup.sh makes.
 USER = "workbook-student"
-#: Gradescope ends an autograder after ten minutes unless it is told otherwise.
+#: Gradescope ends an autograder after ten minutes by default.
 SECONDS = 480
 #: Of memory, so that a container of 3 GB holds a notebook, the grader and the judging.
 MEGABYTES = 1024
 
 
 def main(root=Path("/autograder")):
-    begun = time.monotonic()
+    """Grade the submission below `root`."""
+    began = time.monotonic()
     homework = assignments.read(root / "source" / "assignment.toml")
     earlier = _earlier(root / "submission_metadata.json")
     with tempfile.TemporaryDirectory() as scratch:
-        found, aside, remarks = _submitted(root / "submission", Path(scratch), homework)
-        attempts = _graded(found)
+        matched, aside, remarks = _submitted(root / "submission", Path(scratch), homework)
+        attempts = _graded(matched)
     # All that was handed in at once is one attempt: of two notebooks for a problem the better one
     # counts.
     score = of_student(
@@ -52,7 +53,7 @@ def main(root=Path("/autograder")):
         {},
         aside,
     )
-    hinted = {
+    hint_counts = {
         (answer.problem, answer.answer): len(hints(answer, exercises.find(answer.problem).about))
         for answer in score.answers
         if answer.problem in score.counted
@@ -62,25 +63,27 @@ def main(root=Path("/autograder")):
         for problem, attempt in score.counted.items()
         for remark in attempt.remarks
     ]
-    points, said = _that_counts(homework, earlier, score.points)
+    points, notes = _counting_points(homework, earlier, score.points)
     text = exporting.gradescope_json(
-        score, hinted, [*said, *remarks], points, time.monotonic() - begun
+        score, hint_counts, [*notes, *remarks], points, time.monotonic() - began
     )
     record.put(root / "results" / "results.json", text)
 
 
 def _earlier(path):
-    """The points of earlier submissions, oldest first; one on which the grader failed is none."""
+    """Return the points of earlier submissions, oldest first, on which the grader did not fail."""
     with suppress(OSError, ValueError, KeyError, TypeError, AttributeError):
         previous = json.loads(path.read_text(encoding="utf-8"))["previous_submissions"]
         return [
-            float(one["score"] or 0) for one in previous if (one.get("results") or {}).get("tests")
+            float(submission["score"] or 0)
+            for submission in previous
+            if (submission.get("results") or {}).get("tests")
         ]
     return []
 
 
-def _that_counts(homework, earlier, now):
-    """(points, what is said of them) by the rule of the assignment."""
+def _counting_points(homework, earlier, now):
+    """Return (points, sentences on them) by the rule of the assignment."""
     counting = [*earlier, now][: homework.attempts]
     points = max(counting) if homework.attempt == "best" else counting[-1]
     if homework.attempts is not None and len(earlier) >= homework.attempts:
@@ -94,51 +97,56 @@ def _that_counts(homework, earlier, now):
 
 
 def _submitted(folder, scratch, homework):
-    """(submissions with the problem they are for, what was left aside, sentences on that), each
-    notebook once."""
-    # As in a course's folder: student/assignment/notebook. Names that meet, from different folders,
-    # stay apart.
+    """Return ((problem, submission) of each notebook, what was left aside, sentences on that)."""
+    # As in a course's folder: student/assignment/notebook. The number keeps equal names from
+    # different folders apart.
     for k, path in enumerate(
         sorted(path for path in folder.rglob("*") if path.suffix.lower() == ".ipynb")
     ):
-        place = scratch / "student" / f"{k:05d}" / path.name
-        place.parent.mkdir(parents=True)
+        copy = scratch / "student" / f"{k:05d}" / path.name
+        copy.parent.mkdir(parents=True)
         if stat.S_ISREG(path.lstat().st_mode):
-            shutil.copy2(path, place)
+            shutil.copy2(path, copy)
         else:
-            place.symlink_to("/nowhere")  # named as what it is, and not followed
-    found, aside = {}, []
-    for one in submissions.find(scratch):
-        problem = one if isinstance(one, submissions.Aside) else matching.problem_for(one, homework)
-        if isinstance(problem, submissions.Aside):
+            copy.symlink_to("/nowhere")  # reported as a link, and not followed
+    matched, aside = {}, []
+    for entry in submissions.find(scratch):
+        problem = (
+            entry
+            if isinstance(entry, submissions.LeftAside)
+            else matching.problem_for(entry, homework)
+        )
+        if isinstance(problem, submissions.LeftAside):
             aside.append(problem)
         else:
-            found[problem, one.content] = (problem, one)
-    remarks = [f"left aside: {printable(Path(one.path).name)}: {one.why}" for one in aside]
-    if not found:
+            matched[problem, entry.content] = (problem, entry)
+    remarks = [f"left aside: {sanitise(Path(entry.path).name)}: {entry.why}" for entry in aside]
+    if not matched:
         remarks.append("There is no notebook of this homework in what you handed in.")
-    return list(found.values()), aside, remarks
+    return list(matched.values()), aside, remarks
 
 
-def _graded(found):
-    """Run and judge each notebook; an `Attempt` for each."""
+def _graded(matched):
+    """Run and judge each notebook; return an `Attempt` for each."""
     if os.getuid() != 0:
         raise SystemExit(
             "run_autograder has to run as root, so that it can run notebooks as another user"
         )
-    _make_ready()
-    limits, bounds = _shares(len(found))
+    _import_checks()
+    limits, bounds = _limits(len(matched))
     attempts = []
     with OwnUser(pwd.getpwnam(USER), limits) as sandbox:
-        for number, (problem, one) in enumerate(found):
+        for number, (problem, submission) in enumerate(matched):
             exercise = exercises.find(problem)
-            if one.trouble:
-                judgement = unreadable(exercise, one.trouble)
+            if submission.trouble:
+                judgement = unreadable_notebook(exercise, submission.trouble)
             else:
                 data = [source for _, source in exercise.code("data")]
                 judgement = judge(
                     exercise,
-                    sandbox.run(exercise.to_run(one.cells), exercise.about["answers"], before=data),
+                    sandbox.run(
+                        exercise.to_run(submission.cells), exercise.about["answers"], before=data
+                    ),
                     bounds,
                 )
             attempts.append(
@@ -147,8 +155,8 @@ def _graded(found):
                     "student",
                     "",
                     problem,
-                    one.content,
-                    one.submitted,
+                    submission.content,
+                    submission.submitted,
                     None,
                     judgement.verdicts,
                     judgement.answers,
@@ -158,8 +166,8 @@ def _graded(found):
     return attempts
 
 
-def _shares(count):
-    """What each of `count` notebooks may take, so that all are done in time."""
+def _limits(count):
+    """Return the limits and bounds of each of `count` notebooks, so that all are done in time."""
     share = SECONDS / max(count, 1)
     wall = min(share / 2, 180)
     judging = min(share / 6, 60)
@@ -174,14 +182,15 @@ def _shares(count):
     )
 
 
-def _make_ready():
-    """Import what judging needs, once; its children inherit it."""
+def _import_checks():
+    """Import what judging needs, for all its forked children."""
     import sympy  # noqa: F401
 
     from workbook import checks
 
-    for name in checks.__all__:
-        getattr(checks, name)
+    for package in (checks, checks.research):
+        for name in package.__all__:
+            getattr(package, name)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,7 @@
-"""Make the archive that is uploaded to Gradescope as an autograder. It holds no solutions, as the
-wheel itself holds none."""
+"""Make the archive that is uploaded to Gradescope as an autograder.
+
+It has no solutions, as the wheel has none.
+"""
 
 import base64
 import hashlib
@@ -17,13 +19,12 @@ from workbook.notebooks.dependencies import OURS
 
 HERE = Path(__file__).resolve().parent
 HOME = exercises.PACKAGE.parent
-#: The same bundle from the same files: archives hold dates, and these hold this one.
+#: The date of all entries, so that equal files give an equal archive.
 DATE = (2012, 1, 1, 0, 0, 0)
 
 
 def make(folder, name, out):
-    """Write the bundle for the homework `folder`/`name` to the file `out`; returns the
-    `Assignment`."""
+    """Write the bundle for the homework `folder`/`name` to a file; return the `Assignment`."""
     file = Path(folder) / name / "assignment.toml"
     homework = assignments.read(file)
     if Path(out).suffix != ".zip":
@@ -45,10 +46,9 @@ def make(folder, name, out):
 
 
 def _wheel():
-    """(name, bytes) of a wheel of trajlib as it is installed here, from a checkout or from a wheel,
-    with its exercises."""
-    ours = metadata.distribution("trajlib")
-    about = f"trajlib-{ours.version}.dist-info"
+    """Return (name, bytes) of a wheel of trajlib and workbook as installed here, with exercises."""
+    distribution = metadata.distribution("trajlib")
+    info = f"trajlib-{distribution.version}.dist-info"
     files = {
         path.relative_to(HOME).as_posix(): path.read_bytes()
         for package in OURS
@@ -62,26 +62,27 @@ def _wheel():
         for path in with_mistakes
     }
     files |= {
-        f"{about}/{name}": ours.read_text(name).encode()
+        f"{info}/{name}": distribution.read_text(name).encode()
         for name in ("METADATA", "entry_points.txt")
     }
-    files[f"{about}/WHEEL"] = (
+    files[f"{info}/WHEEL"] = (
         b"Wheel-Version: 1.0\nGenerator: trajlib\nRoot-Is-Purelib: true\nTag: py3-none-any\n"
     )
-    listed = [f"{name},sha256={_digest(data)},{len(data)}\n" for name, data in files.items()]
-    files[f"{about}/RECORD"] = "".join([*listed, f"{about}/RECORD,,\n"]).encode()
-    return f"trajlib-{ours.version}-py3-none-any.whl", _zip(files)
+    records = [f"{name},sha256={_digest(data)},{len(data)}\n" for name, data in files.items()]
+    files[f"{info}/RECORD"] = "".join([*records, f"{info}/RECORD,,\n"]).encode()
+    return f"trajlib-{distribution.version}-py3-none-any.whl", _zip(files)
 
 
 def _constraints():
-    """The versions here of what trajlib and workbook use, so that Gradescope judges with the
-    same."""
-    named = [
+    """Return pip constraints with the versions here of all requirements, for the same verdicts."""
+    requirements = [
         requirement
         for requirement in metadata.distribution("trajlib").requires or ()
         if "extra ==" not in requirement or "extra == 'workbook'" in requirement.replace('"', "'")
     ]
-    names = sorted(requirement.split(";")[0].rstrip("0123456789.,<>=!~ ") for requirement in named)
+    names = sorted(
+        requirement.split(";")[0].rstrip("0123456789.,<>=!~ ") for requirement in requirements
+    )
     return "".join(f"{name}=={metadata.version(name)}\n" for name in names)
 
 

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Gradescope runs this once, as root, when the autograder is uploaded: Python with the workbook, and a user for students' code.
+# Gradescope runs this once, as root, when the autograder is uploaded. It installs Python and the workbook, and adds a
+# user for students' code.
 set -euo pipefail
 
 apt-get update
@@ -14,7 +15,8 @@ if [[ -z "${python:-}" ]]; then
   exit 1
 fi
 
-# The system's own Python stays as it is, since Gradescope's harness runs on it.
+# The system's own Python is not changed, since Gradescope's harness runs on it.
 "$python" -m venv /opt/workbook
-/opt/workbook/bin/pip install --no-cache-dir --constraint /autograder/source/constraints.txt /autograder/source/trajlib-*.whl
+wheel=$(echo /autograder/source/trajlib-*.whl)
+/opt/workbook/bin/pip install --no-cache-dir --constraint /autograder/source/constraints.txt "${wheel}[workbook]"
 useradd --system --no-create-home --shell /usr/sbin/nologin workbook-student

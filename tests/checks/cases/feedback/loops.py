@@ -177,29 +177,37 @@ CASES = [
         parameters=[a],
     ),
     row("feedback_gain", [-5, -1, 0], PUSHED, "invalid", "three entries"),
-    row("estimate_gains", [[-5, -1], [3, 7]], LOOP, "right", "lists"),
-    row("estimate_gains", [M([[-13, -6]]), M([9, 40])], LOOP, "right", "a margin", margin=2),
+    row("observer_feedback_gains", [[-5, -1], [3, 7]], LOOP, "right", "lists"),
     row(
-        "estimate_gains",
+        "observer_feedback_gains", [M([[-13, -6]]), M([9, 40])], LOOP, "right", "a margin", margin=2
+    ),
+    row(
+        "observer_feedback_gains",
         [[-5, -1], [3, 8, 1]],
         BIASED,
         "wrong",
         "the sign of the correction of the error",
     ),
     row(
-        "estimate_gains",
+        "observer_feedback_gains",
         [[-5, -1], [10, 15, -4]],
         BIASED,
         "right",
         "the error of the measurement estimated too",
     ),
-    row("estimate_gains", [], (Linear(SADDLE, PUSH, HIDES_GROWTH),), "right", "nothing to be done"),
-    row("estimate_gains", [[3, 7], [-5, -1]], LOOP, "wrong", "exchanged"),
-    row("estimate_gains", [[-5, -1], [3, 2]], LOOP, "wrong", "the observer diverges"),
-    row("estimate_gains", [[-3, -1], [3, 7]], LOOP, "wrong", "the feedback is too weak"),
-    row("estimate_gains", [], LOOP, "wrong", "there are many"),
-    row("estimate_gains", [[-5, -1]], LOOP, "invalid", "one gain"),
-    row("estimate_gains", [[-5, -1], [3, 7]], BIASED, "invalid", "without the error"),
+    row(
+        "observer_feedback_gains",
+        [],
+        (Linear(SADDLE, PUSH, HIDES_GROWTH),),
+        "right",
+        "nothing to be done",
+    ),
+    row("observer_feedback_gains", [[3, 7], [-5, -1]], LOOP, "wrong", "exchanged"),
+    row("observer_feedback_gains", [[-5, -1], [3, 2]], LOOP, "wrong", "the observer diverges"),
+    row("observer_feedback_gains", [[-3, -1], [3, 7]], LOOP, "wrong", "the feedback is too weak"),
+    row("observer_feedback_gains", [], LOOP, "wrong", "there are many"),
+    row("observer_feedback_gains", [[-5, -1]], LOOP, "invalid", "one gain"),
+    row("observer_feedback_gains", [[-5, -1], [3, 7]], BIASED, "invalid", "without the error"),
 ]
 
 LIMITS = [

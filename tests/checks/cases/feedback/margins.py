@@ -150,34 +150,34 @@ CASES = [
         "wrong",
         "a mode that decays refused",
     ),
-    Case("observer_obstacle", {2: [1, 2]}, (WITHOUT_GROWTH,), "right", "the growing mode"),
+    Case("undetectable_mode", {2: [1, 2]}, (WITHOUT_GROWTH,), "right", "the growing mode"),
     Case(
-        "observer_obstacle", {2.0: M([0.5, 1.0])}, (WITHOUT_GROWTH,), "right", "decimals, a column"
+        "undetectable_mode", {2.0: M([0.5, 1.0])}, (WITHOUT_GROWTH,), "right", "decimals, a column"
     ),
-    Case("observer_obstacle", {}, (WITHOUT_DECAY,), "right", "the hidden mode decays"),
+    Case("undetectable_mode", {}, (WITHOUT_DECAY,), "right", "the hidden mode decays"),
     Case(
-        "observer_obstacle", {1: [-a, 1]}, (EQUAL, [a]), "right", "for every value of a parameter"
+        "undetectable_mode", {1: [-a, 1]}, (EQUAL, [a]), "right", "for every value of a parameter"
     ),
-    Case("observer_obstacle", {-2: [1, -2]}, (WITHOUT_DECAY,), "wrong", "a mode that decays"),
-    Case("observer_obstacle", {2: [1, -2]}, (WITHOUT_GROWTH,), "wrong", "no eigenvector"),
-    Case("observer_obstacle", {2: [1, 2]}, (BY_PLACE,), "wrong", "a mode that is seen"),
-    Case("observer_obstacle", {2: [0, 0]}, (WITHOUT_GROWTH,), "wrong", "zero"),
-    Case("observer_obstacle", {}, (WITHOUT_GROWTH,), "wrong", "there is one"),
-    Case("observer_obstacle", {1: [1, -1 / a]}, (EQUAL, [a]), "wrong", "without a value at a = 0"),
-    Case("observer_obstacle", {1: [a, -(a**2)]}, (EQUAL, [a]), "wrong", "zero at a = 0"),
-    Case("observer_obstacle", {2: [1, 2.02]}, (WITHOUT_GROWTH,), "wrong", "one per cent off"),
+    Case("undetectable_mode", {-2: [1, -2]}, (WITHOUT_DECAY,), "wrong", "a mode that decays"),
+    Case("undetectable_mode", {2: [1, -2]}, (WITHOUT_GROWTH,), "wrong", "no eigenvector"),
+    Case("undetectable_mode", {2: [1, 2]}, (BY_PLACE,), "wrong", "a mode that is seen"),
+    Case("undetectable_mode", {2: [0, 0]}, (WITHOUT_GROWTH,), "wrong", "zero"),
+    Case("undetectable_mode", {}, (WITHOUT_GROWTH,), "wrong", "there is one"),
+    Case("undetectable_mode", {1: [1, -1 / a]}, (EQUAL, [a]), "wrong", "without a value at a = 0"),
+    Case("undetectable_mode", {1: [a, -(a**2)]}, (EQUAL, [a]), "wrong", "zero at a = 0"),
+    Case("undetectable_mode", {2: [1, 2.02]}, (WITHOUT_GROWTH,), "wrong", "one per cent off"),
     Case(
-        "observer_obstacle", {2.02: [1, 2]}, (WITHOUT_GROWTH,), "wrong", "the rate one per cent off"
+        "undetectable_mode", {2.02: [1, 2]}, (WITHOUT_GROWTH,), "wrong", "the rate one per cent off"
     ),
     Case(
-        "observer_obstacle",
+        "undetectable_mode",
         {1: [-a * (a**2 - 2), a**2 - 2]},
         (EQUAL, [a]),
         "wrong",
         "zero at the root of 2",
     ),
-    Case("observer_obstacle", [2, 1, 2], (WITHOUT_GROWTH,), "invalid", "a list"),
-    Case("observer_obstacle", {2: [1, 2, 3]}, (WITHOUT_GROWTH,), "invalid", "three components"),
+    Case("undetectable_mode", [2, 1, 2], (WITHOUT_GROWTH,), "invalid", "a list"),
+    Case("undetectable_mode", {2: [1, 2, 3]}, (WITHOUT_GROWTH,), "invalid", "three components"),
 ]
 
 LIMITS = [

@@ -21,39 +21,39 @@ KEEPS, SEES = 1 + k1 * e1 + k2 * e2, l1 * (y - t - e1)
 MODEL = [v, KEEPS - v, e2 + SEES, -e2 + k1 * e1 + k2 * e2 + l2 * (y - t - e1)]
 
 CASES = [
-    Case("complete_model", MODEL, RUN, "right", "as it stands"),
-    Case("complete_model", [line.expand() for line in MODEL], RUN, "right", "expanded"),
+    Case("closed_loop_equations", MODEL, RUN, "right", "as it stands"),
+    Case("closed_loop_equations", [line.expand() for line in MODEL], RUN, "right", "expanded"),
     Case(
-        "complete_model",
+        "closed_loop_equations",
         [v, KEEPS - v, e2 + l1 * (y - e1), *MODEL[3:]],
         RUN,
         "wrong",
         "z instead of its deviation",
     ),
     Case(
-        "complete_model",
+        "closed_loop_equations",
         [v, KEEPS - 1 - v, *MODEL[2:]],
         RUN,
         "wrong",
         "without the control of the process",
     ),
     Case(
-        "complete_model",
+        "closed_loop_equations",
         [v, KEEPS - v, e2 - SEES, *MODEL[3:]],
         RUN,
         "wrong",
         "the correction reversed",
     ),
     Case(
-        "complete_model",
+        "closed_loop_equations",
         [v, 1 + k1 * (y - t) + k2 * (v - 1) - v, *MODEL[2:]],
         RUN,
         "wrong",
         "the state fed back",
     ),
-    Case("complete_model", [v, sp.oo, *MODEL[2:]], RUN, "wrong", "infinite"),
-    Case("complete_model", MODEL[:2], RUN, "invalid", "the plant alone"),
-    Case("complete_model", [v, w - v, *MODEL[2:]], RUN, "invalid", "the control left open"),
+    Case("closed_loop_equations", [v, sp.oo, *MODEL[2:]], RUN, "wrong", "infinite"),
+    Case("closed_loop_equations", MODEL[:2], RUN, "invalid", "the plant alone"),
+    Case("closed_loop_equations", [v, w - v, *MODEL[2:]], RUN, "invalid", "the control left open"),
     Case("observer_equations", GOOD, SADDLE, "right", "with the correction written out"),
     Case("observer_equations", M(GOOD).expand(), SADDLE, "right", "expanded, a column"),
     Case(

@@ -78,39 +78,51 @@ CASES = [
         "one of two states",
     ),
     Case(
-        "end_under_law", SLOPE, (c, *STOPS), "right", "the slope with which the point stops in time"
+        "final_value_under_law",
+        SLOPE,
+        (c, *STOPS),
+        "right",
+        "the slope with which the point stops in time",
     ),
     Case(
-        "end_under_law",
+        "final_value_under_law",
         k * T + b * T**2 / 2 - SLOPE * T**3 / 6,
         (x, *STOPS),
         "right",
         "where it stops then",
     ),
     Case(
-        "end_under_law",
+        "final_value_under_law",
         sp.sqrt(6 * k / b),
         (T, THERE, FALLING, t, SOUGHT, PLACES),
         "right",
         "a duration, one of two unknowns",
     ),
     Case(
-        "end_under_law",
+        "final_value_under_law",
         2.449 * sp.sqrt(k / b),
         (T, THERE, FALLING, t, SOUGHT, PLACES),
         "right",
         "decimals",
     ),
-    Case("end_under_law", b / T, (c, *STOPS), "wrong", "the push ends with zero, not the speed"),
-    Case("end_under_law", 2 * b / T, (c, *STOPS), "wrong", "without the speed at the start"),
     Case(
-        "end_under_law",
+        "final_value_under_law",
+        b / T,
+        (c, *STOPS),
+        "wrong",
+        "the push ends with zero, not the speed",
+    ),
+    Case(
+        "final_value_under_law", 2 * b / T, (c, *STOPS), "wrong", "without the speed at the start"
+    ),
+    Case(
+        "final_value_under_law",
         sp.sqrt(2 * k / b),
         (T, THERE, FALLING, t, SOUGHT, PLACES),
         "wrong",
         "it does not stop",
     ),
-    Case("end_under_law", c * T, (c, *STOPS), "invalid", "in the unknown itself"),
+    Case("final_value_under_law", c * T, (c, *STOPS), "invalid", "in the unknown itself"),
 ]
 
 LIMITS = [

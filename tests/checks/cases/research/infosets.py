@@ -13,44 +13,66 @@ TRIANGLE = sp.Matrix([[-1, 0], [0, -1], [3, 4]])
 r = sp.sqrt(2)
 
 CASES = [
-    Case("support_values", [0, w, 2 * w, w, 0, -w], TIGHT, "right", "exact"),
-    Case("support_values", sp.Matrix([0, w, 2 * w, w, 0, -w]), TIGHT, "right", "a column"),
-    Case("support_values", [w, w, 3 * w, w, w, -w], TIGHT, "wrong", "the given bounds"),
-    Case("support_values", [0, w, 2 * w, w, 0, w], TIGHT, "wrong", "a sign"),
-    Case("support_values", [0, w, 1.98 * w, w, 0, -w], TIGHT, "wrong", "one per cent off"),
-    Case("support_values", [p, r * p, p, p / r, 0, 0, 0, p / r], SQUARES, "right", "exact"),
+    Case("research.support_values", [0, w, 2 * w, w, 0, -w], TIGHT, "right", "exact"),
+    Case("research.support_values", sp.Matrix([0, w, 2 * w, w, 0, -w]), TIGHT, "right", "a column"),
+    Case("research.support_values", [w, w, 3 * w, w, w, -w], TIGHT, "wrong", "the given bounds"),
+    Case("research.support_values", [0, w, 2 * w, w, 0, w], TIGHT, "wrong", "a sign"),
+    Case("research.support_values", [0, w, 1.98 * w, w, 0, -w], TIGHT, "wrong", "one per cent off"),
     Case(
-        "support_values",
+        "research.support_values", [p, r * p, p, p / r, 0, 0, 0, p / r], SQUARES, "right", "exact"
+    ),
+    Case(
+        "research.support_values",
         [p, 1.41 * p, p, 0.707 * p, 0, 0, 0, 0.707 * p],
         SQUARES,
         "right",
         "three digits",
     ),
     Case(
-        "support_values",
+        "research.support_values",
         [p, r * p, p, (a + p) / r, 0, 0, 0, (a + p) / r],
         SQUARES,
         "wrong",
         "the lesser values",
     ),
     Case(
-        "support_values", [0, 0, 2 * s], (TRIANGLE, [0, 0, s], TRIANGLE), "wrong", "twice the last"
+        "research.support_values",
+        [0, 0, 2 * s],
+        (TRIANGLE, [0, 0, s], TRIANGLE),
+        "wrong",
+        "twice the last",
     ),
-    Case("support_values", [0, 0, s], (TRIANGLE, [0, 0, s], TRIANGLE), "right", "all sides touch"),
-    Case("support_values", [0, w, 2 * w], TIGHT, "invalid", "three of six"),
-    Case("support_values", [0, c, 2 * c, c, 0, -c], TIGHT, "invalid", "another symbol"),
-    Case("support_values", ..., TIGHT, "missing", "the untouched stub"),
-    Case("common_point", c <= 3 * w, STRIPS, "right", "a relation"),
     Case(
-        "common_point", sp.Abs(c - w) <= 2 * w, STRIPS, "right", "a distance, for positive numbers"
+        "research.support_values",
+        [0, 0, s],
+        (TRIANGLE, [0, 0, s], TRIANGLE),
+        "right",
+        "all sides touch",
     ),
-    Case("common_point", sp.Ge(sp.Min(2 * w, 3 * w - c), 0), STRIPS, "right", "a minimum"),
-    Case("common_point", c < 3 * w, STRIPS, "wrong", "without the last point"),
-    Case("common_point", c <= 2 * w, STRIPS, "wrong", "too few"),
-    Case("common_point", True, STRIPS, "wrong", "always"),
-    Case("common_point", c <= 3.05 * w, STRIPS, "wrong", "somewhat too many"),
+    Case("research.support_values", [0, w, 2 * w], TIGHT, "invalid", "three of six"),
+    Case("research.support_values", [0, c, 2 * c, c, 0, -c], TIGHT, "invalid", "another symbol"),
+    Case("research.support_values", ..., TIGHT, "missing", "the untouched stub"),
+    Case("research.common_point_exists", c <= 3 * w, STRIPS, "right", "a relation"),
     Case(
-        "common_point",
+        "research.common_point_exists",
+        sp.Abs(c - w) <= 2 * w,
+        STRIPS,
+        "right",
+        "a distance, for positive numbers",
+    ),
+    Case(
+        "research.common_point_exists",
+        sp.Ge(sp.Min(2 * w, 3 * w - c), 0),
+        STRIPS,
+        "right",
+        "a minimum",
+    ),
+    Case("research.common_point_exists", c < 3 * w, STRIPS, "wrong", "without the last point"),
+    Case("research.common_point_exists", c <= 2 * w, STRIPS, "wrong", "too few"),
+    Case("research.common_point_exists", True, STRIPS, "wrong", "always"),
+    Case("research.common_point_exists", c <= 3.05 * w, STRIPS, "wrong", "somewhat too many"),
+    Case(
+        "research.common_point_exists",
         s >= 12,
         (
             TRIANGLE,
@@ -60,7 +82,7 @@ CASES = [
         "a triangle",
     ),
     Case(
-        "common_point",
+        "research.common_point_exists",
         s >= 6,
         (
             TRIANGLE,
@@ -69,8 +91,8 @@ CASES = [
         "wrong",
         "one side only",
     ),
-    Case("common_point", c - 3 * w, STRIPS, "invalid", "an expression"),
-    Case("common_point", ..., STRIPS, "missing", "the untouched stub"),
+    Case("research.common_point_exists", c - 3 * w, STRIPS, "invalid", "an expression"),
+    Case("research.common_point_exists", ..., STRIPS, "missing", "the untouched stub"),
 ]
 LIMITS = [
     "Support values are compared at six random places with positive values of the symbols; one "

@@ -24,6 +24,10 @@ MOTION = (*STABLE, t, r0)
 BLOWUP = (*UNSTABLE, t, r0)
 R = 1 / sp.sqrt(1 + (1 / r0**2 - 1) * sp.exp(-2 * t))
 
+u = sp.Symbol("u", real=True)
+radius = sp.Symbol("r", real=True)
+TURNING = ((u - 2) * radius - radius**3, radius + 1, radius, [u])
+
 CASES = [
     Case("polar_form", [-r * (r**2 - 1), -1], POLAR, "right", "factored"),
     Case("polar_form", (r - r**3, -1.0), POLAR, "right", "expanded, a tuple"),
@@ -168,29 +172,44 @@ CASES = [
     Case("cycle_stability", ..., STABLE, "missing", "the untouched stub"),
     Case("cycle_stability", "attracting", STABLE, "invalid", "a word that was not offered"),
     Case("cycle_stability", 1, STABLE, "invalid", "a number"),
-    Case("return_slope", sp.exp(-4 * sp.pi), STABLE, "right", "exact"),
-    Case("return_slope", 3.49e-6, STABLE, "right", "three digits"),
-    Case("return_slope", math.exp(4 * math.pi), UNSTABLE, "right", "a float"),
-    Case("return_slope", 1, SEMI, "right", "neither grows nor decays to first order"),
-    Case("return_slope", sp.exp(-18 * sp.pi), LARGE, "right", "another radius and speed"),
-    Case("return_slope", sp.exp(-2), STABLE, "wrong", "after one unit of time, not one turn"),
-    Case("return_slope", -4 * sp.pi, STABLE, "wrong", "the exponent"),
-    Case("return_slope", sp.exp(4 * sp.pi), STABLE, "wrong", "the sign of the exponent"),
-    Case("return_slope", 0, SEMI, "wrong", "the derivative of r' instead of the slope"),
-    Case("return_slope", sp.exp(-2 * sp.pi), STABLE, "wrong", "r' linearised with a factor 2 lost"),
-    Case("return_slope", 286751, UNSTABLE, "right", "rounded to a whole number"),
+    Case("return_map_slope", sp.exp(-4 * sp.pi), STABLE, "right", "exact"),
+    Case("return_map_slope", 3.49e-6, STABLE, "right", "three digits"),
+    Case("return_map_slope", math.exp(4 * math.pi), UNSTABLE, "right", "a float"),
+    Case("return_map_slope", 1, SEMI, "right", "neither grows nor decays to first order"),
+    Case("return_map_slope", sp.exp(-18 * sp.pi), LARGE, "right", "another radius and speed"),
+    Case("return_map_slope", sp.exp(-2), STABLE, "wrong", "after one unit of time, not one turn"),
+    Case("return_map_slope", -4 * sp.pi, STABLE, "wrong", "the exponent"),
+    Case("return_map_slope", sp.exp(4 * sp.pi), STABLE, "wrong", "the sign of the exponent"),
+    Case("return_map_slope", 0, SEMI, "wrong", "the derivative of r' instead of the slope"),
     Case(
-        "return_slope",
+        "return_map_slope",
+        sp.exp(-2 * sp.pi),
+        STABLE,
+        "wrong",
+        "r' linearised with a factor 2 lost",
+    ),
+    Case("return_map_slope", 286751, UNSTABLE, "right", "rounded to a whole number"),
+    Case(
+        "return_map_slope",
         1 + sp.exp(4 * sp.pi),
         UNSTABLE,
         "wrong",
         "an exact expression, close but not equal",
     ),
-    Case("return_slope", sp.Rational(1001, 1000), SEMI, "wrong", "exact, and off by a thousandth"),
-    Case("return_slope", 1.01, SEMI, "wrong", "the third digit off"),
-    Case("return_slope", ..., STABLE, "missing", "the untouched stub"),
-    Case("return_slope", r, STABLE, "invalid", "an expression with a symbol"),
-    Case("return_slope", "one", SEMI, "invalid", "a word"),
+    Case(
+        "return_map_slope", sp.Rational(1001, 1000), SEMI, "wrong", "exact, and off by a thousandth"
+    ),
+    Case("return_map_slope", 1.01, SEMI, "wrong", "the third digit off"),
+    Case("return_map_slope", ..., STABLE, "missing", "the untouched stub"),
+    Case("return_map_slope", r, STABLE, "invalid", "an expression with a symbol"),
+    Case("return_map_slope", "one", SEMI, "invalid", "a word"),
+    Case("cycle_period", 2 * sp.pi / (1 + sp.sqrt(u - 2)), TURNING, "right", "one turn"),
+    Case("cycle_period", 6.28 / (1 + sp.sqrt(u - 2)), TURNING, "right", "decimals"),
+    Case(
+        "cycle_period", 2 * sp.pi / sp.sqrt(u - 2), TURNING, "wrong", "a part of the rate forgotten"
+    ),
+    Case("cycle_period", 2 * sp.pi / (1 + radius), TURNING, "invalid", "the radius left in"),
+    Case("cycle_period", sp.pi / (1 + sp.sqrt(u - 2)), TURNING, "wrong", "half a turn"),
 ]
 LIMITS = [
     "Cycles are looked for among the circles around zero with radii between 0.013 and 20. A "

@@ -22,18 +22,6 @@ TWINS = (
     [w],
 )
 SUM_AND_DIFFERENCE = M([[1, 0, 1, 0], [0, 1, 0, 1], [1, 0, -1, 0], [0, 1, 0, -1]])
-# Two controls (example 7), and the same matrices transposed for two outputs.
-A7, B7 = (
-    M([[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, 2, 1], [0, 0, 0, 2]]),
-    M([[1, 0], [0, 1], [0, 1], [1, 0]]),
-)
-b1, b2 = B7[:, 0], B7[:, 1]
-CONTROLS, OUTPUTS = (Linear(A7, B7),), (Linear(A7.T, H=B7.T),)
-IN_TURN, BY_TURNS = M.hstack(b1, A7 * b1, A7**2 * b1, b2), M.hstack(b1, A7 * b1, b2, A7 * b2)
-CANONICAL = M.hstack(A7 * b1 - 7 * half * b1 - b2 / 2, b1, A7 * b2 - 5 * half * b2 - b1 / 2, b2)
-LEANING = M.hstack(b1, A7 * b1, A7**2 * b1, M([0, 1, 0, 0]))
-# One combination of three coordinates is reached by no control, and u2 adds nothing to u1.
-REST = (Linear(M([[0, 1, 0], [0, 0, 0], [0, 0, 1]]), M([[0, 1], [1, 0], [0, 0]])),)
 SPIN, TURNED = Linear(M([[0, 1], [-1, 0]])), Linear(M([[1, 1], [-2, -1]]))
 
 # Two equal pendulums, whose length may be zero; and two unknown gains, of which neither may be
@@ -282,79 +270,32 @@ CASES = [
         "the output is not the first coordinate",
     ),
     Case("canonical_observable_part", M([[2, 1], [0, 0]]), SEEN, "invalid", "the matrix alone"),
-    Case("sequential_split", IN_TURN, CONTROLS, "right", "b1, A b1, A^2 b1, b2"),
+    Case("similarity_matrix", M([[1, 0], [-1, 1]]), (SPIN, TURNED), "right", "one of many"),
+    Case("similarity_matrix", M([[0, 1], [-1, -1]]), (SPIN, TURNED), "right", "another"),
     Case(
-        "sequential_split",
-        IN_TURN * sp.diag(M([[1, 2, 0], [0, 1, 5], [0, 0, 1]]), 3),
-        CONTROLS,
+        "similarity_matrix",
+        w * M([[1, 0], [-1, 1]]),
+        (SPIN, TURNED, [w]),
         "right",
-        "another basis of part 1",
+        "a positive factor",
     ),
     Case(
-        "sequential_split",
-        M([[0, 1, 0], [1, 0, 0], [0, 0, 1]]),
-        REST,
-        "right",
-        "u2 adds nothing, one coordinate is left over",
-    ),
-    Case("sequential_split", BY_TURNS, CONTROLS, "wrong", "the parallel one"),
-    Case("sequential_split", LEANING, CONTROLS, "wrong", "u2 enters part 1 too"),
-    Case(
-        "sequential_split",
-        IN_TURN[:, [3, 0, 1, 2]],
-        CONTROLS,
-        "wrong",
-        "the parts in the opposite order",
-    ),
-    Case("sequential_split", [b1, b2], CONTROLS, "invalid", "the first columns of the chains"),
-    Case("parallel_split", BY_TURNS, CONTROLS, "right", "b1, A b1, b2, A b2"),
-    Case("parallel_split", CANONICAL, CONTROLS, "right", "both parts in canonical form"),
-    Case("parallel_split", IN_TURN, CONTROLS, "wrong", "the sequential one"),
-    Case(
-        "parallel_split",
-        BY_TURNS[:, [0, 2, 1, 3]],
-        CONTROLS,
-        "wrong",
-        "the columns as taken, not part by part",
-    ),
-    Case("parallel_split", sp.eye(3), CONTROLS, "invalid", "another order"),
-    Case("sequential_split", IN_TURN.T, OUTPUTS, "right", "rows h1, h1 A, h1 A^2, h2"),
-    Case(
-        "sequential_split",
-        np.array((IN_TURN.T * half).tolist(), dtype=float),
-        OUTPUTS,
-        "right",
-        "floats",
-    ),
-    Case("sequential_split", BY_TURNS.T, OUTPUTS, "wrong", "the parallel one"),
-    Case("sequential_split", LEANING.T, OUTPUTS, "wrong", "z2 contains part 1 too"),
-    Case("sequential_split", IN_TURN, OUTPUTS, "wrong", "transposed"),
-    Case("sequential_split", 1, OUTPUTS, "invalid", "a number"),
-    Case("parallel_split", BY_TURNS.T, OUTPUTS, "right", "rows h1, h1 A, h2, h2 A"),
-    Case("parallel_split", CANONICAL.T, OUTPUTS, "right", "both parts in canonical form"),
-    Case("parallel_split", IN_TURN.T, OUTPUTS, "wrong", "the sequential one"),
-    Case("parallel_split", sp.ones(4), OUTPUTS, "wrong", "no inverse"),
-    Case("parallel_split", [1, 2, 3, 4], OUTPUTS, "invalid", "a vector"),
-    Case("similarity", M([[1, 0], [-1, 1]]), (SPIN, TURNED), "right", "one of many"),
-    Case("similarity", M([[0, 1], [-1, -1]]), (SPIN, TURNED), "right", "another"),
-    Case("similarity", w * M([[1, 0], [-1, 1]]), (SPIN, TURNED, [w]), "right", "a positive factor"),
-    Case(
-        "similarity",
+        "similarity_matrix",
         (w - 3) * M([[1, 0], [-1, 1]]),
         (SPIN, TURNED, [w]),
         "wrong",
         "a factor that vanishes",
     ),
-    Case("similarity", M([[1, 0], [1, 1]]), (SPIN, TURNED), "wrong", "the inverse"),
-    Case("similarity", sp.eye(2), (SPIN, TURNED), "wrong", "the variables as they are"),
+    Case("similarity_matrix", M([[1, 0], [1, 1]]), (SPIN, TURNED), "wrong", "the inverse"),
+    Case("similarity_matrix", sp.eye(2), (SPIN, TURNED), "wrong", "the variables as they are"),
     Case(
-        "similarity",
+        "similarity_matrix",
         sp.zeros(2),
         (SPIN, TURNED),
         "wrong",
         "zero satisfies the equation, but has no inverse",
     ),
-    Case("similarity", [[1, 0]], (SPIN, TURNED), "invalid", "a row too few"),
+    Case("similarity_matrix", [[1, 0]], (SPIN, TURNED), "invalid", "a row too few"),
 ]
 LIMITS = [
     "Decompositions with parameters are judged at six rational values in general position, and "
@@ -363,6 +304,4 @@ LIMITS = [
     "A system given by rounded decimals is compared with the given one to about three digits; "
     "where eigenvalues lie close together, rounding may turn it into another system, and it is "
     "refused.",
-    "A decomposition by components has its parts in the order in which the data name the outputs "
-    "or the controls.",
 ]

@@ -16,28 +16,32 @@ MEASURED = (Linear(OTHER, H=M([[0, 1]])), STONE, QUANTITIES)
 TURNING = Deviations([v, -sp.sin(x)], [x, v], {x: t, v: 1})
 
 CASES = [
-    Case("similarity", M([[0, 1], [1, 0]]), (Linear(OTHER), STONE), "right", "another order"),
     Case(
-        "similarity",
+        "similarity_matrix", M([[0, 1], [1, 0]]), (Linear(OTHER), STONE), "right", "another order"
+    ),
+    Case(
+        "similarity_matrix",
         [[3, 2], [-4, 0]],
         (Linear(OTHER), STONE),
         "right",
         "the place at another moment, another unit",
     ),
-    Case("similarity", sp.eye(2), (Linear(SLOWED), STONE), "right", "nothing to change"),
-    Case("similarity", sp.eye(2), (Linear(OTHER), STONE), "wrong", "the variables as they are"),
+    Case("similarity_matrix", sp.eye(2), (Linear(SLOWED), STONE), "right", "nothing to change"),
     Case(
-        "similarity",
+        "similarity_matrix", sp.eye(2), (Linear(OTHER), STONE), "wrong", "the variables as they are"
+    ),
+    Case(
+        "similarity_matrix",
         M([[0, 1], [1, 0]]),
         (Linear(WALL), STONE),
         "wrong",
         "a system that is no model of it",
     ),
-    Case("similarity", sp.zeros(2), (Linear(OTHER), STONE), "wrong", "no inverse"),
-    Case("similarity", ..., (Linear(OTHER), STONE), "missing", "the untouched stub"),
-    Case("similarity", [[0, 1]], (Linear(OTHER), STONE), "invalid", "a row too few"),
+    Case("similarity_matrix", sp.zeros(2), (Linear(OTHER), STONE), "wrong", "no inverse"),
+    Case("similarity_matrix", ..., (Linear(OTHER), STONE), "missing", "the untouched stub"),
+    Case("similarity_matrix", [[0, 1]], (Linear(OTHER), STONE), "invalid", "a row too few"),
     Case(
-        "similarity",
+        "similarity_matrix",
         sp.eye(2),
         (Linear(OTHER), TURNING),
         "unchecked",

@@ -6,7 +6,7 @@ import sympy as sp
 from oracles.feedback.loops import _minors
 
 
-def rest_gains(mutant, reference, field, state, controls, domain=None, zeros=None):
+def equilibrium_gains(mutant, reference, field, state, controls, domain=None, zeros=None):
     """A point of the reference each, once; a gain where the reference has one, and none where it
     has none."""
     if not all(
@@ -42,4 +42,4 @@ def _angles(place):
     return tuple(complex(sp.exp(sp.I * x).evalf()) for x in place)
 
 
-ORACLES = {"rest_gains": rest_gains}
+ORACLES = {"equilibrium_gains": equilibrium_gains}

@@ -84,7 +84,7 @@ def _is_feedback(mutant, reference, A, B, H=None, **required):
     return K.shape == (B.cols, H.rows) and _is_gain(-B, None, A, K * H, **required)
 
 
-def estimate_gains(mutant, reference, system, **required):
+def observer_feedback_gains(mutant, reference, system, **required):
     if _empty(mutant, reference):
         return _empty(mutant) and _empty(reference)
     return (
@@ -101,7 +101,7 @@ def _observed(system):
     return sp.diag(system.A, system.S), system.H.row_join(system.c)
 
 
-def state_form(mutant, reference, equation):
+def state_space_form(mutant, reference, equation):
     """The adjugate gives numerator and denominator, and they keep a common root; x and its
     derivatives tell the state."""
     n, s = equation.order, equation.symbol
@@ -132,8 +132,8 @@ def equation_gains(mutant, reference, equation):
     margin = -max(map(sp.re, common)) if common else 0
     return (
         len(mutant) == 6
-        and state_form(mutant[:4], None, equation)
-        and estimate_gains(
+        and state_space_form(mutant[:4], None, equation)
+        and observer_feedback_gains(
             mutant[4:],
             [1],
             Linear(
@@ -348,7 +348,7 @@ def _out_of_reach(system, values):
     ]
 
 
-def observer_obstacle(mutant, reference, system, parameters=()):
+def undetectable_mode(mutant, reference, system, parameters=()):
     A, H = system.A, system.H
     if not mutant or not reference:
         return not mutant and not reference
@@ -371,11 +371,11 @@ def observer_obstacle(mutant, reference, system, parameters=()):
 ORACLES = {
     "observer_gain": observer_gain,
     "feedback_gain": feedback_gain,
-    "estimate_gains": estimate_gains,
-    "state_form": state_form,
+    "observer_feedback_gains": observer_feedback_gains,
+    "state_space_form": state_space_form,
     "equation_gains": equation_gains,
     "observer_equations": observer_equations,
     "gain_region": gain_region,
     "possible_margins": possible_margins,
-    "observer_obstacle": observer_obstacle,
+    "undetectable_mode": undetectable_mode,
 }

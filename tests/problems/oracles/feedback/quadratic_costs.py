@@ -3,4 +3,4 @@ ones."""
 
 from oracles.structure.linear_systems import same_numbers
 
-ORACLES = {"best_eigenvalues": same_numbers}
+ORACLES = {"optimal_eigenvalues": same_numbers}

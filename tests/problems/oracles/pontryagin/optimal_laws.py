@@ -47,5 +47,5 @@ def same_law(mutant, reference, problem, parameters, time=None):
 
 ORACLES = {
     "optimal_law": same_law,
-    "optimal_change": lambda mutant, reference, *_: same_transfer(mutant, reference),
+    "arc_transition_curve": lambda mutant, reference, *_: same_transfer(mutant, reference),
 }

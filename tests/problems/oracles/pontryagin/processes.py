@@ -61,11 +61,11 @@ def _symmetric(problem):
 
 ORACLES = dict.fromkeys(
     (
-        "held_at_first",
+        "initial_arc_duration",
         "optimal_cost",
         "optimal_costate",
         "optimal_duration",
-        "optimal_extent",
+        "optimal_range",
         "optimal_motion",
     ),
     same_parts,

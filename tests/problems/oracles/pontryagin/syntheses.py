@@ -63,11 +63,11 @@ def same_curve(mutant, reference, system, target, ends, variable, parameters=Non
 ORACLES = {
     "time_optimal_law": same_synthesis,
     "minimal_time": same_synthesis,
-    "reachable_starts": same_synthesis,
-    "other_extremals": same_extremals,
+    "reachable_initial_states": same_synthesis,
+    "other_extremal_exists": same_extremals,
     "other_extremal_time": same_extremals,
-    "reached_part": same_points,
-    "continuous_time": same_arcs,
+    "reached_target_points": same_points,
+    "minimal_time_continuous": same_arcs,
     "switching_points": same_curve,
-    "switching_crossing": same_curve,
+    "switching_curve_crossing": same_curve,
 }

@@ -31,14 +31,19 @@ def same_transfer(mutant, reference, *_):
     return True
 
 
+def same_count(mutant, reference, problem, parameters=()):
+    """As `same_transfer` for an expression in parameters; without them the count is a number."""
+    compare = same_transfer if parameters else same_value
+    return compare(mutant, reference)
+
+
 ORACLES = dict.fromkeys(
     (
         "optimal_switching",
         "meeting_time",
-        "switchings",
         "isochrone_radius",
         "least_rate",
-        "turning_rate",
+        "polar_angle_rate",
     ),
     same_transfer,
-)
+) | {"switching_count": same_count}

@@ -8,7 +8,7 @@ import sympy as sp
 from oracles.sameness import LOGIC, holds, same_condition
 
 
-def breaks_bound(mutant, reference, matrix, state, factor):
+def bound_violating_error(mutant, reference, matrix, state, factor):
     """True for every error for which |dx|^2 |H x + e|^2 >= factor^2 mu^2 |e|^2 |x|^2, in exact
     arithmetic."""
     if len(mutant) != matrix.rows:
@@ -43,4 +43,7 @@ def stations_insufficient(mutant, reference, matrix, first, second):
     return True
 
 
-ORACLES = {"breaks_bound": breaks_bound, "stations_insufficient": stations_insufficient}
+ORACLES = {
+    "research.bound_violating_error": bound_violating_error,
+    "research.stations_insufficient": stations_insufficient,
+}

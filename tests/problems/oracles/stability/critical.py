@@ -3,7 +3,7 @@
 import sympy as sp
 
 
-def growing_motion(
+def unbounded_motion(
     mutant, reference, field, state, parameters, time, constants=(), program=None, part=None
 ):
     """True for every motion of the linear system whose distance from zero has no bound."""
@@ -16,7 +16,7 @@ def growing_motion(
     return sp.limit(sp.expand(motion.dot(motion)), time, sp.oo) == sp.oo
 
 
-def conserved_form(mutant, reference, field, state, parameters, program=None, part=None):
+def conserved_quadratic_form(mutant, reference, field, state, parameters, program=None, part=None):
     """True for every positive definite quadratic form whose derivative along the motions is
     identically zero."""
     part = list(part or state)
@@ -41,4 +41,7 @@ def _linear_part(field, state, program, part):
     return sp.Matrix(field).jacobian(state).subs(rest).extract(chosen, chosen)
 
 
-ORACLES = {"growing_motion": growing_motion, "conserved_form": conserved_form}
+ORACLES = {
+    "unbounded_motion": unbounded_motion,
+    "conserved_quadratic_form": conserved_quadratic_form,
+}

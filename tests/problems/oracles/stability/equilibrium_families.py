@@ -46,8 +46,8 @@ def same_matrices(mutant, reference, *_, **__):
 
 
 ORACLES = {
-    "rest_values": same_family,
-    "stable_rest_values": same_family,
-    "unstable_rest_values": same_family,
-    "deviation_matrices": same_matrices,
+    "equilibrium_values": same_family,
+    "stable_equilibrium_values": same_family,
+    "unstable_equilibrium_values": same_family,
+    "linearisation_matrices": same_matrices,
 }

@@ -105,7 +105,7 @@ def _minors_on_lines(N, parameters):
     return found
 
 
-def unseen_states(mutant, reference, system, parameters=(), start=()):
+def unobservable_states(mutant, reference, system, parameters=(), start=()):
     """Of constants independent combinations of the vectors of the reference, as many; a single
     vector may be itself."""
     if (
@@ -129,7 +129,7 @@ def unseen_states(mutant, reference, system, parameters=(), start=()):
     )
 
 
-def uncontrolled_combinations(mutant, reference, system, parameters=()):
+def uncontrollable_combinations(mutant, reference, system, parameters=()):
     return is_basis(mutant, reached(system).as_immutable())
 
 
@@ -247,7 +247,7 @@ def parallel(T, A, H):
     return True
 
 
-def similarity(mutant, reference, system, other, parameters=()):
+def similarity_matrix(mutant, reference, system, other, parameters=()):
     """True if S is invertible and turns A into the other matrix, in deviations the derivatives of
     the field along the motion, taken one by one."""
     S, A_from = sp.Matrix(mutant), system.A
@@ -385,12 +385,12 @@ ORACLES = {
     "observable_parameters": observable_parameters,
     "unobservable_parameters": region(seen, holds=False),
     "controllable_parameters": region(reached),
-    "unseen_states": unseen_states,
-    "uncontrolled_combinations": uncontrolled_combinations,
-    "lost_eigenvalues": same_numbers,
+    "unobservable_states": unobservable_states,
+    "uncontrollable_combinations": uncontrollable_combinations,
+    "fixed_eigenvalues": same_numbers,
     "decomposition": decomposition,
     "decomposed_system": decomposed_system,
-    "sequential_split": by_components(sequential),
-    "parallel_split": by_components(parallel),
-    "similarity": similarity,
+    "sequential_decomposition": by_components(sequential),
+    "parallel_decomposition": by_components(parallel),
+    "similarity_matrix": similarity_matrix,
 }

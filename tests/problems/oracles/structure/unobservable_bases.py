@@ -23,4 +23,7 @@ def where_lost(rows):
     return oracle
 
 
-ORACLES = {"unseen_where_lost": where_lost(seen), "uncontrolled_where_lost": where_lost(reached)}
+ORACLES = {
+    "unobservable_states_at": where_lost(seen),
+    "uncontrollable_combinations_at": where_lost(reached),
+}

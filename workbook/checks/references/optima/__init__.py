@@ -1,1 +1,1 @@
-"""Optima of time, by support functions: they know no law and no shooting."""
+"""Reference optima of transfers, syntheses and functionals, found without the maximum principle."""

@@ -1,9 +1,8 @@
-"""The best processes of a `pontryagin.Problem`, found without the maximum principle: in the way
-that suits the problem.
+"""The best processes of a `pontryagin.Problem`, found without the maximum principle.
 
-Of a transfer in least or greatest time whose kind `transfer_optima` or `thrust_optima` knows the
+Of a transfer in least or greatest time of a kind known to `transfer_optima` or `thrust_optima` the
 optimum has a formula or a search of its own; of any other problem it comes from `direct_optimum`,
-or, with more than one control, from `several_controls`, which tells durations and arcs alone. The
+or, with more than one control, from `several_controls`, which gives durations and arcs alone. The
 others give it with the same attributes: `duration`, `cost`, `times`, `states` (a column for each
 time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`.
 """
@@ -15,17 +14,23 @@ from workbook.checks.references.optima.transfer_optima import SAMPLES, Transfer,
 
 
 def best_processes(problem, parameters=None, count=SAMPLES):
-    """Pairs ({parameter: value}, optimum).
+    """Return pairs ({parameter: value}, optimum).
 
-    `parameters` is a dict from symbols to the intervals in which answers are tried, or, where
-    `transfer_optima` knows the optimum, a list of symbols: then it draws `count` sets of values for
-    which the target can be reached.
+    Parameters
+    ----------
+    problem : pontryagin.Problem
+        The problem.
+    parameters : dict or list of sympy.Symbol, optional
+        {symbol: interval in which answers are tried}, or, for transfers of `transfer_optima`, a list:
+        then `count` sets of values are drawn for which the target can be reached.
+    count : int
+        Their number.
     """
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters)
-    found = thrust_optima(problem, parameters) if isinstance(parameters or {}, dict) else None
-    if found is not None:
-        return found
+    pairs = thrust_optima(problem, parameters) if isinstance(parameters or {}, dict) else None
+    if pairs is not None:
+        return pairs
     if not isinstance(parameters, dict):
         try:
             return Transfer(problem, parameters or ()).samples(count)
@@ -35,15 +40,14 @@ def best_processes(problem, parameters=None, count=SAMPLES):
     return optima(problem, parameters)
 
 
-def best_processes_at(problem, parameters, places):
-    """The same at given places, dicts from the parameters to numbers between the bounds of their
-    intervals."""
+def best_processes_at(problem, parameters, points):
+    """Return the same at given points, dicts from the parameters to numbers."""
     if len(problem.controls) > 1:
-        return optima_of_several(problem, parameters, places)
-    found = thrust_optima(problem, parameters, places)
-    return optima(problem, parameters, places) if found is None else found
+        return optima_of_several(problem, parameters, points)
+    pairs = thrust_optima(problem, parameters, points)
+    return optima(problem, parameters, points) if pairs is None else pairs
 
 
 def free_at_the_start(problem, parameters=None):
-    """For each state whether its start is to be chosen: it is neither given nor a parameter."""
+    """Return for each state whether its initial value is free: neither given nor a parameter."""
     return [value is None and x not in (parameters or ()) for x, value in problem.initial.items()]

@@ -6,8 +6,7 @@ import sympy as sp
 
 
 class ConvexTarget:
-    """A convex set D = {g <= 0}, or the hull of some points, by its support function; one for each
-    case of the parameters."""
+    """A convex set D = {g <= 0}, or the hull of points, by its support function, for each case."""
 
     def __init__(self, target, state, names, cases):
         target = list(target) if isinstance(target, (list, tuple, sp.MatrixBase)) else [target]
@@ -26,7 +25,7 @@ class ConvexTarget:
 
     @classmethod
     def points(cls, points):
-        """A single point for each case, given by numbers."""
+        """Return a target of a single point for each case, given by numbers."""
         made = cls.__new__(cls)
         made.g, made.point, made.kind, made._corners = (
             None,
@@ -37,7 +36,7 @@ class ConvexTarget:
         return made
 
     def corner(self, case):
-        """The target that is a point."""
+        """Return the target that is a point."""
         return self._corners[case, 0]
 
     def _curve(self, g, state, names, cases, zero):
@@ -74,7 +73,7 @@ class ConvexTarget:
             self.kind = "parabola" if abs(self._c @ self._along).min() > 1e-12 else "strip"
 
     def inside(self, x, case):
-        """True where the start lies inside D, whose border is the target."""
+        """Return which starts lie inside D, whose border is the target."""
         return (
             np.zeros(len(x), dtype=bool)
             if self.g is None or self.kind == "line"
@@ -82,7 +81,7 @@ class ConvexTarget:
         )
 
     def angles(self):
-        """The directions to be tried: (angles, spacing); spacing 0 where no others matter."""
+        """Return the directions to be tried as (angles, spacing); spacing 0 if no others matter."""
         if self.kind in ("line", "strip"):
             normal = self._c[0] if self.kind == "line" else self._across
             first = np.arctan2(normal[1], normal[0])
@@ -94,8 +93,10 @@ class ConvexTarget:
         return np.arange(112) * (2 * np.pi / 112), 2 * np.pi / 112
 
     def support(self, p, case, start):
-        """sup p.y over D, for rows of directions; a line has D on its other side, seen from the
-        rows `start`."""
+        """Return sup p.y over D, for rows of directions.
+
+        A line has D on its other side, seen from the rows `start`.
+        """
         if self.kind == "hull":
             return np.einsum("nki,ni->nk", self._corners[case], p).max(axis=1)
         if self.kind == "line":
@@ -124,7 +125,7 @@ class ConvexTarget:
             )
 
     def around(self, random, case, count):
-        """Points near the target, on both sides."""
+        """Return random points near the target, on both sides."""
         if self.kind == "hull":
             corners = self._corners[case]
             weights = random.dirichlet(np.ones(corners.shape[0]), count)

@@ -1,10 +1,9 @@
-"""The shortest time from any start to a convex target, by support functions: an optimum that knows
-no law.
+"""The shortest time from any start to a convex target, by support functions, without any law.
 
 The plant is x' = Ax + bu with u between two bounds, the state is a point of the plane, and the
-target is a point, a segment, a line, or the border of a convex set. Before the first moment at
-which the set R(T) of reachable states meets a convex D there is a line between the two; so the
-shortest time is the first T at which, for every direction p,
+target is a point, a segment, a line, or the border of a convex set. Before the first time at which
+the set R(T) of reachable states meets a convex D there is a line between the two; so the shortest
+time is the first T at which, for every direction p,
 
     min p.y over R(T) = p.e^{AT}x0 + int_0^T min_u (p.e^{As}b u) ds  <=  sup p.y over D.
 
@@ -16,16 +15,15 @@ import functools
 
 import numpy as np
 
-from workbook.checks.tools.searching import largest
+from workbook.checks.references.optima.separating_lines import WIDE, SeparatingLines
+from workbook.checks.references.optima.state_batch import StateBatch, directions, rows_of
+from workbook.checks.tools.line_search import golden_section
 
 #: Times up to this one are looked at closely, and up to twenty times as long roughly, where it is
 #: asked whether a target is in reach.
 HORIZON = 20.0
 NEAR, FAR = HORIZON * (np.arange(1, 131) / 130) ** 1.6, HORIZON * 1.1 ** np.arange(1, 33)
 TIMES = np.concatenate([NEAR, FAR])
-#: Directions up to this angle from a good one are searched for a better: nearly the half of all
-#: that can separate.
-WIDE = 1.5705
 #: Times further apart than this are so far apart that the best line may have turned away in
 #: between.
 LONG = 0.3
@@ -36,31 +34,11 @@ TOGETHER = 640
 FOUND, SAME, KEPT = ("time", "control", "switching", "angle"), 12, 5_000
 
 
-class Lanes:
-    """Many starts side by side, with what is known of each."""
-
-    def __init__(self, **columns):
-        self.__dict__.update(columns)
-
-    def take(self, which):
-        return Lanes(**{name: column[which] for name, column in self.__dict__.items()})
-
-    @staticmethod
-    def joined(parts):
-        return Lanes(
-            **{
-                name: np.concatenate([part.__dict__[name] for part in parts])
-                for name in parts[0].__dict__
-            }
-        )
-
-
-class FastestTimes:
+class FastestTimes(SeparatingLines):
     """The fastest times of a plant to a convex target, and how the fastest motions begin."""
 
     def __init__(self, plant, convex):
-        self.plant, self.convex = plant, convex
-        self._angles, self._spacing = convex.angles()
+        super().__init__(plant, convex)
         #: What has been found from a start, since the same law in other words leads through the
         #: same states.
         self._known = {}
@@ -80,8 +58,7 @@ class FastestTimes:
         yield from self._far if far else ()
 
     def _carried(self, times):
-        """For each time T, in all directions p: (T, p.e^{AT}, the least and the largest p.y that
-        are reached from the origin)."""
+        """Return for times T, directions p: (T, p.e^{AT}, least and largest p.y reached from 0)."""
         p = directions(self._angles)
         rows = np.tile(p, (len(times), 1)), np.repeat(times, len(p))
         least, most = (self.plant.extreme(*rows, sign).reshape(len(times), -1) for sign in (-1, 1))
@@ -90,10 +67,22 @@ class FastestTimes:
         )
 
     def solve(self, x, case, far=False):
-        """The optimum from each start: `time` (inf where out of reach), `control` it begins with,
-        `switching` function there.
+        """Return the optimum from each start.
 
-        `far`: times beyond the horizon count too.
+        Parameters
+        ----------
+        x : numpy.ndarray, shape (k, 2)
+            The starts.
+        case : numpy.ndarray, shape (k,)
+            The case of the parameters of each.
+        far : bool
+            Whether times beyond the horizon count, too.
+
+        Returns
+        -------
+        StateBatch
+            With `time` (inf if the target is out of reach), the `control` at first, the `switching`
+            function there, and the `angle` of the separating line.
         """
         x, case = np.asarray(x, dtype=float), np.asarray(case)
         inside = self.convex.inside(x, case)
@@ -104,11 +93,11 @@ class FastestTimes:
             [k for k, start in enumerate(starts) if start not in self._known], dtype=int
         )
         for group in np.split(fresh, range(TOGETHER, len(fresh), TOGETHER)) if len(fresh) else ():
-            found = self._solve(x[group], case[group], inside[group], far)
-            rows = np.column_stack([getattr(found, name) for name in FOUND]).tolist()
+            solved = self._solve(x[group], case[group], inside[group], far)
+            rows = np.column_stack([getattr(solved, name) for name in FOUND]).tolist()
             self._known.update(zip([starts[k] for k in group], rows))
-        found = np.array([self._known[start] for start in starts]).reshape(-1, len(FOUND)).T
-        return Lanes(x=x, case=case, inside=inside, **dict(zip(FOUND, found)))
+        solved = np.array([self._known[start] for start in starts]).reshape(-1, len(FOUND)).T
+        return StateBatch(x=x, case=case, inside=inside, **dict(zip(FOUND, solved)))
 
     def _solve(self, x, case, inside, far, careful=False):
         starts = x, case, inside
@@ -121,14 +110,14 @@ class FastestTimes:
             else self._still_apart(np.flatnonzero(met & ~inside), high, theta, *starts)
         )
         met[apart] = False
-        time[met], theta[met] = self._refine(*_rows(met, *starts, low, high, theta))
+        time[met], theta[met] = self._refine(*rows_of(met, *starts, low, high, theta))
         self._try_elsewhere(np.flatnonzero(met & inside), low, second, time, theta, *starts)
         if len(apart):
-            closer = self._solve(*_rows(apart, *starts), far, careful=True)
+            closer = self._solve(*rows_of(apart, *starts), far, careful=True)
             time[apart], theta[apart] = closer.time, closer.angle
         impulse = self.plant.response(np.where(np.isfinite(time), time, 0))[0]
         switching = (impulse * directions(theta)).sum(axis=1) * np.where(inside, -1, 1)
-        return Lanes(
+        return StateBatch(
             x=x,
             case=case,
             inside=inside,
@@ -139,12 +128,11 @@ class FastestTimes:
         )
 
     def _first_met(self, x, case, inside, far, careful):
-        """(low, high, theta, second): R(T) meets D first between two of the times looked at, low
-        and high.
+        """Return (low, high, theta, second): R(T) meets D first between the times low and high.
 
-        From outside, theta is the last line that separates; from inside, the direction in which
-        R(T) gets through D first, and second another one, if there is one. `careful`: lines between
-        the directions tried count too.
+        From outside, theta is the last line that separates; from inside, the direction in which R(T) gets
+        through D first, and second another one, if there is one. `careful`: lines between the directions
+        tried count, too.
         """
         n, p = len(x), directions(self._angles)
         low, high, theta, second, todo = (
@@ -177,7 +165,7 @@ class FastestTimes:
                     line_before,
                     largest,
                     line,
-                    *_rows(todo, x, case, inside),
+                    *rows_of(todo, x, case, inside),
                 )
             hit = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
@@ -228,55 +216,56 @@ class FastestTimes:
         self._dips(suspects, low, high, theta, x, case, inside)
         return low, high, theta, second
 
-    def _supports(self, p, x, case):
-        """sup p.y over D for every direction, shape (directions, starts)."""
-        rows = np.repeat(p, len(x), axis=0), np.tile(case, len(p)), np.tile(x, (len(p), 1))
-        return self.convex.support(*rows).reshape(len(p), len(x))
-
     def _look_between(self, maybe, T, line, largest, angle, *starts):
-        """Put into largest and angle, for the rows `maybe`, a line between the directions tried
-        that separates still: the last one, one close to it, or one close to the best of those
-        tried."""
+        """Put into largest and angle, for rows `maybe`, a separating line between directions.
+
+        It is the last one, one close to it, or one close to the best of those tried.
+        """
         tried = angle[maybe].copy()
-        starts, T = _rows(maybe, *starts), np.full(len(maybe), T)
+        starts, T = rows_of(maybe, *starts), np.full(len(maybe), T)
         angle[maybe], largest[maybe] = line[maybe], self._gap(line[maybe], T, *starts)
         for around in (line[maybe], tried):
             left = np.flatnonzero(largest[maybe] <= 0)
             angle[maybe[left]], largest[maybe[left]] = self._best(
-                around[left], *_rows(left, T, *starts), np.full(len(left), WIDE), 30, enough=0
+                around[left], *rows_of(left, T, *starts), np.full(len(left), WIDE), 30, enough=0
             )
 
     def _still_apart(self, here, high, theta, *starts):
-        """Those rows for which a line between the directions tried separates at the time high
-        still: for them all times have to be looked at more closely."""
+        """Return rows for which a line between the directions tried separates at the time high.
+
+        For them all times have to be examined more closely.
+        """
         if not self._spacing or not len(here):
             return here[:0]
         return here[
-            self._best(*_rows(here, theta, high, *starts), np.full(len(here), WIDE), 26)[1] > 0
+            self._best(*rows_of(here, theta, high, *starts), np.full(len(here), WIDE), 26)[1] > 0
         ]
 
     def _try_elsewhere(self, here, low, second, time, theta, *starts):
-        """Put into time and theta where R(T) gets through the border in another place, at nearly
-        the same time, but sooner."""
+        """Put into time and theta where R(T) gets through the border elsewhere, but sooner."""
         if not self._spacing or not len(here):
             return
         width = np.full(len(here), 0.2)
-        here = here[self._best(*_rows(here, second, time, *starts), width, 16)[1] > -1e-6]
+        here = here[self._best(*rows_of(here, second, time, *starts), width, 16)[1] > -1e-6]
         if len(here):
-            other, angle = self._refine(*_rows(here, *starts, low, time, second))
-            sooner = (self._gap(angle, other, *_rows(here, *starts)) > -1e-6) & (other < time[here])
+            other, angle = self._refine(*rows_of(here, *starts, low, time, second))
+            sooner = (self._gap(angle, other, *rows_of(here, *starts)) > -1e-6) & (
+                other < time[here]
+            )
             time[here], theta[here] = (
                 np.where(sooner, other, time[here]),
                 np.where(sooner, angle, theta[here]),
             )
 
     def _dips(self, suspects, low, high, theta, x, case, inside):
-        """Put into low, high and theta where R(T) meets a thin D between two of the times only:
-        there the distance has a dip."""
+        """Put into low, high and theta where R(T) meets a thin D only between two of the times.
+
+        There the distance has a dip.
+        """
         if not any(len(here) for here, *_ in suspects):
             return
         here, first, last = (np.concatenate(column) for column in zip(*suspects))
-        K, (x, case, inside) = len(self._angles), _rows(here, x, case, inside)
+        K, (x, case, inside) = len(self._angles), rows_of(here, x, case, inside)
 
         def gaps_of(T, rows=slice(None)):
             starts = (
@@ -296,7 +285,7 @@ class FastestTimes:
             )[1]
             return np.maximum(best, gaps.max(axis=0))
 
-        closest = largest(
+        closest = golden_section(
             lambda T, rows: -distance(T, rows), (first + last) / 2, (last - first) / 2, 12
         )
         line, through = self._middle(gaps_of(first)), distance(closest) <= 0
@@ -305,16 +294,14 @@ class FastestTimes:
                 low[here[k]], high[here[k]], theta[here[k]] = first[k], closest[k], line[k]
 
     def _other_top(self, gap, angle):
-        """The index of the direction away from a given one in which the gap is largest, and larger
-        than next to it."""
+        """Return the index of another direction in which the gap has a local maximum."""
         top = (gap >= np.roll(gap, 1, axis=0)) & (gap >= np.roll(gap, -1, axis=0))
         return np.where(top & (np.cos(self._angles[:, None] - angle) < 0.95), gap, -np.inf).argmax(
             axis=0
         )
 
     def _likely(self, T, x, case, inside):
-        """Of every fourth direction that in which the gap is largest: the best line is close to
-        it."""
+        """Return the direction, of every fourth, with the largest gap, close to the best line."""
         angles, n = self._angles[::4], len(x)
         rows = np.tile(np.arange(n), len(angles))
         gaps = self._gap(np.repeat(angles, n), T[rows], x[rows], case[rows], inside[rows]).reshape(
@@ -339,141 +326,8 @@ class FastestTimes:
             low[here], high[here] = np.where(apart, T, low[here]), np.where(apart, high[here], T)
             theta[here] = np.where(apart, np.where(gaps[0] > gaps[1], *angles), theta[here])
 
-    def _middle(self, gap):
-        """The middle of the directions that separate: they form a convex cone."""
-        p = np.maximum(gap > 0, gap == gap.max(axis=0)).T @ directions(self._angles)
-        return np.arctan2(p[:, 1], p[:, 0])
-
-    def _gap(self, theta, T, x, case, inside):
-        p, moved = directions(theta), self.plant.free(x, T)
-        return (
-            p[:, 0] * moved[:, 0]
-            + p[:, 1] * moved[:, 1]
-            + self.plant.extreme(p, T, np.where(inside, 1, -1))
-            - self.convex.support(p, case, x)
-        )
-
-    def _best(self, theta, T, x, case, inside, width, steps, enough=np.inf):
-        """(direction near theta in which the gap is largest, this gap); or any gap that is large
-        enough.
-
-        From outside, min p.y over R(T) less sup p.y over D is concave in p: along the tangent of
-        the unit circle at p(theta) it has one top, and its sign there tells whether any line
-        separates. From inside the unit vectors themselves are compared.
-        """
-        if not self._spacing:
-            return theta, self._gap(theta, T, x, case, inside)
-        moved = self.plant.free(x, T)
-        whole, sign = self.plant.response(T)[1], np.where(inside, 1, -1)
-
-        def gap(turn, rows):
-            p, y = directions(theta[rows] + turn), moved[rows]
-            reached = self.plant.extreme(p, T[rows], sign[rows], whole[rows])
-            return (
-                p[:, 0] * y[:, 0]
-                + p[:, 1] * y[:, 1]
-                + reached
-                - self.convex.support(p, case[rows], x[rows])
-            )
-
-        def seen(turn, rows):
-            return gap(turn, rows) / np.where(inside[rows], 1, np.cos(turn))
-
-        turn = largest(seen, np.zeros(len(x)), width, steps, enough)
-        return theta + turn, gap(turn, slice(None))
-
-    def _refine(self, x, case, inside, low, high, theta):
-        """The first time between low and high at which no line separates, and the last separating
-        direction.
-
-        From inside: at which R(T) gets through the border, and the direction in which it does.
-        """
-        if not self._spacing:
-            return self._halved(x, case, inside, low, high, theta)
-        time, angle, sure = self._touching(x, case, inside, low, high, theta)
-        doubtful = np.flatnonzero(~sure)
-        if len(doubtful):
-            found = self._halved(*_rows(doubtful, x, case, inside, low, high, theta))
-            time[doubtful], angle[doubtful] = self._closer(
-                *found, *_rows(doubtful, x, case, inside)
-            )
-        return time, angle
-
-    def _closer(self, time, angle, x, case, inside, step=1e-6):
-        """The same to more digits from outside D, also where the best line belongs to a corner of
-        R(T): in turn the best line at a time, and the time at which this line separates no more."""
-        T, theta, width = time, angle, np.where(inside, 0, WIDE)
-        with np.errstate(all="ignore"):
-            for _ in range(3):
-                theta, gap = self._best(theta, T, x, case, inside, width, 48)
-                later = self._gap(theta, T + step, x, case, inside)
-                T = T - gap * step / (later - gap)
-        good = ~inside & (abs(T - time) < 1e-3 * (1 + time))
-        return np.where(good, T, time), np.where(good, theta, angle)
-
-    def _touching(self, x, case, inside, low, high, theta, step=1e-5):
-        """The same by Newton's iteration, in turn for the time at which a line separates no more
-        and for the best line then.
-
-        The third result says where this was proved, to the precision of the halvings: before, that
-        line separates, and after, none.
-        """
-        start, T, rows = theta, (low + high) / 2, np.arange(len(x))
-
-        def gaps(*places):
-            repeated = np.tile(rows, len(places))
-            angles, times = (np.concatenate(column) for column in zip(*places))
-            return self._gap(angles, times, x[repeated], case[repeated], inside[repeated]).reshape(
-                len(places), -1
-            )
-
-        with np.errstate(all="ignore"):
-            for _ in range(6):
-                now, later = gaps((theta, T), (theta, T + step))
-                T = np.clip(T - np.nan_to_num(now * step / (later - now)), low, high)
-                # Seen along the tangent of the unit circle, as in `_best`.
-                left, middle, right = gaps((theta - step, T), (theta, T), (theta + step, T))
-                left, right = (
-                    np.where(inside, side, side / np.cos(step)) for side in (left, right)
-                )
-                turn = np.nan_to_num((right - left) / 2 * step / (2 * middle - left - right))
-                theta = theta + np.clip(turn, -0.3, 0.3)
-            apart = np.where(inside, 1, -1) * (high - low) / 2**24
-            separates = self._gap(theta, T + apart, x, case, inside) > 0
-            sure = np.flatnonzero(separates & (~inside | (abs(theta - start) < 0.15)))
-            x, case, inside, after = (part[sure] for part in (x, case, inside, T - apart))
-            none = (
-                self._best(theta[sure], after, x, case, inside, np.where(inside, 0.15, WIDE), 24)[1]
-                <= 0
-            )
-        return T, theta, np.isin(rows, sure[none])
-
-    def _halved(self, x, case, inside, low, high, theta):
-        """The same by halvings, whatever the shape of the distance."""
-        centre = theta
-        for turn in range(18):
-            middle = (low + high) / 2
-            # The best line may jump from one side of a cone to the other, so at first the whole
-            # cone is searched each time.
-            around, width, steps = (
-                (centre, WIDE, 24) if turn < 8 else (theta, 0.04 * 0.85**turn, 10)
-            )
-            angle, gap = self._best(
-                around,
-                middle,
-                x,
-                case,
-                inside,
-                np.where(inside, np.minimum(width, 0.15), width),
-                steps,
-            )
-            met = np.where(inside, gap >= 0, gap <= 0)
-            low, high = np.where(met, low, middle), np.where(met, middle, high)
-            theta = np.where(met & ~inside, theta, angle)
-        return (low + high) / 2, theta
-
     def missing(self, x, case, left, inside):
-        """The distance from the target at the best moment within the times `left`."""
+        """Return the distance from the target at the best time within the times `left`."""
         n, p, steps = len(x), directions(self._angles), 16
         best, when, angle = np.full(n, np.inf), left, np.zeros(n)
         rows, sign = np.repeat(p, n, axis=0), np.tile(np.where(inside, 1, -1), len(p))
@@ -496,16 +350,5 @@ class FastestTimes:
             gap = self._best(angle[rows], np.clip(T, 1e-9, left[rows]), *starts, 24)[1]
             return np.where(inside[rows], -gap, gap)
 
-        closest = largest(lambda T, rows: -apart(T, rows), when, left / steps, steps=12)
+        closest = golden_section(lambda T, rows: -apart(T, rows), when, left / steps, steps=12)
         return np.minimum(apart(closest), apart(when))
-
-
-def _rows(which, *columns):
-    return [column[which] for column in columns]
-
-
-def directions(angles):
-    p = np.empty((*np.shape(angles), 2))
-    np.cos(angles, out=p[..., 0])
-    np.sin(angles, out=p[..., 1])
-    return p

@@ -1,10 +1,9 @@
-"""The least (or greatest) value of a functional of a motion and its derivatives, found by direct
-optimisation: neither Euler's equation nor natural conditions are used.
+"""The least (or greatest) value of a functional of a motion, by direct optimisation.
 
-On N equal intervals the n-th derivative is constant on each, lower ones follow by the rule of the
-trapezium, and the integrand is taken in the middles; IPOPT makes this least over all values at the
-nodes, with the given ends. What is found has an error in even powers of the step, and three grids
-remove the first two of them.
+Neither Euler's equation nor natural conditions are used. On N equal intervals the n-th derivative
+is constant on each, lower ones follow by the trapezoidal rule, and the integrand is evaluated in
+the middles; IPOPT makes this least over all values at the nodes, with the given ends. The result
+has an error in even powers of the step, and three grids remove the first two of them.
 """
 
 import functools
@@ -29,8 +28,10 @@ SOLVER = {
 
 
 class FunctionalOptimum:
-    """The optimum for given values of all parameters: `value`, on the interval from `begin` of
-    length `duration`."""
+    """The optimum for given values of all parameters.
+
+    It has the `value`, on the interval from `begin` of length `duration`.
+    """
 
     def __init__(self, functional):
         self.functional = functional
@@ -45,9 +46,11 @@ class FunctionalOptimum:
         return -value if self.functional.maximise else value
 
     def convex(self, count=40):
-        """Whether the discrete functional, with its sign, is strictly convex along all motions with
-        the given ends; for integrands that are at most quadratic this says whether there is an
-        optimum."""
+        """Return whether the discrete functional, with its sign, is strictly convex.
+
+        That is along all motions with the given ends; for integrands that are at most quadratic it decides
+        whether there is an optimum.
+        """
         programme = _programme(self._form, count)
         rows = programme.equations(self._guess(count), self._numbers).full()
         curvature = programme.hessian(self._guess(count), self._numbers).full()
@@ -57,17 +60,17 @@ class FunctionalOptimum:
 
     def _on(self, count):
         solver = _programme(self._form, count).solver
-        found = solver(x0=self._guess(count), p=self._numbers, lbg=0, ubg=0)
+        result = solver(x0=self._guess(count), p=self._numbers, lbg=0, ubg=0)
         if not solver.stats()["success"]:
             raise RuntimeError("the optimum was not found: the search did not end")
-        return float(found["f"])
+        return float(result["f"])
 
     @functools.cached_property
     def _form(self):
         functional = self.functional
-        motion = dict(zip(functional.derivatives, _places(functional.order)))
+        motion = dict(zip(functional.derivatives, _symbols(functional.order)))
         at_end = {
-            d.subs(functional.time, functional.interval[2]): place for d, place in motion.items()
+            d.subs(functional.time, functional.interval[2]): symbol for d, symbol in motion.items()
         }
         return _Form(
             functional.time,
@@ -83,8 +86,7 @@ class FunctionalOptimum:
 
     @functools.cached_property
     def _numbers(self):
-        """What fills the form: the begin, the duration and the values that are given at both
-        ends."""
+        """The parameters of the programme: begin, duration and the values given at both ends."""
         return [
             self.begin,
             self.duration,
@@ -109,8 +111,10 @@ class FunctionalOptimum:
 
 
 class _Form(NamedTuple):
-    """A functional but for its interval and the values at its ends: which ones are given, the
-    orders of derivatives tell. What it depends on is written in `_places`."""
+    """A functional without its interval and end values, in the symbols of `_symbols`.
+
+    `started` and `ended` are the orders of the derivatives given at the ends.
+    """
 
     time: sp.Symbol
     integrand: sp.Expr
@@ -122,8 +126,10 @@ class _Form(NamedTuple):
 
 
 class _Programme(NamedTuple):
-    """IPOPT's solver, the Hessian of the functional and the Jacobian of the conditions, of the
-    values at the nodes and of the numbers that fill the form."""
+    """IPOPT's solver, the Hessian of the functional and the Jacobian of the conditions.
+
+    All are functions of the values at the nodes and of the programme's parameters.
+    """
 
     solver: ca.Function
     hessian: ca.Function
@@ -131,14 +137,13 @@ class _Programme(NamedTuple):
 
 
 @functools.cache
-def _places(order):
-    """What stands for the motion and its derivatives."""
+def _symbols(order):
+    """Return the symbols that replace the motion and its derivatives."""
     return tuple(sp.Dummy(f"x{k}") for k in range(order + 1))
 
 
 def _extrapolated(values):
-    """What three grids tend to, each twice as fine as the one before, and what the last two alone
-    do."""
+    """Return the limit of three grids, each twice as fine as the last, and of the last two."""
     coarse, middle, fine = values
     first, second = middle + (middle - coarse) / 3, fine + (fine - middle) / 3
     return second + (second - first) / 15, second
@@ -146,8 +151,8 @@ def _extrapolated(values):
 
 @functools.lru_cache(maxsize=32)
 def _programme(form, count):
-    """The programme on so many intervals: written once for all durations and ends."""
-    n, places = form.order, _places(form.order)
+    """Return the programme on so many intervals, written once for all durations and ends."""
+    n, symbols = form.order, _symbols(form.order)
     begin, duration = ca.SX.sym("begin"), ca.SX.sym("duration")
     starts, ends = ca.SX.sym("start", len(form.started)), ca.SX.sym("end", len(form.ended))
     h = duration / count
@@ -157,8 +162,8 @@ def _programme(form, count):
     conditions = [ca.vec(nodes[:, 1:] - nodes[:, :-1] - h * slopes)]
     for column, given, values in ((0, form.started, starts), (count, form.ended, ends)):
         conditions += [nodes[k, column] - values[j] for j, k in enumerate(given)]
-    integrand = sp.lambdify([form.time, *places], form.integrand, ca)
-    final = sp.lambdify(places[:-1], form.final, ca)
+    integrand = sp.lambdify([form.time, *symbols], form.integrand, ca)
+    final = sp.lambdify(symbols[:-1], form.final, ca)
     total = sum(
         h * integrand(begin + (k + 0.5) * h, *ca.vertsplit(middle[:, k]), top[k])
         for k in range(count)

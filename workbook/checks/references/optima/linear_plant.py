@@ -1,5 +1,4 @@
-"""A plane linear plant x' = Ax + bu by closed formulas: motions, and how far directions can be
-carried."""
+"""A plane linear plant x' = Ax + bu by closed formulas: motions, and support functions."""
 
 import numpy as np
 import sympy as sp
@@ -36,13 +35,13 @@ class Plant:
         self._vectors = np.column_stack([self.b, self._turned, *pushed])
 
     def exponential(self, s):
-        """e^{As}, an array with two more axes than s."""
+        """Return e^{As}, an array with two more axes than s."""
         s = np.asarray(s, dtype=float)
         even, odd = self._grown(*self._waves(s), s)
         return even[..., None, None] * np.eye(2) + odd[..., None, None] * self._deviator
 
     def response(self, s):
-        """(e^{As} b, its integral from 0 to s)."""
+        """Return (e^{As} b, its integral from 0 to s)."""
         s = np.asarray(s, dtype=float)[..., None]
         even, odd = self._grown(*self._waves(s), s)
         impulse = even * self.b + odd * self._turned
@@ -51,7 +50,7 @@ class Plant:
         return impulse, s * self.b + self._second(s) * (self.A @ self.b)
 
     def _second(self, s):
-        """The factor of Ab in the integral of e^{As}b where A has no inverse; that of b is s."""
+        """Return the factor of Ab in the integral of e^{As}b if A has no inverse; that of b is s."""
         if abs(self._trace) > 1e-12:
             return (np.expm1(self._trace * s) / self._trace - s) / self._trace
         return s**2 / 2
@@ -63,8 +62,7 @@ class Plant:
         return growth * even, growth * odd
 
     def _waves(self, s):
-        """The functions e, o of time with e^{As} = e^{cs}(e E + o (A - cE)), where 2c is the trace
-        of A."""
+        """Return e, o of time with e^{As} = e^{cs}(e I + o (A - cI)); 2c is the trace of A."""
         if self._square > 1e-14:
             return np.cosh(self._root * s), np.sinh(self._root * s) / self._root
         if self._square < -1e-14:
@@ -72,7 +70,7 @@ class Plant:
         return np.ones_like(s), s
 
     def free(self, x, s):
-        """The states x after times s without control, each row its own."""
+        """Return the states x after times s without control, each row its own."""
         s = s[:, None]
         return self._turned_on(x, *self._grown(*self._waves(s), s))
 
@@ -80,7 +78,7 @@ class Plant:
         return even * x + odd * (x @ self._deviator.T)
 
     def move(self, x, u, s):
-        """The states x after times s under constant controls u, each row its own."""
+        """Return the states x after times s under constant controls u, each row its own."""
         s = s[:, None]
         even, odd = self._grown(*self._waves(s), s)
         free = self._turned_on(x, even, odd)
@@ -91,12 +89,11 @@ class Plant:
         return free + u[:, None] * (s * self.b + self._second(s) * (self.A @ self.b))
 
     def extreme(self, p, T, sign, whole=None):
-        """The integral over [0, T] of the least (sign -1) or largest (+1) value of p.e^{As}b u;
-        rows of p and T.
+        """Return the integral over [0, T] of the least (sign -1) or largest (+1) p.e^{As}b u.
 
-        `whole` is the integral of e^{As}b, if it is known already.
+        p and T have rows; `whole` is the integral of e^{As}b, if it is known already.
         """
-        # Thousands of times some hundred rows come here, so all is said by numbers a row: p.b, p.(A
+        # Thousands of times some hundred rows come here, so each row is reduced to numbers: p.b, p.(A
         # - cE)b and the two of `_carried`.
         start, other, *along = (p @ self._vectors).T
         zeros = self._zeros(start, other, T)
@@ -118,18 +115,17 @@ class Plant:
         return self.mean * last + sign * self.half * absolute
 
     def _carried(self, s, first, second):
-        """p.(the integral of e^{Ar}b from 0 to s), from the last two columns of p @
-        self._vectors."""
+        """Return p.(integral of e^{Ar}b from 0 to s), from columns of p @ self._vectors."""
         if self._inverse is None:
             return s * first + self._second(s) * second
         even, odd = self._grown(*self._waves(s), s)
         return even * first + odd * second - first
 
     def farthest(self, p, T, sign):
-        """The integral over [0, T] of e^{As}b u with the u for which p.e^{As}b u is least (sign -1)
-        or largest (+1); rows of p and T.
+        """Return the integral over [0, T] of e^{As}b u with the u that makes p.e^{As}b u extreme.
 
-        So the state farthest against p, or along it, that is reached from the origin in the time T.
+        That is least (sign -1) or largest (+1): the state farthest against p, or along it, that is reached
+        from the origin in the time T; rows of p and T.
         """
         ends = np.column_stack([np.zeros_like(T), self.zeros(p, T), T])
         parts = np.diff(self.response(ends)[1], axis=1)
@@ -137,12 +133,11 @@ class Plant:
         return (u[..., None] * parts).sum(axis=1)
 
     def zeros(self, p, T):
-        """The zeros of p.e^{As}b between 0 and T in order; rows are filled up with T."""
+        """Return the zeros of p.e^{As}b between 0 and T in order; rows are filled up with T."""
         return self._zeros(p @ self.b, p @ self._turned, T)
 
     def first_zero(self, p, T):
-        """(the first zero of p.e^{As}b after s = 0, or T if there is none before, its sign until
-        then), for rows of p."""
+        """Return the first zero of p.e^{As}b after s = 0, or T, and its sign until then."""
         start, other = p @ self.b, p @ self._turned
         start[abs(start) < 1e-12] = 0
         return self._zeros(start, other, np.full(len(p), T)).min(axis=1), np.sign(
@@ -159,5 +154,5 @@ class Plant:
                 inner = np.arctanh(-self._root * start / other)[:, None] / self._root
             else:
                 inner = (-start / other)[:, None]
-        # Without a zero at positive times (nan or negative) the end stands in its place.
+        # Without a zero at positive times (nan or negative) the end stands in its point.
         return np.where(inner > 0, np.minimum(inner, T[:, None]), T[:, None])

@@ -1,5 +1,4 @@
-"""Where a control can bring the state, as conditions on the symbols: what closed forms say of
-linear systems.
+"""Reachability as conditions on the symbols, by closed forms for linear systems.
 
 The controls of x' = Ax + bu lie between two bounds. With zero between them, and (A, b)
 controllable, the starts that can be brought to the origin are all those whose parts along the
@@ -12,8 +11,7 @@ import sympy as sp
 
 
 def on_a_line(dynamics, control, bounds, start, end):
-    """Where x' = f(x, u), linear in both, comes from `start` to `end`, or None for what is not
-    linear.
+    """Return the condition that x' = f(x, u) comes from start to end; None if not linear.
 
     It does if the rate towards the end is positive at both, and so between them.
     """
@@ -24,15 +22,17 @@ def on_a_line(dynamics, control, bounds, start, end):
 
     def moves(way, rate):
         return sp.And(
-            way * (end - start) > 0, *(way * rate.subs(x, place) > 0 for place in (start, end))
+            way * (end - start) > 0, *(way * rate.subs(x, point) > 0 for point in (start, end))
         )
 
     return sp.Or(moves(1, most), moves(-1, least))
 
 
 def in_time(dynamics, control, bounds, start, end, duration):
-    """Where x' = f(u) comes from `start` to `end` within the duration, or None where the rate
-    depends on the state."""
+    """Return the condition that x' = f(u) comes from `start` to `end` within the duration.
+
+    None where the rate depends on the state.
+    """
     ((x, rate),) = dynamics.items()
     if rate.has(x) or not linear([rate], [control]):
         return None
@@ -45,8 +45,10 @@ def in_time(dynamics, control, bounds, start, end, duration):
 
 
 def to_origin(A, b, bounds, start):
-    """Where the plane system x' = Ax + bu can be brought to the origin, or None if no closed form
-    is known here."""
+    """Return the condition that x' = Ax + bu in the plane can be brought to the origin.
+
+    None if no closed form is known here.
+    """
     low, high = bounds
     chain = sp.Matrix.hstack(b, A * b)
     if chain.det() == 0 or not (low.is_number and high.is_number):
@@ -73,8 +75,11 @@ def to_origin(A, b, bounds, start):
 
 
 def _braked(z, speed, low, high):
-    """Where z'' = u can be brought to rest at zero: with pushes to one side alone only what comes
-    from that side, from between the distances of braking with the one bound and with the other."""
+    """Return the condition that z'' = u can be brought to rest at zero.
+
+    With pushes to one side alone only what comes from that side can, from between the distances of
+    braking with the one bound and with the other.
+    """
     if low < 0 < high:
         return sp.true
     if high <= 0:
@@ -83,8 +88,11 @@ def _braked(z, speed, low, high):
 
 
 def arrivals(field, state, control, bounds, target, ends):
-    """The least rate of the target's expression at the points `ends`: a motion arrives from where
-    it is positive if the rate is negative, and none does where it is positive."""
+    """Return the least rate of the target's expression at the points `ends`.
+
+    A motion arrives from where the expression is positive if the rate is negative, and none does where
+    it is positive.
+    """
     at = dict(zip(state, ends))
     rates = [
         sum(sp.diff(target, x) * f.subs(control, u) for x, f in zip(state, field)).subs(
@@ -97,9 +105,10 @@ def arrivals(field, state, control, bounds, target, ends):
 
 
 def touching(field, state, control, bounds, target):
-    """Where a motion touches the border of the target from the side where its expression is
-    positive, while no other control brings it closer: a condition on the state, and a wider one
-    with what lies on the border."""
+    """Return the condition that a motion touches the border from the positive side.
+
+    No other control brings it closer there; the second condition is wider, with what lies on the border.
+    """
 
     def rate(part, u):
         return sum(sp.diff(part, x) * f.subs(control, u) for x, f in zip(state, field))
@@ -116,12 +125,11 @@ def touching(field, state, control, bounds, target):
 
 
 def beyond_line(A, b, bounds, state, line, time):
-    """How far beyond the line c.x + d = 0, to either side, the farthest states reached at a time
-    lie: two polynomials in state and time. None where they are none, or the control that goes
-    farthest switches.
+    """Return how far beyond the line c.x + d = 0, to either side, states are reached at a time.
 
-    The costate at the end of an extremal is normal to the line, so it ends where one of these
-    crosses zero upwards.
+    They are two polynomials in state and time; None if they are none, or if the control that goes
+    farthest switches. The costate at the end of an extremal is normal to the line, so it ends where one
+    of these crosses zero upwards.
     """
     normal = sp.Matrix([line]).jacobian(state)
     effect = sp.expand((normal * (sp.eye(2) + A * time) * b)[0])
@@ -137,6 +145,7 @@ def beyond_line(A, b, bounds, state, line, time):
 
 
 def linear(expressions, symbols):
+    """Return whether expressions are polynomials of degree one in the symbols."""
     return all(
         sp.expand(e).is_polynomial(*symbols) and sp.Poly(e, *symbols).total_degree() <= 1
         for e in expressions
@@ -144,6 +153,14 @@ def linear(expressions, symbols):
 
 
 def _extremes(rate, control, bounds):
-    """The greatest and the least value of what is linear in the control."""
+    """Return the greatest and the least value of what is linear in the control."""
     values = [rate.subs(control, u) for u in bounds]
     return sp.Max(*values), sp.Min(*values)
+
+
+def linear_parts(dynamics, control):
+    """Return A, b and the constant part of a linear system."""
+    state = list(dynamics)
+    field = sp.Matrix(list(dynamics.values()))
+    zero = dict.fromkeys([*state, control], 0)
+    return field.jacobian(state), field.jacobian([control]), list(field.subs(zero))

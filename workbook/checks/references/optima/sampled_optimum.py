@@ -1,9 +1,8 @@
-"""Starts from which laws are tried, with the optimum of each: spread over the plane, and close to
-where laws and answers change.
+"""Optima from sample starts: spread over the plane, and close to where laws and answers change.
 
 A law is optimal or not on both sides of a switching curve, and a set of starts is right or wrong at
-its border; so the starts next to these places tell most, and they are found by bisection between
-neighbours that differ.
+its border; so the starts next to these lines are the most informative, and they are found by
+bisection between neighbours that differ.
 """
 
 import functools
@@ -12,11 +11,9 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from workbook.checks.references.optima.convex_targets import ConvexTarget
-from workbook.checks.references.optima.fastest_times import HORIZON, FastestTimes, Lanes
-from workbook.checks.references.optima.linear_plant import Plant
-from workbook.checks.tools.samples import sample_cases
-from workbook.checks.tools.searching import bisected
+from workbook.checks.references.optima.fastest_times import HORIZON
+from workbook.checks.references.optima.sampled_starts import SampledStarts
+from workbook.checks.references.optima.state_batch import StateBatch
 
 #: How far from a border two answers must agree about a point, in units of the size of the state.
 BESIDE, BESIDE_DECIMALS = 0.006, 0.015
@@ -35,13 +32,10 @@ LAST_ARCS, WHOLE, OUT, BACK = (
 )
 #: How far before a switching states are taken, in units of the last arc.
 EARLIER = (0.02, 1.0, 15.0, 49.0)
-#: How many sets of states around starts are kept with their optima.
-RINGS = 64
 
 
-class Asked(NamedTuple):
-    """The data of a synthesis as values that can be compared, so that its optimum is computed
-    once."""
+class SynthesisData(NamedTuple):
+    """The data of a synthesis as hashable values, so that its optimum is computed once."""
 
     field: tuple
     state: tuple
@@ -52,8 +46,8 @@ class Asked(NamedTuple):
     start: object
 
 
-def frozen(system, target, parameters, start):
-    """The data of a synthesis; what is given as a list becomes a tuple."""
+def synthesis_data(system, target, parameters, start):
+    """Return the data of a synthesis, with lists as tuples."""
 
     def fixed(value):
         return (
@@ -63,7 +57,7 @@ def frozen(system, target, parameters, start):
         )
 
     target = list(target) if isinstance(target, (list, tuple)) else [target]
-    return Asked(
+    return SynthesisData(
         fixed(system.field),
         tuple(system.state),
         system.control,
@@ -76,76 +70,27 @@ def frozen(system, target, parameters, start):
 
 @functools.lru_cache(maxsize=64)
 def sampled_optimum(field, state, control, bounds, target, parameters, start):
+    """Return the `SampledOptimum` of data, the same for the same data."""
     return SampledOptimum(field, state, control, bounds, target, parameters, start)
 
 
-class SampledOptimum(FastestTimes):
-    """The fastest times, and how the fastest motions begin, for sample starts and sample values of
-    the parameters."""
+class SampledOptimum(SampledStarts):
+    """The fastest times and first controls from sample starts at sample parameters."""
 
-    def __init__(self, field, state, control, bounds, target, parameters, start):
-        self.state, self.parameters, self.start = state, dict(parameters), start
-        self.cases = sample_cases(self.parameters)
-        super().__init__(
-            Plant(field, state, control, bounds),
-            ConvexTarget(target, state, list(self.parameters), self.cases),
-        )
-        # whether some starts are out of reach: not known yet
-        self.kept, self._limited = {}, None
-        self._rings = {}
-
-    def lanes(self, decimals):
-        """Starts spread over the plane, and pairs on both sides of the switching curves."""
+    def batch(self, decimals):
+        """Return starts spread over the plane, and pairs on both sides of the switching curves."""
         kept = self.kept.get(decimals)
         if kept is None:
-            kept = self.kept[decimals] = self._lanes(BESIDE_DECIMALS if decimals else BESIDE)
+            kept = self.kept[decimals] = self._batch(BESIDE_DECIMALS if decimals else BESIDE)
         return kept
 
-    def _points(self, count, seed=4):
-        """Starts that the problem allows: about half of all for each case, also where few satisfy
-        its condition."""
-        for more in (1, 4, 16):
-            points, cases = self._drawn(more * count, seed)
-            if len(points) > count * len(self.cases) / 2:
-                break
-        return points, cases
-
-    def _drawn(self, count, seed):
-        random, points, cases = np.random.default_rng(seed), [], []
-        for case in range(len(self.cases)):
-            spread = (
-                random.normal(size=(count, 2)) * np.array([0.7, 2, 4])[np.arange(count) % 3, None]
-            )
-            both = np.concatenate([spread, self.convex.around(random, case, count // 2)])
-            points.append(both)
-            cases.append(np.full(len(both), case))
-        points, cases = np.concatenate(points), np.concatenate(cases)
-        keep = self.allowed(points, cases)
-        return points[keep], cases[keep]
-
-    def allowed(self, x, case):
-        return self.condition(self.start if self.start is not None else sp.true)(x, case)
-
-    def condition(self, condition):
-        """A SymPy condition as a function of states and cases."""
-        test = sp.lambdify([*self.state, *self.parameters], condition, "numpy", docstring_limit=0)
-        cases = np.array(self.cases, dtype=float).reshape(len(self.cases), len(self.parameters))
-
-        def holds(x, case):
-            with np.errstate(all="ignore"):
-                return np.broadcast_to(
-                    np.asarray(test(x[:, 0], x[:, 1], *cases[case].T), dtype=bool), len(x)
-                )
-
-        return holds
-
-    def _lanes(self, beside):
+    def _batch(self, beside):
         if "near" not in self.kept:
             count = 100 if len(self.cases) == 1 else 24
             spread = self._safe(self.solve(*self._points(count)))
             self.kept["spread"] = spread
             self.kept["near"] = self._between(
-                spread, lambda lanes: lanes.control, 28 if len(self.cases) == 1 else 7
+                spread, lambda batch: batch.control, 28 if len(self.cases) == 1 else 7
             )
         spread, near = self.kept["spread"], self.kept["near"]
         if near is None:
@@ -155,59 +100,32 @@ class SampledOptimum(FastestTimes):
         sides = np.concatenate([middle + shift, middle - shift])
         case = np.concatenate([case, case])
         keep = self.allowed(sides, case)
-        return Lanes.joined([spread, self._safe(self.solve(sides[keep], case[keep]))])
+        return StateBatch.concatenated([spread, self._safe(self.solve(sides[keep], case[keep]))])
 
-    def _safe(self, lanes):
-        """Starts in reach, with all states next to them in reach too, and not on the target
-        already."""
-        out_of_reach = lanes.take(~np.isfinite(lanes.time))
+    def _safe(self, batch):
+        """Return the starts off the target that are in reach with all states next to them."""
+        out_of_reach = batch.take(~np.isfinite(batch.time))
         shortest = 0.15 if self.convex.kind == "hull" else 0.02
-        lanes = lanes.take(
-            np.isfinite(lanes.time) & (lanes.time > shortest) & (lanes.time < 0.9 * HORIZON)
+        batch = batch.take(
+            np.isfinite(batch.time) & (batch.time > shortest) & (batch.time < 0.9 * HORIZON)
         )
         if self._limited is None and len(out_of_reach.x):
             self._limited = not np.isfinite(
                 self.solve(out_of_reach.x[:12], out_of_reach.case[:12], far=True).time
             ).all()
-        if not self._limited or not len(lanes.x):
-            return lanes
-        return lanes.take(np.isfinite(self._around(lanes, 0.02, count=4).time).all(axis=1))
-
-    def _around(self, lanes, share, far=False, count=8):
-        """The optimum at some states around each, as columns.
-
-        Laws that differ from the optimum do so from the same starts, mostly; so the rings asked for
-        last are kept.
-        """
-        asked = (lanes.x.tobytes(), lanes.case.tobytes(), share, far, count)
-        if asked not in self._rings:
-            while len(self._rings) >= RINGS:
-                del self._rings[next(iter(self._rings))]
-            self._rings[asked] = self._ring(lanes, share, far, count)
-        return self._rings[asked]
-
-    def _ring(self, lanes, share, far, count):
-        angle = np.arange(count) * 2 * np.pi / count + 0.3
-        ring = np.column_stack([np.cos(angle), np.sin(angle)])
-        size = share * (0.3 + np.linalg.norm(lanes.x, axis=1))
-        points = (lanes.x[:, None] + size[:, None, None] * ring).reshape(-1, 2)
-        case = np.repeat(lanes.case, count)
-        solved = self.solve(points, case, far)
-        same = (solved.inside == np.repeat(lanes.inside, count)) & self.allowed(points, case)
-        return Lanes(
-            time=np.where(same, solved.time, 0).reshape(-1, count),
-            control=np.where(same, solved.control, np.repeat(lanes.control, count)).reshape(
-                -1, count
-            ),
-        )
+        if not self._limited or not len(batch.x):
+            return batch
+        return batch.take(np.isfinite(self._around(batch, 0.02, count=4).time).all(axis=1))
 
     def next_to_curves(self):
-        """Starts on both sides of the switching curves, as close as they are known, and of a target
-        with a border; far out too if the target is a point, which the optimum meets as well as
-        nearby."""
+        """Return starts on both sides of the switching curves, as close as these are known.
+
+        Also on both sides of a target with a border; far out too if the target is a point, which the
+        optimum meets as well as nearby.
+        """
         kept = self.kept.get("next")
         if kept is None:
-            self.lanes(False)
+            self.batch(False)
             curves = [self.kept["near"]]
             if self.convex.point:
                 random = np.random.default_rng(8)
@@ -217,20 +135,19 @@ class SampledOptimum(FastestTimes):
                 )
                 far = self.solve(x[self.allowed(x, case)], case[self.allowed(x, case)], far=True)
                 far = far.take(far.time < FAR_IN_TIME)
-                curves.append(self._between(far, lambda lanes: lanes.control, 16, far=True))
+                curves.append(self._between(far, lambda batch: batch.control, 16, far=True))
             parts = [self._sides(near, 0.02) for near in curves if near is not None]
             if self.convex.g is not None:
                 parts.append(self._sides(self._on_target(16), 0.0))
-            kept = self.kept["next"] = Lanes.joined(parts) if parts else None
+            kept = self.kept["next"] = StateBatch.concatenated(parts) if parts else None
         return kept
 
     def extremals(self):
-        """(states next to a target that is a point, and far out, with the control there; places
-        where it changes), as extremals that are followed back tell without a search; None for
-        another target.
+        """Return states on extremals followed back from a target that is a point, without a search.
 
-        For a linear plant an extremal is optimal if an admissible control can hold the state on the
-        target.
+        They are states next to the target and far out with the control there, and those where it changes;
+        None for another target. For a linear plant an extremal is optimal if an admissible control can hold
+        the state on the target.
         """
         if "followed back" not in self.kept:
             parts = (
@@ -239,7 +156,7 @@ class SampledOptimum(FastestTimes):
                 else [None]
             )
             self.kept["followed back"] = (
-                None if None in parts else tuple(map(Lanes.joined, zip(*parts)))
+                None if None in parts else tuple(map(StateBatch.concatenated, zip(*parts)))
             )
         return self.kept["followed back"]
 
@@ -276,11 +193,11 @@ class SampledOptimum(FastestTimes):
 
     def _inner(self, x, control, case):
         x, control = (part[np.abs(x).max(axis=1) < OUT] for part in (x, control))
-        lanes = Lanes(x=x, case=np.full(len(x), case), control=control)
-        return lanes.take(self.allowed(lanes.x, lanes.case))
+        batch = StateBatch(x=x, case=np.full(len(x), case), control=control)
+        return batch.take(self.allowed(batch.x, batch.case))
 
     def _on_target(self, count):
-        """Points of the border of the target: (points, directions across, cases)."""
+        """Return points of the border of the target: (points, directions across, cases)."""
         random, cases = np.random.default_rng(9), range(len(self.cases))
         x, case = (
             np.concatenate([self.convex.around(random, k, count) for k in cases]),
@@ -293,80 +210,37 @@ class SampledOptimum(FastestTimes):
         return x, slope / np.sqrt(size), case
 
     def _sides(self, near, shortest):
-        """The starts next to a curve on which the fastest motions from all states around begin
-        alike."""
+        """Return starts next to a curve around which all fastest motions begin alike."""
         middle, direction, case = near
         shift = NEXT * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
         x, case = np.concatenate([middle + shift, middle - shift]), np.concatenate([case, case])
         keep = self.allowed(x, case)
-        lanes = self.solve(x[keep], case[keep], far=True)
-        around = self._around(lanes, NEXT / 2, far=True, count=5)
+        batch = self.solve(x[keep], case[keep], far=True)
+        around = self._around(batch, NEXT / 2, far=True, count=5)
         alike = (
             np.isfinite(around.time)
             & (around.time > 0)
-            & (around.control == lanes.control[:, None])
+            & (around.control == batch.control[:, None])
         )
-        return lanes.take(np.isfinite(lanes.time) & (lanes.time > shortest) & alike.all(axis=1))
+        return batch.take(np.isfinite(batch.time) & (batch.time > shortest) & alike.all(axis=1))
 
-    def robust(self, lanes, decimals):
-        """True where the fastest motions from all states around begin alike: no switching curve is
-        close."""
-        around = self._around(lanes, (BESIDE_DECIMALS if decimals else BESIDE) / 2, count=5)
-        return (around.control == lanes.control[:, None]).all(axis=1)
+    def robust(self, batch, decimals):
+        """Return where the fastest motions around begin alike: far from switching curves."""
+        around = self._around(batch, (BESIDE_DECIMALS if decimals else BESIDE) / 2, count=5)
+        return (around.control == batch.control[:, None]).all(axis=1)
 
-    def beside_barrier(self, lanes, far=False):
-        """True where the fastest time jumps from one state next to the start to another."""
-        times = np.column_stack([self._around(lanes, 0.02, far).time, lanes.time])
+    def beside_barrier(self, batch, far=False):
+        """Return where the fastest time jumps from one state next to the start to another."""
+        times = np.column_stack([self._around(batch, 0.02, far).time, batch.time])
         times = np.sort(np.where(times > 0, times, np.nan), axis=1)
         # The largest gap between two of the times: a steep slope has a wide range of times too, but
         # no such gap.
         with np.errstate(all="ignore"):
             gaps = np.diff(times, axis=1)
-            return np.where(np.isnan(gaps), 0, gaps).max(axis=1) > 0.25 * lanes.time
-
-    def _between(self, lanes, kind, count, far=False):
-        """Points where `kind` changes: (points, directions across, cases), by bisection between
-        neighbours that differ."""
-        left, right, case, random = [], [], [], np.random.default_rng(6)
-        for k in range(len(self.cases)):
-            here = np.flatnonzero(lanes.case == k)
-            if not len(here):
-                continue
-            marks, x = kind(lanes)[here], lanes.x[here]
-            ones = random.permutation(np.flatnonzero(marks == marks.max()))
-            others = np.flatnonzero(marks != marks.max())
-            if not len(others):
-                continue
-            for one in ones[:count]:
-                # A start inside D is no neighbour of one outside: between the two lies the target.
-                alike = others[lanes.inside[here][others] == lanes.inside[here][one]]
-                if self.convex.kind == "line":
-                    side = np.sign(self.convex.g(x, np.full(len(x), k)))
-                    alike = alike[side[alike] == side[one]]
-                if len(alike):
-                    near = alike[
-                        np.argsort(np.linalg.norm(x[alike] - x[one], axis=1))[
-                            random.integers(0, min(3, len(alike)))
-                        ]
-                    ]
-                    left.append(x[one])
-                    right.append(x[near])
-                    case.append(k)
-        if not left:
-            return None
-        left, right, case = np.array(left), np.array(right), np.array(case)
-        direction = (right - left) / np.linalg.norm(right - left, axis=1)[:, None]
-        one = kind(self.solve(left, case, far))
-        left, right = bisected(
-            lambda places, rows: kind(self.solve(places, case[rows], far)) == one[rows],
-            left,
-            right,
-            16,
-        )
-        return (left + right) / 2, direction, case
+            return np.where(np.isnan(gaps), 0, gaps).max(axis=1) > 0.25 * batch.time
 
     def border(self, decimals):
-        """Starts in reach and out of reach, many of them on both sides of the border between."""
+        """Return starts in reach and out of reach, many of them on both sides of the border between."""
         kept = self.kept.get(("border", decimals))
         if kept is None:
             spread = self.solve(
@@ -374,7 +248,7 @@ class SampledOptimum(FastestTimes):
             )
             near = self._between(
                 spread,
-                lambda lanes: np.isfinite(lanes.time),
+                lambda batch: np.isfinite(batch.time),
                 30 if len(self.cases) == 1 else 8,
                 far=True,
             )
@@ -388,19 +262,13 @@ class SampledOptimum(FastestTimes):
                 )
                 keep = self.allowed(both, cases)
                 parts.append(self.solve(both[keep], cases[keep], far=True))
-            kept = Lanes.joined(parts)
+            kept = StateBatch.concatenated(parts)
             self.kept[("border", decimals)] = kept
         return kept
 
-    def on_border(self, lanes):
-        """True where states next to the start are of the other kind: there rounding decides."""
-        reach = np.isfinite(lanes.time)
-        return (np.isfinite(self._around(lanes, 0.003, far=True).time) != reach[:, None]).any(
+    def on_border(self, batch):
+        """Return where states next to the start are of the other kind: there rounding decides."""
+        reach = np.isfinite(batch.time)
+        return (np.isfinite(self._around(batch, 0.003, far=True).time) != reach[:, None]).any(
             axis=1
         )
-
-    def told(self, lanes, k):
-        values = self.cases[lanes.case[k]]
-        named = ", ".join(f"{p} = {v:.4g}" for p, v in zip(self.parameters, values))
-        place = ", ".join(f"{s} = {v:.4g}" for s, v in zip(self.state, lanes.x[k]))
-        return f"{'for ' + named + ', ' if named else ''}from {place}"

@@ -1,12 +1,11 @@
-"""The fastest process with several controls: constant on a few arcs of free lengths, found without
-costates.
+"""The fastest process with several controls, constant on a few arcs of free lengths.
 
-Each arc has a length and its controls, within their bounds; the states are followed in small steps.
-Of many random processes those that come closest to the target in a short time are improved by
-IPOPT. Then a short arc with other controls is put in wherever this saves time, as long as there is
-such a place; the best process counts. Processes whose controls vary on an arc are not among those
-compared. The problem is a `pontryagin.Problem` in least time from a given start; only its statement
-is used.
+No costates are used. Each arc has a length and its controls, within their bounds; the states are
+followed in small steps. Of many random processes those that come closest to the target in a short
+time are improved by IPOPT. Then a short arc with other controls is inserted wherever this saves
+time, as long as possible; the best process counts. Processes whose controls vary on an arc are not
+among those compared. The problem is a `pontryagin.Problem` in least time from a given start; only
+its statement is used.
 """
 
 import functools
@@ -16,7 +15,7 @@ import casadi as ca
 import numpy as np
 import sympy as sp
 
-from workbook.checks.references.optima.transfer_optima import rk4
+from workbook.checks.references.optima.runge_kutta import rk4
 
 #: Arcs at first and at most, and steps of each: where processes are only compared, and where they
 #: are improved.
@@ -43,9 +42,18 @@ SOLVER = {
 }
 
 
-def optima(problem, parameters=None, places=None):
-    """Pairs ({parameter: value}, `Optimum`) for values of the parameters, a dict from symbols to
-    bounded intervals, or for the values that `places` are, dicts from the same symbols."""
+def optima(problem, parameters=None, points=None):
+    """Return pairs ({parameter: value}, `Optimum`).
+
+    Parameters
+    ----------
+    problem : pontryagin.Problem
+        The problem.
+    parameters : dict, optional
+        {symbol: bounded interval}, from which sample values are taken.
+    points : list of dict, optional
+        Values of the parameters instead.
+    """
     if (
         not problem.time_optimal
         or problem.maximise
@@ -59,14 +67,16 @@ def optima(problem, parameters=None, places=None):
         *(tuple(table.items()) for table in (problem.dynamics, problem.controls, problem.initial)),
         tuple(problem.terminal),
     )
-    if places is None:
+    if points is None:
         return _optima(stated, tuple((parameters or {}).items()))
-    return [(place, _search(stated, tuple(place)).best(list(place.values()))) for place in places]
+    return [(point, _search(stated, tuple(point)).best(list(point.values()))) for point in points]
 
 
 class Optimum:
-    """A fastest process: `duration`, which is the `cost`, and `arcs`, pairs (length, values of the
-    controls)."""
+    """A fastest process: `duration`, which is the `cost`, and `arcs`.
+
+    An arc is a pair (length, values of the controls).
+    """
 
     #: What an arc is worth that is too short to be put in, as a share.
     MISSED = 1e-5
@@ -75,10 +85,12 @@ class Optimum:
         self.duration = self.cost = float(sum(lengths))
         self.arcs = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * self.duration]
 
-    def told_duration(self, said):
-        return "the best process found ends " + ("earlier" if said > self.duration else "later")
+    def duration_message(self, duration):
+        """Return the text on a wrong duration."""
+        return "the best process found ends " + ("earlier" if duration > self.duration else "later")
 
     def cost_size(self):
+        """Return the size of the terms of the cost."""
         return self.duration
 
 
@@ -108,6 +120,8 @@ def _search(stated, names):
 
 
 class _Search:
+    """The search for the fastest process at values of the parameters."""
+
     def __init__(self, stated, names):
         dynamics, controls, self._initial, terminal = stated
         state, field = zip(*dynamics)
@@ -127,7 +141,7 @@ class _Search:
         )
 
     def best(self, case):
-        """The best process found for values of the parameters."""
+        """Return the best process found for values of the parameters."""
         random, known = (
             np.random.default_rng(23),
             np.array([*self._start(*case), *case], dtype=float),
@@ -143,27 +157,26 @@ class _Search:
         )
         # No two guesses have the same controls at first.
         kinds = shares[order, 0] @ 3 ** np.arange(self._size)
-        order, found = order[np.sort(np.unique(kinds, return_index=True)[1])], []
+        order, processes = order[np.sort(np.unique(kinds, return_index=True)[1])], []
         begun = 0
         for guess in tried[order]:
             for _ in range(ROUNDS):
-                one = self._improved(guess, known, bounds)
-                if one is None:
+                process = self._improved(guess, known, bounds)
+                if process is None:
                     break
-                found.append(one[:2])
-                guess = self._with_an_arc(*one, known, bounds)
+                processes.append(process[:2])
+                guess = self._with_an_arc(*process, known, bounds)
                 if guess is None:
                     break
-            begun += one is not None
+            begun += process is not None
             if begun == IMPROVED:
                 break
-        if not found:
+        if not processes:
             raise RuntimeError("no process that satisfies the conditions was found")
-        return Optimum(*min(found, key=lambda one: one[0].sum()))
+        return Optimum(*min(processes, key=lambda process: process[0].sum()))
 
     def _improved(self, guess, known, bounds):
-        """(Lengths, controls, what the target's conditions are worth) of IPOPT's optimum from a
-        guess, or None."""
+        """Return lengths, controls and the target's multipliers of IPOPT's optimum, or None."""
         count = len(guess) // (1 + self._size)
         solver, states = self._programme(count)
         lower, upper = (
@@ -171,7 +184,7 @@ class _Search:
             for end, own in zip((0.0, np.inf), bounds)
         )
         guess, free = np.clip(guess, lower, upper), np.full(count * self._counts[0], np.inf)
-        one = solver(
+        result = solver(
             x0=np.concatenate([guess, np.array(states(guess, known)).ravel("F")]),
             p=known,
             lbg=0,
@@ -181,21 +194,21 @@ class _Search:
         )
         if solver.stats()["return_status"] != "Solve_Succeeded":
             return None
-        found, worth = (np.array(one[name]).ravel() for name in ("x", "lam_g"))
+        optimum, worth = (np.array(result[name]).ravel() for name in ("x", "lam_g"))
         return (
-            found[:count],
-            found[count : len(guess)].reshape(count, self._size),
+            optimum[:count],
+            optimum[count : len(guess)].reshape(count, self._size),
             worth[len(free) :],
         )
 
     def _with_an_arc(self, lengths, controls, worth, known, bounds):
-        """The process with the arc put in that saves most, or None if none does."""
+        """Return the process with the inserted arc that saves most, or None if none does."""
         kept = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * lengths.sum()]
         if len(kept) >= MOST:
             return None
         plain, best, chosen = self._ends(_packed(kept)[None], known), -SAVED, None
         # Between arcs, and inside of one, which it divides.
-        for base, places in (
+        for base, positions in (
             (kept, range(len(kept) + 1)),
             *(
                 (
@@ -211,8 +224,8 @@ class _Search:
             ),
         ):
             guesses = [
-                _packed([*base[:place], (INSERTED, np.array(rival)), *base[place:]])
-                for place in places
+                _packed([*base[:position], (INSERTED, np.array(rival)), *base[position:]])
+                for position in positions
                 for rival in itertools.product(*bounds.T)
             ]
             rates = 1 + (self._ends(np.array(guesses), known) - plain) @ worth / INSERTED
@@ -221,20 +234,22 @@ class _Search:
         return None if chosen is None else np.where(chosen == INSERTED, 0.1 * lengths.sum(), chosen)
 
     def _ends(self, processes, known):
-        """What is left at the end of each of many processes, a row each."""
+        """Return the target's conditions at the end of each of many processes, a row each."""
         left = self._left(processes.shape[1] // (1 + self._size))
         return np.array(left(processes.T, np.repeat(known[:, None], len(processes), axis=1))).T
 
     def _left(self, arcs):
-        """What is left of the target's conditions at the end of so many arcs."""
+        """Return the target's conditions at the end of so many arcs, as a function."""
         process, known = self._unknown(arcs)
         return ca.Function(
             "left", [process, known], [self._missed(self._ends_of(process, known, QUICK), known)]
         )
 
     def _programme(self, arcs):
-        """For so many arcs, IPOPT's function, to which the states at their ends are unknown too,
-        and these states."""
+        """Return IPOPT's function for so many arcs, and the function of the states at their ends.
+
+        The states at the ends are unknowns, too.
+        """
         process, known = self._unknown(arcs)
         y = ca.SX.sym("y", self._counts[0], arcs)
         begun = self._ends_of(
@@ -252,13 +267,14 @@ class _Search:
         )
 
     def _unknown(self, arcs):
-        """Symbols of the lengths and controls of arcs, and of what is given: the start and the
-        parameters."""
+        """Return symbols of the lengths and controls of arcs, and of the start and the parameters."""
         return ca.SX.sym("x", arcs * (1 + self._size)), ca.SX.sym("p", sum(self._counts))
 
     def _ends_of(self, process, known, steps, begins=None):
-        """The states at the ends of arcs, a column each: they begin in those of `begins`, or one
-        where another ends."""
+        """Return the states at the ends of arcs, a column each.
+
+        They begin in the columns of `begins`, or one where another ends.
+        """
         arcs, n, y = process.numel() // (1 + self._size), self._counts[0], []
         controls = ca.reshape(process[arcs:], self._size, arcs)
         for k in range(arcs):
@@ -267,7 +283,7 @@ class _Search:
         return ca.horzcat(*y)
 
     def _missed(self, states, known):
-        """What is left of the target's conditions in the last state."""
+        """Return the target's conditions in the last state."""
         n = self._counts[0]
         return ca.vertcat(
             *self._gap(
@@ -276,7 +292,7 @@ class _Search:
         )
 
     def _arc(self, steps):
-        """The state at the end of an arc, by the method of Runge and Kutta in so many steps."""
+        """Return the state at the end of an arc, by the method of Runge and Kutta, as a function."""
         n, size, count = self._counts[0], self._size, self._counts[1]
         y, length, u, p = (
             ca.SX.sym(*symbol) for symbol in (("y", n), ("T", 1), ("u", size), ("p", count))

@@ -5,15 +5,14 @@ import sympy as sp
 
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_plant import Plant
-from workbook.checks.tools.samples import sample_cases
+from workbook.checks.tools.domains import sample_cases
 
 #: Switchings earlier than this before the end are not asked for.
 LONGEST = 12.0
 
 
 class TargetFamily:
-    """A family of points of the target, numbered by a variable, and the optimal motions that end
-    there."""
+    """A family of points of the target, numbered by a variable, and the optimal motions to them."""
 
     def __init__(self, field, state, control, bounds, target, ends, variable, domain, start):
         self.plant, self.variable = Plant(field, state, control, bounds), variable
@@ -32,17 +31,19 @@ class TargetFamily:
         self.side = 1 if start is None else self._starts_side(target, state, start, along, gradient)
 
     def _starts_side(self, target, state, start, along, gradient):
-        """1 if the starts lie where the target's expression is positive."""
+        """Return 1 if the starts lie where the target's expression is positive, else -1."""
         probe = dict(zip(self.parameters, self._cases[0]))
-        place = {self.variable: self.places(self._cases[0], count=3)[1]}
-        point = {s: sp.sympify(e).subs(place).subs(probe) for s, e in along.items()}
-        slope = [sp.sympify(g).subs(place).subs(probe) for g in gradient]
+        argument = {self.variable: self.arguments(self._cases[0], count=3)[1]}
+        point = {s: sp.sympify(e).subs(argument).subs(probe) for s, e in along.items()}
+        slope = [sp.sympify(g).subs(argument).subs(probe) for g in gradient]
         ahead = {s: float(point[s]) + 1e-3 * float(g) for s, g in zip(state, slope)}
         return 1 if start.subs(probe).subs(ahead) is sp.true else -1
 
     def reached(self):
-        """Where optimal motions end, and where no motion can arrive: two conditions; between the
-        two lie the ends of arcs."""
+        """Return the conditions that optimal motions end there, and that no motion can arrive.
+
+        Between the two lie the ends of arcs.
+        """
         state, control, bounds, field, target, ends = self._target
         rate = reach.arrivals(field, state, control, bounds, self.side * target, ends)
         within = sp.And(
@@ -59,37 +60,40 @@ class TargetFamily:
 
     @property
     def interval(self):
+        """The interval of the variable, cut at 6 if infinite."""
         return tuple(
             float(end) if end.is_finite else np.sign(float(end)) * 6
             for end in (self._interval.inf, self._interval.sup)
         )
 
     def samples(self):
+        """Return the cases of the parameters."""
         return self._cases
 
-    def places(self, values, count=181):
+    def arguments(self, values, count=181):
+        """Return values of the variable, off the middle, which may be a special point."""
         low, high = self.interval
         # off the middle, which may be a special point
         return low + (high - low) * (np.arange(count) + 0.47) / count
 
-    def point(self, places, values):
-        return self._columns(self._point, places, values)
+    def point(self, arguments, values):
+        """Return the points of the target at these values of the variable."""
+        return self._columns(self._point, arguments, values)
 
-    def _columns(self, function, places, values):
+    def _columns(self, function, arguments, values):
         with np.errstate(all="ignore"):
-            parts = function(places, *values)
+            parts = function(arguments, *values)
         return np.column_stack(
-            [np.broadcast_to(np.asarray(part, dtype=float), places.shape) for part in parts]
+            [np.broadcast_to(np.asarray(part, dtype=float), arguments.shape) for part in parts]
         )
 
-    def _towards(self, places, values):
-        """The normals of the target on the side of the starts."""
-        return self.side * self._columns(self._gradient, places, values)
+    def _towards(self, arguments, values):
+        """Return the normals of the target on the side of the starts."""
+        return self.side * self._columns(self._gradient, arguments, values)
 
-    def rates(self, places, values):
-        """The least rate along the normal towards the starts: where it is positive, no motion can
-        arrive."""
-        y, n = self.point(places, values), self._towards(places, values)
+    def rates(self, arguments, values):
+        """Return the least rate along the normal; if positive, no motion can arrive."""
+        y, n = self.point(arguments, values), self._towards(arguments, values)
         push = n @ self.plant.b
         return (
             (n * (y @ self.plant.A.T)).sum(axis=1)
@@ -97,48 +101,50 @@ class TargetFamily:
             - self.plant.half * abs(push)
         )
 
-    def arrives(self, place):
-        """Whether optimal motions end at a place given by the values of the symbols, None for the
-        end of an arc."""
-        (rate,) = self.rates(*self._numbers(place))
+    def arrives(self, argument):
+        """Return whether optimal motions end at these values; None for the end of an arc."""
+        (rate,) = self.rates(*self._numbers(argument))
         return None if rate == 0 else bool(rate < 0)
 
-    def point_text(self, place):
-        ((first, second),) = self.point(*self._numbers(place)).round(12) + 0.0
+    def point_text(self, argument):
+        """Return the point at these values of the symbols for a message."""
+        ((first, second),) = self.point(*self._numbers(argument)).round(12) + 0.0
         return f"({first:.4g}, {second:.4g})"
 
-    def _numbers(self, place):
-        return np.array([float(place[self.variable])]), [float(place[p]) for p in self.parameters]
+    def _numbers(self, argument):
+        return np.array([float(argument[self.variable])]), [
+            float(argument[p]) for p in self.parameters
+        ]
 
-    def change(self, one, other, values):
-        sign = np.sign(self.rates(np.array([one]), values)[0])
+    def change(self, first, second, values):
+        """Return where between two values of the variable the sign of the rate changes."""
+        sign = np.sign(self.rates(np.array([first]), values)[0])
         for _ in range(50):
-            middle = (one + other) / 2
+            middle = (first + second) / 2
             same = np.sign(self.rates(np.array([middle]), values)[0]) == sign
-            one, other = (middle, other) if same else (one, middle)
-        return (one + other) / 2
+            first, second = (middle, second) if same else (first, middle)
+        return (first + second) / 2
 
-    def switchings(self, places, values):
-        """(points, times before the end, controls after): where the extremals that end at `places`
-        switch for the last time."""
-        y, n = self.point(places, values), self._towards(places, values)
+    def switchings(self, arguments, values):
+        """Return (points, times before the end, controls after) of the last switchings of extremals."""
+        y, n = self.point(arguments, values), self._towards(arguments, values)
         time, sign = self.plant.first_zero(n, LONGEST)
         after = np.where(sign > 0, *self.plant.bounds)
         back = self.plant.exponential(-time)
         points = np.einsum("nij,nj->ni", back, y - after[:, None] * self.plant.response(time)[1])
-        usable = (time < LONGEST) & (self.rates(places, values) < -1e-9)
+        usable = (time < LONGEST) & (self.rates(arguments, values) < -1e-9)
         return points, np.where(usable, time, np.inf), after
 
-    def before(self, places, values, time):
-        """(states, controls) on the extremals that end at `places`, a short time before."""
-        y, n = self.point(places, values), self._towards(places, values)
-        q = (self.plant.response(np.full(len(places), time / 2))[0] * n).sum(axis=1)
+    def before(self, arguments, values, time):
+        """Return (states, controls) on the extremals a short time before their ends."""
+        y, n = self.point(arguments, values), self._towards(arguments, values)
+        q = (self.plant.response(np.full(len(arguments), time / 2))[0] * n).sum(axis=1)
         u = np.where(q > 0, *self.plant.bounds)
-        span = np.full(len(places), time)
+        span = np.full(len(arguments), time)
         return self.plant.free(y - u[:, None] * self.plant.response(span)[1], -span), u
 
     def table(self, values):
-        """The switching curve as two arrays, the first of them increasing."""
+        """Return the switching curve as two arrays, the first of them increasing."""
         low, high = self.interval
         share = np.concatenate(
             [
@@ -152,8 +158,9 @@ class TargetFamily:
         points = points[np.isfinite(times)]
         return tuple(points[np.argsort(points[:, 0])].T)
 
-    def told(self, values, place):
+    def values_text(self, values, argument):
+        """Return the values of the parameters and of the variable for a message."""
         named = [f"{p} = {v:.4g}" for p, v in zip(self.parameters, values)] + [
-            f"{self.variable} = {place:.4g}"
+            f"{self.variable} = {argument:.4g}"
         ]
         return "for " + ", ".join(named)

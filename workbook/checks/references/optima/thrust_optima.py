@@ -1,16 +1,17 @@
-"""The fastest transfers of a point by a thrust of given size and free direction: x'' = a cos u + g,
-y'' = a sin u + h.
+"""The fastest transfers of a point by a thrust of given size and free direction.
 
-To a place, with any velocity: in the time T the thrust can move the point to all places of a disc
-of radius a T^2/2 about where it would come without thrust, and to no others. The least time is the
-first at which the disc holds the target, and then the direction of the thrust does not change.
+The equations are x'' = a cos u + g, y'' = a sin u + h.
+
+To a position, with any velocity: in the time T the thrust can move the point to all positions of a
+disc of radius a T^2/2 about where it would come without thrust, and to no others. The least time is
+the first at which the disc contains the target, and then the direction of the thrust is constant.
 
 To rest, without g and h: the direction is that of a vector e(sigma) = sigma p + d q, where p and q
-are orthogonal unit vectors and sigma is the time left but for a constant. If directions of this
-kind bring the point to rest on the target, the time is the least: e and its rate tell a plane
-between the target and all states that can be reached a little earlier, and what can be reached does
+are orthogonal unit vectors and sigma is the remaining time but for a constant. If directions of this
+kind bring the point to rest on the target, the time is the least: e and its rate define a plane
+between the target and all states that can be reached a little earlier, and the reachable set does
 not shrink with time, since a thrust that turns about fast enough holds the point where it rests. If
-place and velocity lie on one line through the target, all of the motion is on it.
+position and velocity lie on one line through the target, the whole motion is on it.
 """
 
 import functools
@@ -18,21 +19,29 @@ import functools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.tools.samples import sample_cases
+from workbook.checks.tools.domains import sample_cases
 
-#: At so many instants a process is told, and how well the equations of its ends are solved.
+#: At so many instants a process is sampled, and how well the equations of its ends are solved.
 INSTANTS, SOLVED = 40, 1e-11
 #: From so many directions, and from so many times the shortest time that may be thought of, a
 #: search begins.
 DIRECTIONS, SPANS = 8, (1.5, 2.5, 4.0)
-#: As a part of their sizes, how little place and velocity may be off one line.
+#: As a part of their sizes, how little position and velocity may be off one line.
 ON_A_LINE = 1e-12
 
 
-def thrust_optima(problem, parameters=None, places=None):
-    """Pairs ({parameter: value}, `ThrustOptimum`) for sample values of the parameters, a dict from
-    symbols to intervals, or for the values that `places` are, dicts from the same symbols; None for
-    a problem of another kind."""
+def thrust_optima(problem, parameters=None, points=None):
+    """Return pairs ({parameter: value}, `ThrustOptimum`), or None for a problem of another kind.
+
+    Parameters
+    ----------
+    problem : pontryagin.Problem
+        The problem.
+    parameters : dict, optional
+        {symbol: interval}, from which sample values are taken.
+    points : list of dict, optional
+        Values of the parameters instead.
+    """
     read = _read(problem)
     if read is None:
         return None
@@ -45,14 +54,14 @@ def thrust_optima(problem, parameters=None, places=None):
         )
         for case in (
             sample_cases(parameters or {})
-            if places is None
-            else (tuple(p.values()) for p in places)
+            if points is None
+            else (tuple(p.values()) for p in points)
         )
     ]
 
 
 def _read(problem):
-    """(start, target, thrust, constant accelerations, whether the end is at rest), or None."""
+    """Return (start, target, thrust, constant accelerations, whether it ends at rest), or None."""
     if (
         len(problem.state) != 4
         or len(problem.control) != 1
@@ -107,31 +116,31 @@ class ThrustOptimum:
     @functools.cached_property
     def _process(self):
         """(duration, direction of the thrust for times, states for times)."""
-        place, speed = self.begin[:2] - self.target, self.begin[2:]
+        position, speed = self.begin[:2] - self.target, self.begin[2:]
         if not self.held:
-            return self._to_a_place(place, speed)
-        across = place[0] * speed[1] - place[1] * speed[0]
-        straight = abs(across) <= ON_A_LINE * np.linalg.norm(place) * np.linalg.norm(speed)
+            return self._to_a_position(position, speed)
+        across = position[0] * speed[1] - position[1] * speed[0]
+        straight = abs(across) <= ON_A_LINE * np.linalg.norm(position) * np.linalg.norm(speed)
         return (self._on_a_line if straight else self._to_rest)(
-            place / self.thrust, speed / self.thrust
+            position / self.thrust, speed / self.thrust
         )
 
-    def _to_a_place(self, place, speed):
+    def _to_a_position(self, position, speed):
         half = self.pull / 2
         roots = np.roots(
             [
                 half @ half - self.thrust**2 / 4,
                 2 * half @ speed,
-                speed @ speed + 2 * half @ place,
-                2 * speed @ place,
-                place @ place,
+                speed @ speed + 2 * half @ position,
+                2 * speed @ position,
+                position @ position,
             ]
         )
         real = roots.real[(abs(roots.imag) <= 1e-7 * abs(roots)) & (roots.real > 0)]
         if not real.size:
             raise RuntimeError("the thrust does not bring the point to its target")
         T = real.min()
-        miss = -(place + speed * T + half * T**2)
+        miss = -(position + speed * T + half * T**2)
         force = self.thrust * miss / np.linalg.norm(miss)
 
         def states(t):
@@ -144,10 +153,10 @@ class ThrustOptimum:
 
         return T, lambda t: np.full(np.shape(t), np.arctan2(force[1], force[0])), states
 
-    def _on_a_line(self, place, speed):
-        along = place if place.any() else speed
+    def _on_a_line(self, position, speed):
+        along = position if position.any() else speed
         along = along / np.linalg.norm(along)
-        x, w = place @ along, speed @ along
+        x, w = position @ along, speed @ along
         sign = 1 if x + w * abs(w) / 2 >= 0 else -1  # the first push is against it
         x, w = sign * x, sign * w
         root = np.sqrt(w**2 / 2 + x)
@@ -167,11 +176,13 @@ class ThrustOptimum:
 
         return T, lambda t: np.where(np.asarray(t) < first, early, late), states
 
-    def _to_rest(self, place, speed):
+    def _to_rest(self, position, speed):
         from scipy.optimize import fsolve
 
         shortest = max(
-            np.linalg.norm(speed), np.sqrt(2 * np.linalg.norm(place)) - np.linalg.norm(speed), 1e-6
+            np.linalg.norm(speed),
+            np.sqrt(2 * np.linalg.norm(position)) - np.linalg.norm(speed),
+            1e-6,
         )
         for span in SPANS:
             for k in range(DIRECTIONS):
@@ -183,10 +194,12 @@ class ThrustOptimum:
                         span * shortest,
                     ]
                     z, _, _done, _ = fsolve(
-                        _ends, guess, args=(place, speed), full_output=True, xtol=1e-14
+                        _ends, guess, args=(position, speed), full_output=True, xtol=1e-14
                     )
-                    missed = np.abs(_ends(z, place, speed)).max()
-                    if z[3] > 0 and missed <= SOLVED * (np.abs(place).max() + np.abs(speed).max()):
+                    missed = np.abs(_ends(z, position, speed)).max()
+                    if z[3] > 0 and missed <= SOLVED * (
+                        np.abs(position).max() + np.abs(speed).max()
+                    ):
                         return z[3], *self._turning(z)
         raise RuntimeError(
             "the directions that bring the point to rest on its target were not found"
@@ -202,7 +215,7 @@ class ThrustOptimum:
             return np.unwrap(np.arctan2(e[1], e[0]))
 
         def states(t):
-            rows = [_pushed(z, T - one) for one in t]
+            rows = [_pushed(z, T - time) for time in t]
             still = self.begin[:2, None] + np.outer(self.begin[2:], t)
             return np.vstack(
                 [
@@ -248,10 +261,11 @@ class ThrustOptimum:
         rates[0, 2] = rates[1, 3] = 1
         return rates, np.zeros((1, 4)), np.eye(4)[: 4 if self.held else 2]
 
-    def told_duration(self, said):
+    def duration_message(self, duration):
+        """Return the text on a wrong duration."""
         return (
             "the point can come there earlier"
-            if said > self.duration
+            if duration > self.duration
             else "no direction of the thrust brings the point there so early, or it misses then"
         )
 
@@ -263,12 +277,15 @@ class ThrustOptimum:
 
 
 def _frame(angle):
+    """Return the unit vector of an angle, and the one orthogonal to it."""
     return np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
 
 
 def _pushed(z, left):
-    """What a thrust of size 1 along sigma p + d q adds to velocity and place, from the beginning to
-    the time left."""
+    """Return what a unit thrust along sigma p + d q adds to velocity and position.
+
+    From the beginning to the remaining time `left`.
+    """
     angle, d, middle, T = z
     along, across = _frame(angle)
     ends = np.array([left, T]) - middle
@@ -279,6 +296,7 @@ def _pushed(z, left):
     return fast, far + (middle - left) * fast
 
 
-def _ends(z, place, speed):
+def _ends(z, position, speed):
+    """Return velocity and position, relative to the target, at the end."""
     fast, far = _pushed(z, 0.0)
-    return np.concatenate([place + speed * z[3] + far, speed + fast])
+    return np.concatenate([position + speed * z[3] + far, speed + fast])

@@ -1,19 +1,19 @@
-"""A student's condition against the true one: decided for all values at once wherever that can be
-done.
+"""Comparison of a student's condition with the true one, decided for all values where possible.
 
-`truth` says where a condition has to hold, `decimals` what a number in decimals stands for,
-`evaluation` what holds at one place. `decision` asks a solver about all places, of what `plain` has
-made polynomial; `sampling` tries places where nothing can be decided, and the verdict then says at
-how many points it agrees. `comparison` joins them.
+`reference_condition` states where a condition has to hold, `decimals` what a number in decimals
+stands for, `evaluation` whether a condition holds at one point. `decision` asks the solver z3 about
+all points, after `polynomial_form` has made conditions polynomial; `sampling` tries points where
+nothing can be decided, and the verdict then says at how many points it agrees. `comparison` joins
+them.
 """
 
 from trajlib._lazy import lazy_names
 
 _EXPORTS = {
-    "truth": ["Case", "Truth", "exactly"],
+    "reference_condition": ["Case", "ReferenceCondition", "exactly"],
     "decimals": ["readings"],
-    "evaluation": ["Condition", "allowed", "place_text"],
+    "evaluation": ["Condition", "allowed"],
     "sampling": ["on_borders"],
-    "comparison": ["compare", "contrary", "decide"],
+    "comparison": ["compare", "contradiction_message", "decide"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

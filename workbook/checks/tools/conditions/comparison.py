@@ -1,68 +1,104 @@
-"""A student's condition, in any form that is read, against the truth."""
+"""Comparison of a student's condition with its reference."""
 
 import sympy as sp
 from sympy.core.relational import Relational
 
-from workbook.checks.contract import coercion
+from workbook.checks.contract import condition_coercion
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.conditions.decimals import readings
 from workbook.checks.tools.conditions.decision import find_difference
-from workbook.checks.tools.conditions.evaluation import place_text
-from workbook.checks.tools.conditions.plain import is_finite
+from workbook.checks.tools.conditions.polynomial_form import is_finite
 from workbook.checks.tools.conditions.sampling import try_samples
+from workbook.checks.tools.wording import values_text
 
 
-def compare(answer, parameters, truth, told):
-    """Compare a student's condition, in any form that is read, with the truth.
+def compare(answer, parameters, reference, message):
+    """Compare a student's condition with its reference.
 
-    Returns how the agreement is known, for the end of a sentence. `told(values, holds)` is the
-    message at a place, given as SymPy numbers, where the truth is `holds` and the claim says
-    otherwise.
+    Parameters
+    ----------
+    answer : object
+        The condition in any form that is read.
+    parameters : list of sympy.Symbol
+        Its symbols.
+    reference : ReferenceCondition
+        Where the condition has to hold.
+    message : callable
+        `message(values, holds)` builds the message at a point, given as SymPy numbers, where the
+        reference is `holds` and the claim is not.
+
+    Returns
+    -------
+    str
+        How the agreement is known, for the end of a sentence.
+
+    Raises
+    ------
+    Wrong
+        If there is a point where they differ.
     """
     parameters = list(parameters)
-    said = readings(read_condition(answer, parameters, truth))
-    decided, place = find_difference(said[:1], parameters, truth)
-    if decided and place and len(said) > 1:
+    interpretations = readings(read_condition(answer, parameters, reference))
+    decided, difference = find_difference(interpretations[:1], parameters, reference)
+    if decided and difference and len(interpretations) > 1:
         # Decimals stand for all numbers that round to them, but a border that they meet exactly is
         # not rounded.
         off_border = [
-            sp.Ne(atom.lhs, atom.rhs) for atom in said[0].atoms(Relational) if is_finite(atom)
+            sp.Ne(atom.lhs, atom.rhs)
+            for atom in interpretations[0].atoms(Relational)
+            if is_finite(atom)
         ]
-        decided, elsewhere = find_difference(said[:1], parameters, truth, sp.And(*off_border))
+        decided, elsewhere = find_difference(
+            interpretations[:1], parameters, reference, sp.And(*off_border)
+        )
         if decided and elsewhere:
-            decided, place = find_difference(said, parameters, truth)
-    if decided and place is None:
+            decided, difference = find_difference(interpretations, parameters, reference)
+    if decided and difference is None:
         return "proved for all values"
     count = 0
     if not decided:
-        place, count = try_samples(said, parameters, truth)
-    if place is not None:
-        values, holds = place
-        raise Wrong(told(values, holds))
+        difference, count = try_samples(interpretations, parameters, reference)
+    if difference is not None:
+        values, holds = difference
+        raise Wrong(message(values, holds))
     return f"agrees at {count} points"
 
 
-def read_condition(answer, parameters, truth):
-    """A condition on parameters; a set of numbers stands for values of the one that the truth
-    depends on, or of the first of several."""
+def read_condition(answer, parameters, reference):
+    """Return an answer as a condition on parameters.
+
+    A set of numbers stands for values of the parameter that the reference depends on, or of the first
+    of several.
+    """
     numbers = isinstance(answer, sp.Set) and not answer.has(sp.ConditionSet, sp.ProductSet)
     if numbers and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
-        asked = set().union(*(case.condition.free_symbols for case, _ in truth.cases))
+        asked = set().union(*(case.condition.free_symbols for case, _ in reference.cases))
         parameters = [p for p in parameters if p in asked] or parameters
-        return coercion.as_condition(answer, parameters[:1])
-    return coercion.as_condition(answer, parameters)
+        return condition_coercion.as_condition(answer, parameters[:1])
+    return condition_coercion.as_condition(answer, parameters)
 
 
-def contrary(reason):
-    """The message that a condition says otherwise at a place, with the `reason(values)`."""
+def contradiction_message(reason):
+    """Return the function that builds the message on a point where a condition is wrong.
 
-    def told(values, holds):
-        return f"your condition {'does not hold' if holds else 'holds'} for {place_text(values)}; {reason(values)}"
+    Parameters
+    ----------
+    reason : callable
+        `reason(values)` explains how it is there.
+    """
 
-    return told
+    def message(values, holds):
+        return f"your condition {'does not hold' if holds else 'holds'} for {values_text(values)}; {reason(values)}"
+
+    return message
 
 
-def decide(condition, symbols, truth):
-    """(whether it could be decided, where a condition is not as the truth: (values, what holds), or
-    None)."""
-    return find_difference([condition], list(symbols), truth)
+def decide(condition, symbols, reference):
+    """Return whether a condition could be decided, and a difference from its reference.
+
+    Returns
+    -------
+    tuple
+        (decided, (values, what holds)), the second None without a difference.
+    """
+    return find_difference([condition], list(symbols), reference)

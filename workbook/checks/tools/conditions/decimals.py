@@ -1,5 +1,7 @@
-"""Decimals in a condition: each stands for all numbers that round to it, a border in decimals for a
-strip."""
+"""Decimals in a condition: each stands for all numbers that round to it.
+
+A border in decimals stands for a strip.
+"""
 
 import itertools
 
@@ -8,8 +10,7 @@ import sympy as sp
 
 
 def readings(claim):
-    """The claim with its decimals as they are written, and with each half a unit of the third digit
-    up or down."""
+    """Return a claim with its decimals as written, and with each off by half a unit."""
     claim = _with_plain_powers(claim)
     decimals = sorted(claim.atoms(sp.Float), key=float)
     ranges = []
@@ -46,7 +47,7 @@ def readings(claim):
 
 
 def _with_plain_powers(claim):
-    """Exponents in decimals as fractions: x**0.5 is a square root, not a rounded power."""
+    """Return a claim with exponents in decimals as fractions: x**0.5 is a square root."""
     powers = {
         power: sp.Pow(power.base, sp.nsimplify(power.exp, rational=True))
         for power in claim.atoms(sp.Pow)
@@ -56,4 +57,5 @@ def _with_plain_powers(claim):
 
 
 def rational(expression):
+    """Return an expression with its decimals as fractions."""
     return sp.nsimplify(expression, rational=True) if expression.has(sp.Float) else expression

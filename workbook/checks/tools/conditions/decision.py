@@ -1,9 +1,8 @@
-"""Whether a condition is as the truth at all places, decided by z3 (nlsat, Jovanovic and de Moura
-2012).
+"""Decide whether a condition agrees with its reference everywhere, by z3 (nlsat).
 
-A question has a fixed number of z3's own steps, so the same one always ends the same way. What z3
-names as a difference is evaluated again, exactly, before it is told: "wrong" never rests on a
-solver.
+Jovanovic and de Moura 2012. A question has a fixed number of z3's own steps, so the same one always
+ends the same way. A difference that z3 finds is evaluated again, exactly, before it is reported:
+"wrong" never rests on a solver.
 """
 
 import functools
@@ -14,7 +13,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from workbook.checks.tools.conditions.evaluation import HOW, allowed, prepared, sign
-from workbook.checks.tools.conditions.plain import Plain, Undecidable
+from workbook.checks.tools.conditions.polynomial_form import PolynomialForm, Undecidable
 
 #: z3's own steps before a question counts as undecided: so many, or more where its polynomials are
 #: small, so many times their size; and its megabytes. What is decided takes hundreds of them, at
@@ -24,58 +23,79 @@ STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
 LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
 
 
-def find_difference(readings, parameters, truth, besides=sp.true):
-    """(decided, place): a place where all readings of a claim are wrong, as (values, what holds),
-    or None."""
+def find_difference(readings, parameters, reference, besides=sp.true):
+    """Return (decided, difference) of a claim and its reference.
+
+    Parameters
+    ----------
+    readings : list
+        Readings of the claim; a point counts if all of them are wrong there.
+    parameters : list of sympy.Symbol
+        Its symbols.
+    reference : ReferenceCondition
+        Where the condition has to hold.
+    besides : sympy condition
+        What the point has to satisfy besides.
+
+    Returns
+    -------
+    tuple
+        Whether it could be decided, and (values, what holds) or None.
+    """
     try:
-        if not truth.inside or not truth.outside:
+        if not reference.inside or not reference.outside:
             raise Undecidable
-        for case, holds in truth.cases:
-            found = _Question(parameters, case).answer(readings, holds, besides)
-            if found is not None:
-                place = _simplified(found, readings, parameters, case, holds, truth)
-                return (True, place) if place else (False, None)
+        for case, holds in reference.cases:
+            point = _Question(parameters, case).answer(readings, holds, besides)
+            if point is not None:
+                difference = _simplified(point, readings, parameters, case, holds, reference)
+                return (True, difference) if difference else (False, None)
     except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
         return False, None
     return True, None
 
 
-def _confirmed(place, readings, parameters, case, holds, truth):
-    """Whether at a place, numbers of the parameters and the unknowns, all readings are wrong: by
-    exact evaluation."""
+def _confirmed(point, readings, parameters, case, holds, reference):
+    """Return whether at a point all readings are wrong, by exact evaluation."""
     symbols = [*parameters, *case.unknowns]
-    here = place[: len(parameters)]
-    if not all(allowed(p, sign(x)) for p, x in zip(symbols, place)):
+    here = point[: len(parameters)]
+    if not all(allowed(p, sign(x)) for p, x in zip(symbols, point)):
         return False
     if any(prepared(reading, tuple(parameters)).holds(here) == holds for reading in readings):
         return False
     if case.every:
-        return truth.at is not None and truth.at(dict(zip(parameters, here))) is holds
-    return prepared(case.condition, tuple(symbols)).holds(place)
+        return reference.at is not None and reference.at(dict(zip(parameters, here))) is holds
+    return prepared(case.condition, tuple(symbols)).holds(point)
 
 
-def _simplified(place, readings, parameters, case, holds, truth):
-    """The values of the parameters, as simple as they can be, at a difference that exact evaluation
-    confirms."""
+def _simplified(point, readings, parameters, case, holds, reference):
+    """Return a confirmed difference at values of the parameters as simple as possible, or None."""
     confirm = functools.partial(
-        _confirmed, readings=readings, parameters=parameters, case=case, holds=holds, truth=truth
+        _confirmed,
+        readings=readings,
+        parameters=parameters,
+        case=case,
+        holds=holds,
+        reference=reference,
     )
-    if not confirm(place):
+    if not confirm(point):
         return None
-    # With unknowns every coordinate hangs on the others, so the place stays as it is.
-    for k, x in enumerate(place if not case.unknowns or case.every else ()):
+    # With unknowns every coordinate hangs on the others, so the point stays as it is.
+    for k, x in enumerate(point if not case.unknowns or case.every else ()):
         for q in (1, 2, 10, 100, 1000):
             near = sp.Rational(round(float(x) * q), q) if abs(float(x)) < 1e12 else x
-            simpler = (*place[:k], near, *place[k + 1 :])
+            simpler = (*point[:k], near, *point[k + 1 :])
             if near == x or confirm(simpler):
-                place = simpler
+                point = simpler
                 break
-    return dict(zip(parameters, place)), holds
+    return dict(zip(parameters, point)), holds
 
 
 class _Question:
-    """One question to z3: is there a place where all readings of a claim are wrong in one case? It
-    has a context of its own, so that no earlier question changes the count of steps."""
+    """A question to z3: is there a point where all readings of a claim are wrong in one case?
+
+    It has a context of its own, so that no earlier question changes the count of steps.
+    """
 
     def __init__(self, parameters, case):
         try:
@@ -84,30 +104,34 @@ class _Question:
             # where it does not run, as in some browsers, samples have to do
             raise Undecidable from None
         self.z3, self.context, self.parameters, self.case = z3, z3.Context(), parameters, case
-        self.names, self.plain, self.size = {}, Plain(case.angles), 10
+        self.names, self.form, self.size = {}, PolynomialForm(case.angles), 10
 
     def answer(self, readings, holds, besides):
-        """A place, exact numbers of the parameters and the unknowns, or None if there is none."""
+        """Return exact numbers of the parameters and the unknowns, or None without such a point."""
         z3, case = self.z3, self.case
         if not case.every:
-            self.plain, plain = _plain_truth(case.condition, case.angles)
-            self.plain = self.plain.copy()
-        claims = [self._formula(self.plain.condition(reading)) for reading in readings]
-        told = [z3.Not(claim) if holds else claim for claim in claims]
-        told.append(self._formula(self.plain.condition(besides)))
+            self.form, condition = _polynomial_case(case.condition, case.angles)
+            self.form = self.form.copy()
+        claims = [self._formula(self.form.condition(reading)) for reading in readings]
+        conditions = [z3.Not(claim) if holds else claim for claim in claims]
+        conditions.append(self._formula(self.form.condition(besides)))
         known = {*self.parameters, *self.names}
-        first = len(self.plain.sides)
-        truth = self._formula(self.plain.condition(case.condition) if case.every else plain)
-        sides = [self._formula(side) for side in self.plain.sides]
+        first = len(self.form.sides)
+        case_formula = self._formula(
+            self.form.condition(case.condition) if case.every else condition
+        )
+        sides = [self._formula(side) for side in self.form.sides]
         inner = [symbol for symbol in self.names if symbol not in known] if case.every else []
         if inner:
-            told += sides[:first]
-            given = [*sides[first:], *(self._assumed(symbol) for symbol in inner)]
-            truth = z3.ForAll([self.names[s] for s in inner], z3.Implies(self._and(given), truth))
+            conditions += sides[:first]
+            assumed = [*sides[first:], *(self._assumed(symbol) for symbol in inner)]
+            case_formula = z3.ForAll(
+                [self.names[s] for s in inner], z3.Implies(self._and(assumed), case_formula)
+            )
         else:
-            told += sides
-        told += [self._assumed(symbol) for symbol in self.names if symbol not in inner]
-        model = self._model(self._and([*told, truth]), quantified=bool(inner))
+            conditions += sides
+        conditions += [self._assumed(symbol) for symbol in self.names if symbol not in inner]
+        model = self._model(self._and([*conditions, case_formula]), quantified=bool(inner))
         symbols = [*self.parameters, *(() if case.every else case.unknowns)]
         return None if model is None else tuple(self._value(model, symbol) for symbol in symbols)
 
@@ -125,12 +149,12 @@ class _Question:
         solver.set("max_memory", MEGABYTES)
         solver.add(question)
         try:
-            found = solver.check()
+            outcome = solver.check()
         except z3.Z3Exception:
             raise Undecidable from None
-        if found == z3.unknown:
+        if outcome == z3.unknown:
             raise Undecidable
-        return solver.model() if found == z3.sat else None
+        return solver.model() if outcome == z3.sat else None
 
     def _formula(self, node):
         z3 = self.z3
@@ -151,16 +175,16 @@ class _Question:
         return join(*parts)
 
     def _polynomial(self, expression):
-        terms, found = [], _terms(expression)
+        terms, written = [], _terms(expression)
         self.size = max(
-            self.size, len(found) * max((len(symbols) for _, symbols in found), default=0)
+            self.size, len(written) * max((len(symbols) for _, symbols in written), default=0)
         )
-        for coefficient, symbols in found:
+        for coefficient, symbols in written:
             term = self.z3.RealVal(coefficient, self.context)
             for symbol in symbols:
                 term = term * self._real(symbol)
             terms.append(term)
-        return functools.reduce(lambda one, other: one + other, terms)
+        return functools.reduce(lambda a, b: a + b, terms)
 
     def _real(self, symbol):
         if symbol not in self.names:
@@ -188,8 +212,8 @@ class _Question:
         return self.z3.And(self.z3.BoolVal(True, self.context), *parts)
 
     def _value(self, model, symbol):
-        if symbol in self.plain.circles:
-            c, s = (self._value(model, part) for part in self.plain.circles[symbol])
+        if symbol in self.form.circles:
+            c, s = (self._value(model, part) for part in self.form.circles[symbol])
             return sp.atan2(s, c) + (2 * sp.pi if symbol in self.case.angles and s < 0 else 0)
         if symbol not in self.names:
             return sp.Integer(-1 if symbol.is_negative or symbol.is_nonpositive else 1)
@@ -201,11 +225,10 @@ class _Question:
 
 
 @functools.lru_cache(maxsize=128)  # the same truth is asked about again and again
-def _plain_truth(condition, angles):
-    """A condition made plain, and what made it: the same symbols each time, so that their
-    polynomials are known."""
-    plain = Plain(angles)
-    return plain, plain.condition(condition)
+def _polynomial_case(condition, angles):
+    """Return a condition made polynomial, and its form: the same symbols each time it is asked."""
+    form = PolynomialForm(angles)
+    return form, form.condition(condition)
 
 
 @functools.lru_cache(maxsize=512)
@@ -215,7 +238,7 @@ def _as_fraction(expression):
 
 @functools.lru_cache(maxsize=512)
 def _terms(expression):
-    """A polynomial as (coefficient, symbols as often as they are factors), a pair a term."""
+    """Return the terms of a polynomial: (coefficient, symbols as often as they are factors)."""
     symbols = sorted(expression.free_symbols, key=str)
     if not expression.is_polynomial(*symbols) or _size(expression) > MOST_WRITTEN_OUT:
         raise Undecidable
@@ -233,7 +256,7 @@ def _terms(expression):
 
 
 def _size(expression):
-    """How many terms a polynomial may have when its powers and products are written out."""
+    """Return how many terms a polynomial may have when its powers and products are expanded."""
     if isinstance(expression, sp.Add):
         return sum(map(_size, expression.args))
     if isinstance(expression, sp.Mul):

@@ -1,5 +1,4 @@
-"""The truth value of a condition at one place, exactly: by fractions, by algebraic numbers, else to
-sixty digits."""
+"""Exact evaluation of a condition at one point: by fractions, algebraic numbers, or 60 digits."""
 
 import functools
 import math
@@ -13,13 +12,13 @@ from sympy.core.relational import Relational
 
 from workbook.checks.contract.verdict import Invalid
 from workbook.checks.tools.conditions.decimals import rational
-from workbook.checks.tools.searching import bisected
+from workbook.checks.tools.line_search import bisect
 
 #: Digits that terms are computed to where a value is irrational, and how small a zero is there.
 DIGITS, NOTHING = 60, mpmath.mpf(10) ** -40
-#: The product of the degrees of algebraic numbers up to which a value is told from zero exactly.
+#: The product of the degrees of algebraic numbers up to which a value is distinguished from zero exactly.
 LARGEST_FIELD = 8
-#: Places between which the changes of sign of a term that is not rational are looked for.
+#: Points between which the changes of sign of a term that is not rational are looked for.
 GRID = np.concatenate([-np.geomspace(1e6, 1e-3, 200), np.geomspace(1e-3, 1e6, 200)])
 #: The "sign" of a number that is not real.
 NOT_REAL = "not real"
@@ -48,51 +47,43 @@ class Condition:
             for atom in self.condition.atoms(Relational)
         }
 
-    def holds(self, place):
-        """The truth value at a place, exact numbers in a row; where a term is undefined the
-        condition does not hold."""
-        return self._truth(self.condition, tuple(place))
+    def holds(self, point):
+        """Return whether it holds at a point, exact numbers in a row; not where a term is undefined."""
+        return self._truth(self.condition, tuple(point))
 
     def borders(self, base, varied):
-        """Where a term can change its sign along one symbol from `base`: floats."""
+        """Return the values of one symbol, from `base`, where a term can change its sign: floats."""
         return sorted(
             {root for sign in self._atoms.values() for root in sign.roots(tuple(base), varied)}
         )
 
-    def _truth(self, node, place):
+    def _truth(self, node, point):
         if node in (sp.true, sp.false):
             return bool(node)
         if isinstance(node, Relational):
-            return _compared(node, self._atoms[node](place))
+            return _compared(node, self._atoms[node](point))
         if isinstance(node, sp.And):
-            return all(self._truth(part, place) for part in node.args)
+            return all(self._truth(part, point) for part in node.args)
         if isinstance(node, sp.Or):
-            return any(self._truth(part, place) for part in node.args)
+            return any(self._truth(part, point) for part in node.args)
         if isinstance(node, sp.Not):
-            return not self._truth(node.args[0], place)
+            return not self._truth(node.args[0], point)
         if isinstance(node, sp.Xor):
-            return sum(self._truth(part, place) for part in node.args) % 2 == 1
+            return sum(self._truth(part, point) for part in node.args) % 2 == 1
         if isinstance(node, sp.ITE):
             test, yes, no = node.args
-            return self._truth(yes if self._truth(test, place) else no, place)
+            return self._truth(yes if self._truth(test, point) else no, point)
         raise Invalid("expected inequalities joined by And, Or and Not")
 
 
 @functools.lru_cache(maxsize=64)
 def prepared(condition, symbols):
+    """Return the `Condition` of a condition in these symbols."""
     return Condition(condition, symbols)
 
 
-def place_text(values):
-    """A place for a message: `k1 = 1/2, k2 = -3`."""
-    return ", ".join(
-        f"{p} = {x if x.is_Rational and x.q < 1000 else f'{float(x):.6g}'}"
-        for p, x in values.items()
-    )
-
-
 def allowed(symbol, sign):
-    """Whether a value of this sign agrees with what is assumed of a symbol."""
+    """Return whether a value of this sign agrees with the assumptions of a symbol."""
     return not (
         (symbol.is_positive and sign <= 0)
         or (symbol.is_negative and sign >= 0)
@@ -103,8 +94,10 @@ def allowed(symbol, sign):
 
 
 class _Sign:
-    """The sign of the difference of the sides of a relation, -1, 0 or 1, NOT_REAL, or None where it
-    is undefined."""
+    """The sign of the difference of the sides of a relation at a point.
+
+    It is -1, 0 or 1, NOT_REAL, or None where the difference is undefined.
+    """
 
     def __init__(self, relation, symbols):
         self.symbols, self._numeric, self._parts = symbols, None, None
@@ -123,25 +116,25 @@ class _Sign:
             # code made is ours.
             self._numeric, self._difference = sp.lambdify(symbols, difference, "mpmath"), difference
 
-    def __call__(self, place):
-        if self._parts is not None and all(x.is_Rational for x in place):
-            at = [Fraction(int(x.p), int(x.q)) for x in place]
+    def __call__(self, point):
+        if self._parts is not None and all(x.is_Rational for x in point):
+            at = [Fraction(int(x.p), int(x.q)) for x in point]
             above, below = (part(*at) for part in self._parts)
             return None if below == 0 else sign(above) * sign(below)
         try:
             with mpmath.workdps(DIGITS):
                 at = [
                     mpmath.mpf(x.p) / x.q if x.is_Rational else mpmath.mpmathify(x.evalf(DIGITS))
-                    for x in place
+                    for x in point
                 ]
                 if self._parts is not None:
                     above, below = (
-                        self._exactly(k, place, part(*at)) for k, part in enumerate(self._parts)
+                        self._exactly(k, point, part(*at)) for k, part in enumerate(self._parts)
                     )
                     return None if below == 0 else above * below
                 number = mpmath.mpmathify(self._numeric(*at))
         except (ZeroDivisionError, ValueError, TypeError, OverflowError):
-            # TypeError: a Piecewise without a case for this place gives None, and complex numbers
+            # TypeError: a Piecewise without a case for this point gives None, and complex numbers
             # have no order.
             return None
         if mpmath.isnan(number):
@@ -151,19 +144,18 @@ class _Sign:
         # At 60 digits a value this small is a zero: no answer of a student lives at that scale.
         return 0 if abs(number) < NOTHING else sign(mpmath.re(number))
 
-    def _exactly(self, k, place, number):
-        """The sign of a polynomial at algebraic numbers: a value close to zero has to have the
-        minimal polynomial x."""
+    def _exactly(self, k, point, number):
+        """Return the sign of a polynomial at algebraic numbers; zero only if that is proved."""
         if abs(number) >= NOTHING:
             return sign(number)
         if (
-            math.prod(number.poly.degree() for number in sp.Tuple(*place).atoms(sp.CRootOf))
+            math.prod(number.poly.degree() for number in sp.Tuple(*point).atoms(sp.CRootOf))
             > LARGEST_FIELD
         ):
             raise ArithmeticError("algebraic numbers of so high a degree are not computed with")
         x, value = (
             sp.Dummy("x"),
-            self._polys[k].as_expr().subs(dict(zip(self.symbols, place)), simultaneous=True),
+            self._polys[k].as_expr().subs(dict(zip(self.symbols, point)), simultaneous=True),
         )
         if value != 0 and value.is_algebraic and sp.minimal_polynomial(value, x) != x:
             raise ArithmeticError("a number that is not zero could not be told from it")
@@ -174,9 +166,9 @@ class _Sign:
             yield from self._crossings(base, varied)
             return
         t = sp.Dummy("t")
-        place = {s: t if k == varied else x for k, (s, x) in enumerate(zip(self.symbols, base))}
+        point = {s: t if k == varied else x for k, (s, x) in enumerate(zip(self.symbols, base))}
         for poly in self._polys:
-            line = sp.Poly(poly.as_expr().subs(place, simultaneous=True), t)
+            line = sp.Poly(poly.as_expr().subs(point, simultaneous=True), t)
             coefficients = [float(c) for c in line.all_coeffs()]
             if len(coefficients) > 1 and np.isfinite(coefficients).all():
                 # A double root comes back as a close complex pair; its real part still separates
@@ -188,18 +180,18 @@ class _Sign:
                 )
 
     def _crossings(self, base, varied):
-        """Where the difference goes through zero or infinity between two neighbours of a grid."""
+        """Yield where the difference goes through zero or infinity between neighbours of a grid."""
         others = [float(x) for x in base]
 
         def values(x):
             with np.errstate(all="ignore"):
-                found = self._floats(*others[:varied], x, *others[varied + 1 :])
-            return np.broadcast_to(np.where(np.isreal(found), np.real(found), np.nan), x.shape)
+                numbers = self._floats(*others[:varied], x, *others[varied + 1 :])
+            return np.broadcast_to(np.where(np.isreal(numbers), np.real(numbers), np.nan), x.shape)
 
         try:
             signs = np.sign(values(GRID))
             change = np.flatnonzero(signs[:-1] * signs[1:] < 0)
-            _, found = bisected(
+            _, crossings = bisect(
                 lambda x, rows: np.sign(values(x)) == signs[change][rows],
                 GRID[change],
                 GRID[change + 1],
@@ -207,7 +199,7 @@ class _Sign:
             )
         except (TypeError, ValueError, NameError, AttributeError, ZeroDivisionError, OverflowError):
             return  # a function that NumPy does not have
-        yield from map(float, [*found, *GRID[signs == 0]])
+        yield from map(float, [*crossings, *GRID[signs == 0]])
 
     @functools.cached_property
     def _floats(self):

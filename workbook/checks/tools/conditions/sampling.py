@@ -1,5 +1,4 @@
-"""A condition against the truth at samples, for what is not polynomial, or too large to be
-decided."""
+"""Comparison of a condition with its reference at samples, where it cannot be decided."""
 
 import itertools
 from fractions import Fraction
@@ -14,29 +13,44 @@ from workbook.checks.tools.conditions.evaluation import allowed, prepared, sign
 TURNS = [k * sp.pi / 6 for k in range(-12, 13)]
 
 
-def try_samples(readings, parameters, truth):
-    """(place, count): the first point of the samples where all readings are wrong, as (values, what
-    holds), or None.
+def try_samples(readings, parameters, reference):
+    """Return the first sample where all readings of a claim are wrong, and their number.
 
-    Along lines on which one parameter varies, the places where the truth changes are found by
-    bisection; it is asked there, on both sides, far out, and on and between all places where the
-    claim or the truth can change.
+    Parameters
+    ----------
+    readings : list
+        Readings of the claim.
+    parameters : list of sympy.Symbol
+        Its symbols.
+    reference : ReferenceCondition
+        Where the condition has to hold.
+
+    Returns
+    -------
+    tuple
+        ((values, what holds) or None, count).
+
+    Notes
+    -----
+    Along lines on which one parameter varies, the points where the reference changes are found by
+    bisection; it is evaluated there, on both sides, far out, and on and between all points where the
+    claim or the reference can change.
     """
     symbols = tuple(parameters)
     claims = [prepared(reading, symbols) for reading in readings]
-    truth_at = truth.at or _truth_at(parameters, truth)
+    holds_at = reference.at or _holds_at(parameters, reference)
     seen = {}
 
     def at(values):
-        place = tuple(values.values())
-        if place not in seen:
-            seen[place] = truth_at(values)
-        return seen[place]
+        point = tuple(values.values())
+        if point not in seen:
+            seen[point] = holds_at(values)
+        return seen[point]
 
-    known = [prepared(case.condition, symbols) for case, _ in truth.cases if not case.unknowns]
-    places = (
-        truth.points()
-        if truth.points
+    known = [prepared(case.condition, symbols) for case, _ in reference.cases if not case.unknowns]
+    points = (
+        reference.points()
+        if reference.points
         else (
             dict(zip(parameters, (*base[:varied], x, *base[varied + 1 :])))
             for base, varied in _lines(parameters)
@@ -44,7 +58,7 @@ def try_samples(readings, parameters, truth):
         )
     )
     count = 0
-    for values in places:
+    for values in points:
         holds = at(values)
         if holds is None:
             continue
@@ -56,17 +70,19 @@ def try_samples(readings, parameters, truth):
     return None, count
 
 
-def _truth_at(parameters, truth):
-    if not truth.cases or any(case.unknowns for case, _ in truth.cases):
+def _holds_at(parameters, reference):
+    if not reference.cases or any(case.unknowns for case, _ in reference.cases):
         raise RuntimeError("this condition could not be decided, and there is nothing to try")
-    cases = [(prepared(case.condition, tuple(parameters)), holds) for case, holds in truth.cases]
+    cases = [
+        (prepared(case.condition, tuple(parameters)), holds) for case, holds in reference.cases
+    ]
     return lambda values: next(
         (holds for case, holds in cases if case.holds(values.values())), None
     )
 
 
 def _lines(parameters, count=8):
-    """Pairs (a random place, which parameter varies)."""
+    """Yield pairs (a random point, which parameter varies)."""
     random = np.random.default_rng(12)
     for k in range(count if len(parameters) > 1 else 1):
         sizes = [sp.Rational(int(random.integers(1, 60)), 20) for _ in parameters]
@@ -80,9 +96,9 @@ def _lines(parameters, count=8):
 
 
 def _along(base, varied, parameters, conditions, at):
-    """Values of one parameter at which to compare."""
+    """Return values of one parameter at which to compare."""
 
-    def place(x):
+    def point(x):
         return (*base[:varied], x, *base[varied + 1 :])
 
     def fits(x):
@@ -93,14 +109,14 @@ def _along(base, varied, parameters, conditions, at):
     sizes = [_near(x, 1000) for x in [*np.geomspace(1 / 50, 40, 24), *far]]
     grid = sorted(x for size in sizes for x in (size, -size) if fits(x))
     true, claimed = (
-        _changes(lambda x: at(dict(zip(parameters, place(x)))), grid),
-        _changes(lambda x: conditions[0].holds(place(x)), grid),
+        _changes(lambda x: at(dict(zip(parameters, point(x)))), grid),
+        _changes(lambda x: conditions[0].holds(point(x)), grid),
     )
     changes, roots = (
         [*true, *claimed],
         [_near(x, 10**12) for c in conditions for x in c.borders(base, varied)],
     )
-    # What bisection finds in the truth is one of these again, or a border that the truth knows less
+    # What bisection finds in the reference is one of these again, or a border that the reference knows less
     # well.
     exact = [*roots, *claimed]
     ordered = sorted(
@@ -121,8 +137,9 @@ def _along(base, varied, parameters, conditions, at):
 
 
 def on_borders(condition, symbols):
-    """Places along lines where a condition changes and its terms are rational: to be tried where it
-    means an equation.
+    """Yield points along lines where a condition changes and its terms are rational.
+
+    They are tried where a condition stands for an equation.
     """
     for base, varied in _lines(symbols, 60):
         for x in condition.borders(base, varied):
@@ -130,21 +147,20 @@ def on_borders(condition, symbols):
 
 
 def _changes(function, grid):
-    """The places between neighbours of a grid where a function of few values changes, to ten
-    digits."""
-    found, values = [], [function(x) for x in grid]
+    """Return the arguments between neighbours of a grid where a function of few values changes."""
+    changes, values = [], [function(x) for x in grid]
     for left, right, value, last in zip(grid, grid[1:], values, values[1:]):
         # A third value may lie between two others, so the search goes on from each change to the
         # next.
-        while value != last and len(found) < 40:
+        while value != last and len(changes) < 40:
             inner, outer = left, right
             for _ in range(42):
                 middle = (inner + outer) / 2
                 inner, outer = (middle, outer) if function(middle) == value else (inner, middle)
-            found.append(inner)
+            changes.append(inner)
             left = outer = outer + (outer - inner)
             value = function(left)
-    return found
+    return changes
 
 
 def _near(x, largest):

@@ -1,0 +1,89 @@
+import sympy as sp
+from case import Case
+
+from trajlib.pontryagin import Problem
+
+x, x1, x2, u, a = sp.symbols("x x1 x2 u a", real=True)
+t, T, low, high = sp.symbols("t T u_min u_max", positive=True)
+Piecewise = sp.Piecewise
+
+ENERGY = Problem(
+    {x1: x2, x2: u - x1},
+    {u: (None, None)},
+    {x1: 0, x2: 0},
+    [x1 - a],
+    running=u**2,
+    duration=sp.pi / 2,
+)
+PLACES = {a: sp.Interval(-3, 3)}
+NEAR = Problem({x: u}, {u: (-1, 1)}, {x: a}, [], running=x**2 / 2, duration=T)
+FAR = Problem(
+    {x1: x2, x2: u},
+    {u: (-1, 1)},
+    {x1: 0, x2: None},
+    [x1 - 1],
+    final=x1**2 / 2 + x2**2 / 2,
+    duration=1,
+    maximise=True,
+)
+BEAM = Problem(
+    {x1: x2, x2: u}, {u: (None, None)}, {x1: 0, x2: 0}, [], running=u**2 - 48 * x1, duration=1
+)
+
+
+CASES = [
+    Case(
+        "optimal_costate",
+        [8 * a / sp.pi * sp.sin(t), 8 * a / sp.pi * sp.cos(t)],
+        (ENERGY, t, PLACES),
+        "right",
+        "the control inside",
+    ),
+    Case(
+        "optimal_costate",
+        Piecewise((-sp.sign(a) * (sp.Abs(a) - t) ** 2 / 2, t < sp.Abs(a)), (0, True)),
+        (NEAR, t, {a: sp.Interval(sp.Rational(-1, 2), sp.Rational(1, 2)), T: sp.Interval(1, 3)}),
+        "right",
+        "zero on the singular arc; one expression for one state",
+    ),
+    Case(
+        "optimal_costate",
+        [48 * (1 - t), 24 * (1 - t) ** 2],
+        (BEAM, t),
+        "right",
+        "both vanish at a free end",
+    ),
+    Case(
+        "optimal_costate",
+        [0, sp.Rational(3, 2)],
+        (FAR, t),
+        "wrong",
+        "the adjoint equation holds, the end does not",
+    ),
+    Case(
+        "optimal_costate",
+        [-8 * a / sp.pi * sp.sin(t), -8 * a / sp.pi * sp.cos(t)],
+        (ENERGY, t, PLACES),
+        "wrong",
+        "the sign",
+    ),
+    Case(
+        "optimal_costate",
+        [2.546 * a * sp.sin(t), 2.546 * a * sp.cos(t)],
+        (ENERGY, t, PLACES),
+        "right",
+        "decimals",
+    ),
+    Case(
+        "optimal_costate",
+        [2.572 * a * sp.sin(t), 2.572 * a * sp.cos(t)],
+        (ENERGY, t, PLACES),
+        "wrong",
+        "one per cent too large",
+    ),
+    Case(
+        "optimal_costate", [sp.sin(t), sp.cos(t)], (ENERGY, t, PLACES), "wrong", "another multiple"
+    ),
+    Case("optimal_costate", [sp.sin(t)], (ENERGY, t, PLACES), "invalid", "one of two"),
+]
+LIMITS = []

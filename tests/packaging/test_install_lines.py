@@ -1,0 +1,143 @@
+"""Each documented install line, run in a fresh environment, does what its reader would do next."""
+
+import json
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+pytestmark = [pytest.mark.waits, pytest.mark.slow]
+ROOT = Path(__file__).resolve().parents[2]
+DOCUMENTS = [
+    ROOT / "README.md",
+    *sorted((ROOT / "book").glob("*.md")),
+    *sorted((ROOT / "book" / "guides").glob("*.md")),
+]
+#: A line as the documents have it, and the name of the test below that runs it.
+TRIED = {
+    "-e .": "test_the_library_alone",
+    '-e ".[workbook]"': "test_a_student_without_a_checkout",
+    '"trajlib-0.2.0-py3-none-any.whl[workbook]"': "test_a_student_without_a_checkout",
+    '-e ".[live]"': "test_a_checkout_with_lectures",
+    '-e ".[cluster]"': "test_a_checkout_for_a_cluster",
+}
+COURSE = ("z3", "typer", "rich", "yaml", "flint", "ipywidgets", "distributed", "jupytext")
+DOCTESTS = """
+import doctest, importlib, pkgutil, trajlib
+names = [module.name for module in pkgutil.walk_packages(trajlib.__path__, "trajlib.")]
+results = [doctest.testmod(importlib.import_module(name)) for name in names]
+print(len(names), sum(result.attempted for result in results), sum(result.failed for result in results))
+"""
+RIGHT_1_15 = {
+    "a_region": "sp.And(k1 > 0, k1*k2 > 1)",
+    "b_region": "sp.And(k2 > 0, k1 > k2)",
+    "c_region": "sp.And(k1 > 0, k2 > 0, k1*k2 < 1)",
+    "d_region": "sp.And(k1 > 0, k2 > k1)",
+    "e_region": "sp.And(k1 > 0, k2 > k1)",
+}
+
+
+class Environment:
+    """A fresh virtual environment in `folder`, into which pip has installed one line."""
+
+    def __init__(self, folder, line, cwd):
+        self.folder = folder
+        subprocess.run([sys.executable, "-m", "venv", folder], check=True, timeout=120)
+        self.run("pip", "install", "--quiet", *line, cwd=cwd, timeout=600)
+
+    def run(self, command, *arguments, cwd=None, timeout=300, code=0):
+        done = subprocess.run(
+            [self.folder / "bin" / command, *arguments],
+            cwd=cwd or self.folder,
+            capture_output=True,
+            text=True,
+            timeout=timeout,
+        )
+        assert done.returncode == code, done.stdout + done.stderr
+        return done
+
+    def python(self, code, **options):
+        return self.run("python", "-c", code, **options).stdout
+
+
+@pytest.fixture
+def checkout(tmp_path):
+    """The files that git tracks, in a folder of their own."""
+    names = subprocess.run(
+        ["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, check=True, timeout=60
+    ).stdout
+    for name in filter(None, names.decode().split("\0")):
+        if not name.startswith("tests/") and (ROOT / name).is_file():
+            copy = tmp_path / "checkout" / name
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / name, copy)
+    return tmp_path / "checkout"
+
+
+def test_every_documented_line_is_tried():
+    found = {
+        line
+        for path in DOCUMENTS
+        for line in re.findall(
+            r"pip install ((?:-e )?\"?[.\w-]+(?:\[\w+\])?\"?)", path.read_text(encoding="utf-8")
+        )
+        if "trajlib" in line or line.startswith("-e")
+    }
+    assert found - {"trajlib"} <= set(TRIED) and all(name in globals() for name in TRIED.values())
+
+
+def test_the_library_alone(tmp_path, checkout):
+    environment = Environment(tmp_path / "env", ["-e", "."], checkout)
+    present = environment.python(
+        f"import importlib.util; print([n for n in {COURSE} if importlib.util.find_spec(n)])"
+    )
+    assert present == "[]\n", "the library needs its six dependencies and nothing else"
+    modules, examples, failures = map(int, environment.python(DOCTESTS).split()[-3:])
+    assert modules > 100 and examples > 400 and failures == 0
+    missing = environment.run("workbook", "problems", code=2).stderr
+    assert "trajlib[workbook]" in missing and missing.count("\n") == 1
+
+
+def test_a_student_without_a_checkout(tmp_path):
+    subprocess.run(
+        [
+            sys.executable,
+            "-m",
+            "pip",
+            "wheel",
+            "--quiet",
+            "--no-deps",
+            "--wheel-dir",
+            tmp_path,
+            ROOT,
+        ],
+        check=True,
+        timeout=300,
+    )
+    [wheel] = tmp_path.glob("trajlib-*.whl")
+    environment = Environment(tmp_path / "env", [f"{wheel.name}[workbook]"], tmp_path)
+    environment.run("workbook", "exercises", "1.15", "--to", "mine", cwd=tmp_path)
+    path = tmp_path / "mine" / "ch1" / "p15.ipynb"
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        for name, answer in RIGHT_1_15.items():
+            cell["source"] = "".join(cell["source"]).replace(f"{name} = ...", f"{name} = {answer}")
+    path.write_text(json.dumps(notebook), encoding="utf-8")
+    assert "5 of 5 right" in environment.run("workbook", "check", path, cwd=tmp_path).stdout
+
+
+def test_a_checkout_with_lectures(tmp_path, checkout):
+    environment = Environment(tmp_path / "env", ["-e", ".[live]"], checkout)
+    solved = environment.run("workbook", "solve", "5.3", cwd=checkout).stdout
+    assert "right" in solved and "wrong" not in solved, "whose proof needs python-flint"
+    assert "fastest-motion" in environment.run("workbook", "live", cwd=checkout).stdout
+    environment.run("jupyter", "lab", "--version")
+
+
+def test_a_checkout_for_a_cluster(tmp_path, checkout):
+    environment = Environment(tmp_path / "env", ["-e", ".[cluster]"], checkout)
+    assert "--cluster" in environment.run("workbook", "grade", "--help", cwd=checkout).stdout
+    environment.python("import workbook.grading.cluster.coordinator, distributed")

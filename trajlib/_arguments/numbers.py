@@ -1,0 +1,124 @@
+"""Reading of numbers, times, names and arrays of floats, without SymPy."""
+
+import operator
+
+import numpy as np
+
+
+def read_number(value, name):
+    """Return a finite float."""
+    try:
+        value = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected a number, got {value!r}") from None
+    if not np.isfinite(value):
+        raise ValueError(f"{name}: expected a finite number, got {value}")
+    return value
+
+
+def read_positive(value, name, unit):
+    """Return a positive finite float; `unit` is its unit in words, for the message."""
+    value = read_number(value, name)
+    if value <= 0:
+        raise ValueError(f"{name}: expected a positive number ({unit}), got {value:g}")
+    return value
+
+
+def read_count(value, name, least):
+    """Return an integer that is at least `least`."""
+    try:
+        value = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: expected a whole number, got {value!r}") from None
+    if value < least:
+        raise ValueError(f"{name}: expected {least} or more, got {value}")
+    return value
+
+
+def read_interval(value, name, meaning="(low, high)"):
+    """Return two finite floats, the first not above the second."""
+    ends = read_array(value, name, meaning)
+    if ends.shape != (2,) or not np.isfinite(ends).all() or ends[0] > ends[1]:
+        raise ValueError(f"{name}: expected {meaning} with low <= high, got {value!r}")
+    return float(ends[0]), float(ends[1])
+
+
+def read_points(value, name, length=2):
+    """Return finite points of `length` coordinates as an array of shape (..., length)."""
+    value = read_array(value, name, f"numbers of shape (..., {length})")
+    if value.ndim == 0 or value.shape[-1] != length:
+        raise ValueError(f"{name}: expected shape (..., {length}), got {value.shape}")
+    if not np.isfinite(value).all():
+        raise ValueError(f"{name}: expected finite numbers")
+    return value
+
+
+def read_array(value, name, expected):
+    """Return an array of floats of any shape; `expected` says in the message what was expected."""
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: expected {expected}, got {value!r}") from None
+
+
+def read_times(
+    times,
+    name="times",
+    least=1,
+    repeated="put the measurements of one time into one function or matrix H",
+):
+    """Return `least` or more (one or two) finite times in order as a flat array.
+
+    `repeated` is the advice where two times are equal; None if that is allowed.
+    """
+    times = np.asarray(times, dtype=float)
+    if times.ndim != 1 or times.size < least:
+        got = times.size if times.ndim == 1 and times.size else f"shape {times.shape}"
+        raise ValueError(
+            f"{name}: expected a list of {'two or more ' * (least == 2)}times, got {got}"
+        )
+    if not np.isfinite(times).all():
+        k = np.flatnonzero(~np.isfinite(times))[0]
+        raise ValueError(f"{name}: expected a list of finite times, but entry {k} is not finite")
+    steps = np.diff(times)
+    wrong = np.flatnonzero(steps < 0 if repeated is None else steps <= 0)
+    if not wrong.size:
+        return times
+    k = wrong[0]
+    if steps[k] == 0:
+        raise ValueError(
+            f"{name}: the time {times[k]:g} is repeated (entries {k} and {k + 1}); {repeated}"
+        )
+    order = "increase" if repeated is not None else "not decrease"
+    raise ValueError(
+        f"{name}: the times must {order}, but {times[k]:g} is followed by {times[k + 1]:g} "
+        f"(entries {k} and {k + 1}); sort them, with their measurements"
+    )
+
+
+def read_numeric_matrix(matrix, name, dtype=float):
+    """Return a two-dimensional array with finite entries of the type `dtype`."""
+    matrix = np.asarray(matrix)
+    try:
+        matrix = matrix.astype(dtype)
+    except (TypeError, ValueError):
+        raise TypeError(
+            f"{name}: expected a matrix of numbers, got entries such as {matrix.flat[0]!r}; "
+            "substitute numbers first"
+        ) from None
+    if matrix.ndim != 2:
+        raise ValueError(f"{name}: expected a matrix, got shape {matrix.shape}")
+    if not np.isfinite(matrix).all():
+        row, column = np.argwhere(~np.isfinite(matrix))[0]
+        raise ValueError(f"{name}: the entry ({row}, {column}) is not finite")
+    return matrix
+
+
+def read_names(names, m, what="names"):
+    """Return m names of unknowns; x0, x1, ... if None."""
+    if names is None:
+        return tuple(f"x{j}" for j in range(m)) if what == "names" else ("",) * m
+    names = tuple(str(name) for name in ([names] if isinstance(names, str) else names))
+    if len(names) != m:
+        raise ValueError(f"{what}: expected {m}, one for each unknown, got {len(names)}")
+    return names

@@ -1,0 +1,122 @@
+"""Covariances and gains of the discrete Kalman filter.
+
+They do not depend on the data. For constant matrices they converge, and the rest of the convergence
+is known to first order: with the error matrix F = Phi (E - KH) the changes after a change D add up
+to the X with X = F X F^T + D. Once X is below 1e-13 of the variances the gain is kept. A missing
+measurement ends that, and the covariances are stepped again.
+"""
+
+import numpy as np
+
+from trajlib._arguments.covariances import ROUNDING
+
+#: The gain is kept once the rest of the convergence is below this share of the variances.
+SETTLED = 1e-13
+
+LOST = (
+    "the covariance has lost its definiteness to rounding: the variances differ by too many "
+    "powers of ten, or the model is unstable and unobserved; scale the states, or check Q and R"
+)
+
+
+def at_steps(matrix, count):
+    """Return a matrix, or a stack with one for each step, as a stack of `count` matrices."""
+    return np.broadcast_to(matrix, (count, *matrix.shape[-2:]))
+
+
+def filter_covariances(model, P, missing):
+    """Return for each step the index of its matrices, and these.
+
+    They are P-, P+, K, S, the inverse of S for the measured components, and log det S + m log 2 pi.
+    """
+    constant = all(getattr(model, name).ndim == 2 for name in ("Phi", "H", "Q", "R"))
+    count = len(missing)
+    Phis, Hs, Qs, Rs = (
+        at_steps(matrix, count) for matrix in (model.Phi, model.H, model.Q, model.R)
+    )
+    complete, all_missing = ~missing.any(axis=1), missing.all(axis=1)
+    # The first step from each on at which something is missing.
+    gaps = np.append(np.flatnonzero(~complete), count)
+    following = gaps[np.searchsorted(gaps, np.arange(count))]
+    index, steps, first, k = np.empty(count, dtype=np.int64), [], [], 0
+    identity, no_gain = np.eye(len(P)), np.zeros((len(P), Hs.shape[1]))
+    while k < count:
+        Phi = Phis[k]
+        if all_missing[k]:
+            after, K = P, no_gain
+        elif complete[k]:
+            after, K = _corrected(P, Hs[k], Rs[k], identity)
+        else:
+            rows = np.flatnonzero(~missing[k])
+            after, gain = _corrected(P, Hs[k][rows], Rs[k][np.ix_(rows, rows)], identity)
+            K = no_gain.copy()
+            K[:, rows] = gain
+        index[k] = len(steps)
+        steps.append((P, after, K))
+        first.append(k)
+        predicted = Phi @ after @ Phi.T + Qs[k]
+        predicted = (predicted + predicted.T) / 2
+        if constant and following[k] > k + 1 and _settled(model, P, K, predicted - P):
+            index[k : following[k]] = len(steps) - 1
+            k = following[k]
+        else:
+            k += 1
+        P = predicted
+    before, after, gains = (np.array(part) for part in zip(*steps))
+    first = np.array(first)
+    H, R = Hs[first], Rs[first]
+    spread = H @ before @ H.transpose(0, 2, 1) + R
+    return index, (before, after, gains, spread, *_inverses(spread, missing[first]))
+
+
+def _corrected(P, H, R, identity):
+    """Return P+ and K in as few calls as possible, since each step may need them."""
+    from scipy.linalg.lapack import dposv
+
+    HP = H @ P
+    _, solved, failed = dposv(HP @ H.T + R, HP)
+    if failed:
+        raise ValueError(LOST)
+    gain = solved.T
+    reduction = identity - gain @ H
+    after = reduction @ P @ reduction.T + gain @ R @ gain.T
+    return (after + after.T) / 2, gain
+
+
+def _inverses(spread, missing):
+    """Return S^-1 of the measured components, zero elsewhere, and their log det S + m log 2 pi."""
+    m = spread.shape[-1]
+    # Identity rows for missing components: they do not change the rest, and their determinant is
+    # one.
+    measured = ~missing[:, :, None] & ~missing[:, None, :]
+    block = np.where(measured, spread, np.eye(m) * missing[:, :, None])
+    if not np.isfinite(block).all():
+        raise ValueError(LOST)
+    logarithm = np.linalg.slogdet(block)[1] + (m - missing.sum(axis=1)) * np.log(2 * np.pi)
+    return np.where(measured, np.linalg.inv(block), 0.0), logarithm
+
+
+def _settled(model, P, K, change):
+    """Return whether the rest of the convergence, after a step of size `change`, is negligible."""
+    # One entry decides most steps at almost no cost.
+    if not abs(change[0, 0]) <= SETTLED * P[0, 0]:
+        return False
+    units = np.sqrt(np.diag(P))
+    if not ((units > 0).all() and np.abs(change / np.outer(units, units)).max() <= SETTLED):
+        return False
+    from scipy.linalg import solve_discrete_lyapunov
+
+    F = model.Phi @ (np.eye(len(P)) - K @ model.H)
+    if np.abs(np.linalg.eigvals(F)).max() >= 1 - 1e-10:
+        return False
+    rest = solve_discrete_lyapunov(F, change)
+    return np.abs(rest / np.outer(units, units)).max() <= SETTLED
+
+
+def check_definiteness(covariances):
+    """Raise ValueError if a covariance has lost its definiteness to rounding."""
+    variances = np.einsum("kii->ki", covariances)
+    units = np.sqrt(np.where(variances > 0, variances, 1))
+    least = np.linalg.eigvalsh(covariances / (units[:, :, None] * units[:, None, :])).min()
+    if not (least > -ROUNDING and (variances >= 0).all()):
+        raise ValueError(LOST)

@@ -1,0 +1,121 @@
+"""Reading of times, samples, functions of time and covariances."""
+
+from functools import lru_cache
+from numbers import Real
+
+import numpy as np
+
+#: Singular values below this many roundings are zero.
+ROUNDINGS = 10
+
+
+def derivative_of(y, r):
+    """Return the derivative of order r as a function of arrays."""
+    if hasattr(y, "free_symbols"):
+        return _lambdified(y, r)
+    if hasattr(y, "deriv"):
+        return y.deriv(r) if r else y
+    if hasattr(y, "antiderivative"):
+        return y.derivative(r) if r else y
+    if isinstance(y, Real):
+        return lambda t: np.full(np.shape(t), float(y) if r == 0 else 0.0)[()]
+    if not callable(y):
+        raise TypeError(f"basis, nuisance: expected functions of time, got {y!r}")
+    if r:
+        raise TypeError(
+            "basis: a Python function has no derivative; give a SymPy expression, a polynomial of "
+            "numpy.polynomial or a spline"
+        )
+    return y
+
+
+@lru_cache(maxsize=512)
+def _lambdified(expression, r):
+    import sympy as sp
+
+    symbols = sorted(expression.free_symbols, key=str)
+    if len(symbols) > 1:
+        raise ValueError(
+            f"basis, nuisance: {expression} has the symbols {', '.join(map(str, symbols))}; "
+            "expected a function of the time alone, give the others numbers"
+        )
+    t = symbols[0] if symbols else sp.Symbol("t")
+    function = sp.lambdify(t, expression.diff(t, r) if r else expression, "numpy")
+    return lambda times: function(np.asarray(times, dtype=float)) + np.zeros(np.shape(times))
+
+
+def sample_functions(functions, times, name):
+    """Return the samples of functions of time by rows."""
+    with np.errstate(all="ignore"):
+        rows = [
+            np.broadcast_to(np.asarray(derivative_of(y, 0)(times), dtype=float), times.shape)
+            for y in functions
+        ]
+    for k, row in enumerate(rows):
+        if not np.isfinite(row).all():
+            raise ValueError(
+                f"{name}: function {k} is not finite at t = {times[~np.isfinite(row)][0]:g}"
+            )
+    return np.array(rows).reshape(len(rows), times.size)
+
+
+def read_times(times):
+    """Return finite times that do not decrease."""
+    times = np.asarray(times, dtype=float)
+    if times.ndim != 1 or times.size == 0 or not np.isfinite(times).all():
+        raise ValueError(f"times: expected a list of finite numbers, got shape {times.shape}")
+    if (np.diff(times) < 0).any():
+        k = int(np.flatnonzero(np.diff(times) < 0)[0])
+        raise ValueError(
+            f"times: they must not decrease, but {times[k]:g} is followed by {times[k + 1]:g}; "
+            "sort them, with their samples"
+        )
+    return times
+
+
+def read_samples(h, size):
+    """Return finite samples, shape (N,) or (N, records)."""
+    h = np.asarray(h, dtype=float)
+    if h.ndim not in (1, 2) or h.shape[0] != size:
+        raise ValueError(
+            f"h: expected {size} samples, one a time, or ({size}, records), got shape {h.shape}"
+        )
+    if not np.isfinite(h).all():
+        raise ValueError(
+            f"h: sample {np.argwhere(~np.isfinite(h))[0][0]} is not finite; leave out what was not "
+            f"measured, with its time"
+        )
+    return h
+
+
+def read_covariance(covariance, size):
+    """Return N variances or a positive definite matrix (N, N)."""
+    K = np.asarray(covariance, dtype=float)
+    if K.shape not in ((), (size,), (size, size)):
+        raise ValueError(
+            f"covariance: expected a variance, {size} variances or a matrix ({size}, {size}), got "
+            f"shape {K.shape}"
+        )
+    if not np.isfinite(K).all():
+        raise ValueError("covariance: expected finite numbers")
+    if K.ndim < 2:
+        if (K <= 0).any():
+            raise ValueError(f"covariance: variances must be positive, got {K.min():g}")
+        return np.broadcast_to(K, (size,))
+    if np.abs(K - K.T).max() > 1e-10 * np.abs(K).max():
+        raise ValueError("covariance: the matrix must be symmetric")
+    lowest = np.linalg.eigvalsh(K)
+    if lowest[0] <= ROUNDINGS * size * np.finfo(float).eps * lowest[-1]:
+        raise ValueError(
+            f"covariance: the matrix must be positive definite, its smallest eigenvalue is "
+            f"{lowest[0]:.3g}: some combination of the samples would have no error"
+        )
+    return K
+
+
+def read_finite(t, name):
+    """Return a finite number or an array of them."""
+    t = np.asarray(t, dtype=float)
+    if t.ndim > 1 or not np.isfinite(t).all():
+        raise ValueError(f"{name}: expected a finite number or a list of them, got {t.tolist()}")
+    return t

@@ -1,0 +1,1 @@
+"""Direct methods: from a problem to discrete solutions by nonlinear programming."""

@@ -1,0 +1,226 @@
+"""Proofs that no admissible control leads to the target; `Infeasible` names one of them.
+
+1. *A monotone quantity.* l = p^T y with l' = mu l + g(u), p being a left eigenvector of a linear plant, or y_i itself
+   if its rate depends on the controls alone. Whatever the control, l stays between the solutions
+   for the least and the greatest g, each of which is monotone in time. If the target asks for a
+   value beyond them, it cannot be reached.
+2. *An uncontrollable quantity.* For a linear plant l = q^T G y, G y = d being the target, with q^T G A^k B = 0 for all
+   k: it follows the free motion. If this is not q^T d, the target cannot be reached.
+3. *A separating costate.* For a linear plant and a given time all states that can be reached lie on one side of a
+   hyperplane, and the target on the other: q^T (G y(T) - d) > 0 for the control that minimises it.
+
+Contradictory linear terminal equations are refused too. Angles count as vectors in discs
+(`angle_relaxation`): a plant that is linear in cos u and sin u is linear here.
+"""
+
+import numpy as np
+import sympy as sp
+
+from trajlib.pontryagin.problem.errors import Infeasible
+from trajlib.pontryagin.problem.numeric import NumericProblem
+
+# Margin by which a value counts as beyond a bound, relative to the size of the values.
+MARGIN = 1e-9
+
+
+def refuse_infeasible(numeric: NumericProblem) -> None:
+    """Raise `Infeasible` for an empty target, or by a monotone or uncontrollable quantity."""
+    target = _linear_target(numeric.problem)
+    if target is None:
+        return
+    G, d = target
+    _refuse_contradiction(G, d)
+    if numeric.angle_relaxation is None or np.isnan(numeric.start).any():
+        return
+    for p, mu, drift, gains in _quantities(numeric):
+        weights, *_ = np.linalg.lstsq(G.T, p, rcond=None)
+        if np.max(np.abs(G.T @ weights - p)) > 1e-12 * np.max(np.abs(p)):
+            continue
+        value, required = float(p @ numeric.start), float(weights @ d)
+        least, greatest = _range(value, mu, drift, gains, numeric)
+        size = MARGIN * (1 + abs(value) + abs(required))
+        if required < least - size or required > greatest + size:
+            quantity = sum(
+                (
+                    sp.Rational(repr(float(c))).limit_denominator(10**6) * y
+                    for c, y in zip(p, numeric.problem.state)
+                ),
+                sp.Integer(0),
+            )
+            limit = (
+                f"cannot fall below {least:.6g}"
+                if required < least
+                else f"cannot exceed {greatest:.6g}"
+            )
+            when = "" if numeric.duration is None else f" at the time {numeric.duration:.6g}"
+            raise Infeasible(
+                f"no admissible control leads to the target: {quantity} begins at {value:.6g} and "
+                f"{limit}{when}, whatever the control; the target asks for {required:.6g}. The "
+                "target cannot be reached from this start."
+            )
+    _refuse_unmoved(numeric)
+
+
+def _refuse_contradiction(G, d):
+    """Raise `Infeasible` if G y = d for no y."""
+    nearest, *_ = np.linalg.lstsq(G, d, rcond=None)
+    if np.max(np.abs(G @ nearest - d)) > MARGIN * (1 + np.max(np.abs(d))):
+        raise Infeasible(
+            "the terminal equations contradict one another: no state satisfies all of them. Leave "
+            "out what is not asked for."
+        )
+
+
+def _refuse_unmoved(numeric):
+    """Raise `Infeasible` if an uncontrollable combination of the target's equations fails."""
+    problem = numeric.angle_relaxation.problem
+    plant = _linear_plant(problem)
+    if plant is None:
+        return
+    A, _B, c = plant
+    state, n = sp.Matrix(problem.state), numeric.n
+    G = sp.Matrix(problem.terminal).jacobian(problem.state)
+    d = -sp.Matrix(problem.terminal).subs(dict.fromkeys(problem.state, 0))
+    duration = numeric.duration
+    for q in sp.Matrix.hstack(*(G * part for part in _exact_powers(problem))).T.nullspace():
+        row, required = (q.T * G), float((q.T * d)[0])
+        p = np.array(row.evalf(), dtype=float).ravel()
+        if duration is None:
+            # At any time: only quantities that the free motion does not change either.
+            rates = [np.linalg.matrix_power(A, k) @ (A @ numeric.start + c) for k in range(n)]
+            if any(
+                abs(p @ rate) > MARGIN * np.abs(p).max() * (1 + np.abs(rate).max())
+                for rate in rates
+            ):
+                continue
+            value = float(p @ numeric.start)
+        else:
+            value = float(p @ _free_motion(A, c, numeric.start, duration))
+        if abs(value - required) > MARGIN * (1 + abs(value) + abs(required)):
+            when = "at all times" if duration is None else f"at the time {duration:.6g}"
+            raise Infeasible(
+                f"no control leads to the target: {sp.sstr((row * state)[0])} does not depend on "
+                f"the control and is {value:.6g} {when}; the target asks for {required:.6g}. The "
+                "pair (A, B) of the plant is not controllable; choose an end that keeps to this "
+                "combination."
+            )
+
+
+def _exact_powers(problem):
+    """Yield B, A B, ..., A^(n-1) B of a linear plant as SymPy matrices."""
+    field = sp.Matrix(problem.field)
+    A, part = field.jacobian(problem.state), field.jacobian(problem.control)
+    for _ in problem.state:
+        yield part
+        part = (A * part).applyfunc(sp.expand)
+
+
+def _free_motion(A, c, start, duration):
+    """Return the state at the duration without control."""
+    from scipy.linalg import expm
+
+    extended = np.zeros((len(A) + 1, len(A) + 1))
+    extended[:-1, :-1], extended[:-1, -1] = A, c
+    return (expm(extended * duration) @ np.append(start, 1.0))[:-1]
+
+
+def is_separated(numeric, duration, final_state):
+    """Check whether a hyperplane separates the target from all states reachable at a time.
+
+    `final_state`: the reachable state closest to the target. A proof for linear plants and targets;
+    False elsewhere, and where the separation is not clear of errors of integration.
+    """
+    target = _linear_target(numeric.problem)
+    plant = _linear_plant(numeric.angle_relaxation.problem) if numeric.angle_relaxation else None
+    if target is None or plant is None or np.isnan(numeric.start).any():
+        return False
+    from scipy.linalg import expm
+
+    G, d = target
+    A, B, c = plant
+    residual = G @ final_state - d
+    n, panels = len(A), 2000
+    # psi(T - s) = e^(A^T s) G^T q on a grid; (c, 1) as a further state of the plant.
+    extended = np.zeros((n + 1, n + 1))
+    extended[:n, :n], extended[:n, n] = A, c
+    step, row = expm(extended * duration / panels), np.append(residual @ G, 0.0)
+    rows = [row]
+    for _ in range(panels):
+        row = row @ step
+        rows.append(row)
+    least = numeric.angle_relaxation.least(np.array(rows)[:, :n] @ B)
+    if not np.isfinite(least).all():
+        return False  # a control without bounds leads beyond every hyperplane
+    gap = (
+        rows[-1] @ np.append(numeric.start, 1.0)
+        - residual @ d
+        + duration * (np.sum(least) - (least[0] + least[-1]) / 2) / panels
+    )
+    return bool(np.isfinite(gap) and gap > 0.1 * residual @ residual > 0)
+
+
+def _linear_target(problem):
+    """Return (G, d) of the terminal equations G y = d, or None."""
+    if not problem.terminal:
+        return None
+    G = sp.Matrix(problem.terminal).jacobian(problem.state)
+    if G.free_symbols:
+        return None
+    d = -sp.Matrix(problem.terminal).subs(dict.fromkeys(problem.state, 0))
+    return np.array(G.evalf(), dtype=float), np.array(d.evalf(), dtype=float).ravel()
+
+
+def _linear_plant(problem):
+    """Return (A, B, c) of the plant y' = A y + B u + c, or None."""
+    slopes = sp.Matrix(problem.field).jacobian([*problem.state, *problem.control])
+    if slopes.free_symbols:
+        return None
+    c = sp.Matrix(problem.field).subs(dict.fromkeys([*problem.state, *problem.control], 0))
+    slopes, n = np.array(slopes.evalf(), dtype=float), len(problem.state)
+    return slopes[:, :n], slopes[:, n:], np.array(c.evalf(), dtype=float).ravel()
+
+
+def _quantities(numeric):
+    """Yield (p, mu, drift, gains) of quantities l = p^T y with l' = mu l + drift + gains^T u."""
+    problem, n = numeric.angle_relaxation.problem, numeric.n
+    plant = _linear_plant(problem)
+    if plant is not None:
+        A, B, c = plant
+        for mu, p in zip(*(values.T for values in np.linalg.eig(A.T))):
+            p = np.real_if_close(p, 1e4)
+            if (
+                np.isreal(mu)
+                and np.isrealobj(p)
+                and np.max(np.abs(p @ A - mu.real * p)) < 1e-13 * (1 + np.max(np.abs(A)))
+            ):
+                p = p / p[np.argmax(np.abs(p))]
+                yield p, float(mu.real), float(p @ c), p @ B
+        return
+    for i, rate in enumerate(problem.field):
+        slopes = [sp.diff(rate, u) for u in problem.control]
+        if not (rate.free_symbols - set(problem.control)) and not any(
+            s.free_symbols for s in slopes
+        ):
+            drift = rate.subs(dict.fromkeys(problem.control, 0))
+            yield np.eye(n)[i], 0.0, float(drift), np.array([float(s) for s in slopes])
+
+
+def _range(value, mu, drift, gains, numeric):
+    """Return the least and the greatest value of l at the duration, or at any time."""
+    least, greatest = numeric.angle_relaxation.least(gains), -numeric.angle_relaxation.least(-gains)
+    result = []
+    for rate, choose in ((drift + float(least), min), (drift + float(greatest), max)):
+        longest = numeric.duration or (numeric.longest if numeric.time_bounds_given else np.inf)
+        end = _after(value, mu, rate, longest)
+        result.append(end if numeric.duration is not None else choose(value, end))
+    return result
+
+
+def _after(value, mu, drift, time):
+    """Return l after a time, for l' = mu l + drift."""
+    if np.isinf(drift):
+        return drift
+    if np.isinf(time):
+        growth = mu * value + drift
+        return -drift / mu if mu < 0 else value if growth == 0 else np.copysign(np.inf, growth)
+    return value * np.exp(mu * time) + drift * (np.expm1(mu * time) / mu if mu else time)

@@ -1,0 +1,340 @@
+"""Discrete solutions from several starting guesses, or the reason why there is none."""
+
+from dataclasses import dataclass
+from itertools import zip_longest
+
+import numpy as np
+
+from trajlib.pontryagin.direct.descent import descend
+from trajlib.pontryagin.direct.free_duration import FALLS, least_time, user_cost
+from trajlib.pontryagin.direct.guesses import (
+    oscillating_guesses,
+    refuse_start_on_target,
+    starting_guesses,
+    target_sides,
+)
+from trajlib.pontryagin.direct.infeasibility import is_separated, refuse_infeasible
+from trajlib.pontryagin.direct.transcription import (
+    INTERVALS,
+    PATIENCE,
+    DirectSolution,
+    Transcription,
+)
+from trajlib.pontryagin.problem.arcs import arc_name
+from trajlib.pontryagin.problem.errors import Infeasible, NotConverged, Unbounded
+from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.verification.optimality import sufficiency_theorem, target_can_be_held
+
+# Several guesses are compared on fewer intervals; solutions within this share of the best cost are
+# refined.
+COARSE, CLOSE = 30, 0.05
+# Most iterations on many intervals from a solution on few; how many guesses of several kinds in a
+# row have to lead to one process to be enough.
+REFINING, AGREEING = 80, 3
+# How often oscillations are tried again in the duration of the best process found.
+OSCILLATIONS = 4
+
+
+@dataclass(frozen=True)
+class SearchResult:
+    """Discrete solutions, the best first, and how they were found.
+
+    Attributes
+    ----------
+    solutions : list of tuple
+        (DirectSolution, side of the target).
+    starts : int
+        Number of starting guesses that were tried.
+    found : int
+        Number of different processes to which they led.
+    coarse_durations : list of float
+        The durations that the solutions had on few intervals.
+    """
+
+    solutions: list[tuple[DirectSolution, int | None]]
+    starts: int
+    found: int
+    coarse_durations: list[float]
+
+
+def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
+    """Search for discrete solutions over the sides of the target.
+
+    Where a theorem makes every extremal optimal one solution is enough, and so with a guess or
+    given arcs. Otherwise guesses of several kinds are tried on few intervals, and the best
+    solutions are refined. Raises `PontryaginError` with the reason if there is none.
+    """
+    refuse_start_on_target(numeric)
+    refuse_infeasible(numeric)
+    multistart = _Multistart(numeric, structure)
+    single = guess is not None or structure is not None or sufficiency_theorem(numeric.problem)
+    solutions = []
+    for side in target_sides(numeric):
+        solutions += (
+            multistart.first_solution(side, guess) if single else multistart.best_solutions(side)
+        )
+    if not solutions:
+        multistart.raise_reason()
+    # Where a theorem makes every extremal optimal there are no saddles.
+    if not multistart.convex and structure is None:
+        solutions = [(descend(numeric, solution, side), side) for solution, side in solutions]
+    solutions.sort(key=lambda pair: pair[0].cost)
+    return SearchResult(
+        solutions, multistart.starts, max(multistart.found, 1), multistart.coarse_durations
+    )
+
+
+class _Multistart:
+    """The guesses tried, the failures, and the least distance from the target."""
+
+    def __init__(self, numeric, structure):
+        self.numeric, self.structure = numeric, structure
+        self.failures, self.closest, self.starts, self.found = [], np.inf, 0, 0
+        self.nearest, self.convex = None, sufficiency_theorem(numeric.problem) is not None
+        self.coarse_durations = []
+
+    def solve(self, programme, start):
+        """Return the solution found from a guess in a list; a failure is noted."""
+        self.starts += 1
+        result = programme.solve(start)
+        if isinstance(result, DirectSolution):
+            return [result]
+        self.failures.append(result)
+        return []
+
+    def first_solution(self, side, guess):
+        """Return the first solution, from the guess or from the likeliest guesses, in a list."""
+        numeric = self.numeric
+        programme = Transcription(numeric, INTERVALS, self.structure, side)
+        # A point is hardly reached by chance: begin with some process that reaches it.
+        ladder_first = guess is None and numeric.duration is None and numeric.m > 1
+        for attempt in ("ladder", "guesses") if ladder_first else ("guesses", "ladder"):
+            if attempt == "guesses":
+                starts = (
+                    [guess] if guess is not None else starting_guesses(numeric, INTERVALS, side)
+                )
+            elif guess is None and numeric.m and not self.divergence():
+                starts = self.process_to_target(side)
+            else:
+                starts = []
+            for start in starts:
+                solutions = self.solve(programme, start)
+                if solutions:
+                    self.found += 1
+                    return [(solution, side) for solution in solutions]
+        return []
+
+    def best_solutions(self, side):
+        """Return the best of the solutions from several guesses, refined, in a list."""
+        numeric = self.numeric
+        coarse = Transcription(numeric, COARSE, None, side, patience=PATIENCE)
+        point = numeric.duration is None and numeric.m > 1
+        coarse_solutions = self._distinct_solutions(coarse, self._diverse_guesses(side, point))
+        ladder_tried = numeric.m == 0 or point
+        if not coarse_solutions:
+            # Few intervals may be too long for a plant that is fast or unstable.
+            fine = Transcription(numeric, INTERVALS, None, side)
+            coarse_solutions = self._distinct_solutions(fine, self._diverse_guesses(side))
+            if not coarse_solutions and not ladder_tried and not self.divergence():
+                coarse_solutions = self._distinct_solutions(fine, self.process_to_target(side))
+        if point and len(coarse_solutions) > 1:
+            coarse_solutions = self._improved_by_oscillations(coarse, coarse_solutions)
+        self.found += len(coarse_solutions)
+        fine_programme = Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
+        solutions = []
+        for solution in coarse_solutions:
+            if len(solutions) == 3 or (
+                solutions and solution.cost > solutions[0].cost + CLOSE * abs(solutions[0].cost)
+            ):
+                break
+            # Where IPOPT does not converge on many intervals, the solution on few is used.
+            if len(solution.controls) == INTERVALS:
+                solutions.append(solution)
+                continue
+            finer = self.solve(
+                fine_programme, (solution.duration, solution.states, solution.controls)
+            )
+            self.coarse_durations += [solution.duration] * len(finer)
+            solutions += finer or [solution]
+        return [(solution, side) for solution in _distinct(solutions)]
+
+    def _diverse_guesses(self, side, ladder=False):
+        """Yield guesses of several kinds in turn: constant controls, straight lines, oscillations.
+
+        `ladder`: at last a process that reaches the target, which is searched for only if the
+        others are not enough.
+        """
+        starts = list(starting_guesses(self.numeric, COARSE, side))
+        oscillations = oscillating_guesses(self.numeric, COARSE, starts[0][0])
+        yield from (
+            start
+            for pair in zip_longest(starts, oscillations)
+            for start in pair
+            if start is not None
+        )
+        for process in self.process_to_target(side) if ladder else []:
+            yield process
+            # The other guesses may have failed because their durations were too short.
+            for share in (0.7, 0.5, 0.35):
+                yield from oscillating_guesses(self.numeric, COARSE, share * process[0])
+
+    def _distinct_solutions(self, programme, starts):
+        """Return the different solutions, the best first; AGREEING equal ones in a row are enough."""
+        solutions, repeats = [], 0
+        for start in starts:
+            for solution in self.solve(programme, start):
+                before, solutions = len(solutions), _distinct([*solutions, solution])
+                repeats = repeats + 1 if len(solutions) == before else 1
+            if repeats == AGREEING:
+                break
+        return solutions
+
+    def _improved_by_oscillations(self, programme, solutions):
+        """Return the solutions with better ones from oscillations in the duration of the best.
+
+        Where different processes reach a point, the durations of the first guesses were chance.
+        """
+        for _ in range(OSCILLATIONS):
+            best = solutions[0]
+            starts = [
+                start
+                for sign in (1, -1)
+                for start in oscillating_guesses(self.numeric, COARSE, best.duration, sign)
+            ]
+            others = [solution for start in starts for solution in self.solve(programme, start)]
+            solutions = _distinct([*solutions, *others])
+            if solutions[0].cost >= best.cost - FALLS * abs(best.cost):
+                break
+        return solutions
+
+    def process_to_target(self, side):
+        """Return a process that ends on the target in a list; empty if none was found.
+
+        The least distance is noted. A free duration is fixed at one trial value after another, up
+        and down a ladder: then the search is convex for a linear system, and finds a process if
+        there is one.
+        """
+        numeric = self.numeric
+        programme = Transcription(
+            numeric, INTERVALS // 3, self.structure, side, distance_only=True, patience=PATIENCE
+        )
+        _, states, controls = next(iter(starting_guesses(numeric, INTERVALS, side)))
+        processes = []
+
+        def reached(duration):
+            if numeric.duration is None and not numeric.shortest <= duration <= numeric.longest:
+                return False
+            # Zero control is stationary where the plant has no drift: try an oscillation as well.
+            start = (duration, states, controls)
+            for guess in [start, *oscillating_guesses(numeric, INTERVALS // 3, duration)[:1]]:
+                result = programme.solve(guess, duration)
+                if isinstance(result, DirectSolution):
+                    distance = float(np.sqrt(max(result.cost, 0.0)))
+                    if distance < self.closest:
+                        self.closest, self.nearest = distance, (duration, result.states[-1])
+                    if distance < 1e-4:
+                        processes[:] = [(duration, result.states, result.controls)]
+                        return True
+                    if self.convex:
+                        return False
+            return False
+
+        if numeric.duration is not None:
+            reached(numeric.duration)
+        elif reached(1.0):
+            for duration in (0.25, 0.06):
+                if not reached(duration):
+                    break
+        else:
+            ladder = (2.0, 4.0, 8.0, 16.0, 32.0, 64.0, 0.25, 128.0, 256.0, 512.0)
+            # A point that can be held is reached in the longest time allowed, if it is reached at
+            # all.
+            ladder += (numeric.longest,) * numeric.time_bounds_given
+            duration = next((d for d in ladder if reached(d)), None)
+            if duration is not None and duration > 2:
+                reached(duration / np.sqrt(2))
+        return processes
+
+    def divergence(self):
+        """Return the failure in which the cost fell without bound, or None."""
+        for failure in self.failures:
+            large = failure.cost < -1e8 or failure.largest_state > 1e12
+            if failure.status == "Diverging_Iterates" or (
+                large and failure.status == "Maximum_Iterations_Exceeded"
+            ):
+                return failure
+        return None
+
+    def raise_reason(self):
+        """Raise the reason why no solution was found."""
+        numeric, failure = self.numeric, self.divergence()
+        if failure:
+            raise Unbounded(
+                f"the cost falls without bound (it passed {user_cost(numeric, failure.cost):.3g}): "
+                "there is no optimal process. Check the sign of the cost, bound the controls, or "
+                "fix the duration."
+            )
+        arcs = (
+            f" with the arcs {', '.join(map(arc_name, self.structure))}" if self.structure else ""
+        )
+        distance_text = (
+            f"the terminal equations are missed by {self.closest:.3g} at least (least distance "
+            "found, by local search)"
+            if 1e-4 < self.closest < np.inf
+            else ""
+        )
+        if distance_text and not arcs:
+            self._refuse_separated(distance_text)
+        status = f", last status: {self.failures[-1].status}" if self.failures else ""
+        longest = (
+            f" that lasts {numeric.longest:g} at most"
+            if numeric.duration is None and not numeric.time_bounds_given
+            else ""
+        )
+        raise NotConverged(
+            f"no process{arcs}{longest} that ends on the target was found from {self.starts} starts"
+            f"{'; ' + distance_text if distance_text else ''} (IPOPT{status}). Nothing is proved by that: give a "
+            "guess for the duration and the states, or look whether the problem has a solution at "
+            "all."
+        )
+
+    def _refuse_separated(self, distance_text):
+        """Raise `Infeasible` if the target is separated from all states reachable in the time."""
+        numeric, (duration, end) = self.numeric, self.nearest
+        longest = numeric.duration if numeric.duration is not None else numeric.longest
+        if duration != longest or (
+            numeric.duration is None and not target_can_be_held(numeric.problem)
+        ):
+            return
+        if not is_separated(numeric, duration, end):
+            return
+        text = (
+            f"no admissible control leads to the target in the time {duration:.6g}: a costate "
+            f"separates it from all states that can be reached; {distance_text}"
+        )
+        shortest = least_time(numeric) if numeric.duration is not None else None
+        if shortest is not None and shortest > numeric.duration:
+            raise Infeasible(
+                f"the duration {duration:.6g} is too short: the least time in which the target is "
+                f"reached is {shortest:.6g}. {text[0].upper() + text[1:]}."
+            )
+        raise Infeasible(text + ". Try another duration, or a free one.")
+
+
+def _distinct(solutions):
+    """Return the solutions without those that show the same process, the best first.
+
+    Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to
+    the next.
+    """
+    kept = []
+    for solution in sorted(solutions, key=lambda p: np.sum(np.abs(np.diff(p.controls, axis=0)))):
+        if not any(
+            abs(solution.cost - other.cost) < 1e-4 * (1e-3 + abs(other.cost))
+            and abs(solution.duration - other.duration) < 1e-3 * other.duration
+            and np.max(np.abs(solution.states - other.states))
+            < 1e-2 * (1 + np.max(np.abs(other.states)))
+            for other in kept
+        ):
+            kept.append(solution)
+    return sorted(kept, key=lambda solution: solution.cost)

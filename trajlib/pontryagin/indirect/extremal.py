@@ -1,0 +1,355 @@
+"""Extremals of a problem: evaluated at any time, certified, shown."""
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal, overload
+
+import numpy as np
+
+from trajlib.pontryagin.indirect.drawing import draw_extremal
+from trajlib.pontryagin.indirect.refinement import arc_lengths
+from trajlib.pontryagin.indirect.shooting import ShootingSolution
+from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, arc_latex
+from trajlib.pontryagin.problem.errors import WrongStructure
+from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.verification.certificate import Certificate, certify
+from trajlib.pontryagin.verification.optimality import Optimality, relaxed_sufficiency_theorem
+from trajlib.pontryagin.verification.proof import Proof, prove
+from trajlib.pontryagin.verification.second_variation import extremal_second_variation
+
+
+@dataclass(frozen=True, eq=False)
+class Extremal:
+    """A trajectory with control and costate that satisfies the maximum principle.
+
+    Attributes
+    ----------
+    problem : Problem
+        The problem that was solved.
+    cost, duration : float
+        J and t_k.
+    arcs : tuple of tuple
+        (kind, begin, end), kind being "u-", "u+" (at a bound), "interior", "singular", or "zero" (u
+        = 0 where the cost contains |u|); with several controls a tuple of them.
+    multiplier : float
+        lambda_0: 1 in the normal case, 0 in the abnormal one (then |psi(0)| = 1).
+    terminal_multipliers : tuple of float
+        lambda_1, ..., lambda_m of the terminal equations.
+    residual : float
+        The largest residual of the boundary value problem that was solved.
+    """
+
+    problem: Statement
+    cost: float
+    duration: float
+    arcs: tuple[tuple, ...]
+    multiplier: float
+    terminal_multipliers: tuple[float, ...]
+    residual: float
+    _numeric: NumericProblem
+    _shot: ShootingSolution
+    _starts: int = 1
+    _found: int = 1
+
+    @property
+    def switching_times(self) -> tuple[float, ...]:
+        """The times between the arcs."""
+        return tuple(begin for _, begin, _ in self.arcs[1:])
+
+    @property
+    def normal(self) -> bool:
+        """Whether lambda_0 > 0."""
+        return self.multiplier > 0
+
+    def state(self, t) -> np.ndarray:
+        """Return the state at given times.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (n,) or (n, N)
+            As exact as the nodes of the integrator.
+
+        Raises
+        ------
+        ValueError
+            For times outside of [0, duration].
+        """
+        return self._along(t, lambda flow, y: y[: self._numeric.n])
+
+    def costate(self, t) -> np.ndarray:
+        """Return the costate psi at given times.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (n,) or (n, N)
+            With lambda_0 = `multiplier`.
+        """
+        return self._along(t, lambda flow, y: y[self._numeric.n : 2 * self._numeric.n])
+
+    def control(self, t) -> np.ndarray:
+        """Return the controls at given times; at a switching the value after it.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (k,) or (k, N)
+            The controls in the order of the problem.
+        """
+        return self._along(t, lambda flow, y: flow.values("control", y, self.multiplier))
+
+    def switching(self, t) -> np.ndarray:
+        """Return dH/du at given times: the switching function of a control in which H is linear.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (k,) or (k, N)
+            One row for each control.
+        """
+        return self._along(t, lambda flow, y: flow.values("slopes", y, self.multiplier))
+
+    def hamiltonian(self, t) -> float | np.ndarray:
+        """Return the Pontryagin function H at given times.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        float or ndarray, shape (N,)
+            Constant along the extremal; zero for a free final time.
+        """
+        value = self._along(t, lambda flow, y: flow.values("hamiltonian", y, self.multiplier))
+        return float(value[0]) if np.ndim(t) == 0 else value[0]
+
+    @overload
+    def certificate(
+        self, points: int | None = None, proved: Literal[False] = False
+    ) -> Certificate: ...
+
+    @overload
+    def certificate(self, points: int | None = None, *, proved: Literal[True]) -> Proof: ...
+
+    def certificate(self, points: int | None = None, proved: bool = False) -> Certificate | Proof:
+        """Return evidence that this is an extremal, computed from the trajectory alone.
+
+        Parameters
+        ----------
+        points : int, optional
+            Number of panels on an arc; see `certify`.
+        proved : bool, optional
+            Whether to prove in ball arithmetic that the exact extremal next to it is optimal, for
+            linear plants and costs that are at most quadratic; needs python-flint.
+
+        Returns
+        -------
+        Certificate or Proof
+            The residuals of all conditions; with `proved` the proof, or the reason why there is
+            none.
+        """
+        if proved:
+            return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
+        return self._certificate if points is None else self._certificate_at(points)
+
+    @cached_property
+    def _certificate(self):
+        return self._certificate_at(None)
+
+    def _certificate_at(self, points):
+        return certify(
+            self.problem,
+            self.state,
+            self.costate,
+            self.control,
+            self.duration,
+            self.switching_times,
+            multiplier=self.multiplier,
+            arcs=[kind for kind, _, _ in self.arcs],
+            points=points,
+        )
+
+    @cached_property
+    def optimality(self) -> Optimality:
+        """What is known beyond the necessary conditions: proved, locally minimal, or best found."""
+
+        def optimality(kind, reason):
+            return Optimality(kind, reason, self._starts, self._found)
+
+        proof = relaxed_sufficiency_theorem(self.problem)
+        if proof and (self.normal or not proof[1]):
+            return optimality("proved", proof[0])
+        if not self.normal:
+            return optimality("extremal", "abnormal: the second variation of the cost says nothing")
+        if self._variation.sign > 0:
+            return optimality(
+                "locally minimal",
+                "the second variation is positive"
+                if self._variation.states is not None
+                else "no variation keeps to the target to first order",
+            )
+        return optimality(
+            "extremal",
+            "the second variation is negative in some direction"
+            if self._variation.sign < 0
+            else "the second variation vanishes in some direction",
+        )
+
+    @cached_property
+    def _variation(self):
+        """The second variation along the extremal; at a bound of the duration this is fixed."""
+        duration = self._numeric.duration
+        if duration is None and self._numeric.time_bounds_given:
+            ends = np.array([self._numeric.shortest, self._numeric.longest])
+            duration = (
+                self.duration
+                if np.min(np.abs(ends - self.duration)) < 1e-9 * (1 + self.duration)
+                else None
+            )
+        return extremal_second_variation(self._numeric, self, duration)
+
+    def plot(self, axes=None) -> np.ndarray:
+        """Draw the phase plane, and states, controls, costates and switching functions against time.
+
+        Parameters
+        ----------
+        axes : array of matplotlib.axes.Axes, optional
+            Three Axes, or four with the phase plane first, for two states or more; new ones if left
+            out.
+
+        Returns
+        -------
+        ndarray of matplotlib.axes.Axes
+            The Axes.
+        """
+        return draw_extremal(self, axes)
+
+    @cached_property
+    def _nodes(self):
+        """For each arc the trajectory at the ends of its steps, (size, steps+1)."""
+        shot = self._shot
+        return [
+            flow.nodes(np.append(start, 0.0), shot.multiplier, length, steps).T[:-1]
+            for flow, start, length, steps in zip(shot.flows, shot.starts, shot.lengths, shot.steps)
+        ]
+
+    def _along(self, t, evaluate):
+        """Evaluate a function of (flow, y) at times."""
+        times = np.atleast_1d(np.asarray(t, dtype=float))
+        if times.ndim != 1:
+            raise ValueError(
+                f"t: expected a number or a one-dimensional array, got shape {times.shape}"
+            )
+        slack = 1e-9 * (1 + self.duration)
+        if not np.all((times >= -slack) & (times <= self.duration + slack)):
+            raise ValueError(f"t: expected times between 0 and the duration {self.duration:.6g}")
+        times = np.clip(times, 0, self.duration)
+        begins = np.concatenate([[0.0], np.cumsum(self._shot.lengths)[:-1]])
+        segment = np.searchsorted(begins, times, side="right") - 1
+        result = None
+        for index in np.unique(segment):
+            flow, length = self._shot.flows[index], self._shot.lengths[index]
+            steps, mask = self._shot.steps[index], segment == index
+            inside = np.clip(times[mask] - begins[index], 0, length)
+            node = np.minimum((inside / length * steps).astype(int), steps - 1)
+            # One step of the integrator from the node before: as exact as the nodes themselves.
+            start = np.vstack([self._nodes[index][:, node], np.zeros(len(node))])
+            y = flow.step.map(len(node))(
+                start, self._shot.multiplier, inside - node * length / steps
+            ).full()[:-1]
+            value = evaluate(flow, y)
+            result = np.empty((len(value), len(times))) if result is None else result
+            result[:, mask] = value
+        return result[:, 0] if np.ndim(t) == 0 else result
+
+    def __repr__(self):
+        shown = ", ".join(f"{kind} [{begin:.6g}, {end:.6g}]" for kind, begin, end in self.arcs)
+        return f"Extremal(cost={self.cost:.12g}, duration={self.duration:.12g}, arcs: {shown})"
+
+    def _repr_markdown_(self):
+        rows = "".join(
+            f"| {arc_latex(kind)} | {begin:.9g} | {end:.9g} |\n" for kind, begin, end in self.arcs
+        )
+        case = r"normal, $\lambda_0 = 1$" if self.normal else r"abnormal, $\lambda_0 = 0$"
+        return (
+            f"$J = {self.cost:.12g}$, $t_k = {self.duration:.12g}$ ({case})\n\n"
+            f"| arc | begin | end |\n|---|---|---|\n{rows}\n{str(self.optimality).capitalize()}.\n"
+        )
+
+
+def extremal_of_shot(
+    numeric: NumericProblem, shot: ShootingSolution, starts: int, found: int
+) -> Extremal:
+    """Return the extremal of a converged solution, with lambda_0 = 1 in the normal case.
+
+    Raises `WrongStructure` if it meets the target before its end, against first_return.
+    """
+    n, problem = numeric.n, numeric.problem
+    largest = max(np.max(np.abs(start[n : 2 * n])) for start in shot.starts)
+    normal = shot.multiplier > 1e-9 * largest
+    scale = shot.multiplier if normal else np.linalg.norm(shot.starts[0][n : 2 * n])
+    for start in shot.starts:
+        start[n : 2 * n] /= scale
+    shot.multiplier = 1.0 if normal else 0.0
+    shot.terminal_multipliers = shot.terminal_multipliers / scale
+    ends = [
+        flow.nodes(np.append(start, 0.0), shot.multiplier, length, steps)[-1]
+        for flow, start, length, steps in zip(shot.flows, shot.starts, shot.lengths, shot.steps)
+    ]
+    times = [float(t) for t in np.concatenate([[0.0], np.cumsum(arc_lengths(shot))])]
+    flows = [flow for i, flow in enumerate(shot.flows) if not i or flow is not shot.flows[i - 1]]
+    shown = [
+        tuple("interior" if kind in CONSTANT_ANGLES else kind for kind in flow.kinds)
+        for flow in flows
+    ]
+    arcs = tuple(
+        (kinds[0] if numeric.k == 1 else kinds, begin, end)
+        for kinds, begin, end in zip(shown, times, times[1:])
+    )
+    cost = sum(end[-1] for end in ends) + float(numeric.final_value(ends[-1][:n]))
+    extremal = Extremal(
+        problem,
+        float(-cost if problem.maximise else cost),
+        times[-1],
+        arcs,
+        shot.multiplier,
+        tuple(float(v) for v in shot.terminal_multipliers),
+        shot.residual,
+        numeric,
+        shot,
+        starts,
+        found,
+    )
+    if problem.first_return and _passes_target(extremal):
+        raise WrongStructure(
+            "the trajectory with these arcs meets the target before its end, against first_return"
+        )
+    return extremal
+
+
+def _passes_target(extremal):
+    """Check whether the single terminal equation changes its sign before the end."""
+    between = extremal.state(np.linspace(0, extremal.duration, 402)[1:-1])
+    values = extremal._numeric.target_value.map(400)(between)[0].full().ravel()
+    largest = np.max(np.abs(values))
+    return bool(np.min(values) < -1e-9 * largest and np.max(values) > 1e-9 * largest)

@@ -1,0 +1,67 @@
+"""The arcs that the maximum condition requires along a given trajectory."""
+
+import numpy as np
+
+from trajlib.pontryagin.problem.arcs import Arc, arc_name
+
+# Where the maximum condition is tested on a segment: densely at its ends, where a short arc may be
+# missing.
+FRACTIONS = np.concatenate(
+    [
+        [1e-5, 1e-4, 1e-3],
+        (1 - np.cos(np.pi * np.arange(1, 32) / 32)) / 2,
+        [1 - 1e-3, 1 - 1e-4, 1 - 1e-5],
+    ]
+)
+
+
+def required_arcs(numeric, shot):
+    """Return (description, arcs) that the maximum condition requires along the trajectory.
+
+    The description is empty if they are those of the trajectory.
+    """
+    rows, lengths, description = [], [], ""
+    for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
+        points = flow.nodes(
+            np.append(start, 0.0), shot.multiplier, length, len(FRACTIONS), FRACTIONS
+        )[1:, :-1]
+        slopes, controls = (
+            flow.values(function, points.T, shot.multiplier) for function in ("slopes", "control")
+        )
+        columns = [
+            _required_kinds(numeric, flow.kinds[j], j, slopes[j], controls[j], shot)
+            for j in range(numeric.k)
+        ]
+        labels = list(zip(*columns))
+        required = next((label for label in labels if label != flow.kinds), None)
+        if required and not description:
+            description = f"the arc {arc_name(flow.kinds)}, where {arc_name(required)} is wanted"
+        rows += labels
+        edges = np.concatenate([[0.0], (FRACTIONS[1:] + FRACTIONS[:-1]) / 2, [1.0]])
+        lengths += list(length * np.diff(edges))
+    arcs, time = [], 0.0
+    for label, length in zip(rows, lengths):
+        if arcs and arcs[-1].kinds == label:
+            arcs[-1] = Arc(label, arcs[-1].begin, time + length)
+        else:
+            arcs.append(Arc(label, time, time + length))
+        time += length
+    return description, arcs
+
+
+def _required_kinds(numeric, kind, j, slopes, controls, shot):
+    """Return the kind that maximises H at each point; the present one up to rounding."""
+    low, high = numeric.lower[j], numeric.upper[j]
+    margin = 1e-9 * (
+        1 + max(np.max(np.abs(start[numeric.n : 2 * numeric.n])) for start in shot.starts)
+    )
+    if kind in ("u-", "u+"):
+        inward = slopes > margin if kind == "u-" else slopes < -margin
+        other = (
+            ({"u-": "u+", "u+": "u-"}[kind] if np.isfinite([low, high]).all() else "singular")
+            if numeric.affine[j]
+            else "interior"
+        )
+        return [other if wrong else kind for wrong in inward]
+    width = 1e-7 * (1 + np.max(np.abs(controls)))
+    return ["u-" if u < low - width else "u+" if u > high + width else kind for u in controls]

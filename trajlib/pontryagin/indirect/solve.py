@@ -1,0 +1,260 @@
+"""From a problem to an extremal: reformulate, solve, restore.
+
+A problem with |u| in its cost or with large states is solved in another form (`l1_control`,
+`state_scaling`), and its extremal restored. Between them: discrete solutions (`direct.multistart`),
+their arcs (`structure`), and Newton's method for the boundary value problem over these arcs
+(`refinement`, `shooting`, `flow`).
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
+from trajlib.pontryagin.direct.free_duration import (
+    fixed_duration,
+    refuse_falling_cost,
+    refuse_unbounded_duration,
+    user_cost,
+)
+from trajlib.pontryagin.direct.guesses import read_guess
+from trajlib.pontryagin.direct.multistart import SearchResult, search
+from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
+from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
+from trajlib.pontryagin.indirect.chattering import refuse_chattering
+from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
+from trajlib.pontryagin.indirect.l1_control import split_l1_controls
+from trajlib.pontryagin.indirect.refinement import refine
+from trajlib.pontryagin.indirect.state_scaling import scale_large_states
+from trajlib.pontryagin.indirect.structure import candidate_structures, detect_arcs, read_structure
+from trajlib.pontryagin.problem.arcs import Arc, arc_name
+from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
+from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
+
+
+def solve(
+    problem: Statement, structure: Sequence | None = None, guess: Extremal | dict | None = None
+) -> Extremal:
+    """Find an extremal of a problem; called as `problem.solve(...)`.
+
+    Parameters
+    ----------
+    problem : Problem
+        Without parameters.
+    structure : list, optional
+        The arcs in order, "u-", "u+", "interior", "singular" (tuples of them for several controls);
+        with |u| in the running cost also "zero", where u = 0. Found if left out.
+    guess : Extremal or dict, optional
+        An extremal of a similar problem, or {"duration": number, state or control: number, list of
+        values at equal steps, or function of time}, any of them.
+
+    Returns
+    -------
+    Extremal
+        Satisfies the conditions of the maximum principle to about 1e-12: its own certificate holds.
+
+    Raises
+    ------
+    ValueError
+        If a parameter has no value, or an argument is not of this form.
+    StartOnTarget
+        If the initial state is on the target and the final time is free.
+    Infeasible
+        With a proof, also for a duration that is too short.
+    Unbounded
+        If the cost has no minimum.
+    Chattering
+        If switchings accumulate.
+    WrongStructure
+        If the arcs cannot be joined to an extremal.
+    NotUnique
+        If a control or a free duration is not determined.
+    NotConverged
+        If no process was found, which proves nothing.
+
+    Notes ----- `Extremal.optimality` has what is known beyond the necessary conditions. For linear
+    plants with a convex cost and a given duration, and for the least time to a point at which a
+    linear plant can be held, the extremal is proved optimal. Otherwise the search begins at several
+    guesses, leaves saddles and maxima along the second variation, and returns the best extremal it
+    found; a better one is not excluded (see `compare`). Source: Theorem 5.1 of the problem book.
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> from trajlib.pontryagin import Problem
+    >>> x, u = sp.symbols("x u")
+    >>> turnpike = Problem({x: u}, {u: (-1, 1)}, {x: 1}, {x: sp.Rational(1, 2)}, running=x**2, duration=2)
+    >>> turnpike.solve()
+    Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
+    """
+    reformulations = []
+    for reformulate in (split_l1_controls, scale_large_states):
+        step = reformulate(problem)
+        if step is not None:
+            structure, guess = step.structure(structure), step.guess(guess)
+            problem = step.problem
+            reformulations.append(step)
+    extremal = _solved(problem, structure, guess)
+    for step in reversed(reformulations):
+        extremal = step.restore(extremal)
+    return extremal
+
+
+def _solved(problem, structure, guess):
+    """Return an extremal of a problem that is smooth in its controls and well scaled."""
+    numeric = NumericProblem(problem)
+    kinds = None if structure is None else read_structure(numeric, structure)
+    refinement = _Refinement(numeric, search(numeric, read_guess(numeric, guess), kinds))
+    return refinement.best_extremal() if kinds is None else refinement.with_structure(kinds)
+
+
+class _Refinement:
+    """From the discrete solutions of a search to an extremal; `reasons`: why others were refused."""
+
+    def __init__(self, numeric: NumericProblem, search_result: SearchResult):
+        self.numeric, self.search_result = numeric, search_result
+        self.flow_cache: dict = {}
+        self.reasons: list = []
+
+    def with_structure(self, kinds):
+        """Return the extremal with given arcs. Raises `WrongStructure` if there is none."""
+        solution, _ = self.search_result.solutions[0]
+        arcs = _arcs_of_structure(kinds, solution)
+        duration = fixed_duration(self.numeric, solution)
+        extremal = self._extremal(solution, arcs, duration, keep_structure=True)
+        reason = _certificate_failure(extremal)
+        if reason:
+            raise WrongStructure(reason)
+        return extremal
+
+    def best_extremal(self):
+        """Return the best certified extremal, or raise the reason why there is none."""
+        numeric, solutions = self.numeric, self.search_result.solutions
+        refuse_falling_cost(numeric, self.search_result)
+        for solution, side in solutions:
+            extremal = self._certified(solution, side)
+            if extremal is not None:
+                return extremal
+        solution, side = solutions[0]
+        relaxed = relaxed_solution(numeric, solution, side)
+        if relaxed is not None:
+            controls = sequential_controls(numeric, relaxed)
+            sequential = solution_from_controls(numeric, relaxed, side, controls)
+            refuse_sliding(numeric, solution, relaxed, sequential)
+            extremal = self._certified(sequential, side)
+            if extremal is not None:
+                return extremal
+        if fixed_duration(numeric, solution) is None:
+            finer = finer_solution(numeric, solution, side, 4) or solution
+            refuse_unbounded_duration(numeric, finer, side)
+        raise self._error(user_cost(numeric, solution.cost))
+
+    def _extremal(self, solution, arcs, duration, keep_structure=False):
+        shot = refine(self.numeric, solution, arcs, duration, self.flow_cache, keep_structure)
+        return extremal_of_shot(
+            self.numeric, shot, self.search_result.starts, self.search_result.found
+        )
+
+    def _certified(self, solution, side):
+        """Return a certified extremal next to a solution, on finer and finer grids, or None."""
+        numeric, factor = self.numeric, 1
+        while factor is not None:
+            duration = fixed_duration(numeric, solution)
+            arcs = detect_arcs(numeric, solution)
+            refuse_chattering(numeric, arcs, solution.states[-1], duration)
+            extremal = self._first_certified(solution, duration)
+            if extremal is not None:
+                sign = 1
+                if not extremal.optimality.proved and extremal.normal:
+                    sign = extremal._variation.sign
+                # More time may change nothing to second order because it costs nothing at all.
+                if sign == 0 and duration is None:
+                    refuse_unbounded_duration(numeric, solution, side)
+                if sign >= 0:
+                    return extremal
+                better = _solution_beside_saddle(numeric, extremal, side)
+                if better is not None:
+                    solution, factor = better, 1
+                    continue
+                self.reasons.append(
+                    "the extremal found is a saddle: the cost falls along its second variation"
+                )
+            factor = {1: 4, 4: 10, 10: None}[factor]
+            if factor is not None:
+                solution = finer_solution(numeric, solution, side, factor) or solution
+        return None
+
+    def _first_certified(self, solution, duration):
+        """Return the first extremal that holds, with the arcs that a solution may have, or None."""
+        for arcs in candidate_structures(self.numeric, solution):
+            try:
+                extremal = self._extremal(solution, arcs, duration)
+            except WrongStructure as error:
+                self.reasons.append(error)
+                continue
+            reason = _certificate_failure(extremal)
+            if not reason:
+                return extremal
+            self.reasons.append(reason)
+        return None
+
+    def _error(self, cost):
+        """Return the error with the reasons why no arcs were joined to an extremal."""
+        open_control = next((e for e in self.reasons if isinstance(e, NotUnique)), None)
+        if open_control:
+            return NotUnique(
+                f"{open_control}. So many controls may be equally good, as where several motions must "
+                "end at one moment and only the slowest sets it; one of them has a cost of about "
+                f"{cost:.6g} (a discrete solution). To single one out, give a structure, or the "
+                "control a small cost."
+            )
+        return WrongStructure(
+            "the arcs that the discrete solution shows could not be joined to an extremal: "
+            + "; ".join(dict.fromkeys(map(str, self.reasons)))
+            + ". Give the structure, or a guess; look at the "
+            f"discrete cost {cost:.6g} to see whether an optimal process exists."
+        )
+
+
+def _arcs_of_structure(kinds, solution):
+    """Return the arcs of a given structure with the lengths that they have in the solution."""
+    ends = np.concatenate([[0.0], np.cumsum(solution.lengths)])
+    if min(solution.lengths) < 1e-6 * solution.duration:
+        short = int(np.argmin(solution.lengths))
+        raise WrongStructure(
+            f"the arc {arc_name(kinds[short])} (number {short + 1}) shrinks to nothing: the best "
+            "process with these arcs does not have it. Leave it out, or leave the structure to "
+            "solve()."
+        )
+    return [Arc(kind, begin, end) for kind, begin, end in zip(kinds, ends, ends[1:])]
+
+
+def _certificate_failure(extremal):
+    """Return which conditions the extremal's certificate finds violated; "" if all hold."""
+    failures = extremal.certificate().failures()
+    if not failures:
+        return ""
+    worst = extremal.certificate().worst
+    return (
+        f"the certificate of the arcs {', '.join(str(kind) for kind, _, _ in extremal.arcs)} fails "
+        f"({', '.join(failures)}; {worst:.1e})"
+    )
+
+
+def _solution_beside_saddle(numeric, extremal, side):
+    """Return a discrete solution of lower cost than an extremal that is a saddle, or None."""
+    times = np.linspace(0, extremal.duration, INTERVALS + 1)
+    sign = -1 if extremal.problem.maximise else 1
+    solution = DirectSolution(
+        times,
+        extremal.state(times).T,
+        extremal.costate(times).T,
+        extremal.control((times[1:] + times[:-1]) / 2).T,
+        sign * extremal.cost,
+    )
+    variation = second_variation(
+        numeric, process_of_solution(numeric, solution, target_multipliers(numeric, solution))
+    )
+    return escape_saddle(numeric, solution, variation, side) if variation.sign < 0 else None

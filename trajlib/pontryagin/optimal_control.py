@@ -1,0 +1,112 @@
+"""The public class of optimal control problems: a statement with the methods that act on it."""
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from trajlib.pontryagin.problem.derivation import Conditions, conditions
+from trajlib.pontryagin.problem.presentation import problem_markdown
+from trajlib.pontryagin.problem.statement import Statement
+
+if TYPE_CHECKING:
+    from trajlib.pontryagin.indirect.extremal import Extremal
+
+
+class Problem(Statement):
+    """An optimal control problem in SymPy.
+
+    Parameters
+    ----------
+    dynamics : dict
+        {state: right-hand side}, in the order in which the states are to be counted.
+    controls : dict
+        {control: (lower, upper)}; the bounds are numbers or expressions in the parameters, None or
+        oo for no bound.
+    initial : dict
+        {state: value at t = 0}, None for a state that is free at t = 0.
+    terminal : list of sympy.Expr, list of sympy.Equality or dict, optional
+        Expressions that vanish at the final time, equations, or {state: value}; none for a free
+        terminal state.
+    running, final : sympy.Expr, optional
+        f_0(state, control) and phi_0(state at the final time). If neither is given, the cost is the
+        time; if one is given, the other is zero.
+    duration : float or tuple, optional
+        None for a free final time, a number for a fixed one, (shortest, longest) for one between
+        bounds.
+    maximise : bool, optional
+        Whether the cost is to be as large as possible.
+    first_return : bool, optional
+        Whether the process ends when the trajectory first meets the target at some t > 0; for an
+        initial state on the target, and for costs that would gain from passing through it. Needs
+        exactly one terminal equation.
+
+    Raises
+    ------
+    TypeError, ValueError
+        If an argument is not of this form; the message begins with the argument's name.
+
+    Notes
+    -----
+    All other symbols are parameters; `subs` gives them values. Units are the user's: time in that
+    of the dynamics. Source: (5.1) - (5.3) of the problem book.
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> x1, x2, u, a = sp.symbols("x1 x2 u a")
+    >>> transfer = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: a, x2: 0}, terminal=[x1, x2])
+    >>> transfer.running, transfer.parameters
+    (1, (a,))
+    >>> round(transfer.subs({a: 1}).solve().duration, 9)
+    2.0
+    """
+
+    def conditions(self) -> Conditions:
+        """Derive the conditions of the maximum principle in symbols.
+
+        Returns
+        -------
+        Conditions
+            Shows itself typeset in a notebook; derived once for a problem.
+
+        Raises
+        ------
+        ValueError
+            If the problem already uses one of the names psi1, ..., psin, lambda0, lambda1, ....
+        """
+        return conditions(self)
+
+    def solve(
+        self, structure: Sequence | None = None, guess: "Extremal | dict | None" = None
+    ) -> "Extremal":
+        """Find an extremal of the problem with its arcs and switching times.
+
+        Parameters
+        ----------
+        structure : list, optional
+            The arcs in order, "u-", "u+", "interior", "singular" or "zero" (tuples of them for
+            several controls); found if left out.
+        guess : Extremal or dict, optional
+            Where the search begins: an extremal of a similar problem, or values for "duration",
+            states and controls.
+
+        Returns
+        -------
+        Extremal
+            Satisfies the conditions of the maximum principle to about 1e-12.
+
+        Raises
+        ------
+        PontryaginError
+            If there is no such extremal or none was found; the class of the error names the reason.
+
+        See Also
+        --------
+        trajlib.pontryagin.indirect.solve.solve : All arguments, errors and what is proved.
+        """
+        # CasADi is loaded with it, which takes half a second.
+        from trajlib.pontryagin.indirect.solve import solve
+
+        return solve(self, structure, guess)
+
+    def _repr_markdown_(self):
+        return problem_markdown(self)

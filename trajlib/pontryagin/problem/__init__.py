@@ -1,0 +1,1 @@
+"""Optimal control problems: statement, conditions in symbols, numeric form."""

@@ -1,0 +1,78 @@
+"""The arguments of `Problem`, each read into one form or refused with one clear error."""
+
+from collections.abc import Iterable, Mapping
+
+import sympy as sp
+
+from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
+
+
+def read_table(dynamics):
+    if not isinstance(dynamics, Mapping) or not dynamics:
+        raise TypeError(f"dynamics: expected a dict {{state: right-hand side}}, got {dynamics!r}")
+    symbols = read_symbols(dynamics, "dynamics")
+    return {s: exact_decimals(read_expression(dynamics[s], f"dynamics of {s}")) for s in symbols}
+
+
+def read_bounds(controls):
+    if not isinstance(controls, Mapping) or not controls:
+        raise TypeError(f"controls: expected a dict {{control: (lower, upper)}}, got {controls!r}")
+    result = {}
+    for u in read_symbols(controls, "controls"):
+        pair = (None, None) if controls[u] is None else controls[u]
+        if isinstance(pair, str) or not isinstance(pair, Iterable) or len(pair := tuple(pair)) != 2:
+            raise TypeError(f"controls: expected (lower, upper) for {u}, got {controls[u]!r}")
+        low, high = (
+            default if b is None else exact_decimals(read_expression(b, f"bound of {u}"))
+            for b, default in zip(pair, (-sp.oo, sp.oo))
+        )
+        if (high - low).is_positive is False and low != -sp.oo and high != sp.oo:
+            raise ValueError(f"controls: expected lower < upper for {u}, got ({low}, {high})")
+        if low == sp.oo or high == -sp.oo:
+            raise ValueError(f"controls: no value of {u} lies between {low} and {high}")
+        result[u] = (low, high)
+    return result
+
+
+def read_initial(initial):
+    if not isinstance(initial, Mapping):
+        raise TypeError(
+            f"initial: expected a dict from states to their values at t = 0, got {initial!r}"
+        )
+    return {
+        s: None if v is None else exact_decimals(read_expression(v, f"initial value of {s}"))
+        for s, v in initial.items()
+    }
+
+
+def read_terminal(terminal):
+    if isinstance(terminal, Mapping):
+        terminal = [s - read_expression(v, f"terminal value of {s}") for s, v in terminal.items()]
+    elif isinstance(terminal, (sp.Expr, sp.Equality)):
+        terminal = [terminal]
+    if isinstance(terminal, str) or not isinstance(terminal, Iterable):
+        raise TypeError(
+            f"terminal: expected a list of expressions that vanish at the end, got {terminal!r}"
+        )
+    sides = (g.lhs - g.rhs if isinstance(g, sp.Equality) else g for g in terminal)
+    return tuple(exact_decimals(read_expression(g, "terminal")) for g in sides)
+
+
+def read_duration(duration):
+    if duration is None:
+        return None
+    if isinstance(duration, (tuple, list)):
+        if len(duration) != 2:
+            raise TypeError(f"duration: expected a number or (shortest, longest), got {duration!r}")
+        low, high = (exact_decimals(read_expression(d, "duration")) for d in duration)
+        if low.is_nonnegative is False or (high - low).is_positive is False:
+            raise ValueError(f"duration: expected 0 <= shortest < longest, got ({low}, {high})")
+        return low, high
+    duration = exact_decimals(read_expression(duration, "duration"))
+    if duration.is_positive is False or duration == sp.oo:
+        raise ValueError(f"duration: expected a positive number, got {duration}")
+    return duration
+
+
+def names_of(symbols):
+    return ", ".join(sorted(map(str, symbols)))

@@ -1,0 +1,1 @@
+"""Verification of extremals: certificate, sufficiency theorems, second variation, proof."""

@@ -1,0 +1,75 @@
+"""Reading of times, standard errors and samples of a record."""
+
+import numpy as np
+
+
+def read_times(t):
+    """Return two or more increasing finite times."""
+    t = np.asarray(t, dtype=float)
+    if t.ndim != 1 or t.size < 2:
+        raise ValueError(
+            f"t: expected a list of two or more times, got "
+            f"{'shape ' + str(t.shape) if t.ndim != 1 else t.size}"
+        )
+    if not np.isfinite(t).all():
+        raise ValueError(
+            f"t: the times must be finite, t[{np.flatnonzero(~np.isfinite(t))[0]}] is not"
+        )
+    not_increasing = np.flatnonzero(np.diff(t) <= 0)
+    if not_increasing.size:
+        k = not_increasing[0]
+        if t[k] == t[k + 1]:
+            raise ValueError(
+                f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one "
+                "time by their weighted mean"
+            )
+        raise ValueError(
+            f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; "
+            "sort times and samples together"
+        )
+    return t
+
+
+def read_weights(sigma, size):
+    """Return rho_k = 1/sigma_k^2, zero where nothing was measured."""
+    sigma = np.asarray(sigma, dtype=float)
+    if sigma.shape not in ((), (size,)):
+        raise ValueError(
+            f"sigma: expected a number or {size} standard errors, one a time, got shape "
+            f"{sigma.shape}"
+        )
+    sigma = np.broadcast_to(sigma, (size,))
+    if np.isnan(sigma).any() or (sigma <= 0).any():
+        k = np.flatnonzero(np.isnan(sigma) | (sigma <= 0))[0]
+        raise ValueError(
+            f"sigma: standard errors must be positive, sigma[{k}] = {sigma[k]:g} (infinity: not "
+            "measured)"
+        )
+    if np.isfinite(sigma).sum() < 2:
+        raise ValueError(
+            f"sigma: {np.isfinite(sigma).sum()} of {size} times are measured; a motion needs two "
+            "at least"
+        )
+    with np.errstate(over="ignore"):
+        rho = sigma**-2.0
+    if not np.isfinite(rho).all():
+        raise ValueError("sigma: too small to be squared; change the unit of length")
+    return rho
+
+
+def read_samples(h, rho):
+    """Return samples, finite wherever something was measured."""
+    h = np.asarray(h, dtype=float)
+    if h.ndim == 0 or h.shape[0] != rho.size or 0 in h.shape:
+        raise ValueError(
+            f"h: expected {rho.size} samples, one a time (several records as columns), got shape "
+            f"{h.shape}"
+        )
+    missing = ~np.isfinite(h.reshape(rho.size, -1)).all(axis=1) & (rho > 0)
+    if missing.any():
+        k = np.flatnonzero(missing)[0]
+        raise ValueError(
+            f"h: sample {k} is not a finite number; where nothing was measured give sigma[{k}] = "
+            "inf"
+        )
+    return h

@@ -1,0 +1,15 @@
+# Written by `python -m trajlib._stubs`.
+from trajlib.solvability.analysis import analyse as analyse
+from trajlib.solvability.boxes import Guarantee as Guarantee
+from trajlib.solvability.boxes import guarantee as guarantee
+from trajlib.solvability.householder import Estimate as Estimate
+from trajlib.solvability.householder import solve as solve
+from trajlib.solvability.result import Solvability as Solvability
+from trajlib.solvability.rounding import reflection_constant as reflection_constant
+from trajlib.solvability.rounding import rounding_bound as rounding_bound
+from trajlib.solvability.rounding import threshold as threshold
+from trajlib.solvability.transitions import clohessy_wiltshire as clohessy_wiltshire
+from trajlib.solvability.transitions import stack as stack
+from trajlib.solvability.transitions import transition as transition
+from trajlib.solvability.variational import Linearisation as Linearisation
+from trajlib.solvability.variational import linearise as linearise

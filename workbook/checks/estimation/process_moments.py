@@ -1,0 +1,283 @@
+"""Moments of a linear process as functions of time: mean, covariance and their limits.
+
+The reference comes at numbers from the exponential of a block matrix (`references/processes.py`), for times
+and parameters of all sizes; where a covariance settles, and whether it rises, from the signs of
+determinants.
+"""
+
+import itertools
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression, Expressions, Matrix, MatrixOrVector, Values
+from workbook.checks.contract.tolerance import REPEATED, agree
+from workbook.checks.contract.verdict import judged
+from workbook.checks.references import processes
+from workbook.checks.references.spectra import decays
+from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
+from workbook.checks.tools.conditions import compare, contradiction_message, exactly
+from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
+from workbook.checks.tools.values import numbers_at
+from workbook.checks.tools.wording import entry_text, number_text, where_text
+
+#: The times that answers are tried at, with other values of the parameters each.
+TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
+STEPS = (0, 1, 2, 3, 5, 6)
+#: The last time at which a case of an answer is tried.
+LATEST = 1000
+
+
+@judged(MatrixOrVector("start", "noises", "parameters", shape=processes.shape_of("mean")))
+def state_after_steps(claim, process, start, noises, parameters=(), given=sp.true):
+    """Check the state of a process in discrete time after as many steps as there are noises.
+
+    It is a column in the symbols of the initial state and of the noises; of a single coordinate
+    an expression.
+    """
+    columns = [
+        sp.Matrix(list(column) if isinstance(column, (list, tuple)) else [column])
+        for column in (start, *noises)
+    ]
+    symbols = list(
+        dict.fromkeys(s for column in columns for s in sorted(column.free_symbols, key=str))
+    )
+    for values in in_every_case(
+        allowed_values([*parameters, *symbols], given, len(TIMES)), claim, given
+    ):
+        A, (true, *added) = (
+            processes.to_array(process.A, values),
+            [processes.to_array(c, values) for c in columns],
+        )
+        size = abs(true)
+        for noise in added:
+            true, size = A @ true + noise, abs(A) @ size + abs(noise)
+        yield SameEntries(
+            claim,
+            true,
+            lambda claimed, i, j: (
+                f"with the start and the noises{where_text(values)} the steps, one after the "
+                "other, lead to another state: "
+                f"look at component {i + 1}, where yours is {number_text(claimed[i, 0])}"
+            ),
+            values,
+            size,
+        )
+    return "the steps, one after the other, lead to this state"
+
+
+@judged(MatrixOrVector("time", "parameters", shape=processes.shape_of("mean")))
+def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
+    """Check the mean of the process at the time t.
+
+    It is a column; of a single coordinate an expression.
+
+    `times` are those for which the answer is asked, if not for all.
+    """
+    for one, values in _in_time(process, time, claim, parameters, given, times):
+        F, _ = processes.transition(one, values[time])
+        yield SameEntries(
+            claim, F @ one.mean, _text("mean", values), values, abs(F) @ abs(one.mean)
+        )
+    return "it is the mean at all times and parameters tried"
+
+
+@judged(Matrix("time", "parameters", shape=processes.shape_of("A")))
+def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times=None):
+    """Check the covariance matrix of the process at the time t.
+
+    Of a single coordinate it is an expression.
+
+    `times` are those for which the answer is asked, if not for all.
+    """
+    for one, values in _in_time(process, time, claim, parameters, given, times):
+        F, N = processes.transition(one, values[time])
+        # At the start too terms may cancel that are as large as the noise makes them soon.
+        soon = (
+            N
+            if values[time]
+            else processes.transition(one, STEPS[1] if one.discrete else TIMES[1])[1]
+        )
+        size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
+        yield SameEntries(
+            claim, F @ one.covariance @ F.T + N, _text("covariance", values), values, size.max()
+        )
+    return "it is the covariance at all times and parameters tried"
+
+
+@judged(Expression("time", "parameters"))
+def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, times=None):
+    """Check the correlation coefficient at the time t of two quantities, with the rows `of`.
+
+    `times` are those for which the answer is asked, if not for all after the start.
+    """
+    rows = processes.to_array(of, {})
+    found = []
+    for one, values in _in_time(process, time, claim, parameters, given, times or TIMES[1:]):
+        covariance = rows @ processes.moments(one, values[time])[1] @ rows.T
+        found.append((covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values))
+    constant = np.ptp([true for true, _ in found]) < 1e-9
+    for true, values in found:
+        yield SameValue(claim, true, "the correlation coefficient", values, constant=constant)
+    return "it is the covariance as a share of what it could be at most"
+
+
+@judged(Expressions("parameters", length=3))
+def shaping_filter(claims, process, parameters=(), given=sp.true):
+    """Check the shaping filter [a, Q, D] of the noise of a `Coloured` process.
+
+    The equation is w' = a w + q, with the intensity Q of q and the variance D of w(0).
+    """
+    for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
+        D, a = (float(part.subs(values)) for part in processes.variance_and_rate(process))
+        for claim, true, what in zip(
+            claims,
+            (-a, 2 * a * D, D),
+            ("the coefficient", "the intensity", "the variance at the start"),
+        ):
+            yield SameValue(
+                claim,
+                true,
+                f"{what} of the equation that keeps the given correlation",
+                values,
+                max(a, a * D, D),
+            )
+    return "what it makes has the given correlation at all times"
+
+
+@judged(Matrix("parameters", shape=processes.shape_of("A")))
+def stationary_covariance(claim, process, parameters=(), given=sp.true):
+    """Check the covariance matrix that the process converges to from every initial covariance.
+
+    It is asked for those parameters with which the process converges.
+    """
+    process = processes.as_process(process)
+    settling = sp.And(conjunction(given), decays(process.A, process.discrete))
+    for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
+        one = processes.at_values(process, values, start=False)
+        true = processes.stationary_covariance(one)
+        yield SameEntries(
+            claim,
+            true,
+            lambda claimed, i, j: (
+                f"a process that had your covariance would not keep it{where_text(values)}: by the "
+                f"dispersion equation it changes; {entry_text(claimed, i, j)}"
+            ),
+            values,
+            abs(true).max(),
+        )
+    return "the process keeps this covariance, and comes to it from any other"
+
+
+@judged(Values("parameters", expected="a list or a set of exponents"))
+def covariance_exponents(claims, process, parameters=(), given=sp.true):
+    """Check the different l with e^(l t), in discrete time l^k, in the covariance of a process.
+
+    The process has any initial covariance; what the noise contributes in the limit is not
+    counted.
+    """
+    process = processes.as_process(process)
+    for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
+        modes = np.linalg.eigvals(processes.to_array(process.A, values))
+        pairs = itertools.combinations_with_replacement(modes, 2)
+        true = [first * second if process.discrete else first + second for first, second in pairs]
+        size = max(map(abs, true))
+        claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
+
+        def fits(number, other):
+            return agree(number[1], other, number[0], size, REPEATED)
+
+        yield SameMembers(
+            list(zip(claims, claimed)),
+            true,
+            fits,
+            lambda number: (
+                "no part of the covariance changes with the exponent "
+                f"{number_text(number[1])}{where_text(values)}"
+            ),
+            lambda *_: (
+                f"a part of the covariance changes with an exponent that your answer does not name"
+                f"{where_text(values)}"
+            ),
+        )
+    return "each part of the covariance changes with one of them"
+
+
+@judged
+def stationary_covariance_exists(answer, process, parameters, given=sp.true):
+    """Check the parameters for which the covariance converges whatever it is initially.
+
+    It converges to one and the same matrix.
+    """
+    process = processes.as_process(process)
+
+    def message(values):
+        modes = np.linalg.eigvals(processes.to_array(process.A, values))
+        if process.discrete:
+            return f"the largest modulus of an eigenvalue is {abs(modes).max():.4g} there"
+        return f"the largest real part of an eigenvalue is {modes.real.max():.4g} there"
+
+    agreement = compare(
+        answer,
+        parameters,
+        exactly(decays(process.A, process.discrete), given),
+        contradiction_message(message),
+    )
+    return f"there and nowhere else what is known of the start is forgotten: {agreement}"
+
+
+@judged
+def covariance_increases(answer, process, parameters, given=sp.true):
+    """Check the condition under which the variance of every combination increases all the time.
+
+    It is a condition on the parameters; of a single coordinate its variance is meant.
+
+    The rate of change D(0) decides, as D(t) = F D(0) F^T with the transition matrix F.
+    """
+    process = processes.as_process(process)
+    A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)
+    rate = A * P * A.T + process.Q - P if process.discrete else A * P + P * A.T + process.Q
+    minors = [sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1)]
+    rises = sp.And(
+        *(minor > 0 for minor in minors), sp.Ne(A.det(), 0) if process.discrete else sp.true
+    )
+
+    def message(values):
+        at = sp.Matrix(rate.subs(values))
+        if at.rows == 1:
+            return (
+                f"from the start on the variance changes at the rate {number_text(complex(at[0]))}"
+            )
+        return f"there the variances change at the rates {', '.join(map(str, at.diagonal()))} at the start"
+
+    agreement = compare(
+        answer, parameters, exactly(rises, conjunction(given)), contradiction_message(message)
+    )
+    return f"it rises there and nowhere else: {agreement}"
+
+
+def _in_time(process, time, claim, parameters, given, times):
+    asked = (
+        sp.Or(*(sp.Eq(time, moment) for moment in times))
+        if times
+        else sp.And(time >= 0, time <= LATEST)
+    )
+    times = times or (STEPS if processes.as_process(process).discrete else TIMES)
+    samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
+    # However few the times are, the parameters get as many values as elsewhere.
+    count = max(len(times), len(samples))
+    samples = [
+        values | {time: sp.sympify(moment)}
+        for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count))
+    ]
+    for values in in_every_case(samples, claim, sp.And(conjunction(given), asked)):
+        yield processes.at_values(process, values), values
+
+
+def _text(what, values):
+    def message(claimed, i, j):
+        if list(values.values())[-1] == 0:
+            return f"at the start the {what} is given, and it is another one: {entry_text(claimed, i, j)}"
+        return f"the {what}{where_text(values)} is another one: {entry_text(claimed, i, j)}"
+
+    return message

@@ -1,0 +1,170 @@
+"""Extremals to a line besides the fastest one: where they exist, and their time.
+
+The data are those of `syntheses`.
+"""
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression
+from workbook.checks.contract.tolerance import relative_tolerance
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.closed_loop import Law
+from workbook.checks.references.optima import reach
+from workbook.checks.references.optima.sampled_optimum import (
+    sampled_optimum,
+    synthesis_data,
+)
+from workbook.checks.references.optima.state_batch import StateBatch
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
+from workbook.checks.tools.wording import values_text
+
+
+@judged
+def other_extremal_exists(answer, system, target, start=None):
+    """Check the condition on the initial state for an extremal that is not the fastest one.
+
+    The extremal leads to the line, which it may cross before.
+    """
+    reference = _second_extremal(system, target, start)
+    agreement = compare(
+        answer,
+        system.state,
+        reference,
+        lambda point, holds: (
+            f"from {values_text(point)} there is {'another' if holds else 'no other'} extremal "
+            "besides the fastest one"
+        ),
+    )
+    return f"there is another extremal from these starts and from no others: {agreement}"
+
+
+def _second_extremal(system, target, start):
+    """From which starts off the line there are two extremals: decided where the controls on them do
+    not switch."""
+    state, control, bounds = system.state, system.control, system.bounds
+    line, zero = sp.sympify(target[0]), dict.fromkeys([*state, control], 0)
+    plant = sp.Matrix([sp.sympify(f) for f in system.field])
+    first, second = (sp.Dummy(name, real=True) for name in ("T1", "T2"))
+    beyond = (
+        reach.beyond_line(
+            plant.jacobian(state),
+            plant.diff(control),
+            list(map(sp.sympify, bounds)),
+            state,
+            line,
+            first,
+        )
+        if not any(plant.subs(zero))
+        else None
+    )
+    if beyond is None:
+        batch, later = _line_extremals(sampled_optimum(*synthesis_data(system, target, {}, start)))
+        found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(batch.x, later)}
+        return ReferenceCondition(
+            at=lambda point: found[tuple(point.values())],
+            points=lambda: (dict(zip(state, x)) for x in found),
+        )
+
+    def ends(time, steepness):
+        """An extremal ends at the time: it crosses the line, or touches it, which counts either
+        way."""
+        return sp.Or(
+            *(
+                sp.And(sp.Eq(F.subs(first, time), 0), steepness(F.diff(first).subs(first, time), 0))
+                for F in beyond
+            )
+        )
+
+    def two(steepness):
+        return sp.And(0 < first, first < second, ends(first, steepness), ends(second, steepness))
+
+    off = sp.And(sp.Ne(line, 0), sp.true if start is None else start)
+
+    def at(point):
+        times = {T for F in beyond for T in sp.Poly(F.subs(point), first).real_roots() if T > 0}
+        crossed, met = (
+            sum(bool(ends(T, steepness).subs(point)) for T in times) >= 2
+            for steepness in (sp.Gt, sp.Ge)
+        )
+        return crossed if crossed == met else None
+
+    return ReferenceCondition(
+        (Case(sp.And(off, two(sp.Gt)), (first, second)),),
+        (Case(sp.And(off, sp.Not(two(sp.Ge))), (first, second), every=True),),
+        at,
+    )
+
+
+@judged(Expression("system.state"))
+def other_extremal_time(claim, system, target, start=None):
+    """Check the time that the extremal of `other_extremal_exists` takes, where there is one."""
+    reference = sampled_optimum(*synthesis_data(system, target, {}, start))
+    batch, later = _line_extremals(reference)
+    claimed = Law(claim, reference)(batch.x, batch.case)
+    tolerance = relative_tolerance(claim, computed=1e-6)
+    for k in np.flatnonzero(np.isfinite(later) & ~(abs(claimed - later) <= tolerance * later)):
+        point = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, batch.x[k]))
+        message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
+        raise Wrong(
+            f"from {point} your expression gives {message}, which is not the time of an extremal "
+            "slower than the fastest one"
+        )
+    return "it is the time of the slower extremal, from all sample starts that have one"
+
+
+def _line_extremals(reference):
+    """Starts, and the time of the extremal to a line that is next to the fastest one (inf where
+    there is none).
+
+    The costate at the end is p = +-c for the line c.y + d = 0, so F(T) = max p.y over R(T) says it
+    all: an extremal ends at T if F reaches the line there, and rises, since its rate is the
+    Hamiltonian; the first of all is the fastest one. Starts next to a border of their set are left
+    out.
+    """
+    if "extremals" in reference.kept:
+        return reference.kept["extremals"]
+    plant, (points, case) = reference.plant, reference._points(1000, seed=7)
+    c, d = reference.convex._c[0], reference.convex._d[0]
+    times = 60 * (np.arange(0, 1501) / 1500) ** 1.5
+    whole = plant.exponential(times)
+    owner, found, doubtful = [], [], np.zeros(len(points), dtype=bool)
+    for p, level in ((c, -d), (-c, d)):
+
+        def ahead(T, x, p=p, level=level):
+            rows = np.tile(p, (len(T), 1))
+            return (
+                np.einsum("i,nij,nj->n", p, plant.exponential(T), x)
+                + plant.extreme(rows, T, np.ones(len(T)))
+                - level
+            )
+
+        reach = plant.extreme(np.tile(p, (len(times), 1)), times, np.ones(len(times)))
+        F = np.einsum("i,tij,nj->nt", p, whole, points) + reach - level
+        n, j = np.nonzero((F[:, :-1] < 0) & (F[:, 1:] >= 0))
+        low, high = times[j], times[j + 1]
+        for _ in range(45):
+            middle = (low + high) / 2
+            before = ahead(middle, points[n]) < 0
+            low, high = np.where(before, middle, low), np.where(before, high, middle)
+        owner.append(n)
+        found.append((low + high) / 2)
+        turning = (F[:, 1:-1] < F[:, :-2]) & (F[:, 1:-1] < F[:, 2:]) | (F[:, 1:-1] > F[:, :-2]) & (
+            F[:, 1:-1] > F[:, 2:]
+        )
+        doubtful |= (
+            turning & (abs(F[:, 1:-1]) < 0.004 * (0.3 + np.linalg.norm(points, axis=1))[:, None])
+        ).any(axis=1)
+    ends = np.full((len(points), 1 + max(np.bincount(np.concatenate(owner)), default=0)), np.inf)
+    rows, column = np.concatenate(owner), np.zeros(len(points), dtype=int)
+    for n, T in zip(rows, np.concatenate(found)):
+        ends[n, column[n]], column[n] = T, column[n] + 1
+    ends = np.sort(ends, axis=1)
+    first = ends[:, 0].copy()
+    ends[ends <= first[:, None] * (1 + 1e-6) + 1e-6] = np.inf
+    keep = ~doubtful & np.isfinite(first) & (first > 0.02)
+    reference.kept["extremals"] = (
+        StateBatch(x=points, case=case, time=first).take(keep),
+        ends.min(axis=1)[keep],
+    )
+    return reference.kept["extremals"]

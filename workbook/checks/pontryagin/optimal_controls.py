@@ -1,0 +1,236 @@
+"""Optimal controls in time, judged by the process that they give.
+
+`problem` is a `pontryagin.Problem`, with one control. `parameters` are its symbols with the
+intervals in which answers are tried, a dict; of a transfer in least or greatest time a list of
+symbols suffices, and a state without an initial value that is one of them stands for its initial
+value. The optimum comes from `best_processes`, which does not use costates. A process has to be
+admissible, to keep to the ends, and to cost no more than the optimum that was found.
+"""
+
+import numpy as np
+
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.simulation import (
+    ENDING_ITSELF,
+    Path,
+    does_as_well,
+    on_target,
+)
+from workbook.checks.pontryagin.time_functions import (
+    INTEGRATED,
+    Control,
+    Steering,
+)
+from workbook.checks.references.optima.best_processes import (
+    best_processes,
+    free_at_the_start,
+)
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.wording import prefix_text
+
+#: To what share of its range a control on an arc of the best process is known, and of the duration
+#: an arc; a shorter one may be missed.
+CERTAIN, ARC, MISSED = 1e-3, 1e-6, 1e-4
+#: How far from a change of the best control, as a part of the duration, that of another one is
+#: looked for, and by what share of the distance of its bounds a control that is found numerically
+#: may seem to jump.
+NEAR, BENT = 0.02, 4e-3
+#: Values of a control that differ by a smaller part of its jump are one; a jump takes so small a
+#: part of the duration.
+SAME, SUDDEN = 1e-6, 1e-9
+#: How much better the duration of the best process is known, and so where it ends, if it is what is
+#: to be least.
+TIMED = 0.05
+
+
+@judged(Control("time", "parameters", time="time"))
+def optimal_control(claim, problem, time, parameters=None):
+    """Check the control of an optimal process.
+
+    It is an expression in time and parameters, or a list of arcs [value, until].
+    """
+    read = Steering(claim, time, parameters)
+    begun = ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""
+    timed = TIMED if is_time_optimal(problem) and read.rounding == INTEGRATED else 1
+    for values, best in best_processes(problem, parameters):
+        where = prefix_text(values)
+        whose = "your control" + begun
+        _ends_with_the_best(read, values, best, problem, where, whose)
+        sections = read.sections(values, best.duration)
+        path = Path(best, sections, where)
+        path.admissible(read.lasting)
+        others, together = (
+            [
+                [
+                    Path(best, side.sections(values, best.duration), where).states[-1]
+                    for side in sides
+                ]
+                for sides in part
+            ]
+            for part in (read.changed, read.together)
+        )
+        does_as_well(
+            path.times,
+            path.states,
+            best,
+            problem,
+            timed * read.rounding,
+            where,
+            whose,
+            others,
+            together,
+        )
+        _jumps_where_it_should(sections, best, read.rounding, where)
+        _bends_where_it_should(sections, read.changed, best, values, where)
+    return "it is admissible, keeps to the ends, and no process was found that does better"
+
+
+def _ends_with_the_best(read, values, best, problem, where, whose):
+    """Raise `Wrong` for arcs that end too early, of which the last one begins after the end, or
+    that come to the target later alone: by what they come to at their own end, since what costs too
+    much may end at another time."""
+    if not (ends := read.ends(values)):
+        return
+    begin, end = [0.0, *ends][-2:]
+    early, late = (
+        end < best.duration * (1 - read.lasting),
+        begin > best.duration * (1 + read.lasting),
+    )
+    if problem.duration is None or isinstance(problem.duration, tuple):
+        own, cut = (
+            Path(best, read.sections(values, until), where) for until in (end, best.duration)
+        )
+        if (
+            early
+            or late
+            or on_target(own.states[-1], best, read.rounding)
+            > on_target(cut.states[-1], best, read.rounding)
+        ):
+            own.admissible(read.lasting)
+            does_as_well(
+                own.times,
+                own.states,
+                best,
+                problem,
+                read.rounding,
+                where,
+                whose,
+                when=ENDING_ITSELF,
+            )
+    if early or late:
+        raise Wrong(
+            f"{where}your last arc "
+            + (
+                f"ends at {end:.4g}, and the process lasts longer"
+                if early
+                else f"begins at {begin:.4g}, when the process should be over"
+            )
+        )
+
+
+def _jumps_where_it_should(sections, best, rounding, where):
+    """Raise `Wrong` for a control that goes over by and by from one value to another where the best
+    one jumps, or comes to the value of its first or last arc by and by: if it is quick, that costs
+    next to nothing."""
+    times, controls = np.asarray(best.times), np.asarray(best.controls)
+    for k in range(1, len(times) - 2):
+        before, after = controls[k], controls[k + 1]
+        slack = max(rounding, SAME) * abs(after - before)
+        if max(abs(controls[k - 1] - before), abs(controls[k + 2] - after)) < slack and (
+            point := _slowly(
+                sections, times[k - 1], before, times[k + 2], after, slack, best.duration
+            )
+        ):
+            raise Wrong(
+                f"{where}at t = {point:.4g} the best control jumps; yours takes values between"
+            )
+    for inner, k, end in ((1, 0, SUDDEN * best.duration), (-2, -1, (1 - SUDDEN) * best.duration)):
+        held, slack = controls[k], max(rounding, SAME) * max(abs(controls[k]), SAME)
+        if abs(controls[inner] - held) < slack and (
+            point := _slowly(sections, times[inner], held, end, None, slack, best.duration)
+        ):
+            raise Wrong(
+                f"{where}next to t = {point:.4g} the best control keeps one value; yours takes "
+                "others"
+            )
+
+
+def _slowly(sections, first, before, last, after, slack, duration):
+    """The time at which a control leaves the value before and does not come to the one after at
+    once; None where it does, or has other values at the two instants. Without a value after that of
+    the control itself stands for it."""
+    low, high = sorted((first, last))
+    for u in (u for begin, end, u in sections if begin <= low and high <= end):
+        after = u(np.array([last]))[0] if after is None else after
+        if abs(after - before) <= slack or not (
+            abs(u(np.array([first]))[0] - before) <= slack
+            and abs(u(np.array([last]))[0] - after) <= slack
+        ):
+            continue
+        point = bisect(
+            lambda t, _, u=u: abs(u(t) - before) <= slack, np.array([first]), np.array([last]), 50
+        )[1]
+        if not abs(u(point + np.sign(last - first) * SUDDEN * duration)[0] - after) <= slack:
+            return float(point[0])
+    return None
+
+
+def _values(sections, times):
+    """A control at instants."""
+    times = np.clip(times, sections[0][0], sections[-1][1])
+    found, left = np.empty(len(times)), np.ones(len(times), dtype=bool)
+    for begin, end, u in sections:
+        here = left & (begin <= times) & (times <= end)
+        if here.any():
+            found[here] = u(times[here])
+        left &= ~here
+    return found
+
+
+def _bends_where_it_should(sections, changed, best, values, where):
+    """Raise `Wrong` for a control that jumps where the best one leaves a bound, or comes to one,
+    without a jump."""
+    low, high = best.bounds
+    for j, before, after in getattr(best, "changes", list)():
+        if (before is None) == (after is None):
+            continue
+        (t, s), (v, w) = best.times[j + 1 : j + 3] - best.times[j], best.controls[j + 1 : j + 3]
+        near, allowed = NEAR * best.duration, BENT * (high - low)
+        if (
+            abs((v - (w - v) * t / (s - t) if after is None else after) - best.controls[j])
+            > allowed
+        ):
+            continue  # to a singular arc the best one jumps too
+        bound, inner = best.times[j] + (near if before is None else -near) * np.array([1.0, -1.0])
+        claimed, *others = (
+            _leap(one, bound, inner, SAME * (high - low))
+            for one in (
+                sections,
+                *(side.sections(values, best.duration) for sides in changed for side in sides),
+            )
+        )
+        left_open = sum(
+            max(abs(one - claimed), abs(other - claimed))
+            for one, other in zip(others[::2], others[1::2])
+        )
+        if not abs(claimed) <= allowed / 10 + left_open:
+            raise Wrong(
+                f"{where}your control jumps by {claimed:.2g} where the best one changes without a jump"
+            )
+
+
+def _leap(sections, first, last, same):
+    """By how much a control jumps where it leaves the value that it has at the first of two
+    instants."""
+    held = _values(sections, [first])[0]
+    point = bisect(
+        lambda t, _: abs(_values(sections, t) - held) <= same,
+        np.array([first]),
+        np.array([last]),
+        48,
+    )[1]
+    return _values(sections, point)[0] - held
+
+
+def is_time_optimal(problem):
+    return problem.running == 1 and problem.final == 0 and problem.duration is None

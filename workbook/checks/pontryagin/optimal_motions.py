@@ -1,0 +1,140 @@
+"""Optimal motions, judged as the process with the control that they need.
+
+The data are those of `optimal_controls`.
+"""
+
+import numpy as np
+
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.optimal_controls import is_time_optimal
+from workbook.checks.pontryagin.simulation import (
+    keeps_to_the_ends,
+    meets_once,
+    point_text,
+)
+from workbook.checks.pontryagin.time_functions import (
+    ENDING,
+    InTime,
+    Motion,
+    jumps,
+)
+from workbook.checks.references.optima.best_processes import (
+    best_processes,
+    free_at_the_start,
+)
+from workbook.checks.tools.wording import prefix_text
+
+#: Where rates are no linear functions of the control, it is tried at so many places between its
+#: bounds, then closer to the best of them, so often; and so far to both sides where it has no
+#: bounds.
+PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
+
+
+@judged(Motion("time", "parameters", problem="problem", time="time"))
+def optimal_motion(claims, problem, time, parameters=None):
+    """Check an optimal motion, all states as functions of time and parameters.
+
+    The first state suffices if the others are its derivatives.
+    """
+    motion, given = (
+        InTime(claims, time, parameters),
+        ~np.array(free_at_the_start(problem, parameters)),
+    )
+    # A motion that arrives at the least time is optimal, whatever it does before.
+    only_time = is_time_optimal(problem)
+    for values, best in best_processes(problem, parameters):
+        where, slack = prefix_text(values), motion.rounding * best.size()
+        start = motion.values(0.0, values)
+        if not np.all(
+            (np.abs(start - best.start[:-1]) <= slack + motion.uncertain(0.0, values)[0])[given]
+        ):
+            raise Wrong(f"{where}your motion starts at {point_text(start)}, not where it should")
+        states = [_possible(motion, t, values, best, problem, where) for t in best.times]
+        for j, name in enumerate(problem.dynamics):
+            for t in jumps(lambda times, j=j: motion.values(times, values)[j], best.duration):
+                before, after = (
+                    motion.values(t * (1 + side * 1e-6), values)[j] for side in (-1, 1)
+                )
+                if (
+                    not abs(after - before)
+                    <= motion.uncertain(t * (1 - 1e-6), values)[0][j] + slack
+                ):
+                    raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
+        if problem.first_return:
+            meets_once([0.0, *best.times], [start, *states], best, where)
+        end = np.append(motion.values(ENDING * best.duration, values), 0)
+        keeps_to_the_ends(
+            end,
+            best,
+            motion.rounding,
+            where + "on your motion",
+            [
+                (end - side, end + side)
+                for side in np.diag(
+                    np.append(motion.uncertain(ENDING * best.duration, values)[0], 0)
+                )
+            ],
+        )
+        differences = np.abs(np.array(states)[:, :-1].T - best.states)
+        off = differences.max()
+        if not (
+            only_time or np.all(differences <= 3 * slack + motion.uncertain(best.times, values)[0])
+        ):
+            raise Wrong(
+                f"{where}your motion is one that the system can have, but another one with the "
+                f"same ends does better; the two come to be {off:.4g} apart"
+            )
+    return "it starts where it should, obeys the equations, keeps to the ends, and is the best motion found"
+
+
+def _possible(motion, t, values, best, problem, where):
+    """The state of a motion at an instant, with a zero for the cost; `Wrong` if it does not obey
+    the equations there under any admissible control."""
+    near = t * (1 - 1e-7)  # at a jump of the control a derivative need not exist
+    y, rate = motion.values(near, values), motion.rates(near, values)
+    if not np.all(np.isfinite([*y, *rate])):
+        raise Wrong(f"{where}your motion is not real at t = {t:.4g}")
+    scale = 10 * motion.rounding * (1 + np.abs(best.states).max() * (1 + 1 / best.duration))
+    open_y, open_rate = motion.uncertain(near, values)
+    if open_y.any():
+        middle = np.mean(np.nan_to_num(best.bounds, posinf=0, neginf=0))
+        scale += (open_rate + np.abs(best.jacobians(y, middle)[0])[:-1, : len(y)] @ open_y).sum()
+    off = np.abs(_nearest_rates(best, y, rate) - rate)
+    if not np.all(off <= scale):
+        j = int(np.argmax(off))
+        others = "" if len(y) == 1 else ", with the other rates that it has there"
+        raise Wrong(
+            f"{where}at t = {t:.4g} your motion is at {point_text(y)} with "
+            f"{list(problem.dynamics)[j]}' = {rate[j]:.4g}, which no admissible control gives "
+            f"there{others}"
+        )
+    return np.append(y, 0)
+
+
+def _nearest_rates(best, y, rate):
+    """Of the rates of the states that admissible controls give, those nearest to `rate`."""
+
+    def rates(u):
+        return np.array([best.field(np.append(y, 0), one)[:-1] for one in u]).T
+
+    low, high = best.bounds
+    zero, one, two = rates([0.0, 1.0, 2.0]).T
+    slope = one - zero
+    if np.allclose(two - one, slope, rtol=1e-12, atol=1e-12) and np.allclose(
+        rates([-np.pi])[:, 0], zero - np.pi * slope, rtol=1e-9, atol=1e-9
+    ):
+        size = slope @ slope
+        return zero + slope * np.clip(slope @ (rate - zero) / size if size else 0.0, low, high)
+    # An angle is tried all round, what is no angle as far as `UNBOUNDED`.
+    turns = np.allclose(
+        rates([0.3, 1.7]), rates([0.3 + 2 * np.pi, 1.7 + 2 * np.pi]), rtol=1e-9, atol=1e-9
+    )
+    begin, end = np.clip(
+        (-np.pi, np.pi) if turns and high - low >= 2 * np.pi else (-UNBOUNDED, UNBOUNDED), low, high
+    )
+    for _ in range(ROUNDS):
+        points = np.linspace(begin, end, PARTS + 1)
+        found = rates(points)
+        k = int(np.argmin(np.linalg.norm(found - rate[:, None], axis=0)))
+        begin, end = points[max(k - 1, 0)], points[min(k + 1, PARTS)]
+    return found[:, k]

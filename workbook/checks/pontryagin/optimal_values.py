@@ -1,0 +1,287 @@
+"""Costs, durations and ranges of optimal processes, as expressions in the parameters.
+
+The data are those of `optimal_controls`.
+"""
+
+import functools
+import itertools
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression
+from workbook.checks.contract.tolerance import agree, in_decimals
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.optimal_controls import ARC, CERTAIN, MISSED, is_time_optimal
+from workbook.checks.pontryagin.simulation import (
+    COSTS,
+    point_text,
+)
+from workbook.checks.pontryagin.time_functions import (
+    INTEGRATED,
+)
+from workbook.checks.references.optima.best_processes import (
+    best_processes,
+    best_processes_at,
+)
+from workbook.checks.references.optima.transfer_optima import SAMPLES
+from workbook.checks.references.scales import COST, TIME, judge_at_every_scale
+from workbook.checks.tools.kinks import points_at_kinks
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import uncertainties_at, value_at, values_at
+from workbook.checks.tools.wording import prefix_text
+
+#: A smaller part of a time than this is none; after so small parts of a way its growth is looked
+#: at.
+ABSENT, GROWN = 1e-13, (1e-2, 1e-6)
+#: How close two places are that lie on both sides of a bend, and how many times as far as the reference
+#: an expression may move between them.
+BESIDE, LEAPS = 1e-5, 4
+#: To what share the extreme values of a quantity along the best process are known.
+FOLLOWED = 5e-4
+
+
+@judged(Expression("parameters"))
+def optimal_cost(claim, problem, parameters=None):
+    """Check the cost of the optimal process, as an expression in the parameters.
+
+    Where these are the start and the duration is free, what is left of a process is optimal
+    too: the cost is asked there as well.
+    """
+    better = "greater" if problem.maximise else "less"
+    starts = list(problem.initial.values())
+    anywhere = (
+        problem.duration is None
+        and not problem.first_return
+        and len(set(starts)) == len(starts)
+        and all(start in (parameters or {}) for start in starts)
+    )
+    cost_of = (
+        real_function([*starts, *(p for p in parameters if p not in starts)], [claim])
+        if anywhere
+        else None
+    )
+    found = best_processes(problem, parameters, 2 * SAMPLES)
+    for (values, best), claimed, open_ in _evaluated(claim, found, "the cost"):
+        where = prefix_text(values)
+        right = functools.partial(
+            agree,
+            true=best.cost,
+            written=claim,
+            size=best.cost_size(),
+            computed=COSTS,
+            uncertain=open_,
+        )
+        if not (right(claimed) or right(claimed := value_at(claim, values, "the cost"))):
+            beyond = (claimed < best.cost) != problem.maximise
+            raise Wrong(
+                f"{where}your cost is {claimed:.4g}; "
+                + (
+                    "no admissible process that keeps to the ends was found that does so well"
+                    if beyond
+                    else f"there is an admissible process with a cost that is {better}"
+                )
+            )
+        if anywhere:
+            _left_over(claim, cost_of, values, best, starts, parameters)
+    _right_next_to_bends(claim, problem, parameters, found, "cost")
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
+    return "it is the cost of the best process found"
+
+
+def _evaluated(claim, found, what):
+    """The pairs found, each with what a claim is there, in the digits of floats, and what its
+    decimals leave open."""
+    points = [values for values, _ in found]
+    return zip(found, values_at(claim, points, what), uncertainties_at(claim, points))
+
+
+def _right_next_to_bends(claim, problem, parameters, found, what):
+    """Raise `Wrong` for an expression that is not the cost, or the duration, next to where it goes
+    over from one form to another, on the way between the places of the processes found; decimals
+    leave open where that is."""
+    if (
+        in_decimals(claim)
+        or len(found) < 2
+        or not isinstance(parameters, dict)
+        or not all(isinstance(domain, sp.Interval) for domain in parameters.values())
+    ):
+        return
+    size = max(abs(getattr(best, what)) for _, best in found)
+    near = best_processes_at(
+        problem, parameters, points_at_kinks(claim, [values for values, _ in found])
+    )
+    seen = []
+    for (values, best), claimed, open_ in _evaluated(claim, near, f"the {what}") if near else ():
+        true = getattr(best, what)
+        if not agree(claimed, true, claim, size, max(INTEGRATED, best.MISSED), open_):
+            raise Wrong(
+                f"{prefix_text(values)}your expression goes over from one form to another, and gives "
+                f"{claimed:.4g} next to that; the {what} of the best process found is "
+                f"{'less' if claimed > true else 'greater'}"
+            )
+        seen.append((values, claimed, true))
+    for (values, one, least), (others, other, greatest) in itertools.pairwise(seen):
+        beside = all(
+            np.isclose(float(values[s]), float(others[s]), rtol=BESIDE, atol=BESIDE) for s in values
+        )
+        if beside and abs(other - one) > LEAPS * max(abs(greatest - least), COSTS * abs(one)):
+            raise Wrong(
+                f"{prefix_text(values)}your expression jumps, from one form to another; next to that "
+                f"the {what} of the best process found hardly changes"
+            )
+
+
+def _left_over(claim, cost_of, values, best, starts, parameters):
+    """Raise `Wrong` where a claim for all starts is not what the rest of the best process costs."""
+    states, true = best.left()
+    inside = np.all(
+        [
+            (y > float(parameters[s].inf)) & (y < float(parameters[s].sup))
+            for s, y in zip(starts, states)
+        ],
+        axis=0,
+    )
+    states, true = states[:, inside], true[inside]
+    claimed = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
+    off = ~np.atleast_1d(
+        agree(np.nan_to_num(claimed, nan=np.inf), true, claim, best.cost_size(), COSTS)
+    )
+    for k in np.flatnonzero(off)[:1]:
+        gives = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
+        raise Wrong(
+            f"from the start {point_text(states[:, k])} your cost is {gives}; the best process "
+            "found costs "
+            + (
+                "more"
+                if true[k] > claimed[k]
+                else "less"
+                if np.isfinite(claimed[k])
+                else "a real number"
+            )
+        )
+
+
+@judged(Expression("parameters"))
+def optimal_duration(claim, problem, parameters=None):
+    """Check the duration of the optimal process, as an expression in the parameters."""
+    found = best_processes(problem, parameters, 2 * SAMPLES)
+    for (values, best), claimed, open_ in _evaluated(claim, found, "the duration"):
+        right = functools.partial(
+            agree, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_
+        )
+        if not (right(claimed) or right(claimed := value_at(claim, values, "the duration"))):
+            raise Wrong(
+                f"{prefix_text(values)}your duration is {claimed:.4g}; {best.duration_message(claimed)}"
+            )
+    if is_time_optimal(problem):
+        _right_next_to_bends(claim, problem, parameters, found, "duration")
+    judge_at_every_scale(
+        claim, problem, parameters, [values for values, _ in found], TIME, "duration"
+    )
+    return "it is the duration of the best process found"
+
+
+@judged(Expression("parameters"))
+def initial_arc_duration(claim, problem, control, value, parameters):
+    """Check how long the optimal process keeps a control at a value from the beginning.
+
+    The control is one of several; the duration is zero where it begins with another value.
+    """
+    j = list(problem.controls).index(control)
+    low, high = problem.controls[control]
+    held, found = [], best_processes(problem, parameters)
+    for (values, best), claimed in zip(
+        found, values_at(claim, [values for values, _ in found], "the time")
+    ):
+        given = float(sp.sympify(value).subs(values))
+        near = CERTAIN * float((high - low).subs(values))
+        first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
+        true = float(sum(length for length, _ in first))
+        held.append((values, true))
+        if not agree(claimed, true, claim, best.duration, ARC if true else MISSED):
+            raise Wrong(
+                f"{prefix_text(values)}you keep {control} = {value} for {claimed:.4g} at first; the best "
+                "process found does so "
+                + (
+                    "longer"
+                    if true > claimed
+                    else "for a shorter time"
+                    if true
+                    else "at no time in the beginning"
+                )
+            )
+    _begins_at_once(claim, held)
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
+    return "the best processes found keep it so long"
+
+
+def _begins_at_once(claim, held):
+    """Raise `Wrong` for a time that grows from zero by and by, on the way from parameters for which
+    it is zero to others: where the arc appears it grows with a corner, so that next to it the slope
+    is no smaller."""
+    symbols = [s for s in held[0][0] if s in claim.free_symbols]
+    none, some = (
+        np.array(
+            [[float(values[s]) for s in symbols] for values, true in held if (true > 0) == part]
+        )
+        for part in (False, True)
+    )
+    function, count = real_function(symbols, [claim]), min(len(none), len(some))
+    if not count:
+        return
+
+    def claimed(parts, rows):
+        return function(*(none[rows] + parts[:, None] * (some[rows] - none[rows])).T)[0]
+
+    rows = np.arange(count)
+    whole = claimed(np.ones(count), rows)
+    begun = bisect(
+        lambda parts, rows: abs(claimed(parts, rows)) <= ABSENT * whole[rows],
+        np.zeros(count),
+        np.ones(count),
+        50,
+    )[1]
+    here, *grown = (claimed(np.minimum(begun + step, 1), rows) for step in (0, *GROWN))
+    far, near = ((one - here) / step for one, step in zip(grown, GROWN))
+    for k in np.flatnonzero(
+        ~((near > far / 2) & (abs(claimed(np.zeros(count), rows)) <= ABSENT * whole))
+    )[:1]:
+        at = dict(zip(symbols, none[k] + begun[k] * (some[k] - none[k])))
+        raise Wrong(
+            f"{prefix_text(at)}your time leaves zero by and by; that of the best process does so at "
+            "once"
+        )
+
+
+@judged(Expression("parameters"))
+def optimal_range(claim, problem, quantity, parameters=None):
+    """Check the range of a quantity along the optimal process.
+
+    The range goes from the least value of the quantity to its greatest, as an expression in the
+    parameters; where several processes are optimal, it is the same for all of them.
+    """
+    from scipy.interpolate import CubicHermiteSpline
+
+    symbols, named = list(problem.dynamics), list(parameters or {})
+    value = real_function([*symbols, *named], [quantity])
+    slopes = real_function([*symbols, *named], [quantity.diff(s) for s in symbols])
+    for values, best in best_processes(problem, parameters):
+        given = [float(values[p]) for p in named]
+        along = np.column_stack([best.start[:-1], best.states])
+        controls = [best.controls[0], *best.controls]
+        rates = [best.field(np.append(y, 0), u)[:-1] for y, u in zip(along.T, controls)]
+        path = CubicHermiteSpline(
+            np.append(0, best.times),
+            value(*along, *given)[0],
+            [slopes(*y, *given) @ rate for y, rate in zip(along.T, rates)],
+        )
+        true = float(np.ptp(path(np.linspace(0, best.duration, 4001))))
+        claimed = value_at(claim, values, "the extent")
+        if not agree(claimed, true, claim, computed=FOLLOWED):
+            raise Wrong(
+                f"{prefix_text(values)}your expression gives {claimed:.4g}; along the best process found "
+                f"{quantity} ranges over {'less' if claimed > true else 'more'}"
+            )
+    return "so far it ranges along the best process found"

@@ -1,0 +1,154 @@
+"""Sample points for the conditions of the maximum principle, and zero sets of expressions."""
+
+import itertools
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract import coercion
+from workbook.checks.contract.tolerance import (
+    DECIMALS,
+    in_decimals,
+    perturbed,
+)
+from workbook.checks.references.singular_arcs import hamiltonian, known_costates
+from workbook.checks.tools.domains import endpoints, random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.samples import cached_points
+from workbook.checks.tools.substitution import substituted
+
+#: At so many places an identity is tried, and with so many other controls a greatest value is
+#: compared.
+PLACES, RIVALS = 8, 41
+#: How well points of singular arcs and of a claimed surface are known.
+POINTS = 1e-7
+#: How close to a switching a control is looked at, as a share of the way there.
+NEXT_TO = 1e-4
+
+
+class ZeroSet:
+    """The places where several expressions in `symbols` vanish."""
+
+    def __init__(self, claims, symbols, parameters):
+        self._symbols, self._parameters, self._count = symbols, parameters, len(claims)
+        self._values = real_function([*symbols, *parameters], claims)
+        self._slopes = real_function(
+            [*symbols, *parameters], [sp.diff(e, s) for e in claims for s in symbols]
+        )
+        followed = perturbed(*claims) if in_decimals(*claims) else []
+        self._most = POINTS if followed == [] else DECIMALS
+        self._changed = [
+            [real_function([*symbols, *parameters], side) for side in sides]
+            for sides in followed or ()
+        ]
+
+    def left_open(self, values):
+        """How far from them a point may be, counted as `distance` is, for what decimals leave
+        open."""
+        if not self._changed:
+            return self._most
+        numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
+        here, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
+        moved = sum(
+            np.fmax(*(abs(side(*numbers) - here) for side in sides)) for sides in self._changed
+        )
+        steps = moved / np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
+        return float(
+            np.fmin(
+                self._most,
+                POINTS + steps.max() / (1 + np.linalg.norm(numbers[: len(self._symbols)])),
+            )
+        )
+
+    def distance(self, values):
+        """How far a point is from them, as a share of its own size, to first order; infinite where
+        undefined."""
+        numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
+        rest, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
+        if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+            return np.inf
+        steps = [
+            0.0 if r == 0 else abs(r) / max(np.linalg.norm(row), 1e-300)
+            for r, row in zip(rest, slopes)
+        ]
+        return max(steps) / (1 + np.linalg.norm(numbers[: len(self._symbols)]))
+
+    def near(self, values):
+        """The place of zeros next to a point, as a dict, or None."""
+        given = [float(values[s]) for s in self._parameters]
+        point = np.array([float(values[s]) for s in self._symbols])
+        for _ in range(80):  # at double zeros each step halves the distance
+            rest, slopes = (
+                self._values(*point, *given),
+                self._slopes(*point, *given).reshape(self._count, -1),
+            )
+            if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+                return None
+            step = np.linalg.lstsq(slopes, rest, rcond=1e-12)[0]
+            point = point - step
+            if np.linalg.norm(step) <= 1e-12 * (1 + np.linalg.norm(point)):
+                found = values | dict(zip(self._symbols, point))
+                return found if self.distance(found) < 1e-9 else None
+        return None
+
+
+@cached_points
+def sample_points(problem, costates, domain, controls=True, known=False):
+    """Random values of all symbols, the controls on their bounds first; costates that are `known`
+    may have their values."""
+    random, values = np.random.default_rng(11), known_costates(problem, costates) if known else {}
+    symbols = [
+        *problem.state,
+        *costates,
+        *problem.parameters,
+        *(problem.control if controls else ()),
+    ]
+    # Each symbol takes values all over its range.
+    shares = {
+        s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES for s in symbols
+    }
+    for k in range(PLACES):
+        position = {s: random_value(random, s, domain, shares[s][k]) for s in symbols}
+        if controls and k < 2:
+            position |= {
+                u: pair[k]
+                for u, pair in zip(problem.control, control_bounds(problem, position))
+                if np.isfinite(pair[k])
+            }
+        yield position | {psi: float(value.subs(position)) for psi, value in values.items()}
+
+
+@cached_points
+def points_near_switching(problem, costates, domain):
+    """Places next to those where a control does not enter H: a smooth imitation of a jump is seen
+    there."""
+    symbols = [*costates, *problem.state]
+    for slope in (sp.diff(hamiltonian(problem, costates), u) for u in problem.control):
+        if slope.free_symbols & set(problem.control):
+            continue
+        zeros = ZeroSet([slope], symbols, list(problem.parameters))
+        for values in itertools.islice(sample_points(problem, costates, domain, controls=False), 2):
+            position = zeros.near(values)
+            if position is not None and is_in_domain(position, domain):
+                yield {s: v + NEXT_TO * (values[s] - v) for s, v in position.items()}
+
+
+def is_in_domain(values, domain):
+    """Whether values lie where those of their symbols may."""
+    return all(low < values[s] < high for s in values for low, high in [endpoints(s, domain)])
+
+
+def as_difference(part, symbols):
+    if isinstance(part, sp.Eq):
+        return coercion.as_expression(part.lhs, symbols) - coercion.as_expression(part.rhs, symbols)
+    return coercion.as_expression(part, symbols)
+
+
+def control_bounds(problem, values):
+    return [
+        tuple(
+            float(substituted(b, values)) if b.is_finite is not False else np.inf * (1 if k else -1)
+            for k, b in enumerate(pair)
+        )
+        for pair in problem.controls.values()
+    ]

@@ -1,0 +1,220 @@
+"""Singular arcs: control, costates, surface, order and Kelley condition.
+
+`problem` is a `pontryagin.Problem`; `costates` are the symbols psi_1, ..., psi_n in the order of
+its states. The cost has the multiplier lambda_0 = 1: H = psi^T f - f_0, or + f_0 if the cost is
+maximised. Points of singular arcs come from `references.singular_arcs`.
+"""
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression, Expressions, Integer, YesNo
+from workbook.checks.contract.members import members
+from workbook.checks.contract.tolerance import (
+    agree,
+)
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.sample_points import (
+    PLACES,
+    POINTS,
+    ZeroSet,
+    as_difference,
+    control_bounds,
+    is_in_domain,
+)
+from workbook.checks.references.singular_arcs import singular_arcs
+from workbook.checks.tools.comparisons import SameWord
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import value_at
+from workbook.checks.tools.wording import rounded_text
+
+# Singular arcs.
+
+
+@judged(Integer())
+def singular_order(claim, problem, costates, control=None):
+    """Check the order q of the singular arcs.
+
+    The control appears first in the derivative of order 2q of dH/du.
+    """
+    arcs = _arcs(problem, costates, control)
+    if claim != arcs.order:
+        raise Wrong(
+            f"differentiate dH/du along the trajectories: {arcs.control} does not appear first in "
+            f"the derivative of order {2 * int(claim)}"
+        )
+    return f"{arcs.control} appears first in the derivative of order {2 * arcs.order}"
+
+
+@judged
+def singular_surface(answer, problem, costates, control=None, domain=None):
+    """Check the surface of the singular arcs in states and parameters.
+
+    It is an equation, or a list of equations that hold together.
+    """
+    arcs = _arcs(problem, costates, control)
+    symbols = [*problem.state, *problem.parameters]
+    claims = [
+        as_difference(part, symbols)
+        for part in members(
+            answer, "an equation in the states, or several", single=(sp.Expr, sp.Eq)
+        )
+    ]
+    surface = ZeroSet(claims, list(problem.state), list(problem.parameters))
+    for values in _points(arcs, domain):
+        if not surface.distance(values) <= surface.left_open(values):
+            raise Wrong("there are singular arcs on which your equation does not hold")
+    seen = 0
+    random = np.random.default_rng(23)
+    for _ in range(6 * PLACES):
+        values = {s: random_value(random, s, domain) for s in symbols}
+        point = surface.near(values)
+        if point is None or not is_in_domain(point, domain):
+            continue
+        seen += 1
+        if not arcs.multipliers_exist(point, 20 * surface.left_open(point)):
+            raise Wrong(
+                f"at {rounded_text(point)} your equation holds, and with no costates this is a "
+                "point of a singular arc"
+            )
+        if seen == PLACES:
+            break
+    return f"singular arcs lie there and nowhere else, tried at {PLACES} places on either side"
+
+
+@judged(
+    Expression(
+        lambda data: [
+            *data["problem"].state,
+            *data["problem"].control,
+            *data["costates"],
+            *data["problem"].parameters,
+        ]
+    )
+)
+def singular_control(claim, problem, costates, control=None, domain=None):
+    """Check the control on singular arcs, in states and parameters.
+
+    What holds on the arcs may be used.
+    """
+    arcs = _arcs(problem, costates, control)
+    rest, slope = arcs.highest.subs(arcs.control, 0), sp.diff(arcs.highest, arcs.control)
+    _without_control(claim, arcs)
+    for values in _points(arcs, domain):
+        a, b = (real_at(e, values) for e in (rest, slope))
+        if b is None or abs(b) < POINTS * (1 + abs(a)):
+            continue
+        claimed = value_at(claim, values, f"the singular {arcs.control}")
+        low, high = control_bounds(problem, values)[list(problem.control).index(arcs.control)]
+        # of a control that is zero
+        rounded = np.isfinite(high - low) and abs(claimed + a / b) <= POINTS * (high - low)
+        if not rounded and not agree(claimed, -a / b, claim, size=abs(a / b), computed=POINTS):
+            raise Wrong(
+                f"at a point of a singular arc your control gives {claimed:.4g}, under which "
+                f"dH/d{arcs.control} does not stay zero"
+            )
+    return "it keeps dH/du at zero on singular arcs"
+
+
+@judged(
+    Expressions(
+        lambda data: [
+            *data["problem"].state,
+            *data["problem"].control,
+            *data["problem"].parameters,
+        ],
+        length="costates",
+    )
+)
+def singular_costates(claims, problem, costates, control=None, domain=None):
+    """Check the costates with lambda_0 = 1 as long as one control is singular.
+
+    They are expressions in states, parameters and the other controls, which lie on their
+    bounds; the conditions at the end are not used.
+    """
+    arcs = singular_arcs(problem, control or problem.control[0], tuple(costates))
+    for values in _points(arcs, domain):
+        for psi, claim in zip(costates, claims):
+            if arcs.control in claim.free_symbols:
+                raise Wrong(
+                    f"your {psi} depends on {arcs.control}, which can have any value there for a "
+                    "moment"
+                )
+            claimed, size = (
+                value_at(claim, values, str(psi)),
+                max(abs(values[one]) for one in costates),
+            )
+            if not agree(claimed, values[psi], claim, size=size, computed=POINTS):
+                raise Wrong(
+                    f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your "
+                    f"{psi} is {claimed:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
+                    "or H does not"
+                )
+    return "with them dH/du stays zero, and H is what it has to be"
+
+
+@judged(
+    Expression(
+        lambda data: [
+            *data["problem"].state,
+            *data["problem"].control,
+            *data["costates"],
+            *data["problem"].parameters,
+        ]
+    )
+)
+def kelley_expression(claim, problem, costates, control=None, domain=None):
+    """Check the left-hand side of the Kelley condition on singular arcs.
+
+    It is (-1)^q d/du d^(2q)/dt^(2q) dH/du.
+    """
+    arcs = _arcs(problem, costates, control)
+    true = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
+    _without_control(claim, arcs)
+    for values in _points(arcs, domain):
+        claimed = value_at(claim, values, "Kelley's expression")
+        if not agree(claimed, real_at(true, values), claim, computed=POINTS):
+            raise Wrong(
+                f"at a point of a singular arc your expression gives {claimed:.4g}, which is not the "
+                "left-hand side of Kelley's condition there"
+            )
+    return "it is Kelley's expression on singular arcs"
+
+
+@judged(YesNo())
+def kelley_holds(claim, problem, costates, control=None, domain=None):
+    """Check whether the Kelley condition holds on the singular arcs."""
+    arcs = _arcs(problem, costates, control)
+    kelley = (-1) ** arcs.order * sp.diff(arcs.highest, arcs.control)
+    signs = {bool(real_at(kelley, values) <= 0) for values in _points(arcs, domain)}
+    if len(signs) > 1:
+        raise RuntimeError("Kelley's condition holds on a part of the singular arcs")
+    yield SameWord(
+        claim,
+        signs.pop(),
+        "look at the sign of (-1)^q d/du d^(2q)/dt^(2q) dH/du on the arc, with lambda_0 = 1",
+    )
+    return "its sign was looked at on singular arcs"
+
+
+def _arcs(problem, costates, control):
+    arcs = singular_arcs(problem, control or problem.control[0], tuple(costates))
+    if arcs.order is None:
+        raise RuntimeError("no derivative of dH/du holds the control")
+    return arcs
+
+
+def _without_control(claim, arcs):
+    if arcs.control in claim.free_symbols:
+        raise Wrong(
+            f"your expression contains {arcs.control} itself, on which nothing depends that is "
+            "asked for here"
+        )
+
+
+def _points(arcs, domain):
+    found = arcs.points(domain)
+    if len(found) < 3:
+        raise RuntimeError("no points of singular arcs were found")
+    return found

@@ -1,0 +1,207 @@
+"""Curves in the plane on which time-optimal control switches, divides or jumps.
+
+The fastest times and controls are compared on both sides of a curve; the data are those of
+`syntheses`.
+"""
+
+import functools
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.claims import Expression
+from workbook.checks.contract.tolerance import agree, in_decimals, perturbed
+from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.optima.sampled_optimum import (
+    BESIDE,
+    BESIDE_DECIMALS,
+    sampled_optimum,
+    synthesis_data,
+)
+from workbook.checks.tools.domains import values_inside
+from workbook.checks.tools.line_search import bisect
+from workbook.checks.tools.numeric_functions import real_function
+
+#: To what share of its coordinates a switching curve is found.
+LOCATED = 1e-4
+
+
+@judged(Expression("domain", "parameters"))
+def switching_curve(claim, system, target, domain, parameters=None, start=None):
+    """Check a branch of the switching curve over the interval that `domain` gives.
+
+    One state variable is an expression in the other.
+    """
+    return _crossed(claim, *domain.items(), synthesis_data(system, target, parameters, start))
+
+
+@judged(Expression("domain", "parameters"))
+def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
+    """Check the curve from which two motions are equally fast, written as a `switching_curve`."""
+    return _parting(claim, *domain.items(), synthesis_data(system, target, parameters, start))
+
+
+@judged(Expression("domain", "parameters"))
+def barrier(claim, system, target, domain, parameters=None, start=None):
+    """Check the curve across which the fastest time jumps, written as a `switching_curve`."""
+    return _jumping(claim, *domain.items(), synthesis_data(system, target, parameters, start))
+
+
+@functools.lru_cache(maxsize=64)
+def _crossed(*curve):
+    points = list(_sides_of(*curve, (1.0,)))
+    for message, (one,), (other,), away in points:
+        if one.control == other.control:
+            raise Wrong(f"{message} of your curve the optimal control is the same on both sides")
+        if away:
+            raise Wrong(
+                f"{message} of your curve the fastest motions leave the curve on both sides: it is no "
+                "place where they switch"
+            )
+    _change_on(points, *curve)
+    _through_the_target(*curve)
+    return "optimal motions cross the curve, or follow it, and change their control there, at sample points"
+
+
+@functools.lru_cache(maxsize=64)
+def _parting(*curve):
+    points = list(_sides_of(*curve, (1.0,)))
+    for message, (one,), (other,), away in points:
+        if one.control == other.control or not away:
+            raise Wrong(f"{message} of your curve the fastest motions from both sides do not part")
+    for (message, *_), one, other in zip(points, *_change_on(points, *curve)):
+        if not abs(one - other) <= 1e-3 * one:
+            raise Wrong(
+                f"{message} of your curve the fastest times differ on the two sides: {one:.4g} and "
+                f"{other:.4g}"
+            )
+    return "on both sides the fastest motions leave the curve, and their times agree on it, at sample points"
+
+
+def _through_the_target(claim, domain, data):
+    """Raise `Wrong` where a curve on both sides of a target that is a point leaves the places at
+    which extremals switch, next to the target or far out."""
+    reference, (variable, interval) = sampled_optimum(*data), domain
+    given = data.state.index(variable)
+    _, batch = reference.extremals() or (None, None)
+    if batch is None or not all(
+        interval.inf < reference.convex.corner(k)[given] < interval.sup for k in set(batch.case)
+    ):
+        return
+    symbols = [variable, *dict(data.parameters)]
+    cases = np.array(reference.cases, dtype=float).reshape(len(reference.cases), -1)[batch.case]
+    numbers, true = (batch.x[:, given], *cases.T), batch.x[:, 1 - given]
+    claimed, *sides = (
+        real_function(symbols, [one])(*numbers)[0]
+        for one in (claim, *(side for pair in perturbed(claim) or () for (side,) in pair))
+    )
+    open_ = sum(
+        np.fmax(abs(one - claimed), abs(other - claimed))
+        for one, other in zip(sides[::2], sides[1::2])
+    )
+    for k in np.flatnonzero(~(abs(claimed - true) <= LOCATED * abs(true) + open_))[:1]:
+        raise Wrong(
+            f"for {variable} = {numbers[0][k]:.4g} the control of the fastest motions does not "
+            "change on your curve, but beside it"
+        )
+
+
+def _change_on(points, claim, domain, data):
+    """Raise `Wrong` where the control of the fastest motions changes beside a curve and not on it;
+    else their times just before this change and behind it."""
+    reference, given = sampled_optimum(*data), 1 - data.state.index(domain[0])
+    first, last = (np.array([point[side][0].x for point in points]) for side in (1, 2))
+    control, case = (
+        np.array([getattr(one, name) for _, (one,), *_ in points]) for name in ("control", "case")
+    )
+    on, across = (first + last) / 2, (first - last) / np.linalg.norm(first - last, axis=1)[:, None]
+    first, last = bisect(
+        lambda x, rows: reference.solve(x, case[rows]).control == control[rows], first, last, 24
+    )
+    off = (((first + last) / 2 - on) * across).sum(axis=1) / across[:, given]
+    right = agree(on[:, given], on[:, given] + off, claim, np.linalg.norm(on, axis=1), LOCATED)
+    for k in np.flatnonzero(~right):
+        raise Wrong(
+            f"{points[k][0]} of your curve the control of the fastest motions does not change on "
+            "it, but beside it"
+        )
+    return [reference.solve(x, case).time for x in (first, last)]
+
+
+@functools.lru_cache(maxsize=64)
+def _jumping(*curve):
+    for message, one, other, _ in _sides_of(*curve, (0.04, 0.01)):
+        jump, left = (abs(a.time - b.time) for a, b in zip(one, other))
+        # At the edge of what is in reach the time may jump to infinity, or grow to it steadily:
+        # that is no jump.
+        if np.isinf(jump) and any(
+            abs(a.time - b.time) > 0.3 for a, b in (one, other) if np.isfinite(a.time + b.time)
+        ):
+            raise Wrong(
+                f"{message} of your curve the fastest time does not jump: it grows without bound as "
+                "the curve is approached"
+            )
+        # What grows like a root, as next to a motion that grazes the target, would fall to the
+        # half.
+        if not (jump > 0.02 and (left > 0.7 * jump or (np.isinf(jump) and np.isinf(left)))):
+            raise Wrong(
+                f"{message} of your curve the fastest time does not jump: on its two sides it is "
+                f"{one[0].time:.4g} and "
+                f"{other[0].time:.4g}, closer to it {one[1].time:.4g} and {other[1].time:.4g}"
+            )
+    return "the fastest time jumps across the curve, at sample points"
+
+
+def _sides_of(claim, domain, data, shares):
+    """For points of a curve: a text, the optima on one side and on the other at some distances,
+    whether both motions move away."""
+    reference, parameters, (variable, interval) = (
+        sampled_optimum(*data),
+        dict(data.parameters),
+        domain,
+    )
+    beside = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
+    index = data.state.index(variable)
+    function = real_function([variable, *parameters], [claim])
+    for case, values in enumerate(reference.cases):
+        ends = [
+            float(sp.sympify(end).subs(dict(zip(parameters, values))))
+            for end in (interval.inf, interval.sup)
+        ]
+        points = values_inside(*ends, count=9 if len(reference.cases) == 1 else 5)
+        step = 1e-6 * (1 + abs(points))
+        (other,), (ahead,) = (function(at, *values) for at in (points, points + step))
+        message = "".join(f"for {p} = {v:.4g}, " for p, v in zip(parameters, values))
+        for k in np.flatnonzero(~np.isfinite(other + ahead)):
+            raise Wrong(f"{message}at {variable} = {points[k]:.4g} your curve is not real")
+        slope = (ahead - other) / step
+        on = np.column_stack([points, other] if index == 0 else [other, points])
+        normal = np.column_stack(
+            [-slope, np.ones_like(slope)] if index == 0 else [np.ones_like(slope), -slope]
+        )
+        normal /= np.linalg.norm(normal, axis=1)[:, None]
+        shift = beside * (0.3 + np.linalg.norm(on, axis=1))[:, None]
+        moves = [sign * share * shift * normal for sign in (1, -1) for share in shares]
+        solved = reference.solve(
+            np.concatenate([on + move for move in moves]), np.full(len(on) * len(moves), case)
+        )
+        n, m = len(on), len(shares)
+        sides = [
+            [solved.take(slice(n * (m * side + k), n * (m * side + k + 1))) for k in range(m)]
+            for side in (0, 1)
+        ]
+        away = [
+            sign
+            * (
+                (side[0].x @ reference.plant.A.T + np.outer(side[0].control, reference.plant.b))
+                * normal
+            ).sum(axis=1)
+            > 0
+            for sign, side in zip((1, -1), sides)
+        ]
+        for k in range(n):
+            yield (
+                f"{message}at the point ({on[k][0]:.4g}, {on[k][1]:.4g})",
+                *([lane.take(k) for lane in side] for side in sides),
+                away[0][k] and away[1][k],
+            )

@@ -1,0 +1,266 @@
+"""Answers as functions of time, evaluated at many instants and parameters.
+
+They are controls, motions and costates.
+
+A control is an expression, or a list of arcs [value, until]; motions and costates are an expression
+a state.
+"""
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract import coercion
+from workbook.checks.contract.claims import Claim
+from workbook.checks.contract.tolerance import (
+    in_decimals,
+    perturbed,
+    perturbed_in_pairs,
+    relative_tolerance,
+)
+from workbook.checks.contract.verdict import Invalid, Wrong
+from workbook.checks.tools.numeric_functions import real_function
+
+#: What an answer without decimals may be off by: the precision of integrating it.
+INTEGRATED = 1e-5
+#: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone,
+#: which is known up to rounding.
+ENDING = 1 - 1e-9
+
+
+class Motion(Claim):
+    """All states as functions of time, or the first of them, where the others are its derivatives:
+    x1' = x2."""
+
+    @staticmethod
+    def coerce(answer, symbols, problem, time):
+        claims, state = _one_or_several(answer, symbols), list(problem.dynamics)
+        while (
+            len(claims) < len(state)
+            and problem.dynamics[state[len(claims) - 1]] == state[len(claims)]
+        ):
+            claims.append(_slope(claims[-1], time))
+        if len(claims) != len(state):
+            raise Invalid(
+                f"expected the motion as expressions in {time}: {', '.join(map(str, state))}"
+            )
+        return claims
+
+
+class Costates(Claim):
+    """An expression for each state; of one state the expression alone will do."""
+
+    @staticmethod
+    def coerce(answer, symbols, problem):
+        claims = _one_or_several(answer, symbols)
+        if len(claims) != len(problem.dynamics):
+            raise Invalid(
+                f"expected a costate for each state: {', '.join(map(str, problem.dynamics))}"
+            )
+        return claims
+
+
+class InTime:
+    """Expressions in time and parameters, with their derivatives in time."""
+
+    def __init__(self, claims, time, parameters):
+        symbols = [time, *(parameters or ())]
+
+        def compiled(parts):
+            return [
+                real_function(symbols, each)
+                for each in (parts, [_slope(part, time) for part in parts])
+            ]
+
+        self._values, self._rates = compiled(claims)
+        followed = perturbed(*claims) if in_decimals(*claims) else []
+        self._changed = [[compiled(side) for side in sides] for sides in followed or ()]
+        self.rounding = (
+            relative_tolerance(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
+        )
+
+    def values(self, times, parameters):
+        """What the expressions are at an instant, or at an array of them: a row for each; nan where
+        not real."""
+        return at_instants(self._values, times, *map(float, parameters.values()))
+
+    def rates(self, times, parameters):
+        return at_instants(self._rates, times, *map(float, parameters.values()))
+
+    def uncertain(self, times, parameters):
+        """By how much the decimals of the expressions leave open their values and their rates at an
+        instant, or at an array of them: two arrays, a row for each expression."""
+        numbers = [float(value) for value in parameters.values()]
+        found = [np.zeros_like(part(times, parameters)) for part in (self.values, self.rates)]
+        for sides in self._changed:
+            for k, here in enumerate(
+                (self.values(times, parameters), self.rates(times, parameters))
+            ):
+                moved = [np.abs(at_instants(side[k], times, *numbers) - here) for side in sides]
+                found[k] = found[k] + np.nan_to_num(np.fmax(*moved))
+        return found
+
+
+class Control(Claim):
+    """Arcs (value, until), or a single one (value, None), whose value may jump."""
+
+    @staticmethod
+    def coerce(answer, symbols, time):
+        if isinstance(answer, (np.ndarray, sp.MatrixBase)):
+            answer = answer.tolist()
+        if (
+            _is_list(answer)
+            and len(answer)
+            and all(_is_list(arc) and len(arc) == 2 for arc in answer)
+        ):
+            others = [symbol for symbol in symbols if symbol != time]
+            return [
+                (coercion.as_expression(value, symbols), coercion.as_expression(until, others))
+                for value, until in answer
+            ]
+        return [(coercion.as_expression(answer, symbols), None)]
+
+
+class Steering:
+    """A control that was read, evaluated for many parameters."""
+
+    def __init__(self, arcs, time, parameters, followed=True):
+        self.time, self.parameters = time, list(parameters or ())
+        self._values = [real_function([time, *self.parameters], [value]) for value, _ in arcs]
+        self._ends = [
+            until if until is None else real_function(self.parameters, [until]) for _, until in arcs
+        ]
+        parts = [part for arc in arcs for part in arc if part is not None]
+        others = perturbed(*parts) if followed and in_decimals(*parts) else []
+        #: Pairs of controls that the decimals of this one leave open.
+        self.changed = [
+            [Steering(_arcs(side, arcs), time, parameters, False) for side in sides]
+            for sides in others or ()
+        ]
+        #: The same with two of them changed, a row for each decimal and one for each after it.
+        self.together = [
+            [Steering(_arcs(both, arcs), time, parameters, False) for both in row]
+            for row in (perturbed_in_pairs(*parts) if others else ())
+        ]
+        self.rounding = (
+            relative_tolerance(*parts, computed=INTEGRATED) if others is None else INTEGRATED
+        )
+        self.lasting = (1 if followed else 3) * relative_tolerance(*parts, computed=INTEGRATED)
+
+    def ends(self, values):
+        """When the arcs end, one after the other; None for a single expression, which goes on for
+        ever."""
+        if self._ends == [None]:
+            return None
+        ends = [
+            _real(
+                until(*(float(values[p]) for p in self.parameters)),
+                f"the end of your arc number {k}",
+            )
+            for k, until in enumerate(self._ends, 1)
+        ]
+        for begin, end in zip([0.0, *ends], ends):
+            if not end > begin:
+                raise Wrong(
+                    f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}"
+                )
+        return ends
+
+    def sections(self, values, duration):
+        """Triples (begin, end, function of an array of times) between the jumps, from 0 to the
+        given duration; of arcs as far as they go, which may be less."""
+        numbers = [float(values[p]) for p in self.parameters]
+
+        def smooth(value):
+            def u(times):
+                claimed = at_instants(value, times, *numbers)[0]
+                # At a single instant, as between the cases t < 1 and t > 1, a control need not be
+                # defined.
+                for aside in (1e-9 * duration, -1e-9 * duration):
+                    undefined = np.flatnonzero(np.isnan(claimed))
+                    if len(undefined):
+                        claimed[undefined] = at_instants(value, times[undefined] + aside, *numbers)[
+                            0
+                        ]
+                for t in times[np.isnan(claimed)]:
+                    raise Wrong(
+                        f"your control at {self.time} = {t:.4g} is no real number, or not defined"
+                    )
+                return claimed
+
+            return u
+
+        if self._ends == [None]:
+            u = smooth(self._values[0])
+            breaks = jumps(u, duration)
+            # The value at a jump itself is of no account: it is asked a little inside.
+            return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *breaks], [*breaks, duration])]
+        ends = self.ends(values)
+        return [
+            (begin, min(end, duration), smooth(value))
+            for begin, end, value in zip([0.0, *ends], ends, self._values)
+            if begin < duration
+        ]
+
+
+def _arcs(parts, arcs):
+    """Arcs made of a flat list of their parts, as those of `arcs` are."""
+    parts = iter(parts)
+    return [tuple(None if part is None else next(parts) for part in arc) for arc in arcs]
+
+
+def _is_list(answer):
+    return isinstance(answer, (list, tuple, sp.Tuple))
+
+
+def _slope(expression, time):
+    """The derivative of an expression beside its jumps, which are looked for elsewhere."""
+    return sp.diff(expression, time).replace(sp.DiracDelta, lambda *_: sp.S.Zero)
+
+
+def _one_or_several(answer, symbols):
+    several = _is_list(answer) or isinstance(answer, (sp.MatrixBase, np.ndarray))
+    return coercion.as_expressions(answer if several else [answer], symbols)
+
+
+def jumps(u, duration, pieces=360):
+    """The instants of (0, duration) where a function of an array of times jumps, by bisection
+    between neighbours that differ."""
+    times = np.linspace(0, duration, pieces + 1)
+    times[0] += 1e-9 * duration
+    values = u(times)
+    scale = max(map(abs, values)) or 1.0
+    left, right, a, b = times[:-1], times[1:], values[:-1], values[1:]
+    for _ in range(45):
+        differ = ~(abs(a - b) < 1e-6 * scale)
+        left, right, a, b = left[differ], right[differ], a[differ], b[differ]
+        if not len(left):
+            return []
+        middle = (left + right) / 2
+        value = u(middle)
+        later = abs(value - a) < abs(value - b)
+        left, right = np.where(later, middle, left), np.where(later, right, middle)
+        a, b = np.where(later, value, a), np.where(later, b, value)
+    return [t for t in left if 1e-6 * duration < t < (1 - 1e-6) * duration]
+
+
+def at_instants(function, times, *numbers):
+    """What a `real_function` of time gives at an array of times, a row for each of its
+    expressions."""
+    try:
+        return function(times, *numbers)
+    except Invalid:  # some functions, such as erf, are known for single numbers alone
+        if np.ndim(times) == 0:
+            raise
+        return np.array([function(t, *numbers) for t in times]).T
+
+
+def _inside(u, begin, end):
+    margin = 1e-9 * (end - begin)
+    return lambda times: u(np.clip(times, begin + margin, end - margin))
+
+
+def _real(value, what):
+    """The only entry of an array, which `real_function` gives."""
+    if not np.isfinite(value[0]):
+        raise Wrong(f"{what} is no real number, or not defined")
+    return float(value[0])

@@ -1,0 +1,130 @@
+"""Transversality conditions at the end of a process.
+
+`problem` is a `pontryagin.Problem`; `costates` are the symbols psi_1, ..., psi_n in the order of
+its states. The cost has the multiplier lambda_0 = 1: H = psi^T f - f_0, or + f_0 if the cost is
+maximised.
+"""
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract.members import members
+from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.pontryagin.sample_points import PLACES, ZeroSet, as_difference
+from workbook.checks.tools.domains import random_value
+from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.samples import cached_points
+from workbook.checks.tools.values import number_at
+from workbook.checks.tools.wording import rounded_text
+
+
+@judged
+def transversality(answer, problem, costates):
+    """Check the transversality conditions at the end of the process, with lambda_0 = 1.
+
+    They are a list of expressions or equations in costates, states and parameters, without the
+    multipliers of the target. H = 0 does not belong to them.
+    """
+    symbols = [*costates, *problem.state, *problem.parameters]
+    claims = [
+        as_difference(part, symbols)
+        for part in members(
+            answer, "a list of expressions that vanish at the end", single=(sp.Expr, sp.Eq)
+        )
+    ]
+    sign = -1 if problem.maximise else 1
+    target = real_function(
+        [*problem.state, *problem.parameters],
+        [sp.diff(g, y) for g in problem.terminal for y in problem.state],
+    )
+    for values in _on_target(problem):
+        normals = target(*(float(values[s]) for s in (*problem.state, *problem.parameters)))
+        tangents = _kernel(normals.reshape(-1, len(problem.state)))
+        gradient = np.array([float(sp.diff(problem.final, y).subs(values)) for y in problem.state])
+        true = np.column_stack([tangents, sign * tangents @ gradient])
+        claimed = _affine_rows(claims, costates, values)
+        more, less = (
+            _rank(claimed) - _rank(true),
+            _rank(np.vstack([claimed, true])) - _rank(claimed),
+        )
+        if (less and more >= 0) or more > 0:
+            raise Wrong(
+                f"at the end {rounded_text(values)} your conditions demand what need not hold: "
+                "there are costates that satisfy the condition of transversality and not yours"
+            )
+        if less:
+            raise Wrong(
+                f"at the end {rounded_text(values)} your conditions allow costates that are not "
+                "orthogonal to the target"
+            )
+    return "they say what the condition of transversality says"
+
+
+@cached_points
+def _on_target(problem):
+    """States at the end, and parameters, as dicts."""
+    zeros = (
+        ZeroSet(list(problem.terminal), list(problem.state), list(problem.parameters))
+        if problem.terminal
+        else None
+    )
+    random, found, symbols = np.random.default_rng(3), [], (*problem.state, *problem.parameters)
+    for k in range(4 * PLACES):
+        if k % PLACES == 0:  # each symbol takes values all over its range
+            shares = {
+                s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES
+                for s in symbols
+            }
+        values = {s: random_value(random, s, None, shares[s][k % PLACES]) for s in symbols}
+        point = zeros.near(values) if zeros else values
+        if point is not None and len(found) < PLACES:
+            found.append(point)
+    if not found:
+        raise RuntimeError("no point of the target was found")
+    return found
+
+
+def _affine_rows(claims, costates, values):
+    """Rows (coefficients of the costates, constant) of conditions at an end. A sum of squares
+    vanishes where all of them do."""
+    rows, zero = [], dict.fromkeys(costates, 0)
+    for claim in claims:
+        put = sp.expand(claim.subs(values))
+        row = [sp.diff(put, psi) for psi in costates]
+        if any(sp.diff(c, psi).free_symbols for c in row for psi in costates):
+            raise Invalid("expected conditions that are linear in the costates, or sums of squares")
+        bends = np.array(
+            [[number_at(sp.diff(c, psi), {}).real for psi in costates] for c in row], dtype=float
+        )
+        slopes, rest = ([number_at(c.subs(zero), {}).real for c in part] for part in (row, [put]))
+        rows += _squares(bends, np.array(slopes), *rest) if bends.any() else [[*slopes, *rest]]
+    return np.array(rows, dtype=float).reshape(len(rows), len(costates) + 1)
+
+
+def _squares(bends, slopes, rest):
+    """The rows that vanish where psi.bends.psi/2 + slopes.psi + rest does, which is to be its least
+    or greatest value, zero."""
+    least, (sizes, _) = np.linalg.lstsq(bends, -slopes, rcond=1e-9)[0], np.linalg.eigh(bends)
+    size = np.abs(bends).max()
+    if (
+        (sizes.min() < -1e-9 * size and sizes.max() > 1e-9 * size)
+        or not np.allclose(bends @ least, -slopes)
+        or not abs(rest + slopes @ least / 2)
+        <= 1e-9 * (abs(rest) + abs(slopes) @ abs(least) + size)
+    ):
+        raise Invalid("expected conditions that are linear in the costates, or sums of squares")
+    return np.column_stack([bends, slopes]).tolist()
+
+
+def _kernel(rows):
+    """An orthonormal basis of the vectors that all rows are orthogonal to, as rows."""
+    _, sizes, basis = np.linalg.svd(rows)
+    return basis[int((sizes > 1e-9 * sizes.max(initial=0)).sum()) :]
+
+
+def _rank(rows):
+    if not rows.size:
+        return 0
+    rows = rows / np.maximum(np.abs(rows).max(axis=1, keepdims=True), 1e-300)
+    sizes = np.linalg.svd(rows, compute_uv=False)
+    return int((sizes > 1e-6 * max(sizes.max(), 1.0)).sum())

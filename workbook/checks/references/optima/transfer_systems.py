@@ -1,0 +1,227 @@
+"""Systems whose fastest transfer to a target has a formula: one state, and homogeneous ones."""
+
+import functools
+import math
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.references.optima.runge_kutta import rk4
+
+
+class TransferSystem:
+    """A system with numbers for its parameters."""
+
+    def __init__(self, state, control, field, bounds, terminal):
+        self.bounds = tuple(map(float, bounds))
+        symbols = [*state, control]
+        self._field = sp.lambdify(symbols, field, "math")
+        self._jacobian = sp.lambdify(
+            symbols, sp.Matrix(field).jacobian(list(state)).tolist(), "math"
+        )
+        self._gap = sp.lambdify(list(state), terminal, "math")
+        self._normals = np.array(sp.Matrix(terminal).jacobian(list(state)), dtype=float)
+
+    def field(self, y, u):
+        return np.array(self._field(*y, u), dtype=float)
+
+    def jacobian(self, y, u):
+        return np.array(self._jacobian(*y, u), dtype=float)
+
+    def gap(self, y):
+        """Return what vanishes on the target."""
+        return np.array(self._gap(*y), dtype=float)
+
+    def normals(self):
+        return self._normals
+
+    def foresee(self, starts):
+        """Find the optima from many starts at once, where that is quicker than one by one."""
+
+    def path(self, start, duration, slowest, count):
+        times = duration * (np.arange(count) + 0.37) / count
+        states, controls, y, t = [], [], np.array(start, dtype=float), 0.0
+        for target in times:
+            y = self._advance(y, t, target, start, duration, slowest)
+            t = target
+            states.append(y)
+            controls.append(self.law(y, t, start, duration, slowest))
+        return times, states, controls
+
+    def _advance(self, y, begin, end, start, duration, slowest, steps=12):
+        breaks = [t for t in self.breaks(start, duration) if begin < t < end]
+        for left, right in zip([begin, *breaks], [*breaks, end]):
+            h = (right - left) / steps
+            for k in range(steps):
+                middle = left + (k + 0.5) * h
+                y = rk4(
+                    lambda s, z: self.field(z, self.law(z, middle, start, duration, slowest)),
+                    left + k * h,
+                    y,
+                    h,
+                )
+        return y
+
+    def breaks(self, start, duration):
+        return []
+
+
+class ScalarTransfer(TransferSystem):
+    """One state: everything depends on the rate towards the target."""
+
+    def _target(self):
+        slope, here = self._normals[0, 0], self.gap([0.0])[0]
+        return -here / slope
+
+    def _rate(self, x, way):
+        return max(way * self.field([x], u)[0] for u in self.bounds)
+
+    def possible(self, start):
+        begin, end = float(start[0]), self._target()
+        way = np.sign(end - begin)
+        return all(self._rate(x, way) > 0 for x in np.linspace(begin, end, 100))
+
+    def duration(self, start, slowest, meetings):
+        from scipy.integrate import quad
+
+        if slowest or meetings != 1:
+            raise RuntimeError("with one state only the fastest transfer is known")
+        begin, end = float(start[0]), self._target()
+        way = np.sign(end - begin)
+        if way == 0:
+            return 0.0
+        if not self.possible(start):
+            return math.inf
+        return quad(
+            lambda x: 1 / self._rate(x, way),
+            *sorted((begin, end)),
+            epsabs=0,
+            epsrel=1e-11,
+            limit=200,
+        )[0]
+
+    def law(self, y, t, start, duration, slowest):
+        way = np.sign(self._target() - float(start[0]))
+        return max(self.bounds, key=lambda u: way * self.field(y, u)[0])
+
+    def time_message(self, start, claimed, true):
+        if claimed < true:
+            return "moving towards the target as fast as the bounds allow, the state has not arrived by then"
+        return "moving towards the target as fast as the bounds allow, the state arrives earlier"
+
+    def switchings(self, start, duration):
+        return 0
+
+
+class HomogeneousTransfer(TransferSystem):
+    """Two states, homogeneous of degree one: the angle theta obeys an equation of its own."""
+
+    def possible(self, start):
+        return True
+
+    def _rates(self, theta):
+        c, s = math.cos(theta), math.sin(theta)
+        return [c * f[1] - s * f[0] for f in (self.field((c, s), u) for u in self.bounds)]
+
+    @functools.cached_property
+    def _sense(self):
+        """The sense in which the direction turns, the same for all controls."""
+        rates = [r for theta in np.linspace(0, math.pi, 181) for r in self._rates(theta)]
+        if min(rates) < 1e-9 < max(rates) or max(map(abs, rates)) < 1e-9:
+            raise RuntimeError("the direction does not turn in one sense for all controls")
+        return math.copysign(1, rates[0])
+
+    def _angle(self, start, meetings):
+        """Return the angle from the start to the meeting with the target, in the sense of turning."""
+        normal = self._normals[0]
+        line = math.atan2(normal[0], -normal[1])
+        theta = math.atan2(start[1], start[0])
+        first = (self._sense * (line - theta)) % math.pi
+        return (math.pi if first < 1e-12 or first > math.pi - 1e-12 else first) + math.pi * (
+            meetings - 1
+        )
+
+    def _speed(self, theta, slowest):
+        return (min if slowest else max)(map(abs, self._rates(theta)))
+
+    def duration(self, start, slowest, meetings):
+        from scipy.integrate import quad
+
+        theta, sense = math.atan2(start[1], start[0]), self._sense
+        angle = self._angle(start, meetings)
+        return quad(
+            lambda a: 1 / self._speed(theta + sense * a, slowest),
+            0,
+            angle,
+            epsabs=0,
+            epsrel=1e-11,
+            limit=400,
+        )[0]
+
+    def law(self, y, t, start, duration, slowest):
+        rates = [abs(r) for r in self._rates(math.atan2(y[1], y[0]))]
+        return self.bounds[(np.argmin if slowest else np.argmax)(rates)]
+
+    def switching_function(self, start, duration, slowest, steps=240):
+        h, y, states = (
+            duration / steps,
+            np.array(start, dtype=float),
+            [np.array(start, dtype=float)],
+        )
+        for k in range(steps):
+            y = rk4(
+                lambda t, z: self.field(z, self.law(z, t, start, duration, slowest)), k * h, y, h
+            )
+            states.append(y)
+        # At the end psi is normal to the target, and psi.f = 1 (-1 for the slowest) gives its
+        # length.
+        u = self.law(y, duration, start, duration, slowest)
+        normal = self._normals[0]
+        psi = normal * (-1 if slowest else 1) / (normal @ self.field(y, u))
+        samples = []
+        for k in range(steps, 0, -2):
+            first, middle, last = states[k], states[k - 1], states[k - 2]
+            slopes = [
+                self.jacobian(z, self.law(z, 0, start, duration, slowest)).T
+                for z in (first, middle, last)
+            ]
+            samples.append(
+                (
+                    k * h,
+                    float(
+                        psi
+                        @ (self.field(first, self.bounds[1]) - self.field(first, self.bounds[0]))
+                    )
+                    / (self.bounds[1] - self.bounds[0]),
+                )
+            )
+            a = slopes[0] @ psi
+            b = slopes[1] @ (psi + h * a)
+            c = slopes[1] @ (psi + h * b)
+            d = slopes[2] @ (psi + 2 * h * c)
+            psi = psi + h / 3 * (a + 2 * b + 2 * c + d)
+        return samples
+
+    def turned(self, start, duration, slowest, steps=400):
+        """Return the angle turned by the fastest or slowest control in a given time."""
+        theta, sense = math.atan2(start[1], start[0]), self._sense
+        angle = 0.0
+        for _k in range(steps):
+            angle = rk4(
+                lambda _, a: self._speed(theta + sense * a, slowest), 0, angle, duration / steps
+            )
+        return angle
+
+    def time_message(self, start, claimed, true):
+        if not 0 < claimed < 100 * true:
+            return (
+                "the process ends at a positive time"
+                if claimed <= 0
+                else "by then every admissible control has met the target long before"
+            )
+        least, most = (self.turned(start, claimed, s) for s in (True, False))
+        return (
+            f"by then the direction of (x, x') has turned by {least:.4g} at least and {most:.4g} "
+            "at most, "
+            "depending on the control: compare this with the angle from the start to the target"
+        )

@@ -1,0 +1,227 @@
+"""Phase curves, first integrals, and Dulac functions that exclude closed orbits.
+
+`domain` is a dict from symbols of the state or parameters to SymPy intervals.
+"""
+
+import cmath
+import math
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract import coercion
+from workbook.checks.contract.tolerance import agree, in_decimals, perturbed
+from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.exceptional_values import judge_factors
+from workbook.checks.references.stationary_points import stationary_points_of
+from workbook.checks.tools.domains import endpoints, random_value
+from workbook.checks.tools.samples import random_columns
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.wording import (
+    sample_text,
+)
+
+
+@judged
+def dulac_function(answer, field, state, parameters, domain=None):
+    """Check a pair (B, div(B f)) whose second member has one sign in the domain.
+
+    Then no closed orbit lies in the domain (Dulac, Bendixson).
+    """
+    symbols = [*state, *parameters]
+    multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
+    terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
+    random = np.random.default_rng(9)
+    points = random_columns(random, symbols, domain, 300, [multiplier, divergence])
+    with np.errstate(all="ignore"):
+        parts, points = _within_reach(
+            [_values(e, symbols, points) for e in (*terms, divergence, multiplier)], points
+        )
+    for k, point in enumerate(points.T):
+        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, point))
+        if not np.all(np.isfinite(parts[:, k])):
+            raise Wrong(
+                f"at {where}, a point of the domain, your multiplier or its divergence is not a "
+                "real number"
+            )
+        true, claimed = parts[:-2, k].sum(), parts[-2, k]
+        if not (math.isfinite(true) and agree(claimed, true, divergence, abs(parts[:-2, k]).sum())):
+            raise Wrong(
+                f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
+                f"your second expression gives {claimed:.4g}"
+            )
+    signs = np.sign(np.where(abs(parts[-2]) > 1e-12 * abs(parts[:-2]).sum(axis=0), parts[-2], 0))
+    if not signs.any():
+        raise Wrong(
+            "the divergence vanishes everywhere, so it excludes nothing: such a field may well "
+            "have closed orbits"
+        )
+    if signs.min() < 0 < signs.max():
+        low, high = points[:, np.argmin(signs)], points[:, np.argmax(signs)]
+        raise Wrong(
+            "the divergence changes its sign in the domain: it is negative at "
+            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, low))
+            + " and positive at "
+            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, high))
+        )
+    judge_factors(terms, state, domain, "the divergence vanishes everywhere")
+    return (
+        "the divergence belongs to this multiplier and keeps one sign at 300 points of the domain"
+    )
+
+
+@judged
+def first_integral(answer, field, state, parameters, domain=None):
+    """Check a function of the state that is constant along the motions and not constant itself."""
+    symbols = [*state, *parameters]
+    claim = coercion.as_expression(answer, symbols)
+    slopes = [sp.diff(claim, x) for x in state]
+    random = np.random.default_rng(10)
+    points = random_columns(random, symbols, domain, 60, claim)
+    with np.errstate(all="ignore"):
+        (levels, *gradient), points = _within_reach(
+            [_values(part, symbols, points) for part in (claim, *slopes)], points
+        )
+        velocity = np.array([_values(component, symbols, points) for component in field])
+    gradient = np.array(gradient)
+    for k in np.flatnonzero(~np.isfinite([levels, *gradient]).all(axis=0)):
+        where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, points[:, k]))
+        raise Wrong(
+            f"your expression is not real, or has no derivatives, at {where}, a point of the domain"
+        )
+    if not np.any(abs(gradient) > 1e-12):
+        raise Wrong(
+            "your expression does not depend on the state: a constant tells nothing about the "
+            "motions"
+        )
+    rates, sizes = (gradient * velocity).sum(axis=0), abs(gradient * velocity).sum(axis=0)
+    allowed = 1e-9 * sizes + _left_open(
+        claim,
+        lambda part: (
+            np.array([_values(sp.diff(part, x), symbols, points) for x in state]) * velocity
+        ).sum(axis=0),
+    )
+    worst = int(np.argmax(abs(rates) - allowed))
+    if not abs(rates[worst]) <= allowed[worst] < math.inf:
+        raise Wrong(
+            "along the motion through "
+            + ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, points[:, worst]))
+            + f" your expression changes at the rate {rates[worst]:.4g}, not zero"
+        )
+    judge_factors(slopes, state, domain, "your expression does not depend on the state")
+    return "it keeps its value along the motions, at random states"
+
+
+def _left_open(claim, found):
+    """By how much the decimals of an expression leave open what is `found` of it."""
+    followed = perturbed(claim) if in_decimals(claim) else []
+    if followed is None:
+        raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
+    here = found(claim) if followed else 0.0
+    return sum(np.maximum(*(abs(found(part) - here) for (part,) in sides)) for sides in followed)
+
+
+@judged
+def phase_curve(answer, field, state, parameters, through, domain=None):
+    """Check the phase curve through given points of the border of the domain.
+
+    It is an expression for the second state variable.
+
+    Judged by its slope, which is that of the field everywhere, and by its limits at the points
+    `through`.
+    """
+    first, second = state
+    claim = coercion.as_expression(answer, [first, *parameters])
+    slope = sp.diff(claim, first)
+    family = stationary_points_of(field, state, parameters, domain)
+    random = np.random.default_rng(12)
+    for values, numbers, _ in family.samples(claim, need_rest=False, count=5):
+        scale = 0.0
+        for _ in range(6):
+            x = sp.Rational(round(10**4 * random_value(random, first, domain)), 10**4)
+            y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
+            where = f"for {sample_text(values)} at {first} = {float(x):.3g}"
+            if y is None or dy is None or not family.inside(np.array([float(x), y])):
+                raise Wrong(
+                    f"{where} your expression gives "
+                    + (
+                        "no real number"
+                        if y is None or dy is None
+                        else f"{second} = {y:.3g}, outside the domain"
+                    )
+                )
+            velocity = family(np.array([float(x), y]), numbers)
+            scale = max(scale, y)
+
+            def turned(part, at=values | {first: x}, numbers=numbers):
+                y, dy = (
+                    real_at(expression, at) or 0.0 for expression in (part, sp.diff(part, first))
+                )
+                velocity = family(np.array([float(at[first]), y]), numbers)
+                return dy * velocity[0] - velocity[1]
+
+            allowed = 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])) + _left_open(
+                claim, turned
+            )
+            if not abs(dy * velocity[0] - velocity[1]) <= allowed < math.inf:
+                steep = abs(velocity[0]) <= 1e-9 * abs(velocity[1])
+                raise Wrong(
+                    f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves "
+                    + (
+                        "straight up or down"
+                        if steep
+                        else f"along the slope {velocity[1] / velocity[0]:.4g}"
+                    )
+                )
+        for end_x, end_y in through:
+            middle = sum(endpoints(first, domain)) / 2
+            close = sp.Float(middle + (1 - 1e-8) * (float(end_x) - middle), 25)
+            y = real_at(claim, values | {first: close})
+            if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
+                raise Wrong(
+                    f"for {sample_text(values)} your curve does not go through ({end_x}, {end_y}): "
+                    "close to it "
+                    f"{second} is " + ("not real" if y is None else f"{y:.3g}")
+                )
+    return "its slope is that of the motions, and it goes through the points asked for"
+
+
+def _within_reach(values, points):
+    """Values, a row for each expression, and places without those where a value is too large for a
+    float."""
+    fits = ~np.isinf(values).any(axis=0)
+    if not fits.any():
+        raise Invalid("your answer has no values of a size that can be computed with")
+    return np.array(values)[:, fits], points[:, fits]
+
+
+def _values(expression, symbols, points):
+    """An expression at many places; nan where it is not real, inf where a float cannot hold it.
+    Symbols and functions are known (`coercion.with_symbols`)."""
+    if expression.has(sp.nan, sp.zoo):
+        return np.full(points.shape[1], math.nan)
+    # The slope of a Max holds steps, for which SymPy would solve inequalities.
+    expression = expression.replace(sp.Heaviside, lambda x, *_: (1 + sp.sign(x)) / 2)
+    try:
+        function = sp.lambdify(symbols, expression, "mpmath")
+    except (ValueError, NotImplementedError):  # the slope of a floor
+        return np.full(points.shape[1], math.nan)
+
+    def value(point):
+        try:
+            found = function(*point)
+            number = complex(found)
+        # TypeError: a Piecewise without a case for this place; NameError: what has no values, as a
+        # delta function
+        except (ZeroDivisionError, ValueError, OverflowError, TypeError, NameError):
+            return math.nan
+        if cmath.isinf(number) and isinstance(found, mpmath.mpf) and mpmath.isfinite(found):
+            return math.inf
+        return (
+            number.real
+            if cmath.isfinite(number) and abs(number.imag) < 1e-9 * (1 + abs(number))
+            else math.nan
+        )
+
+    return np.array([value(point.tolist()) for point in points.T])

@@ -1,0 +1,397 @@
+"""Stationary points of planar systems that contain parameters: position, existence and type.
+
+`domain` is a dict from symbols of the state or parameters to SymPy intervals, as in
+`trajlib.stability.equilibria`; an interval of length 2 pi makes a state variable an angle, for
+which values modulo 2 pi are the same. What `domain` does not name ranges over all numbers that the
+assumptions of the symbol allow. The reference is found from the field alone, for sample values of
+the parameters, by Newton's method from many initial points at once. "The stationary point" of a
+check is the only one in the domain: a data cell that leaves room for two makes the answer
+unchecked. A circular cycle is a stationary point of the radial equation r' = R(r), r > 0.
+"""
+
+import math
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.contract import coercion
+from workbook.checks.contract.claims import Choice, Expression
+from workbook.checks.contract.members import VECTORS, in_order
+from workbook.checks.contract.tolerance import agree, half_unit, in_decimals
+from workbook.checks.contract.verdict import Invalid, Wrong, judged
+from workbook.checks.references.stationary_points import stationary_points_of
+from workbook.checks.stability.equilibrium_angles import is_angle_equation, judge_angle_roots
+from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
+from workbook.checks.tools.domains import endpoints
+from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import uncertainty_at
+from workbook.checks.tools.wording import (
+    deviation_rate_text,
+    point_text,
+    roots_text,
+    sample_text,
+    values_text,
+)
+
+STABILITY = ("asymptotically stable", "stable", "unstable")
+TYPES = tuple(
+    f"{how} {what}"
+    for what in ("node", "star", "degenerate node", "focus")
+    for how in ("stable", "unstable")
+)
+TYPES += ("saddle", "centre")
+
+
+@judged
+def stationary_points(answer, field, state, parameters, domain=None, zeros=None):
+    """Check all stationary points in the domain, as expressions in the parameters.
+
+    The answer is one point, or a list of points.
+
+    A point whose formula is not real, or leaves the domain, for some values of the parameters
+    stands for no point there. Where derivatives vanish at a point as well, `zeros` are
+    functions that have the same zeros, all simple.
+    """
+    searched = stationary_points_of(field if zeros is None else zeros, state, parameters, domain)
+    return _judge_points(
+        answer, stationary_points_of(field, state, parameters, domain), "stationary point", searched
+    )
+
+
+@judged
+def nullcline(answer, rate, variable, parameters, domain=None):
+    """Check the curve on which `rate` vanishes, solved for `variable`.
+
+    The other state variables count as parameters.
+    """
+    return _judge_points(
+        answer, stationary_points_of([rate], [variable], parameters, domain), "point of the curve"
+    )
+
+
+@judged
+def stationary_exists(answer, field, state, parameters, domain=None):
+    """Check the parameters for which there is a stationary point in the domain."""
+    return _judge_existence(
+        answer, stationary_points_of(field, state, parameters, domain), "stationary point"
+    )
+
+
+@judged
+def stationary_linearisation(answer, field, state, parameters, domain=None):
+    """Check the matrix A of the linearisation at the stationary point.
+
+    For one equation it is a number.
+    """
+    n = len(state)
+    if n == 1 and not isinstance(answer, (list, tuple, sp.MatrixBase, np.ndarray)):
+        answer = [[answer]]
+    matrix = coercion.as_matrix(answer, parameters, (n, n))
+    family = stationary_points_of(field, state, parameters, domain)
+    for values, numbers, rest in family.samples(matrix):
+        true = family.jacobian(rest, numbers)
+        size = np.linalg.norm(true)
+        for k in range(n):
+            claimed = [real_at(entry, values) for entry in matrix[:, k]]
+            if any(value is None for value in claimed):
+                raise Wrong(f"for {sample_text(values)} your matrix is not real")
+            if not agree(claimed, true[:, k], list(matrix[:, k]), size).all():
+                raise Wrong(
+                    f"for {sample_text(values)} {deviation_rate_text(state[k], claimed, true[:, k])}"
+                )
+    return "small deviations from the stationary solution change the right-hand sides as it says"
+
+
+@judged(Expression("parameters"))
+def stationary_value(claim, expression, field, state, parameters, domain=None):
+    """Check the value of an expression of the state at the stationary point."""
+    family = stationary_points_of(field, state, parameters, domain)
+    reading = stationary_points_of([expression], state, parameters, domain)
+    for values, numbers, rest in family.samples(claim):
+        true, claimed = float(reading(rest, numbers)[0]), real_at(claim, values)
+        if claimed is None or not agree(
+            claimed, true, claim, _scale(expression, values, state, rest)
+        ):
+            message = "no real number" if claimed is None else f"{claimed:.4g}"
+            if not values:  # the true number would be the answer itself
+                raise Wrong(f"the value at the stationary solution is another one than {message}")
+            raise Wrong(
+                f"for {sample_text(values)} the value is {true:.4g}; your expression gives {message}"
+            )
+    return "it is the value at the stationary solution, for sample values of the parameters"
+
+
+@judged(Choice(words=STABILITY))
+def stationary_stability(claim, field, state, parameters, domain=None):
+    """Check whether the stationary point is asymptotically stable, stable or unstable.
+
+    The word "stable" means stable and no more; Theorem 1.4 decides.
+    """
+    family = stationary_points_of(field, state, parameters, domain)
+    for values, numbers, rest in family.samples():
+        eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
+        largest = max(eigenvalues.real)
+        if abs(largest) < 1e-9 * (1 + max(abs(eigenvalues))):
+            raise RuntimeError("the first approximation does not decide here")
+        if claim != ("unstable" if largest > 0 else "asymptotically stable"):
+            raise Wrong(
+                f"this does not agree with the first approximation: for {sample_text(values)} its "
+                f"{'roots are' if len(eigenvalues) > 1 else 'root is'} {roots_text(eigenvalues)}"
+            )
+    return (
+        "it agrees with the roots of the first approximation, for sample values of the parameters"
+    )
+
+
+@judged
+def stationary_type(answer, field, state, parameters, domain=None):
+    """Check the type of the stationary point of a planar system.
+
+    It is the same for all values of the parameters.
+    """
+    spelled = (
+        answer.lower().replace("center", "centre").replace("star node", "star")
+        if isinstance(answer, str)
+        else answer
+    )
+    claim = coercion.as_choice(spelled, TYPES)
+    family = stationary_points_of(field, state, parameters, domain)
+    for values, numbers, rest in family.samples():
+        matrix = family.jacobian(rest, numbers)
+        kind = _kind(matrix)
+        if claim != kind:
+            raise Wrong(
+                f"this does not agree with the first approximation: for {sample_text(values)} its "
+                f"roots are {roots_text(np.linalg.eigvals(matrix))}"
+            )
+    return (
+        "it agrees with the roots of the first approximation, for sample values of the parameters"
+    )
+
+
+@judged
+def focus_region(answer, field, state, parameters, domain=None):
+    """Check the parameters for which the stationary point is a focus.
+
+    The border, where the roots are equal, counts either way.
+
+    Without a domain, of an equation phi'' = f(phi, phi') that is periodic in phi: for which all
+    stationary angles that are no saddles are foci.
+    """
+    return _judge_roots(answer, field, state, parameters, domain, -1)
+
+
+@judged
+def node_region(answer, field, state, parameters, domain=None):
+    """Check the parameters for which the stationary point is a node.
+
+    The border, where the roots are equal, counts either way.
+
+    Without a domain, of an equation phi'' = f(phi, phi') that is periodic in phi: for which all
+    stationary angles that are no saddles are nodes.
+    """
+    return _judge_roots(answer, field, state, parameters, domain, 1)
+
+
+# What the checks share: a point, a condition of existence, a condition on the roots.
+
+
+def _judge_points(answer, family, noun, searched=None):
+    """All rest points of a family, as one point or a list of points; they are those of
+    `searched`."""
+    points = _points(answer, family)
+    met = [False] * len(points)
+    for values, numbers, rests in (searched or family).samples(points, alone=False):
+        missed, outside = list(rests), ""
+        for k, point in enumerate(points):
+            position = [real_at(coordinate, values) for coordinate in point]
+            if any(coordinate is None for coordinate in position):
+                outside = "; what your answer gives is not real"
+                continue
+            position = _rounded_inside(family.reduced(np.array(position)), point, family)
+            if not family.inside(position):
+                outside = f"; {_place_text(family.state, position)}, which your answer gives, lies outside the domain"
+                continue
+            met[k] = True
+            open_ = [uncertainty_at(coordinate, values) for coordinate in point]
+            here = [j for j, rest in enumerate(missed) if family.same(position, rest, point, open_)]
+            if not here:
+                if any(family.same(position, rest, point, open_) for rest in rests):
+                    raise Wrong(f"for {sample_text(values)} two of your points are the same")
+                rates = family(position, numbers)
+                if not rests and np.all(abs(rates) < 1e-9):
+                    continue  # the search may have missed it
+                message = (
+                    f"sides are {_vector_text(rates)}"
+                    if len(rates) > 1
+                    else f"side is {rates[0]:.4g}"
+                )
+                raise Wrong(
+                    f"for {sample_text(values)} your answer gives "
+                    f"{_place_text(family.state, position)}; the right-hand {message} there, not zero"
+                )
+            del missed[here[0]]
+        if missed:
+            raise Wrong(
+                f"for {sample_text(values)} there is a {noun} in the domain that your answer does "
+                f"not give{outside}"
+            )
+    if not all(met):
+        raise Wrong(
+            f"point {met.index(False) + 1} of your list lies in the domain for none of the sample "
+            "values"
+        )
+    return (
+        f"for sample values of the parameters it gives every {noun} in the domain and nothing else"
+    )
+
+
+def _rounded_inside(position, written, family):
+    """A place whose decimals were rounded to the other side of the border of the domain, on the
+    border."""
+    for k, (symbol, coordinate) in enumerate(zip(family.state, written)):
+        low, high = endpoints(symbol, family.domain)
+        for end in (
+            (low, high) if in_decimals(coordinate) and not low <= position[k] <= high else ()
+        ):
+            if math.isfinite(end) and abs(position[k] - end) <= half_unit(end):
+                position[k] = end
+    return position
+
+
+def _judge_existence(answer, family, noun):
+    def at(values):
+        numbers = family.numbers(values)
+        return (
+            None if numbers is None else bool(family.settle(numbers, starts=32, steps=40)[1].any())
+        )
+
+    def message(values, holds):
+        return (
+            f"for {values_text(values)} there is {'a' if holds else 'no'} {noun}, yet your "
+            f"condition {'does not hold' if holds else 'holds'}"
+        )
+
+    given, rest = family.given, family.at_rest
+    reference = ReferenceCondition(
+        (Case(sp.And(given, rest), tuple(family.state)),),
+        (Case(sp.And(given, sp.Not(rest)), tuple(family.state), every=True),),
+        at,
+    )
+    agreement = compare(answer, family.parameters, reference, message)
+    return f"there is a {noun} exactly for these parameters: {agreement}"
+
+
+def _judge_roots(answer, field, state, parameters, domain, sign):
+    """Compare a condition with the sign of the discriminant: -1 focus, 1 node."""
+    if domain is None and is_angle_equation(field, state):
+        return judge_angle_roots(answer, field, state, parameters, sign)
+    return _judge_point_roots(
+        answer,
+        stationary_points_of(field, state, parameters, domain),
+        sign,
+        "a node" if sign > 0 else "a focus",
+    )
+
+
+def _judge_point_roots(answer, family, sign, noun):
+
+    def at(values):
+        numbers = family.numbers(values)
+        if numbers is None:
+            return None
+        positions, exist = family.first_rests(numbers)
+        ((a,), (b,)), ((c,), (d,)) = family.jacobian(positions, numbers)
+        trace, determinant, size = a + d, a * d - b * c, a**2 + b**2 + c**2 + d**2
+        discriminant = trace**2 - 4 * determinant
+        decided = (
+            abs(discriminant) > 1e-9 * size
+            and abs(determinant) > 1e-9 * size
+            and trace**2 > 1e-9 * size
+        )
+        return (
+            bool(np.sign(discriminant) == sign and determinant > 0)
+            if exist[0] and decided
+            else None
+        )
+
+    def message(values, holds):
+        return (
+            f"for {values_text(values)} the stationary point is {'' if holds else 'not '}{noun}, "
+            f"yet your condition {'does not hold' if holds else 'holds'}"
+        )
+
+    _, determinant, discriminant = family.invariants
+    decided = sp.And(family.given, family.at_rest, *(sp.Ne(x, 0) for x in family.invariants))
+    reference = exactly(
+        sp.And(sign * discriminant > 0, determinant > 0), decided, tuple(family.state), at
+    )
+    agreement = compare(answer, family.parameters, reference, message)
+    return f"the stationary point is {noun} exactly for these parameters: {agreement}"
+
+
+def _points(answer, family):
+    """A list of points, each a list of expressions, from one point or a list of them."""
+    n = len(family.state)
+
+    def single(point):
+        point = in_order(point, family.state)
+        if n == 1 and not isinstance(point, VECTORS):
+            point = [point]
+        return coercion.as_expressions(point, family.parameters, length=n)
+
+    if isinstance(answer, sp.MatrixBase) and 1 not in answer.shape:
+        answer = [list(answer.row(k)) for k in range(answer.rows)]
+    if isinstance(answer, np.ndarray):
+        answer = answer.tolist()
+    if isinstance(answer, (set, frozenset, sp.FiniteSet)):
+        return [single(point) for point in answer]
+    if isinstance(answer, (list, tuple)) and (
+        n == 1 or any(isinstance(point, (dict, *VECTORS)) for point in answer)
+    ):
+        if (
+            n > 1
+            and len(answer) == n
+            and all(isinstance(p, (list, tuple)) and len(p) == 1 for p in answer)
+        ):
+            return [single(answer)]  # a column
+        points = [single(point) for point in answer]
+        if not points:
+            raise Invalid("expected at least one point")
+        return points
+    return [single(answer)]
+
+
+def _scale(expression, values, state, rest):
+    """The size of the terms of an expression at a place: their sum may cancel."""
+    numbers = values | {x: sp.Float(float(v), 20) for x, v in zip(state, rest)}
+    return sum(
+        abs(real_at(term, numbers) or 0.0) for term in sp.Add.make_args(sp.expand(expression))
+    )
+
+
+def _kind(matrix):
+    """The type of the stationary point whose first approximation is this matrix."""
+    trace, determinant, size = np.trace(matrix), np.linalg.det(matrix), np.linalg.norm(matrix)
+    if abs(determinant) < 1e-9 * size**2:
+        raise RuntimeError("the first approximation has a root zero: it does not decide the type")
+    if determinant < 0:
+        return "saddle"
+    if abs(trace) < 1e-9 * size:
+        return "centre"
+    how = "stable" if trace < 0 else "unstable"
+    discriminant = trace**2 - 4 * determinant
+    if abs(discriminant) < 1e-8 * size**2:
+        star = np.linalg.norm(matrix - trace / 2 * np.eye(2)) < 1e-6 * size
+        return f"{how} {'star' if star else 'degenerate node'}"
+    return f"{how} {'node' if discriminant > 0 else 'focus'}"
+
+
+def _place_text(state, position):
+    return ", ".join(f"{s} = {x:.4g}" for s, x in zip(state, position))
+
+
+def _vector_text(values):
+    """Numbers for a message; what rounding leaves of a zero is one."""
+    size = max(abs(value) for value in values)
+    return point_text([value if abs(value) > 1e-12 * size else 0.0 for value in values])
