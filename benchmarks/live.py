@@ -74,11 +74,11 @@ def starts():
 EXPLORERS = {
     "region_of_stability": "k1",
     "phase_portrait 1.4": "epsilon",
-    "losing_a_mode": "beta",
-    "popov_distance": "alpha",
+    "pole_zero_cancellation": "beta",
+    "distance_to_unobservable": "alpha",
     "fastest_motion": "frame",
     "circle_synthesis": "R",
-    "against_the_best": None,
+    "manual_control": None,
 }
 FRAMES = 40
 
@@ -104,7 +104,7 @@ def kernels_side():
             ]
             by_slider = f"{core_seconds(explorer, lambda place: setattr(control, 'value', place), places) * 1e3:.1f} ms"
         by_pointer = "-"
-        if explorer.pulled:
+        if explorer.follows_pointer:
             places = [
                 f"{k} {0.2 + 0.2 * k / FRAMES:.4f} {0.3 + 0.4 * k / FRAMES:.4f}"
                 for k in range(FRAMES)
@@ -139,7 +139,7 @@ def ways_to_send():
     from workbook.live.explorers import explore
 
     explorer = explore("region_of_stability")
-    figure, canvas = explorer.stage.figure, explorer.stage._canvas
+    figure, canvas = explorer.figure.figure, explorer.figure._canvas
     picture = Image.frombuffer(
         "RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1
     )
@@ -155,7 +155,7 @@ def ways_to_send():
         return len(told.getvalue())
 
     ways = {
-        "moving parts, JPEG (ours)": lambda: len(explorer.stage.frame()),
+        "moving parts, JPEG (ours)": lambda: len(explorer.figure.frame()),
         "of this the JPEG": lambda: saved("jpeg", quality=93, subsampling=0),
         "the PNG instead": lambda: saved("png", compress_level=1),
         "the BMP instead": lambda: saved("bmp"),
@@ -221,7 +221,7 @@ def browsers_side():
                     Keys.SHIFT
                 ).perform()
                 browser.wait_for(
-                    "document.querySelector('.workbook-stage img')?.naturalWidth > 100", 60
+                    "document.querySelector('.workbook-figure img')?.naturalWidth > 100", 60
                 )
                 browser.wait_for(idle, 60)
                 print(
@@ -237,7 +237,7 @@ def browsers_side():
 #: nothing.
 PULLED = """
 const done = arguments[0], layer = document.querySelector('.workbook-layer');
-const image = document.querySelector('.workbook-stage img'), box = image.getBoundingClientRect();
+const image = document.querySelector('.workbook-figure img'), box = image.getBoundingClientRect();
 const handle = document.querySelector('.workbook-explorer .noUi-handle'), began = performance.now();
 let frames = 0;
 image.addEventListener('load', () => frames++);

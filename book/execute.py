@@ -37,7 +37,8 @@ from settings import CORES
 from sphinx_external_toc.parsing import parse_toc_yaml
 
 from workbook.grading.preloading import SYMPY, preload, warm_up_matplotlib
-from workbook.notebooks.dependencies import HOME, OURS, module_closure
+from workbook.notebooks.dependencies import PACKAGES, module_closure
+from workbook.notebooks.dependencies import ROOT as HOME
 
 ROOT = Path(__file__).resolve().parent.parent
 #: The files that define how pages are executed: outputs may depend on them.
@@ -148,7 +149,7 @@ def shared_digest(root):
         root / "_config.yml",
         root / "requirements.txt",
         *EXECUTION,
-        *(path for package in OURS for path in (HOME / package).rglob("*.py")),
+        *(path for package in PACKAGES for path in (HOME / package).rglob("*.py")),
     ]
     combined = hashlib.sha256(sys.version.encode())
     for path in sorted(files):

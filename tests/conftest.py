@@ -52,7 +52,12 @@ def pytest_configure(config):
     """Every problem is solved and judged in processes of its own, which would import it all again.
     Who only shares tests out has none."""
     if hasattr(config, "workerinput") or not config.getoption("numprocesses", None):
-        preload("control", *ALWAYS, *LIBRARIES, packages=["workbook.checks", "workbook.checks.research", *THEMES])
+        preload(
+            "control",
+            *ALWAYS,
+            *LIBRARIES,
+            packages=["workbook.checks", "workbook.checks.research", *THEMES],
+        )
 
 
 def together(nodeid):

@@ -14,5 +14,7 @@ Matrix: TypeAlias = Any
 ExprLike: TypeAlias = sp.Expr | float
 #: Several expressions: a list, a tuple or a matrix with one column.
 Expressions: TypeAlias = Sequence[sp.Expr] | sp.MatrixBase
+#: A polynomial: an expression, a Poly, or the coefficients with the highest power first.
+PolynomialLike: TypeAlias = sp.Expr | sp.Poly | Sequence[ExprLike]
 #: One symbol or several.
 Symbols: TypeAlias = sp.Symbol | Sequence[sp.Symbol]

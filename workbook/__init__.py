@@ -1,2 +1,4 @@
-"""The course around `trajlib`: checks of answers, notebooks, grading, authoring and lectures; the
-command `workbook`."""
+"""The course on top of `trajlib`: checks of answers, notebooks, grading, authoring and lectures.
+
+The command is `workbook` (`workbook.cli`).
+"""

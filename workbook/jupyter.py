@@ -3,8 +3,8 @@
 import sys
 
 
-def in_notebook():
-    """Whether a notebook reads what is shown."""
-    # IPython is not imported for this: where there is a notebook, it is there.
+def runs_in_notebook():
+    """Return whether the output goes to a notebook."""
+    # A notebook's kernel has imported IPython.
     ipython = sys.modules.get("IPython")
     return ipython is not None and getattr(ipython.get_ipython(), "kernel", None) is not None

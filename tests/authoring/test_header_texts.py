@@ -10,7 +10,7 @@ import pytest
 from trajlib.typesetting import plain
 from workbook.authoring import master_paths, read
 from workbook.authoring.front_matter import read_front_matter
-from workbook.authoring.mistakes import sentence
+from workbook.authoring.mistakes import mistake_sentence
 
 pytestmark = pytest.mark.slow
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
@@ -49,7 +49,7 @@ def test_no_formula_is_left_as_typed(path):
 )
 def test_no_formula_of_a_mistake_is_left_as_typed(path):
     master = read(path)
-    said = [trial.comment for trial in master.trials["wrong"] if sentence(master, trial)]
+    said = [trial.comment for trial in master.trials["wrong"] if mistake_sentence(master, trial)]
     found = {text: typed[0] for text in said if (typed := TYPED.search(SET.sub("", text)))}
     assert not found, "put formulas between dollars, code between backticks"
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from workbook.authoring import MasterError, read
-from workbook.authoring.contract import hold_front_matter
+from workbook.authoring.contract import validate_front_matter
 
 ROOT = Path(__file__).resolve().parents[2]
 GOOD = (ROOT / "solutions" / "ch1" / "p15.md").read_text(encoding="utf-8")
@@ -73,7 +73,7 @@ def test_a_long_problem_names_its_core(level, asked, core, said):
     front |= {"core": core} if core else {}
     expected = pytest.raises(MasterError, match=said) if said else nullcontext()
     with expected:
-        hold_front_matter(Path("ch1/p15.md"), front, {(): 1})
+        validate_front_matter(Path("ch1/p15.md"), front, {(): 1})
 
 
 def line_of(text, part):

@@ -2,7 +2,7 @@
 
 import pytest
 
-from workbook.authoring import begin, read
+from workbook.authoring import new_problem, read
 from workbook.authoring.trials import trials_file
 
 SECTIONS = {"ch2/p05.md": "§2.2", "ch2/p31.md": "§2.5"}
@@ -27,7 +27,7 @@ def solutions(tmp_path):
     ],
 )
 def test_the_reader_finds_no_fault(solutions, number, name, section):
-    page, trials = begin(solutions, number)
+    page, trials = new_problem(solutions, number)
     master = read(page)
     assert page == solutions / name and trials == trials_file(page)
     assert (master.number, master.section) == (number, section)
@@ -35,15 +35,15 @@ def test_the_reader_finds_no_fault(solutions, number, name, section):
 
 
 def test_nothing_is_written_over(solutions):
-    page, trials = begin(solutions, "2.30")
+    page, trials = new_problem(solutions, "2.30")
     page.unlink()
     trials.write_text("mine")
     with pytest.raises(FileExistsError, match="p30.trials.py"):
-        begin(solutions, "2.30")
+        new_problem(solutions, "2.30")
     assert trials.read_text() == "mine" and not page.exists()
 
 
 @pytest.mark.parametrize("number", ["2", "2.x", "2.03", "two", "2.0", "../2.3", "2.3/4"])
 def test_what_is_no_number(solutions, number):
     with pytest.raises(ValueError, match="write it like 2.30"):
-        begin(solutions, number)
+        new_problem(solutions, number)

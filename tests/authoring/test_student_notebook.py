@@ -11,7 +11,8 @@ import pytest
 
 from workbook.authoring import Links, MasterError, read, student_notebook
 from workbook.authoring.contract import master_file
-from workbook.authoring.student_notebook import WIDTH, plain_markdown
+from workbook.authoring.plain_markdown import plain_markdown
+from workbook.authoring.student_notebook import WIDTH
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -123,10 +124,10 @@ def test_links_can_be_led_elsewhere():
         student_notebook(master, Links(ROOT, "https://ours.example")),
     )
     assert plain != ours
-    assert exercises.linked(plain, exercises.below("https://ours.example")) == ours
-    theirs = exercises.linked(ours, exercises.below("https://theirs.example/"))
-    assert "ours.example" not in str(theirs) and theirs == exercises.linked(
-        plain, exercises.below("https://theirs.example")
+    assert exercises.add_links(plain, exercises.site_urls("https://ours.example")) == ours
+    theirs = exercises.add_links(ours, exercises.site_urls("https://theirs.example/"))
+    assert "ours.example" not in str(theirs) and theirs == exercises.add_links(
+        plain, exercises.site_urls("https://theirs.example")
     )
 
 

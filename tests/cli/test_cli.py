@@ -57,30 +57,31 @@ def test_solve():
     assert "k1" in workbook("solve", "1.15").stdout
 
 
-def worked(tmp_path, answered):
-    """A student's notebook of 1.15 in which the named items are answered as in the worked
-    solution."""
+def answered_notebook(tmp_path, items):
+    """Write the notebook of 1.15 with items answered as in the worked solution."""
     exercise = exercises.find("1.15")
     notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
     sources = read(ROOT / "solutions" / "ch1" / "p15.md").code("answer")
     stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
     for k, cell in enumerate(stubs):
-        if "abcde"[k] in answered:
-            first = (
+        if "abcde"[k] in items:
+            imports = (
                 "from trajlib.stability import hurwitz_minors\nfrom workbook.display import show\n"
             )
-            cell["source"] = (first if k else "") + sources[k]
+            cell["source"] = (imports if k else "") + sources[k]
     path = tmp_path / "mine.ipynb"
     path.write_text(json.dumps(notebook), encoding="utf-8")
     return path
 
 
 def test_check(tmp_path):
-    done = workbook("check", worked(tmp_path, "abcde"))
+    done = workbook("check", answered_notebook(tmp_path, "abcde"))
     assert done.returncode == 0 and "5 of 5 right" in done.stdout, done.stdout + done.stderr
-    done = workbook("check", worked(tmp_path, "bd"))
+    done = workbook("check", answered_notebook(tmp_path, "bd"))
     assert done.returncode == 1 and "2 of 5 right" in done.stdout
-    verdicts = json.loads(workbook("check", worked(tmp_path, "bd"), "--json").stdout)["verdicts"]
+    verdicts = json.loads(workbook("check", answered_notebook(tmp_path, "bd"), "--json").stdout)[
+        "verdicts"
+    ]
     assert [v["verdict"] for v in verdicts.values()] == [
         "missing",
         "right",
@@ -91,7 +92,7 @@ def test_check(tmp_path):
 
 
 def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_path):
-    path = worked(tmp_path, "")
+    path = answered_notebook(tmp_path, "")
     notebook = json.loads(path.read_text())
     notebook["cells"] = [
         cell for cell in notebook["cells"] if cell["metadata"].get("tags") != ["check"]
@@ -115,7 +116,7 @@ def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_p
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         (["solve", "9.99"], "no problem 9.99"),
         (["solve", "fifteen"], "no problem fifteen"),
@@ -128,14 +129,14 @@ def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_p
         (["check", "README.md"], "README.md is not a readable notebook"),
     ],
 )
-def test_bad_input_ends_in_one_line_and_code_2(arguments, said):
+def test_bad_input_ends_in_one_line_and_code_2(arguments, message):
     done = workbook(*arguments)
-    assert done.returncode == 2 and said in done.stderr
+    assert done.returncode == 2 and message in done.stderr
     assert len(done.stderr.strip().split("\n")) == 1 and "Traceback" not in done.stderr
 
 
 def test_check_stops_an_endless_notebook(tmp_path):
-    path = worked(tmp_path, "")
+    path = answered_notebook(tmp_path, "")
     notebook = json.loads(path.read_text())
     notebook["cells"].append(
         {

@@ -1,4 +1,4 @@
-"""Motions: what stands in the page, and what is refused."""
+"""Animations: the content of the page, and the errors."""
 
 import json
 from xml.etree import ElementTree
@@ -12,19 +12,19 @@ from workbook.display.animations import SIZE, Animation
 T = np.linspace(0, 2, 5)
 
 
-def circle(**given):
-    motion = Animation(T, "A <point> on a circle.", **given)
-    plane = motion.panel((-1, 1), (-1, 1), "x", "y")
+def circle(**options):
+    animation = Animation(T, "A <point> on a circle.", **options)
+    plane = animation.panel((-1, 1), (-1, 1), "x", "y")
     plane.curve([0, 1], [0, 1], dashed=True)
     plane.trail(np.cos(T), np.sin(T))
     plane.dot(np.cos(T), np.sin(T))
     plane.rod(0, 0, np.cos(T), np.sin(T))
-    return motion
+    return animation
 
 
 def test_the_page_holds_every_frame_and_shows_one():
-    box = BeautifulSoup(circle(still=4)._repr_html_(), "html.parser").find(class_="motion")
-    data = json.loads(box["data-motion"])
+    box = BeautifulSoup(circle(still=4)._repr_html_(), "html.parser").find(class_="animation")
+    data = json.loads(box["data-animation"])
     assert data["times"] == [0, 0.5, 1, 1.5, 2] and data["still"] == 4
     assert [part["kind"] for part in data["parts"]] == ["trail", "dot", "rod"]
     # (1, 0) of the square from -1 to 1
@@ -37,19 +37,19 @@ def test_the_page_holds_every_frame_and_shows_one():
     )
 
 
-def test_where_nothing_moves_the_still_frame_is_a_picture():
-    motion = circle(still=1)
-    motion.panel((0, 1), (0, 1), "t")
-    picture = ElementTree.fromstring(motion._repr_svg_())
-    moving = BeautifulSoup(motion._repr_html_(), "html.parser").circle
+def test_the_still_frame_is_a_picture():
+    animation = circle(still=1)
+    animation.panel((0, 1), (0, 1), "t")
+    picture = ElementTree.fromstring(animation._repr_svg_())
+    html_circle = BeautifulSoup(animation._repr_html_(), "html.parser").circle
     assert [mark.attrib["cx"] for mark in picture.iter() if mark.tag.endswith("circle")] == [
-        moving["cx"]
+        html_circle["cx"]
     ]
     assert len([part for part in picture if part.tag.endswith("g")]) == 2
 
 
 @pytest.mark.parametrize(
-    "make, said",
+    "make, message",
     [
         (lambda: Animation([0, 0], "w"), "increasing"),
         (lambda: Animation([0], "w"), "at least two"),
@@ -59,6 +59,6 @@ def test_where_nothing_moves_the_still_frame_is_a_picture():
         (lambda: circle().panel((0, 1), (0, 1)).dot(np.nan, 0), "finite"),
     ],
 )
-def test_what_is_no_motion_is_refused(make, said):
-    with pytest.raises(ValueError, match=said):
+def test_bad_input_is_refused(make, message):
+    with pytest.raises(ValueError, match=message):
         make()

@@ -221,7 +221,7 @@ def test_an_invalid_score_is_refused_in_one_line(course, here, arguments, messag
 def changed_workbook(tmp_path, monkeypatch):
     """Exercises in a copy whose check cells `change(problem, old, new)` changes."""
     copy = tmp_path / "workbook"
-    shutil.copytree(exercises.home(), copy)
+    shutil.copytree(exercises.folder(), copy)
     monkeypatch.setattr(exercises, "home", lambda: copy)
 
     def change(problem, old, new):

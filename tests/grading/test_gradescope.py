@@ -29,7 +29,7 @@ from classroom import RIGHT_1_15, notebook, write_assignment
 
 from workbook.authoring import read, read_all
 from workbook.authoring.contract import master_file
-from workbook.authoring.mistakes import sentence
+from workbook.authoring.mistakes import mistake_sentence
 from workbook.grading import assignment as assignments
 from workbook.grading.assignment import AssignmentError
 from workbook.grading.gradescope import autograder, bundle
@@ -112,7 +112,7 @@ def test_contents_of_the_bundle(archive):
         # Neither the value nor the sentence on it can be read anywhere.
         for trial in master.trials["wrong"]:
             value = trial.source.rpartition("\n")[2].partition("=")[2].strip()
-            message = sentence(master, trial) or trial.comment
+            message = mistake_sentence(master, trial) or trial.comment
             assert message.partition("\n")[0] not in everything
             assert len(value) < 16 or f"{trial.name} = {value}" not in everything
 

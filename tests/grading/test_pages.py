@@ -17,7 +17,7 @@ from classroom import an_assignment, graded
 from trajlib.typesetting import plain
 from workbook.authoring import read
 from workbook.authoring.contract import master_file
-from workbook.authoring.mistakes import sentence
+from workbook.authoring.mistakes import mistake_sentence
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
@@ -341,7 +341,9 @@ def test_named_mistakes_are_on_both_pages(store, homework):
             [],
         )
     master = read(ROOT / "solutions" / master_file("1.15"))
-    first_sentence, other_sentence = (sentence(master, master.trials["wrong"][k]) for k in (0, 5))
+    first_sentence, other_sentence = (
+        mistake_sentence(master, master.trials["wrong"][k]) for k in (0, 5)
+    )
     all_scores = scores(store, homework)
     pages = {score.student: shown(feedback(homework, score)) for score in all_scores}
     assert first_sentence.count("\n") == 1 and all(

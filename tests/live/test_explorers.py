@@ -8,24 +8,24 @@ import sympy as sp
 from trajlib import stability
 from workbook.live import LiveError
 from workbook.live.explorers import (
-    against_the_best,
+    distance_to_unobservable,
     explore,
     fastest_motion,
-    listed,
-    losing_a_mode,
+    list_explorers,
+    manual_control,
     phase_portrait,
-    popov_distance,
+    pole_zero_cancellation,
     region_of_stability,
 )
-from workbook.live.explorers.asking import NAMES
-from workbook.live.explorers.circle import STEP, followed
+from workbook.live.explorers.by_name import NAMES
+from workbook.live.explorers.circle import STEP, trajectories
 from workbook.live.explorers.fastest import _extremal, _synthesis
 from workbook.live.explorers.phase import PORTRAITS
-from workbook.live.worked import Worked
+from workbook.live.worked_problem import WorkedProblem
 
 
 def words(explorer):
-    return explorer._words.value
+    return explorer._text.value
 
 
 def picture(explorer):
@@ -34,7 +34,7 @@ def picture(explorer):
 
 def stroke(explorer, axes, points):
     """Pull the pointer over points of some axes, as the layer in the page tells it."""
-    size = explorer.stage.figure.bbox.size
+    size = explorer.figure.figure.bbox.size
     places = axes.transData.transform(points) / size
     explorer._pointer.value = " ".join(
         [str(explorer.frames), *(f"{number:.5f}" for number in places.ravel())]
@@ -44,14 +44,14 @@ def stroke(explorer, axes, points):
 def test_the_roots_follow_the_point_that_is_pulled():
     explorer = region_of_stability("1.15", "a")
     before, frames = picture(explorer), explorer.frames
-    stroke(explorer, explorer.stage.axes[0], [(0, 0), (2.5, 1.5)])
+    stroke(explorer, explorer.figure.axes[0], [(0, 0), (2.5, 1.5)])
     # two sliders, one frame
     assert explorer.frames == frames + 1 and picture(explorer) != before
     assert [round(control.value, 2) for control in explorer.controls.values()] == [2.5, 1.5]
     assert "3 of 3 roots lie left" in words(explorer)
     explorer.set(k1=0.5, k2=1)  # below the hyperbola
     assert "1 of 3 roots lie left" in words(explorer)
-    stroke(explorer, explorer.stage.axes[1], [(0, 0)])  # the roots cannot be pulled
+    stroke(explorer, explorer.figure.axes[1], [(0, 0)])  # the roots cannot be pulled
     assert explorer.controls["k1"].value == 0.5
 
 
@@ -74,7 +74,7 @@ def test_every_problem_of_chapter_1_has_a_portrait_or_moves_in_no_plane():
 
 
 def test_rest_points_are_those_that_the_library_finds():
-    data = Worked("1.6").data
+    data = WorkedProblem("1.6").data
     field = data["b_field"]
     k, k1, Omega = (
         next(s for s in field[1].free_symbols if s.name == name) for name in ("k", "k1", "Omega")
@@ -106,11 +106,11 @@ def test_rest_points_are_those_that_the_library_finds():
 def test_a_click_draws_the_motion_through_it():
     explorer = phase_portrait("1.4")
     before = picture(explorer)
-    stroke(explorer, explorer.stage.axes[0], [(1, 1)])
+    stroke(explorer, explorer.figure.axes[0], [(1, 1)])
     assert picture(explorer) != before
     explorer.set(epsilon=2.96)  # backwards this is so stiff that the line ends early
-    stroke(explorer, explorer.stage.axes[0], [(-1.8, 1.6)])
-    for line in explorer.stage.axes[0].lines:
+    stroke(explorer, explorer.figure.axes[0], [(-1.8, 1.6)])
+    for line in explorer.figure.axes[0].lines:
         x, y = line.get_data()
         assert (
             np.isfinite(x).all() and np.abs(x).max(initial=0) < 10 and np.abs(y).max(initial=0) < 10
@@ -118,7 +118,7 @@ def test_a_click_draws_the_motion_through_it():
 
 
 def test_modes_are_lost_where_problem_2_27_says():
-    explorer = losing_a_mode()
+    explorer = pole_zero_cancellation()
     explorer.set(alpha=0, beta=0)
     assert (
         "mode −2: control has no hold of it" in words(explorer)
@@ -134,8 +134,8 @@ def test_modes_are_lost_where_problem_2_27_says():
 
 
 def test_the_distance_of_popov_vanishes_where_a_mode_is_lost():
-    explorer = popov_distance("2.5", "g")
-    data = Worked("2.5").data
+    explorer = distance_to_unobservable("2.5", "g")
+    data = WorkedProblem("2.5").data
     from trajlib.structure import observability
 
     for alpha in (-1, 1):
@@ -151,7 +151,7 @@ def test_the_circle_is_met_in_the_least_time_that_the_reachable_set_allows(R):
     starts = np.array(
         [0.2 + 0.1j, -0.3 - 0.35j, 0.5j * R, 0.8 * R, 1.5 * R + 0.5j, -2.5 - 2j, 4.1 + 0.3j]
     )
-    _paths, times = followed(starts, R)
+    _paths, times = trajectories(starts, R)
     angle = np.linspace(0, 2 * np.pi, 361)
     steps = np.linspace(0, 12, 2401)
     # psi at the end; before it the costate was turned on, and its second component drives
@@ -170,11 +170,11 @@ def test_the_circle_is_met_in_the_least_time_that_the_reachable_set_allows(R):
 
 
 def test_whoever_draws_the_best_arcs_has_the_best_energy():
-    explorer = against_the_best()
+    explorer = manual_control()
     explorer.set(best_arcs=1)
     best = 24.5  # half of (3 + 2*2)**2: each half turn adds 2 to the amplitude
     assert f"{best:.2f} is the best" in words(explorer)
-    axes = explorer.stage.axes[0]
+    axes = explorer.figure.axes[0]
     # beyond the bounds: held at them
     stroke(explorer, axes, [(0.01, -1.1), (3.13, -1.1), (3.15, 1.1), (6.28, 1.1)])
     by_hand = float(words(explorer).split("at the end: ")[1].split()[0])
@@ -187,7 +187,7 @@ def test_the_fastest_motion_ends_at_rest_and_switches_with_the_costate():
     found = _synthesis("5.3", "a")
     for x, v in ((1, 0), (-1.2, 0.7), (0.4, -1.3)):
         motion = _extremal(found, np.array([x, v], dtype=float))
-        times, (psi1, psi2, switching, control) = motion["times"], motion["over time"]
+        times, (psi1, psi2, switching, control) = motion["times"], motion["functions"]
         first = -1 if x + v * abs(v) / 2 > 0 else 1
         assert times[-1] == pytest.approx(2 * np.sqrt(v * v / 2 - first * x) - first * v, abs=1e-6)
         assert motion["state"][:, 0] == pytest.approx([x, v], abs=1e-6)
@@ -212,8 +212,8 @@ def test_the_fastest_motion_ends_at_rest_and_switches_with_the_costate():
         ("phase_portrait 1.15", "moves in no plane"),
         ("phase_portrait 1.4 b", "it has one only"),
         ("phase_portrait 1.1 z", "there is a, b, c"),
-        ("losing_a_mode 2.27", "takes no problem"),
-        ("popov_distance 2.5 a", "2.5 has g, h, i, j"),
+        ("pole_zero_cancellation 2.27", "takes no problem"),
+        ("distance_to_unobservable 2.5 a", "2.5 has g, h, i, j"),
         ("fastest_motion 5.3 b", "there is 5.3 a, 5.7 a"),
     ],
 )
@@ -226,20 +226,20 @@ def test_what_is_not_understood_ends_in_one_line(said, message):
 
 
 def test_the_list_names_every_explorer():
-    assert [line.split()[1] for line in listed().splitlines()] == list(NAMES)
+    assert [line.split()[1] for line in list_explorers().splitlines()] == list(NAMES)
 
 
 def test_circle_synthesis_follows_its_radius_and_the_pointer():
     explorer = explore("circle_synthesis R=2")
     before = picture(explorer)
-    stroke(explorer, explorer.stage.axes[0], [(0.5, 0.2)])
+    stroke(explorer, explorer.figure.axes[0], [(0.5, 0.2)])
     assert picture(explorer) != before and "to the circle" in words(explorer)
 
 
 @pytest.mark.slow
 def test_fastest_motion_starts_from_a_click():
     explorer = fastest_motion()
-    stroke(explorer, explorer.stage.axes[0], [(1, 0)])
+    stroke(explorer, explorer.figure.axes[0], [(1, 0)])
     assert "least time 2.000" in words(explorer)
     before = picture(explorer)
     explorer.set(frame=60)

@@ -78,8 +78,10 @@ class Lab:
 
 def an_explorer_follows(browser):
     """A slider changes the picture, and so does the pointer, which moves the sliders."""
-    image = "document.querySelector('.workbook-stage img').src"
-    assert browser.wait_for("document.querySelector('.workbook-stage img')?.naturalWidth > 500", 30)
+    image = "document.querySelector('.workbook-figure img').src"
+    assert browser.wait_for(
+        "document.querySelector('.workbook-figure img')?.naturalWidth > 500", 30
+    )
     before = browser.run(image)
     slider = browser.find(".workbook-explorer .noUi-handle")
     slider.send_keys("\ue014")  # the right arrow
@@ -113,7 +115,7 @@ def a_poll_is_answered(browser):
 
 def a_click_starts_an_optimal_path(browser, lab):
     """Where one clicks the fastest motion starts, and the play button moves along it."""
-    said = "[...document.querySelectorAll('.workbook-words')].at(-1).innerText"
+    said = "[...document.querySelectorAll('.workbook-text')].at(-1).innerText"
     assert browser.wait_for(f"{said}.includes('least time')", 60)
     before = browser.run(said)
     click(browser, ".workbook-layer", 0.15, 0.6, which=-1)

@@ -4,31 +4,31 @@ bottom."""
 import nbformat
 import pytest
 
-from workbook.live import find, lectures
-from workbook.live.copies import notebook_of
-from workbook.live.explorers.asking import NAMES
-from workbook.live.magics import is_ours
+from workbook.live import find_presentation, lectures
+from workbook.live.explorers.by_name import NAMES
+from workbook.live.lecture_notebook import lecture_notebook
+from workbook.live.magics import is_lecture_magic
 from workbook.live.polls import options
-from workbook.live.worked import Worked
+from workbook.live.worked_problem import WorkedProblem
 from workbook.notebooks import exercises
 from workbook.notebooks.cells import run_cells
 from workbook.notebooks.execution import in_child
 
 pytestmark = pytest.mark.slow
-SLUGS = [lecture.word for lecture in lectures()]
+SLUGS = [lecture.name for lecture in lectures()]
 
 
 @pytest.mark.parametrize("slug", SLUGS)
 def test_a_lecture_becomes_slides_whose_magics_name_what_there_is(slug):
-    subject = find(slug)
-    notebook = nbformat.from_dict(notebook_of(subject))
+    subject = find_presentation(slug)
+    notebook = nbformat.from_dict(lecture_notebook(subject))
     nbformat.validate(notebook)
     kinds = [cell.metadata.slideshow.slide_type for cell in notebook.cells]
     assert kinds[0] == "slide" and kinds.count("slide") >= 6
     assert all(
         cell.source.startswith("#") for cell, kind in zip(notebook.cells, kinds) if kind == "slide"
     )
-    asked = [cell.source.split() for cell in notebook.cells if is_ours(cell.source)]
+    asked = [cell.source.split() for cell in notebook.cells if is_lecture_magic(cell.source)]
     assert {magic for magic, *_ in asked} >= {"%mistake", "%hint", "%answer"}
     for magic, first, *rest in asked:
         if magic == "%explore":
@@ -43,9 +43,13 @@ def test_a_lecture_becomes_slides_whose_magics_name_what_there_is(slug):
 @pytest.mark.parametrize("slug", SLUGS)
 def test_a_lecture_runs_from_top_to_bottom(slug):
     cells = [
-        cell["source"] for cell in notebook_of(find(slug))["cells"] if cell["cell_type"] == "code"
+        cell["source"]
+        for cell in lecture_notebook(find_presentation(slug))["cells"]
+        if cell["cell_type"] == "code"
     ]
-    ran = in_child(run_cells, [cell for cell in cells if not is_ours(cell)], [], timeout=120)
+    ran = in_child(
+        run_cells, [cell for cell in cells if not is_lecture_magic(cell)], [], timeout=120
+    )
     assert ran["errors"] == []
 
 
@@ -53,14 +57,14 @@ def test_the_polls_of_lectures_have_answers_to_choose():
     asked = {
         tuple(cell["source"].split()[1:3])
         for slug in SLUGS
-        for cell in notebook_of(find(slug))["cells"]
+        for cell in lecture_notebook(find_presentation(slug))["cells"]
         if cell["source"].startswith("%poll")
     }
     assert asked
     for number, name in asked:
-        assert len(options(Worked(number), name)) >= 3, (number, name)
+        assert len(options(WorkedProblem(number), name)) >= 3, (number, name)
 
 
 def test_a_lecture_is_found_by_its_nearest_name():
     with pytest.raises(ValueError, match="did you mean limit-cycles"):
-        find("limit-cycle")
+        find_presentation("limit-cycle")

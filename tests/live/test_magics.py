@@ -8,9 +8,9 @@ import pytest
 from jupyter_client.manager import start_new_kernel
 
 from workbook.live import LiveError
-from workbook.live.catching_up import cells_above
-from workbook.live.lab import furnish
-from workbook.live.magics import is_ours
+from workbook.live.catch_up import cells_above
+from workbook.live.lab import write_settings
+from workbook.live.magics import is_lecture_magic
 
 pytestmark = pytest.mark.slow
 
@@ -52,7 +52,7 @@ class Kernel:
 @pytest.fixture(scope="module")
 def running(tmp_path_factory):
     folder = tmp_path_factory.mktemp("lecture")
-    environment = os.environ | furnish(folder) | {"TRAJLIB_LIVE": "1.15"}
+    environment = os.environ | write_settings(folder) | {"WORKBOOK_LIVE_PROBLEMS": "1.15"}
     environment.pop("MPLBACKEND", None)
     manager, client = start_new_kernel(kernel_name="python3", env=environment, cwd=str(folder))
     kernel = Kernel(client)
@@ -70,7 +70,7 @@ def kernel(running, request):
     """The kernel as a lecture begins it."""
     running.run("%reset -f")
     running.run(
-        f"import os; os.environ['TRAJLIB_LIVE'] = {getattr(request, 'param', '1.15')!r}\n"
+        f"import os; os.environ['WORKBOOK_LIVE_PROBLEMS'] = {getattr(request, 'param', '1.15')!r}\n"
         "__import__('workbook.live').live.load_ipython_extension(get_ipython())\ndel os"
     )
     return running
@@ -192,7 +192,9 @@ def test_catchup_knows_the_cells_above_as_they_were_saved(tmp_path, monkeypatch)
         )
 
     above = cells_above(shell("d"))
-    assert above == ["x = 1", "%answer a_region"] and [is_ours(source) for source in above] == [
+    assert above == ["x = 1", "%answer a_region"] and [
+        is_lecture_magic(source) for source in above
+    ] == [
         False,
         True,
     ]

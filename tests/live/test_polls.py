@@ -5,12 +5,12 @@ import pytest
 
 from workbook.live import LiveError
 from workbook.live.polls import options, poll
-from workbook.live.worked import Worked
+from workbook.live.worked_problem import WorkedProblem
 
 
 @pytest.fixture(scope="module")
 def worked():
-    return Worked("1.15")
+    return WorkedProblem("1.15")
 
 
 def test_four_answers_one_of_them_right_in_an_order_that_stays(worked):
@@ -19,11 +19,11 @@ def test_four_answers_one_of_them_right_in_an_order_that_stays(worked):
     assert len({option.text for option in offered}) == 4 and all(
         "$" in option.text for option in offered
     )
-    assert offered == options(Worked("1.15"), "a_region")
-    assert [option.said for option in offered if not option.right] == [
-        option.said for option in offered if option.said
+    assert offered == options(WorkedProblem("1.15"), "a_region")
+    assert [option.explanation for option in offered if not option.right] == [
+        option.explanation for option in offered if option.explanation
     ]
-    assert any("Which minor was not looked at?" in option.said for option in offered)
+    assert any("Which minor was not looked at?" in option.explanation for option in offered)
 
 
 def test_the_right_answer_is_not_always_at_one_place(worked):
@@ -40,16 +40,16 @@ def test_hands_are_counted_and_the_reveal_tells(worked):
     button = found.children[2].children[1]
     button.click()
     assert found.counts[0].value == 11
-    assert all(said.value == "" for said in found._said)  # nothing is told before
+    assert all(said.value == "" for said in found._explanations)  # nothing is told before
     found._reveal.click()
-    told = [said.value for said in found._said]
+    told = [said.value for said in found._explanations]
     right = next(k for k, option in enumerate(found.options) if option.right)
     assert "right" in told[right] and all("✗" in said for k, said in enumerate(told) if k != right)
     assert any("Which minor was not looked at?" in said for said in told)
 
 
 def test_words_and_truth_values_are_answers_too():
-    offered = {option.text: option.right for option in options(Worked("1.13"), "c_kind")}
+    offered = {option.text: option.right for option in options(WorkedProblem("1.13"), "c_kind")}
     assert offered == {"stable": False, "unstable": False, "semistable": True}
 
 

@@ -14,8 +14,9 @@ from urllib.parse import parse_qs, urlsplit
 
 import pytest
 
-from workbook.live import LiveError, find, presenting
-from workbook.live.copies import notebook_of, settle
+from workbook.live import LiveError, find_presentation, presenting
+from workbook.live.keeping import keep_notebook
+from workbook.live.lecture_notebook import lecture_notebook
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -77,11 +78,11 @@ def test_without_a_browser_one_line_says_what_to_do():
 def test_without_jupyterlab_one_line_says_how_to_get_it(monkeypatch):
     monkeypatch.setattr(presenting, "find_spec", lambda name: None)
     with pytest.raises(LiveError, match="JupyterLab is not installed"):
-        presenting.present(find("1.15"), browser=False)
+        presenting.present(find_presentation("1.15"), browser=False)
 
 
 def test_the_copy_has_statement_and_data_and_no_solution():
-    notebook = notebook_of(find("1.15"))
+    notebook = lecture_notebook(find_presentation("1.15"))
     text = json.dumps(notebook)
     sources = [cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
     assert "find the region where the zero solution" in text and "a_poly = s**3" in text
@@ -98,7 +99,7 @@ def test_every_problem_has_a_copy_with_its_drawings():
     import nbformat
 
     for exercise in exercises.read_all():
-        notebook = nbformat.from_dict(notebook_of(find(exercise.number)))
+        notebook = nbformat.from_dict(lecture_notebook(find_presentation(exercise.number)))
         nbformat.validate(notebook)
         asked = [
             cell.source.split()[-1] for cell in notebook.cells if cell.source.startswith("%check")
@@ -186,10 +187,10 @@ def test_who_cannot_be_asked_loses_nothing(tmp_path, monkeypatch):
     monkeypatch.setattr(sys, "stdin", open(os.devnull))
     copy = tmp_path / "copy.ipynb"
     copy.write_text("worked on")
-    assert settle(copy, b"", "1.15", None, discard=True) is None
-    assert settle(copy, b"worked on", "1.15", None, discard=False) is None
-    assert settle(copy, b"", "1.15", None, discard=False) == Path("live-1.15.ipynb")
-    assert settle(copy, b"", "1.15", None, discard=False) == Path("live-1.15-2.ipynb")
+    assert keep_notebook(copy, b"", "1.15", None, discard=True) is None
+    assert keep_notebook(copy, b"worked on", "1.15", None, discard=False) is None
+    assert keep_notebook(copy, b"", "1.15", None, discard=False) == Path("live-1.15.ipynb")
+    assert keep_notebook(copy, b"", "1.15", None, discard=False) == Path("live-1.15-2.ipynb")
 
 
 @pytest.mark.parametrize("said, kept", [("", None), ("monday", Path("monday.ipynb"))])
@@ -203,4 +204,4 @@ def test_closing_asks_whether_to_keep(tmp_path, monkeypatch, said, kept):
     monkeypatch.setattr("builtins.input", lambda question: said)
     copy = tmp_path / "copy.ipynb"
     copy.write_text("worked on")
-    assert settle(copy, b"", "1.15", None, discard=False) == kept
+    assert keep_notebook(copy, b"", "1.15", None, discard=False) == kept

@@ -5,7 +5,13 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from workbook.mistakes.signature import LONGEST, Question, Unlike, in_cases, signatures
+from workbook.mistakes.signature import (
+    MAX_BYTES,
+    AnswerType,
+    NoSignature,
+    arcs_as_piecewise,
+    signatures,
+)
 
 x, y, k, t = sp.symbols("x y k t", real=True)
 m = sp.Symbol("m", positive=True)
@@ -64,7 +70,7 @@ UNLIKE = [
 
 
 def of(value, kind, symbols=PLANE):
-    return list(signatures(value, Question(kind, symbols)))
+    return list(signatures(value, AnswerType(kind, symbols)))
 
 
 @pytest.mark.parametrize("kind, one, other", ALIKE)
@@ -92,12 +98,12 @@ def test_arcs_are_like_the_cases_that_say_the_same():
         ([[4, sp.pi / 4]], 4),
     ):
         assert of(said, "expression")[0] in of(arcs, "expression")
-        (cases,) = in_cases(arcs, "expression")
+        (cases,) = arcs_as_piecewise(arcs, "expression")
         assert of(cases, "expression")[0] == of(said, "expression")[0] != of(arcs, "expression")[0]
     assert (
-        in_cases([[1, 2], [3, 4]], "matrix")
-        == in_cases(x, "expression")
-        == in_cases(["a b"], "expression")
+        arcs_as_piecewise([[1, 2], [3, 4]], "matrix")
+        == arcs_as_piecewise(x, "expression")
+        == arcs_as_piecewise(["a b"], "expression")
         == []
     )
     assert not set(of([[x, 1], [1, 2]], "expression")) & set(of([[x, 2], [1, 2]], "expression"))
@@ -130,9 +136,9 @@ def test_a_parameter_is_taken_positive_where_it_is():
         ("set", x),
         ("yes/no", 17),
         ("matrix", 3),
-        ("expression", [x] * LONGEST),
+        ("expression", [x] * MAX_BYTES),
     ],
 )
 def test_what_has_no_values_is_unlike_everything(kind, value):
-    with pytest.raises(Unlike):
+    with pytest.raises(NoSignature):
         of(value, kind)

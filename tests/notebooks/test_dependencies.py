@@ -1,5 +1,4 @@
-"""Which modules a piece of code stands on: exactly those that importing it loads, or more, never
-fewer."""
+"""The import closure of code holds all modules that are loaded when it runs."""
 
 import ast
 import importlib
@@ -40,25 +39,25 @@ def test_the_closure_holds_all_that_is_loaded(code):
     assert expected and expected <= set(module_closure(code))
 
 
-def test_no_import_of_ours_is_missed_by_reading_quickly(monkeypatch):
+def test_parsing_imports_only_misses_none(monkeypatch):
     """Of each module as many as by its whole tree, or more: code in a text counts too."""
     modules = {
-        ".".join(path.relative_to(dependencies.HOME).with_suffix("").parts): path
-        for package in dependencies.OURS
-        for path in (dependencies.HOME / package).rglob("*.py")
+        ".".join(path.relative_to(dependencies.ROOT).with_suffix("").parts): path
+        for package in dependencies.PACKAGES
+        for path in (dependencies.ROOT / package).rglob("*.py")
         if path.name != "__init__.py"
     }
-    quickly = {
+    imports_only = {
         name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()
     }
-    monkeypatch.setattr(dependencies, "_quick", ast.parse)
+    monkeypatch.setattr(dependencies, "_parse_imports", ast.parse)
     dependencies._loaded_by.cache_clear()
     whole = {
         name: dependencies._loaded_by.__wrapped__(name, path) for name, path in modules.items()
     }
     dependencies._loaded_by.cache_clear()
-    assert not {name: missed for name in modules if (missed := whole[name] - quickly[name])}
-    assert sum(quickly[name] != whole[name] for name in modules) < 5, "or it saves nothing"
+    assert not {name: missed for name in modules if (missed := whole[name] - imports_only[name])}
+    assert sum(imports_only[name] != whole[name] for name in modules) < 5, "or it saves nothing"
 
 
 @pytest.mark.parametrize(
@@ -80,11 +79,11 @@ def test_no_import_of_ours_is_missed_by_reading_quickly(monkeypatch):
         ("from .cells import prepare", {"workbook.notebooks.cells"}),
     ],
 )
-def test_however_an_import_is_written(source, expected):
+def test_forms_of_import_statements(source, expected):
     assert dependencies._loaded(source, "workbook.notebooks") == expected
 
 
-def test_a_theme_that_is_not_used_does_not_count():
+def test_unused_themes_are_left_out():
     closure = module_closure("from workbook import checks\nchecks.stability_region")
     assert (
         "workbook.checks.stability.cycles" not in closure
@@ -106,7 +105,7 @@ def test_the_hash_is_that_of_the_text():
     )
 
 
-def test_reading_what_checks_stand_on_loads_none_of_it():
+def test_fingerprints_are_computed_without_loading_the_checks():
     """Who grades reads this of every problem, before anything is computed."""
     code = (
         "import sys\nfrom workbook.notebooks import exercises\nfrom workbook.grading.fingerprint "

@@ -10,8 +10,8 @@ import nbformat
 import pytest
 
 from workbook.authoring import Links, master_paths, read, student_notebook
-from workbook.authoring.mistakes import origin
-from workbook.mistakes import file_beside
+from workbook.authoring.mistakes import source_hash
+from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
 
@@ -61,9 +61,9 @@ def test_holds_no_solution(master):
 
 
 def test_mistakes_are_in_step_and_sealed(master):
-    text = file_beside(master.exercise).read_text(encoding="utf-8")
+    text = mistakes_file(master.exercise).read_text(encoding="utf-8")
     mistakes = json.loads(text)
-    assert mistakes["of"] == origin(master), f"run `workbook exercises {master.number}`"
+    assert mistakes["of"] == source_hash(master), f"run `workbook exercises {master.number}`"
     assert set(mistakes["answers"]) <= set(master.answers)
     shown = text.encode() + b"".join(
         base64.b64decode(code)

@@ -26,13 +26,13 @@ from sympy.logic.boolalg import Boolean
 from undefined_values import NOT_ASKED, entries, entry_at, undefined_variants
 
 from workbook.authoring import master_paths, read
-from workbook.authoring.mistakes import question_of, sealed, sentence
+from workbook.authoring.mistakes import answer_type_of, mistake_sentence, seal_mistakes
 from workbook.authoring.scaffold import PLACEHOLDER
 from workbook.authoring.trials import trials_file
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
-from workbook.mistakes import file_beside, name_of
-from workbook.mistakes.signature import Unlike, in_cases, signatures
+from workbook.mistakes import find_mistake, mistakes_file
+from workbook.mistakes.signature import NoSignature, arcs_as_piecewise, signatures
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import in_child, judge_cells
 
@@ -319,7 +319,7 @@ def _decimals(problem):
 def test_wrong_trials_get_the_sentence_of_their_mistake(master):
     result = result_of(master, "mistakes")
     assert (
-        json.loads(file_beside(master.exercise).read_text(encoding="utf-8"))["answers"]
+        json.loads(mistakes_file(master.exercise).read_text(encoding="utf-8"))["answers"]
         == result["sealed"]
     ), f"run `workbook exercises {master.number}`"
     assert len(result["without name"]) == LIKE_ANOTHER.get(master.number, 0), result["without name"]
@@ -332,14 +332,14 @@ def _mistakes(problem):
     trials = list(zip(master.trials["wrong"], problem.given("wrong")))
     answers = {name: decode(text.encode()) for name, text in _encoded(problem).items()}
     result = {
-        "sealed": sealed(master, answers, trials),
+        "sealed": seal_mistakes(master, answers, trials),
         "without name": [],
         "not recognised": [],
         "right": [],
     }
     for trial, value in trials:
-        text = sentence(master, trial)
-        if text and name_of(master.number, trial.name, value) != text:
+        text = mistake_sentence(master, trial)
+        if text and find_mistake(master.number, trial.name, value) != text:
             result["without name"].append(f"{trial.name} = {value}")
         elif text:
             known = _known(problem, trial.name, value, text)
@@ -349,8 +349,8 @@ def _mistakes(problem):
             # mistake.
             result["not recognised"] += [
                 f"{trial.name} = {cases}"
-                for cases in in_cases(value, master.answers[trial.name].kind)
-                if name_of(master.number, trial.name, cases) not in (text, "")
+                for cases in arcs_as_piecewise(value, master.answers[trial.name].kind)
+                if find_mistake(master.number, trial.name, cases) not in (text, "")
             ]
     right = [
         *answers.items(),
@@ -362,7 +362,7 @@ def _mistakes(problem):
         for form in problem.forms(name, value).values()
     )
     for name, value in [*right, *forms]:
-        if text := name_of(master.number, name, value):
+        if text := find_mistake(master.number, name, value):
             result["right"].append(f"{name} = {value}: {text}")
     return result
 
@@ -382,8 +382,8 @@ def _conditions_in_data(problem):
 
 
 def _alike(problem, name, value):
-    question = question_of(problem.master, name, [problem.reference[name]])
-    with suppress(Unlike):
+    question = answer_type_of(problem.master, name, [problem.reference[name]])
+    with suppress(NoSignature):
         return not set(signatures(value, question)).isdisjoint(
             signatures(problem.reference[name], question)
         )
@@ -393,7 +393,7 @@ def _known(problem, name, value, text):
     """Return {form: whether it gets the sentence} of a wrong value, up to the third."""
     known = {}
     for form, other in problem.each_form(name, value):
-        known[form] = name_of(problem.master.number, name, decode(encode(other))) == text
+        known[form] = find_mistake(problem.master.number, name, decode(encode(other))) == text
         if sum(known.values()) == 3:
             break
     return known
@@ -403,7 +403,7 @@ def test_every_wrong_trial_has_a_sentence(master):
     notes = [
         f"{trial.name}: {trial.comment}"
         for trial in master.trials["wrong"]
-        if sentence(master, trial) is None
+        if mistake_sentence(master, trial) is None
     ]
     assert notes == [], (
         "a wrong trial needs a sentence to the student who has it, with . or ? at its end"
@@ -413,9 +413,9 @@ def test_every_wrong_trial_has_a_sentence(master):
 def test_the_sentence_on_a_mistake_is_not_on_the_page(master):
     page = master.path.read_text(encoding="utf-8")
     sentences = [
-        sentence(master, trial).partition("\n")[0]
+        mistake_sentence(master, trial).partition("\n")[0]
         for trial in master.trials["wrong"]
-        if sentence(master, trial)
+        if mistake_sentence(master, trial)
     ]
     assert [words for words in sentences if len(words) > 20 and words in page] == [], (
         "the page shows this sentence to everybody"
@@ -424,7 +424,7 @@ def test_the_sentence_on_a_mistake_is_not_on_the_page(master):
 
 def test_the_sentence_on_a_mistake_does_not_hold_the_answer(master):
     for trial in master.trials["wrong"]:
-        if text := sentence(master, trial):
+        if text := mistake_sentence(master, trial):
             words = set(re.findall(r"\w+", text.partition("\n")[0]))
             named = "_" in trial.name and trial.name in words  # others are ordinary words
             assert not named and len(text) < 400 and "right answer" not in text, text

@@ -19,7 +19,7 @@ PAGES = [
         for slug in ("fastest-motion", "balanced-by-an-estimate", "what-a-filter-believes")
     ),
 ]
-AT = "Number(document.querySelector('.motion-controls input').value)"
+AT = "Number(document.querySelector('.animation-controls input').value)"
 
 
 @pytest.fixture
@@ -29,16 +29,16 @@ def browser(moving_browser):
 
 @pytest.fixture
 def page(tmp_path):
-    """A page with nothing but a motion of four seconds."""
+    """A page with nothing but an animation of four seconds."""
     t = np.linspace(0, 4, 81)
-    motion = Animation(t, "A point on a circle.")
-    plane = motion.panel((-1.2, 1.2), (-1.2, 1.2), "x", "y")
+    animation = Animation(t, "A point on a circle.")
+    plane = animation.panel((-1.2, 1.2), (-1.2, 1.2), "x", "y")
     plane.trail(np.cos(t), np.sin(t))
     plane.dot(np.cos(t), np.sin(t))
     (tmp_path / "page.html").write_text(
-        '<!doctype html><html lang="en"><head><title>A motion</title><script '
-        f'src="{STATIC.as_uri()}/motions.js">'
-        f"</script></head><body>{motion._repr_html_()}</body></html>",
+        '<!doctype html><html lang="en"><head><title>An animation</title><script '
+        f'src="{STATIC.as_uri()}/animations.js">'
+        f"</script></head><body>{animation._repr_html_()}</body></html>",
         encoding="utf-8",
     )
     return (tmp_path / "page.html").as_uri()
@@ -48,9 +48,9 @@ def test_it_plays_pauses_and_follows_the_slider(browser, page):
     from selenium.webdriver.common.keys import Keys
 
     browser.open(page)
-    button = browser.find(".motion button")
+    button = browser.find(".animation button")
     assert button.accessible_name == "Play" and browser.run(AT) == 0
-    place = "document.querySelector('.motion circle').getAttribute('cx')"
+    place = "document.querySelector('.animation circle').getAttribute('cx')"
     before = browser.run(place)
     time.sleep(0.5)
     assert browser.run(AT) == 0  # nothing moves unasked
@@ -61,25 +61,25 @@ def test_it_plays_pauses_and_follows_the_slider(browser, page):
     stands = browser.run(AT)
     time.sleep(0.5)
     assert browser.run(AT) == stands and button.accessible_name == "Play"
-    slider = browser.find(".motion input")
+    slider = browser.find(".animation input")
     assert slider.accessible_name == "Time of the motion"
     slider.send_keys(Keys.END)
     assert browser.run(AT) == 80
-    assert browser.run("document.querySelector('.motion output').value") == "t = 4.00"
+    assert browser.run("document.querySelector('.animation output').value") == "t = 4.00"
     button.click()  # at the end it begins anew
     assert browser.wait_for(f"{AT} > 2 && {AT} < 60")
     assert browser.wait_for(f"{AT} == 80", 20) and button.accessible_name == "Play"
     assert browser.errors() == [] and browser.foreign_requests() == []
 
 
-def test_who_wants_less_motion_goes_on_by_steps(browser, page):
+def test_reduced_motion_goes_on_by_steps(browser, page):
     emulate = "Emulation.setEmulatedMedia"
     browser.driver.execute_cdp_cmd(
         emulate, {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]}
     )
     try:
         browser.open(page)
-        button = browser.find(".motion button")
+        button = browser.find(".animation button")
         assert button.accessible_name == "Next step"
         button.click()
         first = browser.run(AT)
@@ -92,19 +92,19 @@ def test_who_wants_less_motion_goes_on_by_steps(browser, page):
 
 
 @pytest.mark.parametrize("name", PAGES)
-def test_motions_of_the_site_move_and_are_small(browser, addresses, editions, name):
+def test_animations_of_the_site_move_and_are_small(browser, addresses, editions, name):
     from selenium.webdriver.common.keys import Keys
 
     browser.open(f"{addresses['file']}/{name}")
     sizes = browser.run(
-        "[...document.querySelectorAll('.motion')].map(box => box.outerHTML.length)"
+        "[...document.querySelectorAll('.animation')].map(box => box.outerHTML.length)"
     )
-    assert sizes and sum(sizes) + (STATIC / "motions.js").stat().st_size <= 60_000
+    assert sizes and sum(sizes) + (STATIC / "animations.js").stat().st_size <= 60_000
     browser.run("document.querySelectorAll('details.dropdown').forEach(fold => fold.open = true)")
     # its still may lie so near to its end that it is over soon
-    browser.find(".motion input").send_keys(Keys.HOME)
+    browser.find(".animation input").send_keys(Keys.HOME)
     # at once: a driver's click takes a while on a long page
-    press = "document.querySelector('.motion button').click()"
+    press = "document.querySelector('.animation button').click()"
     browser.run(press)
     assert browser.wait_for(f"{AT} > 2")
     browser.run(press)

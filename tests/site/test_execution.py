@@ -14,6 +14,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book"))
 import execute
 import kernel
 
+#: A kernel that is forked from this process inherits its filters, and `%matplotlib inline` warns.
+pytestmark = pytest.mark.filterwarnings("ignore:InlineBackend._figure_formats_changed")
 execute_as_before = execute.read_myst_markdown_notebook
 CONFIG = "execute: {timeout: 20}\nparse: {myst_enable_extensions: [dollarmath]}\n"
 TOC = "format: jb-book\nroot: index\nchapters: [{glob: 'p*'}]\n"

@@ -16,7 +16,7 @@ ROUNDING = 1e-10
 
 
 def read_covariance(matrix, name, order, floats, definite=False):
-    """Return a symmetric positive semidefinite (or `definite`) matrix, order x order (None: any)."""
+    """Return a symmetric positive semidefinite (or `definite`) matrix of a given order or any."""
     matrix = read_matrix(matrix, name, order, order, floats)
     require_square(matrix, name)
     kind = "positive definite" if definite else "positive semidefinite"

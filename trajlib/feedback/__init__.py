@@ -1,5 +1,4 @@
-"""Observers and regulators of linear systems: chapter 3 and section 5.4 of the problem book as
-functions.
+"""Observers and regulators of linear systems: chapter 3 and section 5.4 of the problem book.
 
 The system is x' = Ax + Bu, z = Hx, the feedback u = Kx (plus sign), the observer e' = Ae + Bu + L(z
 - He): closed loop A + BK, errors A - LH. Exact input gives exact output, also with symbols; NumPy

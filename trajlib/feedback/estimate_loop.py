@@ -1,4 +1,4 @@
-"""Feedback by the estimate, u = K e, and the separation of its spectrum, equations (3.7) - (3.10).
+"""Feedback by an estimate, u = K e, and the separation of its spectrum, (3.7) - (3.10).
 
 With the error d = x - e the plant and the observer are
 

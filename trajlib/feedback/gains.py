@@ -1,5 +1,4 @@
-"""All gains of an observer or a regulator that give a prescribed characteristic polynomial,
-Theorems 3.1 and 3.3.
+"""All gains of an observer or a regulator with a prescribed characteristic polynomial.
 
 In the coordinates (xi; eta) of the decomposition by observation the errors of the observer obey
 

@@ -178,7 +178,7 @@ def _single(A, b, wanted):
 
 def _ackermann(A, b, wanted, digits):
     """Return -e^T W^-1 psi(A) with so many digits, or None if W is singular for them."""
-    import mpmath  # type: ignore[import-untyped]
+    import mpmath
 
     with mpmath.workdps(digits):
         exact = [[mpmath.mpf(x) for x in row] for row in A.tolist()]
@@ -220,7 +220,7 @@ def _scipy(A, B, wanted):
 
 
 def _again(A, B, gain, wanted):
-    """Return the gain from eigenvectors corrected once: SciPy's are left a little off by its search.
+    """Return the gain from eigenvectors corrected once: SciPy's search leaves them a little off.
 
     With g = K v for the vectors v of the loop, (lambda I - A) v' = B g gives vectors close to them,
     and K' v' = g.

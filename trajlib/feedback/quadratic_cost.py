@@ -1,4 +1,4 @@
-"""Linear regulators with a quadratic cost: infinite (LQR) and finite horizon, and with noise (LQG).
+"""Linear regulators with a quadratic cost: infinite and finite horizon, and with noise.
 
 For x' = Ax + Bu the cost is J = integral of (x^T G x + u^T N u) dt, with a final time T plus x(T)^T
 F x(T). Its least value from x is x^T S x, the law u = Kx has K = -N^-1 B^T S, and S obeys the

@@ -1,5 +1,4 @@
-"""Stability of x' = Ax in all cases, the critical ones included, where roots lie on the imaginary
-axis.
+"""Stability of x' = Ax, also with eigenvalues on the imaginary axis (critical cases).
 
 Theorem 1.1 of the problem book settles the cases without roots on the axis. With such roots (and
 none to the right) the solution x = 0 is stable if and only if each of them is semisimple: its
@@ -8,8 +7,8 @@ The characteristic polynomial is factored exactly. An irreducible factor f(s) wi
 axis has the opposite number as a root too, so it is even, or f = s.
 
 - If f is even, all its roots lie on the axis, and are simple, exactly when f + f' satisfies the
-  criterion of Hurwitz (Hermite and Biehler); otherwise it has a root to the right.
-- If it is not, the criterion of Hurwitz decides.
+  Hurwitz criterion (Hermite-Biehler theorem); otherwise it has a root to the right.
+- If it is not, the Hurwitz criterion decides.
 
 Its roots are semisimple exactly when the rank of f(A) is n minus the degree of f times its
 multiplicity.
@@ -24,6 +23,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
 from trajlib._real_symbols import as_real, restore_names
+from trajlib._types import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors
 from trajlib.stability.inequalities import sign_of
 from trajlib.typesetting import escape_markdown
@@ -33,14 +33,24 @@ from trajlib.typesetting import escape_markdown
 class Mode:
     """An eigenvalue, or the roots of one irreducible factor of the characteristic polynomial.
 
-    `factor`: that polynomial in lambda; `eigenvalues`: its roots where they have a closed form,
-    else empty; `multiplicity` and `eigenvectors`: the algebraic and the geometric multiplicity of
-    each; `side`: "left", "axis", "right" or "unknown"; `semisimple`: None where it was not needed
-    or not decided.
+    Attributes
+    ----------
+    factor : sympy.Expr
+        That polynomial in lambda.
+    eigenvalues : tuple
+        Its roots where they have a closed form, else empty.
+    multiplicity : int
+        The algebraic multiplicity of each.
+    eigenvectors : int or None
+        The geometric multiplicity of each.
+    side : str
+        "left", "axis", "right" or "unknown".
+    semisimple : bool or None
+        None where it was not needed or not decided.
     """
 
     factor: sp.Expr
-    eigenvalues: tuple
+    eigenvalues: tuple[sp.Expr | complex, ...]
     multiplicity: int
     eigenvectors: int | None
     side: str
@@ -49,15 +59,22 @@ class Mode:
 
 @dataclass(frozen=True)
 class LinearStability:
-    """The verdict on x' = Ax: "asymptotically stable", "stable" (not asymptotically), "unstable" or
-    "undecided".
+    """The verdict on x' = Ax.
 
-    `deciding_modes`: the modes that decide it (tuple of `Mode`); `reason` in words; `margin`: for
-    floats the computed -max Re lambda, for exact matrices None.
+    Attributes
+    ----------
+    verdict : str
+        "asymptotically stable", "stable" (not asymptotically), "unstable" or "undecided".
+    deciding_modes : tuple of Mode
+        The modes that decide it.
+    reason : str
+        The verdict in words.
+    margin : float or None
+        For floats the computed -max Re lambda, for exact matrices None.
     """
 
     verdict: str
-    deciding_modes: tuple
+    deciding_modes: tuple[Mode, ...]
     reason: str
     margin: float | None = None
 
@@ -65,17 +82,34 @@ class LinearStability:
         return f"{self.verdict}: {escape_markdown(self.reason)}"
 
 
-def linear_stability(A):
-    """Stability of the solution x = 0 of x' = Ax, with the eigenvalues that decide it (MATLAB: eig,
-    jordan).
+def linear_stability(A: MatrixLike) -> LinearStability:
+    """Decide the stability of the solution x = 0 of x' = Ax.
 
-    `A`: n x n, a SymPy matrix or list of rows (decided exactly; symbols by their assumptions,
-    "undecided" where these do not suffice) or a NumPy array of floats (decided by the spectrum,
-    "undecided" where a perturbation of rounding size can move an eigenvalue to the imaginary axis;
-    then give the matrix exactly). Returns `LinearStability`. Raises ValueError for a matrix that is
-    not square or not real. Source: Theorem 1.1 of the problem book, completed by the critical
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        A SymPy matrix or list of rows is decided exactly; symbols by their assumptions, "undecided"
+        where these do not suffice. A NumPy array of floats is decided by the spectrum, "undecided"
+        where a perturbation of rounding size can move an eigenvalue to the imaginary axis; then
+        give the matrix exactly.
+
+    Returns
+    -------
+    LinearStability
+        The verdict with its reason.
+
+    Raises
+    ------
+    ValueError
+        If the matrix is not square or not real.
+
+    Notes
+    -----
+    MATLAB: ``eig``, ``jordan``. Source: Theorem 1.1 of the problem book, completed by the critical
     cases.
 
+    Examples
+    --------
     >>> import sympy as sp
     >>> double_integrator = sp.Matrix([[0, 1], [0, 0]])
     >>> linear_stability(double_integrator).reason
@@ -95,7 +129,7 @@ def linear_stability(A):
 
 
 def _verdict(modes):
-    """(verdict, deciding_modes modes, reason): the first of these cases that is present decides."""
+    """Return (verdict, deciding modes, reason): the first case that is present decides."""
 
     def on_side(side, semisimple=(True, False, None)):
         return [m for m in modes if m.side == side and m.semisimple in semisimple]
@@ -165,8 +199,7 @@ def _modes(A, s):
 
 
 def _side(f, parametric):
-    """Where the roots of an irreducible monic polynomial lie; "right" says that at least one lies
-    there."""
+    """Return the side of the roots of an irreducible monic polynomial ("right": at least one)."""
     s = f.gen
     if f.degree() == 1:
         return {1: "right", 0: "axis", -1: "left", None: "unknown"}[sign_of(-f.nth(0))]
@@ -183,8 +216,7 @@ def _side(f, parametric):
 
 
 def _eigenvectors(A, f, multiplicity):
-    """Number of eigenvectors of each root of f, and whether the roots are semisimple (None: depends
-    on parameters)."""
+    """Return the number of eigenvectors of each root, and whether the roots are semisimple."""
     value = sp.zeros(*A.shape)
     for coefficient in f.all_coeffs():
         value = (value * A + coefficient * sp.eye(A.rows)).applyfunc(sp.expand)
@@ -203,8 +235,7 @@ def _eigenvectors(A, f, multiplicity):
 
 
 def _eigenvalues(f, side):
-    """The roots of f in closed form; of a longer polynomial with numbers those that lie on the side
-    in question."""
+    """Return the roots in closed form; of long polynomials those on the side in question."""
     if f.degree() <= 2 or (f.degree() == 4 and f.nth(3) == f.nth(1) == 0):
         return tuple(sp.roots(f))
     if not (f.domain.is_ZZ or f.domain.is_QQ):
@@ -222,8 +253,7 @@ def _restored(mode, back):
 
 
 def _from_floats(A):
-    """The spectrum decides unless a matrix within rounding of A has an eigenvalue on the imaginary
-    axis."""
+    """Decide by the spectrum unless rounding can move an eigenvalue to the imaginary axis."""
     eigenvalues = np.linalg.eigvals(A)
     margin = float(-eigenvalues.real.max())
     scale = np.linalg.norm(A, 2)

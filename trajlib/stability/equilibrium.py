@@ -1,4 +1,4 @@
-"""Equilibria of x' = f(x), all of them where that can be said, exactly.
+"""Equilibria of x' = f(x), exactly, and whether they are all.
 
 The pendulum x1' = x2, x2' = -d x2 - w^2 sin x1 has the two families (2 pi n, 0) and (2 pi n + pi,
 0); they are returned as points that contain an integer symbol n, one point for each class of points
@@ -12,6 +12,7 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, join_names, read_field, read_symbols
 from trajlib._real_symbols import as_real
+from trajlib._types import Expressions, Symbols
 from trajlib.stability.inequalities import nonnegative, positive, tidied
 from trajlib.stability.real_solutions import solve_real
 
@@ -20,19 +21,29 @@ from trajlib.stability.real_solutions import solve_real
 class Equilibria(Sequence):
     """A sequence of exact points (tuples in the order of `state`).
 
-    - `conditions[i]`: the condition on the parameters under which point i exists (`sp.true` if it
-      always does).
-    - `integers`: the integer symbols in the points of periodic families.
-    - `complete`: whether these are all equilibria, with `reason` in words.
+    A state variable that stands in its own position in a point is free: every value of it belongs
+    to an equilibrium.
 
-    A state variable that stands in its own place in a point is free: every value of it belongs to
-    an equilibrium.
+    Attributes
+    ----------
+    state : tuple of sympy.Symbol
+        The state variables.
+    points : tuple of tuple
+        The points.
+    conditions : tuple of sympy.Basic
+        The condition on the parameters under which each point exists (`sp.true` if it always does).
+    integers : tuple of sympy.Symbol
+        The integer symbols in the points of periodic families.
+    complete : bool
+        Whether these are all equilibria.
+    reason : str
+        Why they are, or are not, all.
     """
 
-    state: tuple
-    points: tuple
-    conditions: tuple
-    integers: tuple
+    state: tuple[sp.Symbol, ...]
+    points: tuple[tuple[sp.Expr, ...], ...]
+    conditions: tuple[sp.Basic, ...]
+    integers: tuple[sp.Symbol, ...]
     complete: bool
     reason: str
 
@@ -59,18 +70,44 @@ class Equilibria(Sequence):
         return r"$\displaystyle \begin{array}{l} " + r" \\ ".join(lines) + r" \end{array}$"
 
 
-def equilibria(field, state, parameters=(), domain=None):
-    """All real equilibria of x' = f(x), exactly, with the conditions on parameters under which they
-    exist.
+def equilibria(
+    field: Expressions,
+    state: Symbols,
+    parameters: Symbols = (),
+    domain: Mapping[sp.Symbol, sp.Interval] | None = None,
+) -> Equilibria:
+    """Return all real equilibria of x' = f(x), exactly, with conditions on the parameters.
 
-    `field`: n expressions; `state`: n symbols; `parameters`: the other symbols of the field, real,
-    generic (one that stands as a factor of a right-hand side is taken to be nonzero, which `reason`
-    then says); their assumptions and those of the state (positive=True) are used. `domain`: a dict
-    state symbol -> SymPy Interval that keeps only the equilibria inside; it turns a periodic family
-    into the finitely many points of a window. Returns `Equilibria`. Points at which the field is
-    not defined are left out. Raises ValueError for a symbol that is neither in `state` nor in
-    `parameters`.
+    Points at which the field is not defined are left out.
 
+    Parameters
+    ----------
+    field : sequence of n sympy.Expr
+        Right-hand sides f(x).
+    state : sequence of n sympy.Symbol
+        The state variables x.
+    parameters : sequence of sympy.Symbol, optional
+        The other symbols of the field: real and generic (one that is a factor of a right-hand side
+        is taken to be nonzero, which `reason` then states); their assumptions and those of the
+        state (positive=True) are used.
+    domain : dict, optional
+        From state variables to SymPy Interval: keeps only the equilibria inside; it turns a
+        periodic family into the finitely many points of a window.
+
+    Returns
+    -------
+    Equilibria
+        The points with their conditions.
+
+    Raises
+    ------
+    ValueError
+        For a symbol that is neither in `state` nor in `parameters`.
+    TypeError
+        If `domain` is no dict of intervals.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> x, v, a, b = sp.symbols("x v a b")
     >>> found = equilibria([v, -a*v - x - b*x**3], [x, v], [a, b])
@@ -136,7 +173,7 @@ def _shortest(value):
 
 
 def _position(point):
-    """The origin first, then by size, so that the order does not depend on chance."""
+    """Return a sort key: the origin first, then by size."""
     return (
         any(v != 0 for v in point),
         [v.count_ops() for v in point],
@@ -161,7 +198,7 @@ def _read_domain(domain, state):
 
 
 def _within(point, windows, integers):
-    """The members of a point or periodic family inside the windows: pairs (point, condition)."""
+    """Yield pairs (point, condition): the members of a point or family inside the windows."""
     candidates = [point]
     for index, window in windows.items():
         candidates = [member for p in candidates for member in _members(p, index, window, integers)]
@@ -173,8 +210,7 @@ def _within(point, windows, integers):
 
 
 def _members(point, index, window, integers):
-    """Replace the integer of a family by those values that can bring coordinate `index` into the
-    window."""
+    """Replace the integer of a family by the values that can bring a coordinate into the window."""
     coordinate = sp.expand(point[index])
     n = next((n for n in integers if coordinate.has(n)), None)
     if n is None or not (window.start.is_finite and window.end.is_finite):
@@ -192,7 +228,7 @@ def _members(point, index, window, integers):
 
 
 def _range_of(angle):
-    """Bounds of an angle such as pi - asin(k)/2, from the ranges of the inverse functions."""
+    """Return bounds of an angle such as pi - asin(k)/2, from the ranges of the inverses."""
     ranges = {
         sp.asin: (-sp.pi / 2, sp.pi / 2),
         sp.acos: (0, sp.pi),
@@ -210,7 +246,7 @@ def _range_of(angle):
 
 
 def _contains(window, value):
-    """The condition under which `value` lies in the window."""
+    """Return the condition under which `value` lies in the window."""
     if value.is_number:
         return sp.sympify(window.contains(value))
     if value.atoms(sp.asin, sp.acos, sp.atan):

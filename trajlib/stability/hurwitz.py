@@ -1,5 +1,4 @@
-"""The characteristic polynomial and the criterion of Hurwitz (Theorems 1.1 - 1.3 of the problem
-book).
+"""The characteristic polynomial and the Hurwitz criterion (Theorems 1.1 - 1.3).
 
 For a_0 l^n + a_1 l^(n-1) + ... + a_n with a_0 > 0 all roots have negative real parts if and only if
 the leading principal minors Delta_1, ..., Delta_n of
@@ -22,16 +21,35 @@ from sympy.polys.matrices import DomainMatrix
 
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
 from trajlib._arguments.symbols import exact_decimals, join_names, read_expression, read_symbols
+from trajlib._types import ExprLike, Matrix, MatrixLike, PolynomialLike
 
 
-def characteristic_polynomial(A, symbol):
-    """Characteristic polynomial det(lambda E - A), monic (MATLAB: charpoly, poly).
+def characteristic_polynomial(A: MatrixLike, symbol: sp.Symbol) -> sp.Expr:
+    """Return the characteristic polynomial det(lambda I - A), monic.
 
-    Parameters: `A`, n x n, a SymPy matrix or a list of rows (exact) or a NumPy array of floats;
-    `symbol`, the lambda of the result. Returns an expanded SymPy expression in `symbol`, with
-    decimal coefficients for a float array. Raises ValueError if A is not square, is empty, is not
-    real, or contains `symbol`. Source: Theorem 1.1 of the problem book.
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        A SymPy matrix or a list of rows (exact), or a NumPy array of floats.
+    symbol : sympy.Symbol
+        The lambda of the result.
 
+    Returns
+    -------
+    sympy.Expr
+        Expanded polynomial in `symbol`, with decimal coefficients for a float array.
+
+    Raises
+    ------
+    ValueError
+        If `A` is not square, is empty, is not real, or contains `symbol`.
+
+    Notes
+    -----
+    MATLAB: ``charpoly``, ``poly``. Source: Theorem 1.1 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> k, s = sp.symbols("k s")
     >>> characteristic_polynomial(sp.Matrix([[0, 1], [-k, -2]]), s)
@@ -52,16 +70,33 @@ def characteristic_polynomial(A, symbol):
     return sp.expand(sum(sp.expand(c) * symbol ** (A.rows - i) for i, c in enumerate(coefficients)))
 
 
-def hurwitz_matrix(poly, symbol=None):
-    """Hurwitz matrix of a polynomial, n x n, with the odd coefficients in its first row.
+def hurwitz_matrix(poly: PolynomialLike, symbol: sp.Symbol | None = None) -> Matrix:
+    """Return the Hurwitz matrix of a polynomial, with the odd coefficients in its first row.
 
-    `poly` is an expression with its `symbol` (which may be left out when it is the only one), a
-    SymPy `Poly`, or the list of coefficients, highest power first. Exact coefficients give a SymPy
-    matrix, floats a NumPy array. A leading coefficient known to be negative is made positive by
-    changing all signs; one of unknown sign stands as it is. Raises ValueError for a polynomial that
-    is zero, constant or not real, and for an expression that is no polynomial. Source: Theorem 1.2
-    of the problem book, Gamma, with a_0 instead of 1.
+    Parameters
+    ----------
+    poly : sympy.Expr, sympy.Poly or sequence of coefficients
+        The polynomial; coefficients stand with the highest power first. A leading coefficient known
+        to be negative is made positive by changing all signs; one of unknown sign stays as it is.
+    symbol : sympy.Symbol, optional
+        The variable of an expression; may be left out if it is its only symbol.
 
+    Returns
+    -------
+    matrix, shape (n, n)
+        A SymPy matrix for exact coefficients, a NumPy array for floats.
+
+    Raises
+    ------
+    ValueError
+        If the polynomial is zero, constant or not real, or if an expression is no polynomial.
+
+    Notes
+    -----
+    Source: Theorem 1.2 of the problem book, Gamma, with a_0 instead of 1.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> a, b, s = sp.symbols("a b s")
     >>> hurwitz_matrix(s**4 + a*s**3 + b*s**2 + s + 1, s)
@@ -80,14 +115,33 @@ def hurwitz_matrix(poly, symbol=None):
     return np.array(rows, dtype=float) if isinstance(coefficients[0], Fraction) else sp.Matrix(rows)
 
 
-def hurwitz_minors(poly, symbol=None):
-    """Leading principal minors Delta_1, ..., Delta_n of the Hurwitz matrix, as a list.
+def hurwitz_minors(poly: PolynomialLike, symbol: sp.Symbol | None = None) -> list[ExprLike]:
+    """Return the leading principal minors Delta_1, ..., Delta_n of the Hurwitz matrix.
 
-    Takes what `hurwitz_matrix` takes and treats a negative leading coefficient in the same way.
-    Exact coefficients give expanded expressions; floats are taken as the rational numbers they are,
-    so that the signs returned are those of the exact minors. Source: Theorem 1.2 of the problem
-    book.
+    Parameters
+    ----------
+    poly : sympy.Expr, sympy.Poly or sequence of coefficients
+        As in `hurwitz_matrix`, also for a negative leading coefficient.
+    symbol : sympy.Symbol, optional
+        The variable of an expression; may be left out if it is its only symbol.
 
+    Returns
+    -------
+    list of sympy.Expr or float
+        Expanded expressions for exact coefficients. Floats are taken as the rational numbers they
+        are, so that the signs returned are those of the exact minors.
+
+    Raises
+    ------
+    ValueError
+        As `hurwitz_matrix`.
+
+    Notes
+    -----
+    Source: Theorem 1.2 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> a, b, s = sp.symbols("a b s")
     >>> hurwitz_minors(s**4 + a*s**3 + b*s**2 + s + 1, s)
@@ -109,8 +163,7 @@ def hurwitz_minors(poly, symbol=None):
 
 
 def leading_minors(rows, domain):
-    """Leading principal minors of a square matrix over `domain` by the fraction-free elimination of
-    Bareiss."""
+    """Return the leading principal minors of a square matrix over `domain` (Bareiss)."""
     n = len(rows)
     work = [list(row) for row in rows]
     minors, previous = [], domain.one
@@ -132,8 +185,7 @@ def leading_minors(rows, domain):
 
 
 def read_coefficients(poly, symbol=None):
-    """Coefficients of `poly`, highest power first: SymPy expressions, or Fractions when floats were
-    given."""
+    """Return the coefficients, highest power first: SymPy expressions, or Fractions for floats."""
     if isinstance(poly, np.ndarray) and poly.ndim != 1:
         raise ValueError(
             f"poly: expected a list of coefficients, got an array of shape {poly.shape}"
@@ -194,8 +246,7 @@ def _real_coefficient(coefficient):
 
 
 def with_positive_lead(coefficients):
-    """Change all signs if the leading coefficient is known to be negative: the roots stay the
-    same."""
+    """Change all signs if the leading coefficient is negative: the roots stay the same."""
     lead = coefficients[0]
     negative = lead < 0 if isinstance(lead, Fraction) else lead.is_negative
     return [-c for c in coefficients] if negative else list(coefficients)

@@ -12,8 +12,7 @@ from trajlib.stability.strict_inequalities import TooLarge, solution_point
 
 
 def sign_of(expression):
-    """1, 0 or -1 where the assumptions on the symbols decide the sign of `expression`, else
-    None."""
+    """Return 1, 0 or -1 where the assumptions decide the sign of an expression, else None."""
     for form in (expression, sp.factor(expression)):
         if form.is_zero:
             return 0
@@ -25,10 +24,9 @@ def sign_of(expression):
 
 
 def sign_factors(expression):
-    """Split `expression` into (constant sign, odd factors, even factors): its sign is that of their
-    product.
+    """Split an expression into (constant sign, odd factors, even factors) of the same sign.
 
-    An odd factor is an irreducible polynomial of odd multiplicity (above or below the line), an
+    An odd factor is an irreducible polynomial of odd multiplicity (in numerator or denominator), an
     even one can only turn the expression to zero. Factors of known sign are taken out.
     """
     sign, odd, even = 1, {}, []
@@ -57,7 +55,7 @@ def sign_factors(expression):
 
 
 def _same_sign(factor):
-    """sqrt(e), asin(e) and atan(e) have the sign of e wherever they are defined."""
+    """Return e for sqrt(e), asin(e) and atan(e), which have its sign wherever they are defined."""
     while isinstance(factor, (sp.asin, sp.atan)) or (
         isinstance(factor, sp.Pow)
         and factor.exp.is_positive is True
@@ -69,7 +67,7 @@ def _same_sign(factor):
 
 
 def positive(expression):
-    """The condition expression > 0, reduced; no value that is not real is positive."""
+    """Return the condition expression > 0, reduced; no value that is not real is positive."""
     if expression.has(sp.I):
         return sp.false
     sign, odd, even = sign_factors(expression)
@@ -88,7 +86,7 @@ def positive(expression):
 
 
 def nonnegative(expression):
-    """The condition expression >= 0, reduced."""
+    """Return the condition expression >= 0, reduced."""
     if expression.has(sp.I):
         return sp.false
     numerator, denominator = sp.fraction(sp.together(expression))
@@ -117,7 +115,7 @@ def nonnegative(expression):
 
 
 def nonzero(expression):
-    """The condition expression != 0, factor by factor."""
+    """Return the condition expression != 0, factor by factor."""
     sign, odd, even = sign_factors(expression)
     return sp.And(*(sp.Ne(f, 0) for f in (*odd, *even))) if sign else sp.false
 
@@ -142,7 +140,7 @@ def without_implied(condition):
 
 
 def tidied(condition):
-    """A condition in its shortest form; in one symbol, the set of its values."""
+    """Return a condition in its shortest form; in one symbol, the set of its values."""
     if condition in (sp.true, sp.false):
         return condition
     if len(condition.free_symbols) == 1:
@@ -174,8 +172,7 @@ def _in_one_symbol(condition, symbol):
 
 
 def intervals(polys, symbol):
-    """The condition on `symbol` under which all polynomials in it (rational coefficients) are
-    positive."""
+    """Return the values of `symbol` for which rational polynomials are all positive."""
     roots = sorted({r for p in polys for r in p.real_roots()}, key=lambda r: r.evalf(30))
     ends = [-sp.oo, *roots, sp.oo]
     return sp.Or(
@@ -188,7 +185,7 @@ def intervals(polys, symbol):
 
 
 def _between(symbol, low, high, left_open, right_open):
-    """low < symbol < high without what the assumptions on the symbol say anyway."""
+    """Return low < symbol < high without the parts that its assumptions imply."""
     if (high <= 0 and symbol.is_positive) or (low >= 0 and symbol.is_negative):
         return sp.false
     above = (
@@ -209,7 +206,7 @@ def _between(symbol, low, high, left_open, right_open):
 
 
 def _inside(low, high):
-    """A rational number between two real numbers or infinities."""
+    """Return a rational number between two real numbers or infinities."""
     if low == -sp.oo:
         return sp.Integer(0) if high == sp.oo else sp.floor(high) - 1
     if high == sp.oo:
@@ -223,21 +220,19 @@ def _inside(low, high):
 
 
 def written(polynomial):
-    """polynomial > 0 with the negative terms moved to the other side: k1*k2 > 1 rather than k1*k2 -
-    1 > 0."""
+    """Return polynomial > 0 with negative terms moved: k1*k2 > 1, not k1*k2 - 1 > 0."""
     left, right = _sides(polynomial)
     return _divided(left, right, sp.Gt) if left.free_symbols else _divided(right, left, sp.Lt)
 
 
 def equation(polynomial):
-    """polynomial = 0, written as Eq(8*b, u**2) rather than Eq(8*b - u**2, 0)."""
+    """Return polynomial = 0, written as Eq(8*b, u**2) rather than Eq(8*b - u**2, 0)."""
     left, right = _sides(polynomial)
     return sp.Eq(left, right) if left.free_symbols else sp.Eq(right, left)
 
 
 def _sides(polynomial):
-    """The positive and the negative terms; a constant joins the side that would otherwise be
-    empty."""
+    """Return the positive and the negative terms; a constant joins an empty side."""
     _, polynomial = sp.expand(polynomial).as_content_primitive()
     constant, rest = polynomial.as_independent(*polynomial.free_symbols, as_Add=True)
     terms = sp.Add.make_args(rest)
@@ -251,7 +246,7 @@ def _sides(polynomial):
 
 
 def _divided(varying, other, relation):
-    """2*k > 3 is written k > 3/2."""
+    """Return k > 3/2 for 2*k > 3."""
     content, varying = varying.as_content_primitive()
     return (
         relation(varying, other / content)
@@ -261,10 +256,10 @@ def _divided(varying, other, relation):
 
 
 def conjunction(expressions, symbols):
-    """The set where all `expressions` are positive, as a reduced condition: sp.false if it can be
-    shown to be empty.
+    """Return the reduced condition that all expressions are positive, and if it is decided.
 
-    Returns (condition, decided); `decided` is False where emptiness could not be decided.
+    The condition is `sp.false` if the set can be shown to be empty; the second value is False where
+    emptiness could not be decided.
     """
     factored = [sign_factors(e) for e in expressions]
     if any(sign == 0 or (sign < 0 and not odd) for sign, odd, _ in factored):
@@ -315,7 +310,7 @@ def _divide_by_known(products):
 
 
 def _without_redundant(polys, symbols):
-    """Leave out every condition p > 0 that follows from the others; the longest are tried first."""
+    """Leave out conditions p > 0 that follow from the others; the longest first."""
     kept = list(polys)
     for p in sorted(polys, key=lambda q: -q.count_ops()):
         others = [q for q in kept if q is not p]
@@ -334,7 +329,7 @@ def _without_redundant(polys, symbols):
 
 
 def _has_singular_zero(p):
-    """False if p = 0, grad p = 0 has no complex solution (a common one is enough for True)."""
+    """Whether p = 0, grad p = 0 may have a common solution, also a complex one."""
     symbols = sorted(p.free_symbols, key=str)
     basis = sp.groebner([p, *(sp.diff(p, s) for s in symbols)], *symbols, order="grevlex")
     return basis.exprs != [1]

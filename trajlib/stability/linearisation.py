@@ -1,8 +1,8 @@
-"""Equations in deviations of the first approximation, (1.2) and (1.3) of the problem book.
+"""Linearisation about equilibria and nominal trajectories, equations (1.2) and (1.3).
 
-For y' = f(y, u, t) and a programme motion y*(t), u*(t) the deviations x = y - y*, w = u - u*
-satisfy, to first order, x' = A x + B w with A = df/dy and B = df/du taken along the programme
-motion.
+For y' = f(y, u, t) and a nominal trajectory y*(t), u*(t) the deviations x = y - y*, w = u - u*
+satisfy, to first order, x' = A x + B w with A = df/dy and B = df/du taken along the nominal
+trajectory.
 """
 
 import numpy as np
@@ -10,17 +10,49 @@ import sympy as sp
 
 from trajlib._arguments.symbols import join_names, read_expressions, read_field, read_symbols
 from trajlib._real_symbols import vanishes
+from trajlib._types import Expressions, Matrix, Symbols
 
 
-def linearise(field, state, at, inputs=(), inputs_at=()):
-    """Linearise x' = f(x, u) about an equilibrium (MATLAB: linearize, jacobian).
+def linearise(
+    field: Expressions,
+    state: Symbols,
+    at: Expressions | np.ndarray,
+    inputs: Symbols = (),
+    inputs_at: Expressions = (),
+) -> Matrix | tuple[Matrix, Matrix]:
+    """Return the linearisation of x' = f(x, u) about an equilibrium.
 
-    `field`: n expressions; `state`: n symbols; `at`: the n values of the equilibrium; `inputs`,
-    `inputs_at`: the control symbols and their constant values there. Returns A (n x n), or the pair
-    (A, B) when there are inputs; SymPy matrices, or NumPy arrays of floats if `at` is a NumPy array
-    of numbers. Raises ValueError, with the residual, if the field does not vanish at the point.
-    Source: equation (1.3) of the problem book.
+    Parameters
+    ----------
+    field : sequence of n sympy.Expr
+        Right-hand sides f(x).
+    state : sequence of n sympy.Symbol
+        The state variables x.
+    at : sequence of n values
+        The equilibrium.
+    inputs : sequence of r sympy.Symbol, optional
+        The control variables u.
+    inputs_at : sequence of r values, optional
+        Their constant values there.
 
+    Returns
+    -------
+    A : matrix, shape (n, n)
+        df/dx; a SymPy matrix, or a NumPy array of floats if `at` is a NumPy array of numbers.
+    B : matrix, shape (n, r)
+        df/du, only if there are inputs.
+
+    Raises
+    ------
+    ValueError
+        If the field does not vanish at the point; the message has the residual.
+
+    Notes
+    -----
+    MATLAB: ``linearize``, ``jacobian``. Source: equation (1.3) of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> x, v, d, w = sp.symbols("x v delta omega")
     >>> linearise([v, -d*v - w**2*sp.sin(x)], [x, v], at=[sp.pi, 0])
@@ -56,15 +88,50 @@ def linearise(field, state, at, inputs=(), inputs_at=()):
     return (A, B) if inputs else A
 
 
-def linearise_along(field, state, motion, time, inputs=(), inputs_along=()):
-    """Linearise y' = f(y, u, t) along a programme motion; returns the pair A(t) (n x n), B(t) (n x
-    r).
+def linearise_along(
+    field: Expressions,
+    state: Symbols,
+    motion: Expressions,
+    time: sp.Symbol,
+    inputs: Symbols = (),
+    inputs_along: Expressions = (),
+) -> tuple[sp.Matrix, sp.Matrix]:
+    """Return the linearisation A(t), B(t) of y' = f(y, u, t) along a nominal trajectory.
 
-    `motion`: n expressions in the symbol `time`, the programme motion; `inputs_along`: the
-    programme control that belongs to it. Raises ValueError, with the residual dy*/dt - f(y*, u*,
-    t), if the motion does not satisfy the equation. Source: equations (1.2), (1.3) of the problem
-    book.
+    Parameters
+    ----------
+    field : sequence of n sympy.Expr
+        Right-hand sides f(x).
+    state : sequence of n sympy.Symbol
+        The state variables x.
+    motion : sequence of n sympy.Expr
+        The nominal trajectory, in the symbol `time`.
+    time : sympy.Symbol
+        The time t.
+    inputs : sequence of r sympy.Symbol, optional
+        The control variables u.
+    inputs_along : sequence of r sympy.Expr, optional
+        The nominal input, in the symbol `time`.
 
+    Returns
+    -------
+    A : sympy.Matrix, shape (n, n)
+        df/dy along the trajectory.
+    B : sympy.Matrix, shape (n, r)
+        df/du along the trajectory.
+
+    Raises
+    ------
+    ValueError
+        If the trajectory does not satisfy the equation; the message has the residual dy*/dt - f(y*,
+        u*, t).
+
+    Notes
+    -----
+    Source: equations (1.2), (1.3) of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> x, y, u, t, V0 = sp.symbols("x y u t V0")
     >>> A, B = linearise_along([u*sp.cos(y), u*sp.sin(y)], [x, y], [V0*t, 0], t, [u], [V0])
@@ -110,7 +177,7 @@ def _at(expression, point, name):
 
 
 def _vanishes_numerically(residual, field, point):
-    """A residual of rounding size, measured by the sum of the sizes of the terms that cancel."""
+    """Whether a residual is of rounding size, compared with the terms that cancel."""
     for value, f in zip(residual, field):
         size = sum(
             abs(complex(term.subs(point, simultaneous=True)))

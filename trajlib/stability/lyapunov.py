@@ -1,7 +1,6 @@
-"""Lyapunov functions: their derivative along a system, their definiteness, and the set where the
-derivative vanishes.
+"""Lyapunov functions: derivatives, definiteness, and the set of zero derivative.
 
-Definitions 1.3, 1.4 and Theorem 1.5 (Barbashin, Krasovskii) of the problem book, for x' = g(x) with
+Definitions 1.3, 1.4 and Theorem 1.5 (Barbashin-Krasovskii) of the problem book, for x' = g(x) with
 g(0) = 0.
 """
 
@@ -11,19 +10,36 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field, read_symbols
 from trajlib._real_symbols import as_real, restore_names, vanishes
+from trajlib._types import Expressions, Symbols
 from trajlib.flows import lie_derivative
 from trajlib.stability.inequalities import positive, sign_of, tidied
 from trajlib.stability.real_solutions import solve_real
 from trajlib.typesetting import escape_markdown
 
 
-def lyapunov_derivative(V, field, state):
-    """The full derivative of V along the system, grad V . f, in its shorter form, expanded or
-    factored.
+def lyapunov_derivative(V: sp.Expr, field: Expressions, state: Symbols) -> sp.Expr:
+    """Return the derivative of V along the system, grad V . f.
 
-    `V`: an expression; `field`: n expressions; `state`: n symbols. Source: Definition 1.4 of the
-    problem book.
+    Parameters
+    ----------
+    V : sympy.Expr
+        A function of the state.
+    field : sequence of n sympy.Expr
+        Right-hand sides f(x).
+    state : sequence of n sympy.Symbol
+        The state variables x.
 
+    Returns
+    -------
+    sympy.Expr
+        The derivative in its shorter form, expanded or factored.
+
+    Notes
+    -----
+    Source: Definition 1.4 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> x1, x2, a, b = sp.symbols("x1 x2 a b")
     >>> lyapunov_derivative(x2**2/2 + x1**2/2 + b*x1**4/4, [x2, -a*x2 - x1 - b*x1**3], [x1, x2])
@@ -39,16 +55,22 @@ def lyapunov_derivative(V, field, state):
 class Definiteness:
     """Whether a function is positive definite near the origin.
 
-    `condition` is `sp.true`, `sp.false`, a condition on parameters, or None where it could not be
-    decided; `reason` says why. In an `if` only a decided answer counts; anything else raises
-    TypeError.
+    In an `if` only a decided answer counts; anything else raises TypeError.
+
+    Attributes
+    ----------
+    condition : sympy.Basic or None
+        `sp.true`, `sp.false`, a condition on parameters, or None where it could not be decided.
+    reason : str
+        Why.
     """
 
     condition: sp.Basic | None
     reason: str
 
     @property
-    def verdict(self):
+    def verdict(self) -> str:
+        """Return the verdict in words."""
         if self.condition is None:
             return "not decided"
         if self.condition in (sp.true, sp.false):
@@ -66,16 +88,28 @@ class Definiteness:
         return f"{self.verdict}: {escape_markdown(self.reason)}"
 
 
-def is_positive_definite(V, state):
-    """Whether V is positive definite in a neighbourhood of the origin (in the whole space if V is a
-    form).
+def is_positive_definite(V: sp.Expr, state: Symbols) -> Definiteness:
+    """Decide whether V is positive definite near the origin (in the whole space if V is a form).
 
-    `V`: an expression that is smooth at 0; `state`: its variables; other symbols are parameters.
-    Variables that do not occur together in a term are judged separately: in one variable by the
-    first derivative that does not vanish, in several by Sylvester's criterion on the second
-    derivatives, in two by the real roots of the lowest form. Returns `Definiteness`. Source:
-    Definition 1.3 of the problem book.
+    Parameters
+    ----------
+    V : sympy.Expr
+        A function that is smooth at 0; symbols besides the state are parameters.
+    state : sequence of sympy.Symbol
+        Its variables.
 
+    Returns
+    -------
+    Definiteness
+        The verdict, perhaps with a condition on the parameters.
+
+    Notes ----- Variables that do not occur together in a term are judged separately: in one
+    variable by the first derivative that does not vanish, in several by Sylvester's criterion on
+    the second derivatives, in two by the real roots of the lowest form. Source: Definition 1.3 of
+    the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> x1, x2, b = sp.symbols("x1 x2 b")
     >>> is_positive_definite(x2**2/2 + b*x1**2 + x1**3, [x1, x2]).condition
@@ -111,8 +145,10 @@ def is_positive_definite(V, state):
 
 
 def separate_parts(V, state):
-    """Split V - V(0) into a sum of parts without common variables, each zero at 0: pairs (part, its
-    variables)."""
+    """Split V - V(0) into a sum of parts without common variables, each zero at 0.
+
+    Returns pairs (part, its variables).
+    """
     groups = []
     for term in sp.Add.make_args(sp.expand(V)):
         terms, variables = [term], [x for x in state if term.has(x)]
@@ -130,8 +166,7 @@ def separate_parts(V, state):
 
 
 def _definite_part(part, variables):
-    """(condition, reason) for one part of a sum; the condition None means that it was not
-    decided."""
+    """Return (condition, reason) for one part of a sum; None means not decided."""
     if len(variables) == 1:
         return _definite_in_one(part, variables[0])
     origin = dict.fromkeys(variables, 0)
@@ -170,8 +205,7 @@ def _definite_part(part, variables):
 
 
 def _definite_in_one(part, x):
-    """The first derivative at 0 that does not vanish decides: it must be of even order and
-    positive."""
+    """Decide by the first derivative at 0 that does not vanish: of even order and positive."""
 
     def from_order(order):
         if order > 12:
@@ -197,16 +231,26 @@ def _definite_in_one(part, x):
 class ZeroDerivativeSet:
     """The set M where the derivative of V vanishes, and the whole trajectories in it.
 
-    - `derivative`: V' along the system; `zero_set`: M as a condition on the state.
-    - `others`: what M holds besides the origin, as pairs (what, condition): an equilibrium (tuple)
-      or an invariant curve (equation), and the condition on the parameters under which it is there.
-    - `only_origin`: `sp.true`, `sp.false` or a condition on the parameters: M holds no whole
-      trajectory but the origin; None where that was not decided; `reason` in words.
+    Attributes
+    ----------
+    derivative : sympy.Expr
+        V' along the system.
+    zero_set : sympy.Basic
+        M as a condition on the state.
+    others : tuple
+        The trajectories in M besides the origin, as pairs (trajectory, condition): an equilibrium
+        (tuple) or an invariant curve (equation), and the condition on the parameters under which it
+        is in M.
+    only_origin : sympy.Basic or None
+        `sp.true`, `sp.false` or a condition on the parameters: M holds no whole trajectory but the
+        origin; None where that was not decided.
+    reason : str
+        The result in words.
     """
 
     derivative: sp.Expr
     zero_set: sp.Basic
-    others: tuple
+    others: tuple[tuple[tuple | sp.Eq, sp.Basic], ...]
     only_origin: sp.Basic | None
     reason: str
 
@@ -215,15 +259,30 @@ class ZeroDerivativeSet:
         return f"${formulas}$ ({escape_markdown(self.reason)})"
 
 
-def barbashin_krasovskii(V, field, state):
-    """The set M of Theorem 1.5 where V' = 0, and whether it holds whole trajectories besides the
-    origin.
+def barbashin_krasovskii(V: sp.Expr, field: Expressions, state: Symbols) -> ZeroDerivativeSet:
+    """Return the set M of Theorem 1.5 where V' = 0, and the whole trajectories in it.
 
-    A trajectory that stays in {g = 0} satisfies g = 0, g' = 0, g'' = 0, ... with derivatives taken
-    along the system; the common zeros of these are found exactly. Parameters that stand as factors
-    of V' are taken to be nonzero. Returns `ZeroDerivativeSet`. Source: Theorem 1.5 of the problem
-    book.
+    Parameters
+    ----------
+    V : sympy.Expr
+        A Lyapunov function.
+    field : sequence of n sympy.Expr
+        Right-hand sides f(x).
+    state : sequence of n sympy.Symbol
+        The state variables x.
 
+    Returns
+    -------
+    ZeroDerivativeSet
+        M, and whether it holds whole trajectories besides the origin.
+
+    Notes ----- A trajectory that stays in {g = 0} satisfies g = 0, g' = 0, g'' = 0, ... with
+    derivatives taken along the system; the common zeros of these are found exactly. Parameters that
+    are factors of V' are taken to be nonzero. Source: Theorem 1.5 of the problem book
+    (Barbashin-Krasovskii, LaSalle).
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> x1, x2, a, b = sp.symbols("x1 x2 a b")
     >>> M = barbashin_krasovskii(x2**2/2 + x1**2/2 + b*x1**4/4, [x2, -a*x2 - x1 - b*x1**3], [x1, x2])
@@ -243,7 +302,7 @@ def barbashin_krasovskii(V, field, state):
             rate, sp.true, (), sp.false, "V' vanishes identically: every trajectory lies in M"
         )
 
-    equations, others, doubts, assumed = [], [], [], set()
+    equations, pairs, doubts, assumed = [], [], [], set()
     for g, _, kind in derivative_factors(rate.xreplace(to_real), real_state):
         if kind == "parameter":
             assumed.add(g)
@@ -254,7 +313,7 @@ def barbashin_krasovskii(V, field, state):
         if kind == "definite":
             continue
         trajectories, doubt = _trajectories_within(g, real_field, real_state)
-        others += trajectories
+        pairs += trajectories
         doubts += [doubt] if doubt else []
     others = tuple(
         (
@@ -263,7 +322,7 @@ def barbashin_krasovskii(V, field, state):
             else tuple(v.xreplace(back) for v in trajectory),
             condition.xreplace(back),
         )
-        for trajectory, condition in dict(others).items()
+        for trajectory, condition in dict(pairs).items()
     )
     zero_set = sp.Or(*equations).xreplace(back)
     present = sp.Or(*(condition for _, condition in others))
@@ -279,7 +338,7 @@ def barbashin_krasovskii(V, field, state):
 
 
 def derivative_factors(rate, state):
-    """Factors of V' as triples (g, multiplicity, kind).
+    """Yield the factors of V' as triples (g, multiplicity, kind).
 
     Kinds: "parameter" (no state variable in it, sign not known), "definite" (a form that vanishes
     at the origin alone) and "curve". Factors of known sign are left out.
@@ -304,8 +363,7 @@ def _is_definite_form(g, state):
 
 
 def _trajectories_within(g, field, state):
-    """Whole trajectories in {g = 0} besides the origin: pairs (what, condition), and a doubt in
-    words or None."""
+    """Return the trajectories in {g = 0} as pairs (trajectory, condition), and a doubt or None."""
     rate = sp.expand(lie_derivative(g, dict(zip(state, field))))
     if g.is_polynomial(*state) and rate.is_polynomial(*state) and sp.rem(rate, g, *state) == 0:
         return [(sp.Eq(g, 0), sp.true)], None

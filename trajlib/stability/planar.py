@@ -1,9 +1,8 @@
-"""Planar systems: the type of an equilibrium, and the absence of closed trajectories (Bendixson,
-Dulac).
+"""Planar systems: types of equilibria, and the Bendixson-Dulac test for closed trajectories.
 
 The type follows from the trace, the determinant and the discriminant tr^2 - 4 det of the matrix of
-the first approximation. For a nonlinear field the types of a hyperbolic point carry over; "centre"
-and the lines of equilibria do not: there the first approximation leaves the question open.
+the linearisation. For a nonlinear field the types of a hyperbolic point carry over; "centre" and
+the lines of equilibria do not: there the linearisation leaves the question open.
 """
 
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ import sympy as sp
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
 from trajlib._real_symbols import as_real
+from trajlib._types import Expressions, ExprLike, MatrixLike, Symbols
 from trajlib.stability.inequalities import equation, positive, sign_of, tidied
 from trajlib.stability.real_solutions import definedness
 from trajlib.stability.regions import latex_condition
@@ -24,12 +24,19 @@ from trajlib.stability.strict_inequalities import TooLarge, solution_point
 class PlanarTypes:
     """The type of the equilibrium x = 0 of x' = Ax over the space of parameters.
 
-    `rows`: pairs (condition, type) that exclude one another and together cover all values for which
-    A is real. Iterating gives the rows.
+    Iterating gives the rows.
+
+    Attributes
+    ----------
+    matrix : sympy.Matrix, shape (2, 2)
+        A.
+    rows : tuple of (sympy.Basic, str)
+        Pairs (condition, type) that exclude one another and together cover all values for which A
+        is real.
     """
 
     matrix: sp.Matrix
-    rows: tuple
+    rows: tuple[tuple[sp.Basic, str], ...]
 
     def __iter__(self):
         return iter(self.rows)
@@ -44,21 +51,36 @@ class PlanarTypes:
         return r"$\displaystyle \begin{array}{ll} " + r" \\ ".join(lines) + r" \end{array}$"
 
 
-def classify_planar(A):
-    """The type of the equilibrium of x' = Ax in the plane.
+def classify_planar(A: MatrixLike) -> str | PlanarTypes:
+    """Return the type of the equilibrium of x' = Ax in the plane.
 
-    `A`: 2 x 2. Numbers give the name of the type: "stable node", "stable focus", "stable degenerate
-    node" (one eigenvector), "stable star" (every vector is one), the same with "unstable",
-    "saddle", "centre", "stable line of equilibria", "unstable line of equilibria", "line of
-    equilibria with drift" (A^2 = 0), "plane of equilibria". Symbols give `PlanarTypes`, a table of
-    (condition, type); the assumptions on them (positive=True) are used. Raises ValueError if A is
-    not 2 x 2 or not real, if a root of parameters stands where no polynomial can be read, and for a
-    NumPy array of floats in which the trace, the determinant or the discriminant that decides is
-    zero within rounding.
+    Parameters
+    ----------
+    A : matrix_like, shape (2, 2)
+        Numbers or symbols, whose assumptions (positive=True) are used.
 
-    A "centre" of the first approximation is undecided for a nonlinear system: it may be a focus of
-    either kind. Source: Theorems 1.1 and 1.4 of the problem book.
+    Returns
+    -------
+    str or PlanarTypes
+        For numbers the name of the type: "stable node", "stable focus", "stable degenerate node"
+        (one eigenvector), "stable star" (every vector is one), the same with "unstable", "saddle",
+        "centre", "stable line of equilibria", "unstable line of equilibria", "line of equilibria
+        with drift" (A^2 = 0), "plane of equilibria". For symbols a table of (condition, type).
 
+    Raises
+    ------
+    ValueError
+        If A is not 2 x 2 or not real, if a root of parameters stands where no polynomial can be
+        read, and for a NumPy array of floats in which the trace, the determinant or the
+        discriminant that decides is zero within rounding.
+
+    Notes
+    -----
+    A "centre" of the linearisation is undecided for a nonlinear system: it may be a focus of either
+    kind. Source: Theorems 1.1 and 1.4 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> classify_planar(sp.Matrix([[0, 1], [-2, -1]]))
     'stable focus'
@@ -104,7 +126,7 @@ def _table(A):
 
 
 def _zero(expression):
-    """The condition expression = 0, with the solution written out where it is in one symbol."""
+    """Return the condition expression = 0, solved where it is in one symbol."""
     numerator = sp.numer(sp.together(expression))
     if (sign := sign_of(numerator)) is not None:
         return sp.true if sign == 0 else sp.false
@@ -133,8 +155,7 @@ def _zero(expression):
 
 
 def _is_empty(condition):
-    """Whether a condition with strict inequalities alone holds nowhere; equations are not looked
-    into."""
+    """Whether a condition of strict inequalities alone holds nowhere."""
     parts = sp.And.make_args(condition)
     if not all(isinstance(c, (sp.Gt, sp.Lt)) for c in parts):
         return False
@@ -176,10 +197,18 @@ def _classify_floats(A):
 
 @dataclass(frozen=True)
 class DulacTest:
-    """`divergence` of B f, its `sign` on the region ("positive", "negative", "nonnegative",
-    "nonpositive", "zero", "changes", or None if not decided), and `excludes_cycles`: True if there
-    are no closed trajectories in the region (which must be simply connected), None if the test says
-    nothing.
+    """The result of the Bendixson-Dulac test.
+
+    Attributes
+    ----------
+    divergence : sympy.Expr
+        div(B f).
+    sign : str or None
+        Its sign on the region: "positive", "negative", "nonnegative", "nonpositive", "zero",
+        "changes", or None if not decided.
+    excludes_cycles : bool or None
+        True if there are no closed trajectories in the region (which must be simply connected),
+        None if the test is inconclusive.
     """
 
     divergence: sp.Expr
@@ -191,15 +220,38 @@ class DulacTest:
         return f"$\\mathrm{{div}}(Bf) = {sp.latex(self.divergence)}$, sign: {self.sign or 'not decided'}; {verdict}"
 
 
-def dulac(field, state, multiplier=1, region=None):
-    """The test of Bendixson and Dulac: if div(B f) keeps one sign there are no closed trajectories.
+def dulac(
+    field: Expressions,
+    state: Symbols,
+    multiplier: ExprLike = 1,
+    region: sp.Basic | None = None,
+) -> DulacTest:
+    """Apply the Bendixson-Dulac test: no closed trajectories if div(B f) keeps one sign.
 
-    `field`: two expressions; `state`: two symbols; `multiplier`: the function B; `region`:
-    inequalities that describe a simply connected region (that it is simply connected is for the
-    user to see); without it the test is for the plane, as restricted by the assumptions on the
-    state (positive=True). Parameters are used with theirs. Returns `DulacTest`; the sign is decided
-    exactly.
+    Parameters
+    ----------
+    field : sequence of 2 sympy.Expr
+        Right-hand sides f(x).
+    state : sequence of 2 sympy.Symbol
+        The state variables; their assumptions (positive=True) restrict the plane.
+    multiplier : sympy.Expr, default 1
+        The function B.
+    region : sympy.Basic, optional
+        Inequalities, joined by And, that describe a simply connected region (which is not checked);
+        by default the plane.
 
+    Returns
+    -------
+    DulacTest
+        The divergence with its sign, decided exactly.
+
+    Raises
+    ------
+    ValueError
+        If the system is not planar, or if `region` is no conjunction of inequalities.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> rho, b, u = sp.symbols("rho b u", positive=True)
     >>> beta = sp.Symbol("beta", real=True)

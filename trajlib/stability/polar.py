@@ -1,9 +1,8 @@
-"""Planar systems in polar coordinates and their limit cycles: problems 1.12 and 1.13 of the problem
-book.
+"""Planar systems in polar coordinates and their limit cycles: problems 1.12 and 1.13.
 
 With x1 = r cos phi, x2 = r sin phi the system x' = f(x) turns into r' = (x1 f1 + x2 f2)/r, phi' =
 (x1 f2 - x2 f1)/r^2. If r' depends on r alone, the circles on which it vanishes are the closed
-trajectories, and its sign on both sides tells their stability.
+trajectories, and its sign on both sides determines their stability.
 """
 
 from dataclasses import dataclass
@@ -12,17 +11,42 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field, read_symbols
 from trajlib._real_symbols import as_real, restore_names
+from trajlib._types import Expressions, ExprLike, Symbols
 from trajlib.stability.inequalities import sign_factors
 from trajlib.stability.real_solutions import solve_real
 from trajlib.stability.strict_inequalities import TooLarge, solution_point
 
 
-def polar_form(field, state, r, phi):
-    """The right-hand sides (r', phi') of a planar system in polar coordinates, simplified.
+def polar_form(
+    field: Expressions, state: Symbols, r: sp.Symbol, phi: sp.Symbol
+) -> tuple[sp.Expr, sp.Expr]:
+    """Return the right-hand sides (r', phi') of a planar system in polar coordinates.
 
-    `field`: two expressions; `state`: (x1, x2) with x1 = r cos phi, x2 = r sin phi; `r`, `phi`:
-    symbols. phi is the two-argument angle atan2(x2, x1). Source: problem 1.13 of the problem book.
+    Parameters
+    ----------
+    field : sequence of 2 sympy.Expr
+        Right-hand sides f(x).
+    state : sequence of 2 sympy.Symbol
+        (x1, x2) with x1 = r cos phi, x2 = r sin phi.
+    r, phi : sympy.Symbol
+        The polar coordinates; phi is the two-argument angle atan2(x2, x1).
 
+    Returns
+    -------
+    tuple of sympy.Expr
+        r' and phi'.
+
+    Raises
+    ------
+    ValueError
+        If the system is not planar or contains `r` or `phi`.
+
+    Notes
+    -----
+    Source: problem 1.13 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> x1, x2, r, phi = sp.symbols("x1 x2 r phi")
     >>> R = x1**2 + x2**2 - 1
@@ -44,8 +68,7 @@ def polar_form(field, state, r, phi):
 
 
 def _simplified(rate, angle):
-    """Expanded, with cos^2 = 1 - sin^2 wherever that shortens it: for polynomials this is a normal
-    form."""
+    """Expand, with cos^2 = 1 - sin^2 where that shortens: a normal form of polynomials."""
     rate = sp.expand(rate)
     s, c = sp.symbols("s c")
     inner = rate.xreplace({sp.sin(angle): s, sp.cos(angle): c})
@@ -62,11 +85,18 @@ def _simplified(rate, angle):
 
 @dataclass(frozen=True)
 class LimitCycle:
-    """A circular limit cycle: `radius`, `period` (None without an angular rate), `stability` and
-    `condition`.
+    """A circular limit cycle.
 
-    `stability` is "stable", "unstable" or "semistable"; `condition` is the condition on the
-    parameters under which the cycle exists.
+    Attributes
+    ----------
+    radius : sympy.Expr
+        Its radius.
+    period : sympy.Expr or None
+        Its period; None without an angular rate.
+    stability : str
+        "stable", "unstable" or "semistable".
+    condition : sympy.Basic
+        The condition on the parameters under which the cycle exists.
     """
 
     radius: sp.Expr
@@ -83,16 +113,39 @@ class LimitCycle:
         return text
 
 
-def limit_cycles(radial_rate, r, angular_rate=None):
-    """The limit cycles of r' = radial_rate(r), phi' = angular_rate(r), as a list of `LimitCycle`.
+def limit_cycles(
+    radial_rate: sp.Expr, r: sp.Symbol, angular_rate: ExprLike | None = None
+) -> list[LimitCycle]:
+    """Return the limit cycles of r' = radial_rate(r), phi' = angular_rate(r).
 
-    `radial_rate`, `angular_rate`: expressions in the symbol `r` and in parameters. A cycle is
-    stable if r' is positive just inside and negative just outside, unstable in the opposite case,
-    semistable if the signs are equal (also where the derivative of r' vanishes). The period is 2
-    pi/abs(phi'). A circle on which phi' = 0 consists of equilibria and is left out. Raises
-    ValueError if r' is identically zero (then all circles are closed) or cannot be solved. Source:
-    problems 1.12 and 1.13 of the problem book.
+    Parameters
+    ----------
+    radial_rate : sympy.Expr
+        r' as a function of `r` and parameters.
+    r : sympy.Symbol
+        The radius.
+    angular_rate : sympy.Expr, optional
+        phi' as a function of `r` and parameters; a circle on which it is zero consists of
+        equilibria and is left out.
 
+    Returns
+    -------
+    list of LimitCycle
+        A cycle is stable if r' is positive just inside and negative just outside, unstable in the
+        opposite case, semistable if the signs are equal (also where the derivative of r' vanishes).
+        The period is 2 pi/abs(phi').
+
+    Raises
+    ------
+    ValueError
+        If r' is identically zero (then all circles are closed) or cannot be solved.
+
+    Notes
+    -----
+    Source: problems 1.12 and 1.13 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> r, u = sp.symbols("r u")
     >>> limit_cycles((u - 2)*r - r**3, r, r + 1)
@@ -144,7 +197,7 @@ def limit_cycles(radial_rate, r, angular_rate=None):
 
 
 def _cycle(radial, angular, radius, size, condition):
-    """The cycle r = size, or None if the circle consists of equilibria."""
+    """Return the cycle r = size, or None if the circle consists of equilibria."""
     period = None
     if angular is not None:
         speed = sp.simplify(angular.subs(radius, size))
@@ -155,7 +208,7 @@ def _cycle(radial, angular, radius, size, condition):
 
 
 def _stability(radial, radius, size, condition):
-    """From the first derivative of r' that does not vanish on the cycle: its order and its sign."""
+    """Decide by the first derivative of r' that does not vanish on the cycle."""
     for order in range(1, 20):
         derivative = sp.simplify(sp.diff(radial, radius, order).subs(radius, size))
         if derivative != 0:
@@ -166,8 +219,7 @@ def _stability(radial, radius, size, condition):
 
 
 def _sign_under(expression, condition, name):
-    """The sign of an expression wherever the condition on the parameters holds; ValueError if it is
-    not one sign."""
+    """Return the sign of an expression wherever the condition holds; ValueError if not one."""
     # A square root that is real and not zero is positive.
     roots = {
         p

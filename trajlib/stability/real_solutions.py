@@ -1,12 +1,11 @@
-"""All real solutions of a system of equations, exactly, with the conditions on the parameters they
-exist under.
+"""All real solutions of a system of equations, exactly, with conditions on the parameters.
 
-The system is solved branch by branch: an equation falls apart into its factors; an equation in one
+The system is solved branch by branch: an equation is split into its factors; an equation in one
 unknown is solved, another unknown is eliminated where an equation gives it; polynomial systems go
-through a Groebner basis. Whatever cannot be solved in closed form is reported, never dropped in
-silence. All symbols must be real (see `systems.as_real`). Parameters are generic: a parameter that
-stands as a factor of an equation, or before the highest power of an unknown, is taken to be
-nonzero, and this is reported.
+through a Groebner basis. Equations that cannot be solved in closed form are always reported. All
+symbols must be real (see `trajlib._real_symbols`). Parameters are generic: a parameter that is a
+factor of an equation, or of the highest power of an unknown, is taken to be nonzero, and this is
+reported.
 """
 
 from dataclasses import dataclass, field
@@ -18,7 +17,7 @@ from trajlib.stability.inequalities import nonnegative, nonzero, positive, tidie
 
 
 class Unsolved(Exception):
-    """No solution in closed form is known here; the arguments are the equation and its unknown."""
+    """Signals that no closed form is known; the arguments are the equation and its unknown."""
 
 
 @dataclass
@@ -38,7 +37,7 @@ class RealSolutions:
     integers: list = field(default_factory=list)
 
     def fresh_integer(self):
-        """A new integer n for a periodic family."""
+        """Return a new integer n for a periodic family."""
         names = (f"{letter}{index}" for index in ["", *range(1, 100)] for letter in "nmj")
         name = next(name for name in names if name not in self.taken)
         self.taken.add(name)
@@ -46,13 +45,14 @@ class RealSolutions:
         return self.integers[-1]
 
     def suppose_nonzero(self, expressions):
+        """Record that expressions in the parameters are taken to be nonzero."""
         self.nonzero |= {
             -e if e.could_extract_minus_sign() else e for e in expressions if not e.is_nonzero
         }
 
 
 def solve_real(equations, unknowns):
-    """All real solutions of `equations` = 0 in `unknowns` as `RealSolutions`."""
+    """Return all real solutions of `equations` = 0 in `unknowns` as `RealSolutions`."""
     result = RealSolutions(taken={s.name for e in equations for s in e.free_symbols})
     _solve(list(equations), tuple(unknowns), {}, (), result)
     defined = tuple(r for e in equations for r in definedness(e))
@@ -83,7 +83,7 @@ def _settled(value, values):
 
 
 def _assumed(values):
-    """Unknowns declared positive (or negative, nonnegative) take such values only."""
+    """Yield conditions for unknowns declared positive, negative or nonnegative."""
     for unknown, value in values.items():
         if unknown.is_positive:
             yield positive(value)
@@ -95,12 +95,13 @@ def _assumed(values):
 
 @dataclass(frozen=True)
 class Requirement:
-    """expression > 0 (kind ">"), >= 0 (">=") or != 0 ("!=") for a formula to be defined."""
+    """A requirement of a formula: expression > 0 (kind ">"), >= 0 (">=") or != 0 ("!=")."""
 
     expression: sp.Expr
     kind: str
 
     def reduced(self, values):
+        """Return the requirement for given values of the unknowns, as a reduced condition."""
         value = self.expression.subs(values)
         if value.has(sp.nan, sp.zoo, sp.oo):
             return sp.false
@@ -112,8 +113,7 @@ class Requirement:
 
 
 def definedness(expression):
-    """What must hold for a formula to be defined: logarithms, even roots, denominators, asin and
-    acos."""
+    """Yield what a formula needs to be defined: logarithms, even roots, denominators, arcs."""
     for part in sp.preorder_traversal(expression):
         if isinstance(part, sp.log):
             yield Requirement(part.args[0], ">")
@@ -128,7 +128,7 @@ def definedness(expression):
 
 
 def _solve(equations, unknowns, values, requirements, result):
-    """Solve what is left of the system on one branch and append what is found to `result`."""
+    """Solve the rest of the system on one branch and append the solutions to `result`."""
     left = []
     for equation in equations:
         numerator = sp.numer(sp.together(equation.subs(values)))
@@ -178,7 +178,7 @@ def _one_logarithm(equation):
 
 
 def _eliminate(left, open_unknowns, unknowns, values, requirements, result):
-    """Choose the equation and the unknown that are cheapest to solve and go on with every root."""
+    """Choose the equation and unknown that are cheapest to solve and go on with every root."""
     choices = sorted(
         (
             (_cost(e, x, open_unknowns), i, j)
@@ -214,7 +214,7 @@ def _eliminate(left, open_unknowns, unknowns, values, requirements, result):
 
 
 def _cost(equation, unknown, unknowns):
-    """Cheap first: linear with a coefficient free of unknowns, then one unknown, then the rest."""
+    """Return a sort key: linear with known coefficient first, then one unknown, then the rest."""
     others = equation.free_symbols & set(unknowns) - {unknown}
     if equation.is_polynomial(unknown):
         degree = sp.degree(equation, unknown)
@@ -226,7 +226,7 @@ def _cost(equation, unknown, unknowns):
 
 
 def real_roots(equation, x, result):
-    """Real roots of equation = 0 in x as pairs (value, requirements); raises `Unsolved`."""
+    """Return real roots of equation = 0 in x: pairs (value, requirements); may raise `Unsolved`."""
     equation = sp.numer(sp.together(equation))
     roots = {}
     for factor, _ in sp.factor_list(_one_logarithm(equation))[1]:
@@ -258,7 +258,7 @@ def _roots_of_factor(factor, x, result):
 
 
 def _generators(factor, x):
-    """The functions of x that the equation is a polynomial in."""
+    """Return the functions of x in which the equation is a polynomial."""
     try:
         return [g for g in sp.Poly(factor).gens if g.has(x)]
     except sp.PolynomialError:
@@ -332,7 +332,7 @@ def _inverted(g, value, result):
 
 
 def _trigonometric_roots(factor, x, generators, result):
-    """Polynomials in sin u and cos u of one angle u, by the tangent of u or of u/2."""
+    """Solve polynomials in sin u and cos u of one angle u, by the tangent of u or u/2."""
     arguments = {g.args[0] for g in generators}
     if len(arguments) > 1:
         expanded = sp.expand_trig(factor)

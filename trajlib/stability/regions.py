@@ -1,13 +1,15 @@
-"""Regions of asymptotic stability in the space of parameters, with a margin where one is asked for.
+"""Regions of asymptotic stability in the space of parameters, also with a margin.
 
-The criterion of Hurwitz is used in the form of Lienard and Chipart: with positive coefficients of
-one parity only every second Hurwitz minor need be tested (F. R. Gantmacher, The Theory of Matrices,
-vol. 2, XV.13). What remains is reduced, and conditions that follow from the others are left out.
+The Hurwitz criterion is used in the form of Lienard and Chipart: with positive coefficients of one
+parity only every second Hurwitz minor need be tested (F. R. Gantmacher, The Theory of Matrices,
+vol. 2, XV.13). The remaining conditions are reduced, and those that follow from the others are left
+out.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -21,18 +23,43 @@ from trajlib._arguments.symbols import (
     read_symbols,
 )
 from trajlib._real_symbols import as_real
+from trajlib._types import ExprLike, MatrixLike, PolynomialLike, Symbols
 from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors, read_coefficients
 from trajlib.stability.inequalities import conjunction, sign_of
 
 
-def shift(poly, margin, symbol=None):
-    """The polynomial p(s - margin), whose roots are those of p moved to the right by `margin`.
+def shift(
+    poly: PolynomialLike, margin: ExprLike, symbol: sp.Symbol | None = None
+) -> PolynomialLike:
+    """Return p(s - margin), whose roots are those of p moved to the right by `margin`.
 
-    All roots of p satisfy Re s < -margin exactly when those of p(s - margin) satisfy Re s < 0
-    (worked example 4 of the problem book). `poly` is an expression with its `symbol`, a `Poly`, or
-    a list of coefficients, highest power first; the result is of the same kind. Errors as in
-    `hurwitz_matrix`.
+    All roots of p satisfy Re s < -margin exactly when those of p(s - margin) satisfy Re s < 0.
 
+    Parameters
+    ----------
+    poly : sympy.Expr, sympy.Poly or sequence of coefficients
+        The polynomial p; coefficients stand with the highest power first.
+    margin : float or sympy.Expr
+        The shift.
+    symbol : sympy.Symbol, optional
+        The variable of an expression; may be left out if it is its only symbol.
+
+    Returns
+    -------
+    sympy.Expr, sympy.Poly or list
+        The shifted polynomial, of the kind of `poly`.
+
+    Raises
+    ------
+    ValueError
+        As `hurwitz_matrix`.
+
+    Notes
+    -----
+    Source: worked example 4 of the problem book.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> s = sp.Symbol("s")
     >>> shift(s**2 + 4*s + 5, 2, s)
@@ -55,7 +82,7 @@ def shift(poly, margin, symbol=None):
 
 
 def _shifted(coefficients, margin):
-    """Coefficients of p(s - margin) by repeated Horner division."""
+    """Return the coefficients of p(s - margin) by repeated Horner division."""
     work = list(coefficients)
     for last in range(len(work), 1, -1):
         for i in range(1, last):
@@ -65,12 +92,17 @@ def _shifted(coefficients, margin):
 
 @dataclass(frozen=True)
 class Edge:
-    """A part of the parameter space where the leading coefficient vanishes and the order of the
-    equation drops.
+    """A part of the parameter space where the leading coefficient vanishes and the order drops.
 
-    `where` is the equation of the edge, `polynomial` the characteristic polynomial left there,
-    `region` the condition under which that equation of lower order is asymptotically stable (with
-    the same margin) on the edge.
+    Attributes
+    ----------
+    where : sympy.Basic
+        The equation of the edge.
+    polynomial : sympy.Expr
+        The characteristic polynomial there, of lower order.
+    region : sympy.Basic
+        The condition under which that equation is asymptotically stable on the edge, with the same
+        margin.
     """
 
     where: sp.Basic
@@ -80,31 +112,59 @@ class Edge:
 
 @dataclass(frozen=True)
 class StabilityConditions:
-    """Where in the space of `parameters` all roots of `polynomial` have real parts below -`margin`.
+    """The set of parameters for which all roots of `polynomial` have real parts below -`margin`.
 
-    - `region`: the answer as a condition: an And of strict inequalities in the shortest form found,
-      `sp.true` or `sp.false`; an Or of such if a leading coefficient of either sign can do.
-    - `minors`: the Hurwitz minors Delta_1, ..., Delta_n of the shifted polynomial as computed.
-    - `degenerate`: the edges on which the order drops (tuple of `Edge`); they are no part of
-      `region`.
-    - `empty`: True if no parameters stabilise, False if some do, None if that could not be decided.
+    Attributes
+    ----------
+    polynomial : sympy.Expr
+        The characteristic polynomial.
+    symbol : sympy.Symbol
+        Its variable.
+    parameters : tuple of sympy.Symbol
+        The coordinates of the parameter space.
+    margin : sympy.Expr
+        mu >= 0 in Re lambda < -mu.
+    region : sympy.Basic
+        The answer as a condition: an And of strict inequalities in the shortest form found,
+        `sp.true` or `sp.false`; an Or of such if a leading coefficient may have either sign.
+    minors : tuple
+        The Hurwitz minors Delta_1, ..., Delta_n of the shifted polynomial as computed.
+    degenerate : tuple of Edge
+        The edges on which the order drops; they are no part of `region`.
+    empty : bool or None
+        True if no parameters stabilise, False if some do, None if that could not be decided.
     """
 
     polynomial: sp.Expr
     symbol: sp.Symbol
-    parameters: tuple
+    parameters: tuple[sp.Symbol, ...]
     margin: sp.Expr
     region: sp.Basic
-    minors: tuple
-    degenerate: tuple
+    minors: tuple[sp.Expr, ...]
+    degenerate: tuple[Edge, ...]
     empty: bool | None
 
-    def contains(self, point):
-        """Whether `point` (a dict symbol -> number, or numbers in the order of the parameters) lies
-        in the region.
+    def contains(self, point: Mapping[sp.Symbol, ExprLike] | Sequence[ExprLike]) -> bool:
+        """Decide whether a point lies in the region.
 
         Floats count as the exact numbers they are, so that points close to the boundary are judged
         correctly.
+
+        Parameters
+        ----------
+        point : dict or sequence of number
+            A dict from parameters to numbers, or numbers in the order of `parameters`.
+
+        Returns
+        -------
+        bool
+            Whether the point lies in `region`.
+
+        Raises
+        ------
+        ValueError
+            If a parameter has no value, a value is not a real number, or the condition cannot be
+            decided.
         """
         if isinstance(point, Mapping):
             missing = set(self.parameters) - set(point)
@@ -119,8 +179,28 @@ class StabilityConditions:
             raise ValueError(f"point: could not decide {verdict}")
         return bool(verdict)
 
-    def plot(self, first_range, second_range, ax=None):
-        """Draw the region over a rectangle of the two parameters; returns the Axes."""
+    def plot(
+        self, first_range: tuple[float, float], second_range: tuple[float, float], ax: Any = None
+    ) -> Any:
+        """Draw the region over a rectangle of the two parameters.
+
+        Parameters
+        ----------
+        first_range, second_range : tuple of float
+            (low, high) of each parameter.
+        ax : matplotlib.axes.Axes, optional
+            The axes to draw on; new ones by default.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
+
+        Raises
+        ------
+        ValueError
+            If there are not two parameters.
+        """
         from trajlib import plotting
 
         if len(self.parameters) != 2:
@@ -133,19 +213,45 @@ class StabilityConditions:
         return f"$\\displaystyle {latex_region(self.region)}$"
 
 
-def stability_conditions(poly_or_matrix, parameters, margin=0, symbol=None):
-    """Conditions on `parameters` for asymptotic stability, with margin where one is asked for.
+def stability_conditions(
+    poly_or_matrix: PolynomialLike | MatrixLike,
+    parameters: Symbols,
+    margin: ExprLike = 0,
+    symbol: sp.Symbol | None = None,
+) -> StabilityConditions:
+    """Return the conditions on `parameters` for asymptotic stability, also with a margin.
 
-    `poly_or_matrix`: a characteristic polynomial (expression with its `symbol`, `Poly`, or
-    coefficients, highest power first) or a square SymPy matrix A of x' = Ax. `parameters`: the
-    symbols in it; they stand for real numbers, and their assumptions (positive=True) are used.
-    `margin` mu >= 0 asks for Re lambda < -mu. Returns `StabilityConditions`. Raises ValueError for
-    symbols that are not named as parameters and for whatever `hurwitz_matrix` refuses.
+    Parameters
+    ----------
+    poly_or_matrix : sympy.Expr, sympy.Poly, sequence of coefficients or matrix_like, shape (n, n)
+        The characteristic polynomial (coefficients with the highest power first), or the matrix A
+        of x' = Ax.
+    parameters : sequence of sympy.Symbol
+        All symbols in it; they stand for real numbers, and their assumptions (positive=True) are
+        used.
+    margin : float or sympy.Expr, default 0
+        mu >= 0, for Re lambda < -mu.
+    symbol : sympy.Symbol, optional
+        The variable of the polynomial.
 
-    Definition 1.5 of the problem book, with its sign put right, asks for Re lambda <= -mu; the
-    region here is the interior of that set: the points of its boundary, where a root lies on the
-    line Re lambda = -mu, are not in it. With mu = 0 it is the criterion of Hurwitz, Theorem 1.2.
+    Returns
+    -------
+    StabilityConditions
+        The region with its minors and degenerate edges.
 
+    Raises
+    ------
+    ValueError
+        For symbols that are not named as parameters, for a negative margin, and as
+        `hurwitz_matrix`.
+
+    Notes ----- Definition 1.5 of the problem book, with its sign corrected, asks for Re lambda <=
+    -mu; the region here is the interior of that set: the points of its boundary, where a root lies
+    on the line Re lambda = -mu, are not in it. With mu = 0 it is the Hurwitz criterion, Theorem
+    1.2.
+
+    Examples
+    --------
     >>> import sympy as sp
     >>> k1, k2 = sp.symbols("k1 k2")
     >>> found = stability_conditions(sp.Matrix([[k1, 1], [1, k2]]), [k1, k2], margin=2)
@@ -211,7 +317,7 @@ def _polynomial(coefficients, symbol):
 
 
 def _region(coefficients, parameters, margin):
-    """The reduced region and whether its emptiness is decided."""
+    """Return the reduced region and whether its emptiness is decided."""
     shifted = _shifted(coefficients, margin)
     to_real, back = as_real(*shifted)
     real, symbols = [c.xreplace(to_real) for c in shifted], [to_real.get(p, p) for p in parameters]
@@ -226,7 +332,7 @@ def _region(coefficients, parameters, margin):
 
 
 def _lienard_chipart(coefficients):
-    """Two equivalent lists of expressions that must be positive."""
+    """Return two equivalent lists of expressions that must be positive."""
     n = len(coefficients) - 1
     minors = hurwitz_minors(coefficients)
     every_second = [minors[k - 1] for k in range(n - 1, 0, -2)]
@@ -240,7 +346,7 @@ def _length(region):
 
 
 def _edges(coefficients, symbol, parameters, margin, where=()):
-    """The edges where the leading coefficient vanishes, and where after that the next one does."""
+    """Yield the edges where the leading coefficient vanishes, and then the next one."""
     lead, lower = coefficients[0], coefficients[1:]
     if sign_of(lead.xreplace(as_real(lead)[0])) is not None:
         return
@@ -274,14 +380,14 @@ def _exact_number(value):
 
 
 def latex_region(region):
-    """A region of parameters in LaTeX, also an empty one and the whole space."""
+    """Return LaTeX of a region of parameters, also of an empty one and of the whole space."""
     if region in (sp.true, sp.false):
         return r"\text{all values of the parameters}" if region == sp.true else r"\varnothing"
     return latex_condition(region)
 
 
 def latex_condition(condition):
-    """A condition in LaTeX with commas for 'and', as in the problem book."""
+    """Return LaTeX of a condition with commas for 'and', as in the problem book."""
     if isinstance(condition, sp.And):
         return r",\quad ".join(
             sp.latex(c) for c in sorted(condition.args, key=lambda c: c.count_ops())

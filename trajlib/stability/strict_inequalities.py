@@ -1,12 +1,11 @@
-"""Does a system of strict polynomial inequalities have a solution? Decided exactly, by sample
-points.
+"""Strict polynomial inequalities: existence of a solution, exactly, by sample points.
 
 The set where several polynomials are all positive is open, so it is not empty exactly when it
 contains one of the open cells into which the zero sets of the polynomials cut the space. One
 rational point of every cell is found by removing the variables one at a time (leading coefficients,
-discriminants and resultants tell where the picture over the remaining ones can change) and putting
-them back: the open part of Collins's cylindrical algebraic decomposition, A. Strzebonski, J.
-Symbolic Computation 29 (2000) 471-480.
+discriminants and resultants bound the sets over which the cells stay the same) and putting them
+back: the open part of Collins's cylindrical algebraic decomposition, A. Strzebonski, J. Symbolic
+Computation 29 (2000) 471-480.
 """
 
 from itertools import combinations, pairwise
@@ -15,7 +14,7 @@ import sympy as sp
 
 
 class TooLarge(Exception):
-    """The decision would take too long; the caller then goes without it."""
+    """Signals that the decision would take too long; the caller then continues without it."""
 
 
 # Beyond these sizes an answer would take more than a few seconds: the degree of a resultant by the
@@ -26,7 +25,7 @@ _MAX_POINTS = 800
 
 
 def solution_point(polynomials, symbols):
-    """A point (symbol -> rational) where all `polynomials` are positive, or None if there is none.
+    """Return a rational point where all polynomials are positive, or None if there is none.
 
     The signs that the assumptions of the symbols give (positive=True) are part of the system.
     Raises `TooLarge` when the system is beyond the sizes above or is not polynomial over the
@@ -61,7 +60,7 @@ def _irreducible_factors(polys):
 
 
 def _cell_points(factors, symbols):
-    """One rational point in each open cell, as tuples in the order of `symbols`."""
+    """Return one rational point in each open cell, as tuples in the order of `symbols`."""
     *others, last = symbols
     if not others:
         return [(value,) for value in _values_between_roots(factors)]
@@ -85,7 +84,7 @@ def _cell_points(factors, symbols):
 
 
 def _values_between_roots(polys):
-    """Rational numbers, one in each interval that the real roots of `polys` leave."""
+    """Return rational numbers, one in each interval between the real roots."""
     product = sp.prod([p for p in polys if not p.is_ground], start=sp.Integer(1))
     if product == 1:
         return [sp.Integer(0)]

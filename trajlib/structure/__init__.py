@@ -1,4 +1,4 @@
-"""Observability and controllability of linear systems: chapter 2 of the problem book as functions.
+"""Observability and controllability of linear systems: chapter 2 of the problem book.
 
 The system is x' = Ax + Bu, z = Hx: A is n x n, B is n x s, H is m x n (a scalar output is a matrix
 with one row, `sp.Matrix([[1, 0]])`). Exact input gives exact output, also with symbols; NumPy

@@ -1,4 +1,4 @@
-r"""Decomposition by the components of the control and of the output, example 7 of the problem book.
+r"""Decomposition by the components of the control and of the output, example 7.
 
 Control, x' = Ax + b^1 u_1 + ... + b^s u_s; new coordinates y with x = P y, P = T^-1.
 
@@ -266,8 +266,7 @@ def _shuttle_chains(A, H):
 
 
 def _luenberger(A, rows, sizes):
-    """Return coordinates in which each subsystem has the form (2.5) and is driven by the outputs
-    alone.
+    """Return coordinates in which each subsystem has the form (2.5), coupled by the outputs.
 
     With the chains as rows of S, the columns q_i of S^-1 that belong to the ends of the chains
     generate the basis of the space: the columns A^(k-1) q_i, ..., A q_i, q_i, subsystem by

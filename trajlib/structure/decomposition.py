@@ -1,4 +1,4 @@
-"""Observability and controllability decompositions, Theorems 2.8 and 2.9 of the problem book.
+"""Observability and controllability decompositions, Theorems 2.8 and 2.9.
 
 By observability (2.7) the new coordinates are (xi; eta) = T x with T A T^-1 = [[A11, 0], [A21,
 A22]], H T^-1 = [H1, 0] and (A11, H1) observable. As in example 3, xi_i = g_i^T x with the first
@@ -24,7 +24,7 @@ from trajlib.structure.kalman_matrices import stacked_powers
 
 @dataclass(frozen=True)
 class Decomposition:
-    """A system in coordinates (xi; eta) = `transformation` x, xi being observable (or controllable).
+    """A system in coordinates (xi; eta) = T x, xi being observable (or controllable).
 
     Attributes
     ----------
@@ -83,7 +83,7 @@ class Decomposition:
 
 
 def observability_decomposition(A: MatrixLike, H: MatrixLike | None = None) -> Decomposition:
-    """Return the decomposition into an observable and an unobservable part, observable first.
+    """Return the decomposition into an observable and an unobservable part, in this order.
 
     Parameters
     ----------
@@ -129,7 +129,7 @@ def observability_decomposition(A: MatrixLike, H: MatrixLike | None = None) -> D
 
 
 def controllability_decomposition(A: MatrixLike, B: MatrixLike | None = None) -> Decomposition:
-    """Return the decomposition into a controllable and an uncontrollable part, controllable first.
+    """Return the decomposition into a controllable and an uncontrollable part, in this order.
 
     Parameters
     ----------
@@ -188,10 +188,12 @@ def _coordinates(A, H):
 
 
 def inverse(T):
+    """Return the inverse of an exact matrix or an array."""
     return np.linalg.inv(T) if isinstance(T, np.ndarray) else exact.inverse(T)
 
 
 def multiply(*matrices):
+    """Return the product of exact matrices or arrays."""
     return (
         np.linalg.multi_dot(matrices)
         if isinstance(matrices[0], np.ndarray)

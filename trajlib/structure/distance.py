@@ -172,7 +172,7 @@ def _bracket(A, H, within):
 
 
 def _field_of_values(A, reach):
-    """Return squares that cover the field of values of A, and all within `reach`, for Im lambda >= 0.
+    """Return squares that cover the field of values and all within `reach`, Im lambda >= 0.
 
     They are given by the left end, their side and their numbers in both directions.
     """

@@ -1,4 +1,4 @@
-"""Exact linear algebra over the field of the entries: rationals, radicals, rational functions.
+"""Exact linear algebra over the field of the entries: rationals, radicals, functions.
 
 With symbols a rank is generic: the one for all values of the symbols but those on which some
 polynomial vanishes.
@@ -22,7 +22,7 @@ _LONGEST_INVERSE = 300
 
 
 def field_matrix(matrix):
-    """Return the matrix over the smallest field of its entries, in which zero is decided exactly."""
+    """Return the matrix over the smallest field of its entries, where zero is decided exactly."""
     _refuse_functions(matrix)
     return DomainMatrix.from_Matrix(matrix, extension=True).to_field()
 

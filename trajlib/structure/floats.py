@@ -172,7 +172,7 @@ def _singular(block, value):
 
 
 def _kernel(A, H, value, limit):
-    """Return the vectors at which (A - lambda I; H) is at most `limit`, at least one, as columns."""
+    """Return the vectors, one at least, at which (A - lambda I; H) is at most `limit`."""
     _, values, right = np.linalg.svd(np.vstack([A - value * np.eye(len(A)), H]))
     return right[values <= max(limit, values[-1])].conj().T
 

@@ -1,7 +1,7 @@
 """The controllability Gramian of a linear system on an interval.
 
-    W(T) = integral from 0 to T of e^(As) B B^T e^(A^T s) ds,      dW/dT = A W + W A^T + B B^T,
-    W(0) = 0.
+    W(T) = integral from 0 to T of e^(As) B B^T e^(A^T s) ds,
+    dW/dT = A W + W A^T + B B^T,   W(0) = 0.
 
 The least energy, the integral of u^T u, that brings x' = Ax + Bu from 0 to xi in the time T is xi^T
 W^-1 xi; where W is singular, the states in its range are reached and no others. Numbers in floats

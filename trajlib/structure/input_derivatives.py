@@ -1,10 +1,8 @@
-"""Scalar equations of order n with input derivatives, and their state form: problems 2.20 - 2.22,
-2.29.
+"""Scalar equations with input derivatives and their state form: problems 2.20 - 2.22, 2.29.
 
 An equation x^(n) + a_1 x^(n-1) + ... + a_n x = b_0 u^(n-1) + ... + b_(n-1) u has the state
 
-    x_1 = x,    x_(k+1) = x_k' - beta_k u,    beta_k = b_(k-1) - a_1 beta_(k-1) - ... - a_(k-1)
-    beta_1,
+    x_1 = x,    x_(k+1) = x_k' - beta_k u,    beta_k = b_(k-1) - a_1 beta_(k-1) - ... - a_(k-1) beta_1,
 
 in which no derivative of u is left: A is the companion matrix (ones above the diagonal, last row
 (-a_n, ..., -a_1)), the column is b = (beta_1, ..., beta_n), and x = x_1. The numbers beta_k are
@@ -14,26 +12,22 @@ is controllable exactly when both sides have no common factor.
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_exact_matrix, read_observed
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
-from trajlib._types import MatrixLike
+from trajlib._types import MatrixLike, PolynomialLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact
 from trajlib.structure.canonical import controller_canonical_form
 from trajlib.structure.decomposition import observability_decomposition
 from trajlib.structure.pbh import visible_symbol
 
-#: Coefficients, highest first, or a polynomial.
-Polynomial: TypeAlias = Iterable[sp.Expr] | sp.Expr
-
 
 def state_form(
-    left: Polynomial, right: Polynomial, symbol: sp.Symbol | None = None
+    left: PolynomialLike, right: PolynomialLike, symbol: sp.Symbol | None = None
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Matrix]:
     """Return the state form (A, b, h) of the scalar equation left(d/dt) x = right(d/dt) u.
 

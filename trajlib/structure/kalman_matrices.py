@@ -1,4 +1,4 @@
-"""The Kalman observability and controllability matrices, Definitions 2.3 and 2.4 of the problem book.
+"""The Kalman observability and controllability matrices, Definitions 2.3 and 2.4.
 
     N = (H; HA; ...; HA^(n-1)),    W = (B, AB, ..., A^(n-1)B).
 

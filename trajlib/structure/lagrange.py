@@ -1,4 +1,4 @@
-"""Small motions of a mechanical system with a driven part, M q'' + K q = L u, from the energies.
+"""Small motions of a driven mechanical system, M q'' + K q = L u, from the energies.
 
 With the kinetic energy T(q, q', v) and the potential energy V(q), where v is the speed of the
 driven part (a cart, a table) and u = v' its acceleration, Lagrange's equations are d/dt T_q' - T_q
@@ -40,7 +40,7 @@ def small_motions(
     rates: Sequence[sp.Symbol],
     speed: sp.Symbol,
 ) -> SmallMotions:
-    """Return the equations of small motions near `coordinates` = 0, driven by u, the rate of `speed`.
+    """Return the equations of small motions near q = 0, driven by the acceleration u = v'.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Measurements with an unknown error, and time-varying outputs: examples 4, 5, problems 2.16, 2.17.
+"""Measurements with an unknown error, and time-varying outputs: problems 2.16 and 2.17.
 
 An error c w with w' = S w (a constant: S = 0; an oscillation of known frequency: S = [[0, omega],
 [-omega, 0]]) becomes a part of the state: (x; w)' = diag(A, S) (x; w), z = (H, c) (x; w).

@@ -1,4 +1,4 @@
-"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', without the first-order form.
+"""Mechanical systems M x'' + D x' + K x = L u, z = H1 x + H2 x', in second-order form.
 
 Theorems 2.5 and 2.6 of the problem book: the system is observable exactly when the rank of (M l^2 +
 D l + K; H1 + l H2) is n at every root l of det(M l^2 + D l + K), and controllable exactly when that

@@ -19,7 +19,7 @@ LAMBDA = sp.Dummy("lambda")
 
 @dataclass(frozen=True)
 class HiddenMode:
-    """An unobservable or uncontrollable mode: an eigenvalue at which the rank in the PBH test falls.
+    """An unobservable or uncontrollable mode: the rank in the PBH test falls at its eigenvalue.
 
     Attributes
     ----------

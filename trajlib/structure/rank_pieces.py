@@ -1,4 +1,4 @@
-"""Pieces of the parameter space on which the rank of a matrix is lower than for general values.
+"""Pieces of the parameter space on which the rank of a matrix is lower than in general.
 
 They are found by factoring one minor and eliminating a parameter where a factor vanishes, again and
 again; see `parameters`.
@@ -38,7 +38,7 @@ class Piece:
 
 
 def _written(symbol, value):
-    """s = v without fractions: k1*k2 = 1 rather than k1 = 1/k2."""
+    """Return s = v without fractions: k1*k2 = 1 rather than k1 = 1/k2."""
     numerator, denominator = sp.fraction(sp.together(symbol - value))
     return equation(numerator) if denominator.free_symbols else sp.Eq(symbol, value)
 
@@ -131,7 +131,7 @@ def _some_minor(N, rank):
 
 
 def _rank_modulo(N, polynomial):
-    """The rank on an irreducible hypersurface."""
+    """Return the rank on an irreducible hypersurface."""
     if len(sp.Add.make_args(polynomial)) > _MOST_TERMS:
         raise NotSolved(polynomial)
     symbol = max(polynomial.free_symbols, key=str)
@@ -159,7 +159,7 @@ def _lower_on(polynomial, N, rank):
 
 
 def _zero_factors(polynomial, symbols):
-    """Irreducible factors that vanish for some real values within the assumptions."""
+    """Yield irreducible factors that vanish for some real values within the assumptions."""
     extension = (
         {"extension": True}
         if any(e.is_number and not e.is_rational for e in polynomial.atoms(sp.Pow))

@@ -1,4 +1,4 @@
-"""Observability and controllability: the Kalman criterion and the PBH test, Theorems 2.1 - 2.4.
+"""Observability and controllability by the Kalman criterion and the PBH test.
 
 Exact systems: the rank of the Kalman matrix, and the PBH test (Popov, Belevitch, Hautus) for the
 eigenvalues at which the rank of (A - lambda I; H) falls, with the motions exp(lambda t) v whose

@@ -1,8 +1,7 @@
-"""Masters: two files say everything about a problem, its page (solutions/ch1/p15.md) and its trials
-beside it.
+"""Masters: a problem is its page (solutions/ch1/p15.md) and its trials (p15.trials.py).
 
-`read` gives the master with its cells by role and its trials, `student_notebook` converts it to the
-students' copy.
+`read` returns the master with its cells by role and its trials; `student_notebook` converts it into
+the notebook for students.
 """
 
 from trajlib._lazy import lazy_names
@@ -10,7 +9,7 @@ from trajlib._lazy import lazy_names
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
     {
-        "scaffold": ["begin"],
+        "scaffold": ["new_problem"],
         "errors": ["MasterError"],
         "master": ["Answer", "Cell", "Master", "master_paths", "read", "read_all"],
         "trials": ["Trial"],

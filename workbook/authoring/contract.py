@@ -1,5 +1,4 @@
-"""What a master promises: a front matter that says everything, every answer assigned and checked
-once, real checks."""
+"""The contract of a master: complete front matter, every answer assigned and checked once."""
 
 import ast
 import re
@@ -38,123 +37,132 @@ FIELDS = {
     "hints": dict,
 }
 OPTIONAL = {"core": list}
-#: A problem at the level core asks for no more answers; one with more than `FEW_ENOUGH` says which
-#: items are its core.
-A_DOZEN, FEW_ENOUGH = 12, 15
-LISTED = re.compile(r"(?<=list of )((?:row )?[a-z]+)\b(?![/(])")
+#: Most answers of a problem at the level core, and of one that need not name its core items.
+MAX_CORE_ANSWERS, MAX_WITHOUT_CORE = 12, 15
+LIST_TYPE = re.compile(r"(?<=list of )((?:row )?[a-z]+)\b(?![/(])")
 ITEM = re.compile(r"([a-z])_")
 SOLUTION = re.compile(r"\{solution-(start|end)\}")
 FORMS = {str: "a text", list: "a list", dict: "names with what belongs to each"}
 
 
 def master_file(number):
-    """The file of a problem below solutions/: 1.15 stands in ch1/p15.md."""
+    """Return the file of a problem below solutions/: ch1/p15.md for 1.15."""
     chapter, _, problem = number.partition(".")
     return Path(f"ch{chapter}") / f"p{problem:0>2}.md"
 
 
-def hold_front_matter(path, said, lines):
-    """Raises `MasterError` at the line (`lines`, by place) of what is missing or has not the form
-    it should have."""
+def validate_front_matter(path, front, lines):
+    """Raise `MasterError` for a part of the front matter that is missing or malformed.
 
-    def hold(kept, expected, *place):
-        if not kept:
-            raise MasterError(path, lines.get(place, lines[()]), expected)
+    Parameters
+    ----------
+    path : pathlib.Path
+        File of the master.
+    front : dict
+        What stands under `problem:`.
+    lines : dict
+        Line numbers by paths of keys, such as ("answers", "a_region").
+    """
 
-    hold(isinstance(said, dict), f"problem: needs {', '.join(FIELDS)}")
-    for field in [*FIELDS, *said]:
-        hold(
-            field in said and field in FIELDS | OPTIONAL,
+    def require(condition, expected, *keys):
+        if not condition:
+            raise MasterError(path, lines.get(keys, lines[()]), expected)
+
+    require(isinstance(front, dict), f"problem: needs {', '.join(FIELDS)}")
+    for field in [*FIELDS, *front]:
+        require(
+            field in front and field in FIELDS | OPTIONAL,
             f"problem: needs {', '.join(FIELDS)} and no more, but perhaps core; look at {field}",
             field,
         )
-    number = said["number"]
-    hold(
+    number = front["number"]
+    require(
         isinstance(number, str) and re.fullmatch(r"\d+\.\d+", number),
         'problem.number is to be quoted, "1.15"',
         "number",
     )
-    belongs = master_file(number)
-    hold(
-        Path(path.parent.name, path.name) == belongs,
-        f"problem {number} belongs into {belongs}",
+    expected_file = master_file(number)
+    require(
+        Path(path.parent.name, path.name) == expected_file,
+        f"problem {number} belongs into {expected_file}",
         "number",
     )
     for field, form in (
-        FIELDS | {field: form for field, form in OPTIONAL.items() if field in said}
+        FIELDS | {field: form for field, form in OPTIONAL.items() if field in front}
     ).items():
-        hold(
-            isinstance(said[field], form) and said[field],
+        require(
+            isinstance(front[field], form) and front[field],
             f"problem.{field} is {FORMS[form]}",
             field,
         )
-    hold(said["level"] in LEVELS, f"problem.level is one of {', '.join(LEVELS)}", "level")
-    for name, text in said["answers"].items():
+    require(front["level"] in LEVELS, f"problem.level is one of {', '.join(LEVELS)}", "level")
+    for name, text in front["answers"].items():
         kind, colon, _ = str(text).partition(":")
-        hold(
+        require(
             colon and kind.strip().startswith(TYPES),
             f'answer {name} is to read "TYPE: what it is", TYPE one of {", ".join(TYPES)}',
             "answers",
             name,
         )
-        hold(name in said["hints"], f"every answer needs hints; {name} has none", "answers", name)
-    for name, texts in said["hints"].items():
-        hold(
-            name in said["answers"],
-            f"hints are for answers; {name} is none{meant(name, said['answers'])}",
+        require(
+            name in front["hints"], f"every answer needs hints; {name} has none", "answers", name
+        )
+    for name, texts in front["hints"].items():
+        require(
+            name in front["answers"],
+            f"hints are for answers; {name} is none{suggestion(name, front['answers'])}",
             "hints",
             name,
         )
-        hold(
+        require(
             isinstance(texts, list) and texts and all(isinstance(text, str) for text in texts),
             f"the hints for {name} are a list of texts",
             "hints",
             name,
         )
-    _hold_core(hold, said)
+    _validate_core(require, front)
 
 
-def _hold_core(hold, said):
-    """The core of a long problem: some of its items, with at most half of its answers."""
-    items, core = Counter(item_of(name) for name in said["answers"]), said.get("core", [])
-    asked = items.total()
-    hold(
-        said["level"] != "core" or asked <= A_DOZEN,
-        f"with {asked} answers, more than a dozen, a problem is advanced at least",
+def _validate_core(require, front):
+    """Validate the core of a long problem: items with at most half of its answers."""
+    items, core = Counter(item_of(name) for name in front["answers"]), front.get("core", [])
+    count = items.total()
+    require(
+        front["level"] != "core" or count <= MAX_CORE_ANSWERS,
+        f"with {count} answers, more than a dozen, a problem is advanced at least",
         "level",
     )
-    hold(
-        core or asked <= FEW_ENOUGH or len(items) <= 3,
-        f"with {asked} answers problem.core names the items that are enough at first, like [a, d]",
+    require(
+        core or count <= MAX_WITHOUT_CORE or len(items) <= 3,
+        f"with {count} answers problem.core names the items that are enough at first, like [a, d]",
         "answers",
     )
     for item in core:
-        hold(item in items, f"problem.core is a list of items; {item} is none", "core")
-    hold(
-        sum(items[item] for item in core) <= asked / 2,
+        require(item in items, f"problem.core is a list of items; {item} is none", "core")
+    require(
+        sum(items[item] for item in core) <= count / 2,
         "the core of a problem is at most half of its answers",
         "core",
     )
 
 
-def in_words(kind):
-    """The TYPE of an answer as a reader is told it.
+def plural_kind(kind):
+    """Return the TYPE of an answer with the plural after "list of".
 
-    >>> in_words("list of matrix"), in_words("list of row vector exact"), in_words("number")
+    >>> plural_kind("list of matrix"), plural_kind("list of row vector exact"), plural_kind("number")
     ('list of matrices', 'list of row vectors exact', 'number')
     """
-    return LISTED.sub(lambda one: one[1].replace("matrix", "matrice") + "s", kind)
+    return LIST_TYPE.sub(lambda match: match[1].replace("matrix", "matrice") + "s", kind)
 
 
 def item_of(name):
-    """The item that an answer belongs to: a for a_region, "" where a problem has no items."""
-    found = ITEM.match(name)
-    return found[1] if found else ""
+    """Return the item of an answer: "a" for a_region, "" where a problem has no items."""
+    match = ITEM.match(name)
+    return match[1] if match else ""
 
 
-def hold_code(master, lines):
-    """Raises `MasterError` at an answer not assigned once and checked once, and at a check of what
-    is not there."""
+def validate_code(master, lines):
+    """Raise `MasterError` unless every answer is assigned once and checked once, by a known check."""
     cells = {
         role: [cell for cell in master.cells if cell.role == role]
         for role in ("data", "answer", "check")
@@ -162,7 +170,7 @@ def hold_code(master, lines):
     for cell in cells["data"]:
         for name in assigned_names(cell.source, master.answers):
             raise MasterError(master.path, cell.line, f"a data cell assigns the answer {name}")
-    _hold_once(
+    _validate_once(
         master,
         lines,
         "the answer cells assign every answer once",
@@ -172,7 +180,7 @@ def hold_code(master, lines):
             for name in assigned_names(cell.source, master.answers)
         ],
     )
-    _hold_once(
+    _validate_once(
         master,
         lines,
         "the check cells report every answer once",
@@ -180,18 +188,17 @@ def hold_code(master, lines):
     )
     data = {node.id for cell in cells["data"] for node in _nodes(cell, ast.Name)}
     for cell in cells["check"]:
-        _hold_names(master.path, cell, {"checks", *data, *master.answers})
+        _validate_names(master.path, cell, {"checks", *data, *master.answers})
 
 
-def hold_drawings(master):
-    """Raises `MasterError` at a drawing inside a solution, which students do not get, or without a
-    caption."""
-    within = ""
+def validate_drawings(master):
+    """Raise `MasterError` for a drawing inside a solution, or without a caption."""
+    last_fence = ""
     for cell, following in zip(master.cells, (*master.cells[1:], None)):
         if cell.role == "":
-            within = (SOLUTION.findall(cell.source) or [within])[-1]
+            last_fence = (SOLUTION.findall(cell.source) or [last_fence])[-1]
         elif cell.role == "drawing":
-            if within == "start":
+            if last_fence == "start":
                 raise MasterError(
                     master.path,
                     cell.line,
@@ -205,9 +212,8 @@ def hold_drawings(master):
                 )
 
 
-def hold_blocks(master):
-    """Raises `MasterError` at what the site cannot read: a heading below the title, a solution that
-    begins otherwise than with the label of its exercise."""
+def validate_blocks(master):
+    """Raise `MasterError` for a second heading, or a solution without the label of its exercise."""
     label = "ex-" + master.number.replace(".", "-")
     for cell in master.cells:
         if cell.role:
@@ -219,25 +225,25 @@ def hold_blocks(master):
                     cell.line + k,
                     "a master has one heading, its title; items are in bold",
                 )
-            begun = re.match(r"`{3,}\{solution-start\}\s*(.*?)\s*$", text)
-            if begun and begun[1] != label:
+            solution = re.match(r"`{3,}\{solution-start\}\s*(.*?)\s*$", text)
+            if solution and solution[1] != label:
                 raise MasterError(
                     master.path, cell.line + k, f"a solution begins with {{solution-start}} {label}"
                 )
 
 
 def caption_above(text):
-    """The caption that a text begins with, "" if its first paragraph is none."""
+    """Return the caption at the beginning of a text, "" if there is none."""
     first = text.strip().split("\n\n")[0]
     return first[1:-1] if re.fullmatch(r"\*[^*\s].*[^*\s]\*", first, re.S) else ""
 
 
-def _hold_once(master, lines, rule, done):
-    names = [name for name, _ in done]
-    for name, cell in done:
+def _validate_once(master, lines, rule, uses):
+    names = [name for name, _ in uses]
+    for name, cell in uses:
         if name not in master.answers:
             raise MasterError(
-                master.path, cell.line, f"{rule}; {name} is none{meant(name, master.answers)}"
+                master.path, cell.line, f"{rule}; {name} is none{suggestion(name, master.answers)}"
             )
         if names.count(name) > 1:
             raise MasterError(master.path, cell.line, f"{rule}; {name} stands here and elsewhere")
@@ -248,9 +254,9 @@ def _hold_once(master, lines, rule, done):
             )
 
 
-def _hold_names(path, cell, known):
-    """The checks that a check cell calls exist, and so do the names that it hands over."""
-    from workbook import checks
+def _validate_names(path, cell, known):
+    """Validate that the checks and the names in a check cell exist."""
+    from workbook import checks  # reads the names of all checks
 
     known_checks = [*checks.__all__, *(f"research.{name}" for name in checks.research.__all__)]
     for node in _nodes(cell, ast.Name):
@@ -258,7 +264,7 @@ def _hold_names(path, cell, known):
             raise MasterError(
                 path,
                 cell.line + node.lineno - 1,
-                f"{node.id} is neither an answer nor a name of a data cell{meant(node.id, known)}",
+                f"{node.id} is neither an answer nor a name of a data cell{suggestion(node.id, known)}",
             )
     for node in _nodes(cell, ast.Attribute):
         called = ast.unparse(node)
@@ -268,7 +274,7 @@ def _hold_names(path, cell, known):
                 raise MasterError(
                     path,
                     cell.line + node.lineno - 1,
-                    f"there is no check {name}{meant(name, known_checks)}",
+                    f"there is no check {name}{suggestion(name, known_checks)}",
                 )
 
 
@@ -276,7 +282,7 @@ def _nodes(cell, kind):
     return [node for node in ast.walk(ast.parse(cell.source)) if isinstance(node, kind)]
 
 
-def meant(name, known):
-    """The names that somebody may have meant, as the end of a message."""
-    near = get_close_matches(str(name), known)
-    return f"; did you mean {' or '.join(near)}?" if near else ""
+def suggestion(name, known):
+    """Return the end of a message that suggests similar names, "" if there are none."""
+    similar = get_close_matches(str(name), known)
+    return f"; did you mean {' or '.join(similar)}?" if similar else ""

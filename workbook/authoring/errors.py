@@ -1,9 +1,18 @@
-"""What is told of a master that breaks its contract."""
+"""The error for a master that breaks its contract."""
 
 
 class MasterError(ValueError):
-    """A master breaks the contract; the message names the file, the line (from 1) and what was
-    expected."""
+    """A master breaks its contract.
 
-    def __init__(self, path, line, said):
-        super().__init__(f"{path}:{line}: {said}")
+    Parameters
+    ----------
+    path : path_like
+        File of the master.
+    line : int
+        Line number, from 1.
+    expected : str
+        What was expected there.
+    """
+
+    def __init__(self, path, line, expected):
+        super().__init__(f"{path}:{line}: {expected}")

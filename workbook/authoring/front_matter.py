@@ -1,5 +1,4 @@
-"""The front matter of a master: what it says under `problem:`, and on which line of the file each
-part stands."""
+"""Read the front matter of a master, with the line numbers of its parts."""
 
 import yaml
 
@@ -7,10 +6,26 @@ from workbook.authoring.errors import MasterError
 
 
 def read_front_matter(path, text):
-    """What stands under `problem:`, and {("answers", "a_region"): its line, ...} with the line of
-    `problem:` under ().
+    """Return what stands under `problem:` and the line numbers of its parts.
 
-    Raises `MasterError` with the line of a slip in the YAML, also of a name that is written twice.
+    Parameters
+    ----------
+    path : pathlib.Path
+        File of the master, for messages.
+    text : str
+        Its content.
+
+    Returns
+    -------
+    front : dict
+        What stands under `problem:`.
+    lines : dict
+        Line numbers by paths of keys, such as ("answers", "a_region"); () for `problem:`.
+
+    Raises
+    ------
+    MasterError
+        For malformed YAML, a key that stands twice, or no `problem:`.
     """
     opened, _, rest = text.partition("---\n")
     head, closed, _ = rest.partition("\n---\n")
@@ -19,7 +34,7 @@ def read_front_matter(path, text):
     try:
         loader = yaml.SafeLoader(head)
         node = loader.get_single_node()
-        said = loader.construct_document(node) if node is not None else None
+        document = loader.construct_document(node) if node is not None else None
     except yaml.MarkedYAMLError as error:
         line = error.problem_mark.line + 2
         raise MasterError(
@@ -32,19 +47,19 @@ def read_front_matter(path, text):
     lines = _lines(path, node)
     if ("problem",) not in lines:
         raise MasterError(path, 1, "the front matter needs problem:")
-    return said["problem"], {
-        place[1:]: line for place, line in lines.items() if place[0] == "problem"
+    return document["problem"], {
+        keys[1:]: line for keys, line in lines.items() if keys[0] == "problem"
     }
 
 
 def _lines(path, node, above=()):
-    """{path of keys: line of the file} for all keys of a mapping and of those in it."""
+    """Return {path of keys: line of the file} for a mapping and those in it."""
     lines = {}
     for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
-        place = (*above, key.value)
-        if place in lines:
+        keys = (*above, key.value)
+        if keys in lines:
             raise MasterError(
                 path, key.start_mark.line + 2, f"{key.value} stands twice in the front matter"
             )
-        lines |= {place: key.start_mark.line + 2} | _lines(path, value, place)
+        lines |= {keys: key.start_mark.line + 2} | _lines(path, value, keys)
     return lines

@@ -1,4 +1,4 @@
-"""Where a label of the book stands, so that the student's copy can link to the site."""
+"""Addresses of the book's labels on the site, for links from the student notebooks."""
 
 import re
 from pathlib import Path
@@ -7,10 +7,14 @@ LABEL = re.compile(r"^\s*:label:\s*(\S+)\s*$|^\(([\w-]+)\)=\s*$", re.M)
 
 
 class Links:
-    """Places of the book by their labels, as the site addresses them below its root:
-    "book/ch1.html#thm-1-2".
+    """Addresses of the labels of the book, below the site's root: "book/ch1.html#thm-1-2".
 
-    `base` is the site's address (`html.baseurl` of _config.yml), empty where there is none.
+    Parameters
+    ----------
+    root : path_like
+        The checkout.
+    base : str
+        Address of the site (`html.baseurl` of _config.yml), "" where there is none.
     """
 
     def __init__(self, root, base=""):
@@ -23,7 +27,7 @@ class Links:
                         page.relative_to(self.root).with_suffix(".html").as_posix()
                     )
 
-    def place(self, label):
-        """The place of a label, or None for an unknown label."""
+    def url(self, label):
+        """Return the address of a label, or None for an unknown label."""
         page = self.pages.get(label)
         return None if page is None else f"{page}#{label}"

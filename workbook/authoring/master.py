@@ -1,10 +1,15 @@
-"""Read a master, a notebook and its trials, and hold it to its contract."""
+"""Read a master, page and trials, and validate its contract."""
 
 import ast
 from dataclasses import dataclass
 from pathlib import Path
 
-from workbook.authoring.contract import hold_blocks, hold_code, hold_drawings, hold_front_matter
+from workbook.authoring.contract import (
+    validate_blocks,
+    validate_code,
+    validate_drawings,
+    validate_front_matter,
+)
 from workbook.authoring.errors import MasterError
 from workbook.authoring.front_matter import read_front_matter
 from workbook.authoring.trials import read_trials, trials_file
@@ -14,8 +19,19 @@ ROLES = ("data", "drawing", "answer", "figure", "check")
 
 @dataclass(frozen=True)
 class Answer:
-    """One answer variable: `kind` is its TYPE, `text` what it is, `exact` whether decimals are not
-    enough."""
+    """An answer variable.
+
+    Attributes
+    ----------
+    name : str
+        Its name, such as a_region.
+    kind : str
+        Its TYPE.
+    text : str
+        What it is.
+    exact : bool
+        Whether decimals are refused.
+    """
 
     name: str
     kind: str
@@ -25,8 +41,17 @@ class Answer:
 
 @dataclass(frozen=True)
 class Cell:
-    """A cell of the notebook: `role` is one of `ROLES` for code and "" for prose, `line` where its
-    text begins."""
+    """A cell of a master.
+
+    Attributes
+    ----------
+    role : str
+        One of `ROLES` for code, "" for Markdown.
+    source : str
+        Its text.
+    line : int
+        Line of the file where the text begins, from 1.
+    """
 
     role: str
     source: str
@@ -35,6 +60,28 @@ class Cell:
 
 @dataclass(frozen=True)
 class Master:
+    """A problem: its page and its trials.
+
+    Attributes
+    ----------
+    path : pathlib.Path
+        File of the page.
+    number, title, section, level : str
+        From the front matter.
+    topics : tuple of str
+        From the front matter.
+    answers : dict of Answer
+        The answers by name, in order.
+    hints : dict of tuple of str
+        The hints by answer.
+    cells : tuple of Cell
+        The cells of the page.
+    trials : dict of list of Trial
+        The trials under "wrong" and "right".
+    core : tuple of str
+        The core items of a long problem.
+    """
+
     path: Path
     number: str
     title: str
@@ -48,12 +95,12 @@ class Master:
     core: tuple = ()
 
     def code(self, *roles):
-        """Sources of the code cells with one of the roles, in order."""
+        """Return the sources of the code cells with one of the roles, in order."""
         return [cell.source for cell in self.cells if cell.role in roles]
 
     @property
     def exercise(self):
-        """Where the student's copy stands: exercises/ch1/p15.ipynb beside solutions/."""
+        """The file of the student notebook, exercises/ch1/p15.ipynb beside solutions/."""
         return (
             self.path.parent.parent.parent
             / "exercises"
@@ -63,48 +110,60 @@ class Master:
 
 
 def master_paths(solutions):
-    """The files of all masters below the folder `solutions`, in the order of their numbers."""
+    """Return the files of all masters below a folder, in the order of their numbers."""
     return sorted(
         Path(solutions).glob("ch*/p*.md"), key=lambda path: (int(path.parent.name[2:]), path.stem)
     )
 
 
 def read_all(solutions):
-    """All masters below the folder `solutions`, in the order of their numbers."""
+    """Return all masters below a folder, in the order of their numbers."""
     return [read(path) for path in master_paths(solutions)]
 
 
 def read(path):
-    """The master at `path`, with its trials.
+    """Read and validate a master with its trials.
 
-    Raises `MasterError` with file and line if the front matter is incomplete, a code cell has no
-    role or two, an answer is never assigned or never checked, a check does not exist, or a trial is
-    none (`workbook.authoring.trials`).
+    Parameters
+    ----------
+    path : path_like
+        File of the page.
+
+    Returns
+    -------
+    Master
+        The master.
+
+    Raises
+    ------
+    MasterError
+        If the front matter is incomplete, a code cell has not exactly one role, an answer is not
+        assigned once and checked once, a check does not exist, or a trial is malformed.
     """
     path = Path(path).absolute()
     if not path.is_file():
         raise MasterError(path, 1, "there is no such master")
     text = path.read_text(encoding="utf-8")
-    said, lines = read_front_matter(path, text)
-    hold_front_matter(path, said, lines)
-    answers = {name: _answer(name, text) for name, text in said["answers"].items()}
-    hints = {name: tuple(texts) for name, texts in said["hints"].items()}
+    front, lines = read_front_matter(path, text)
+    validate_front_matter(path, front, lines)
+    answers = {name: _answer(name, text) for name, text in front["answers"].items()}
+    hints = {name: tuple(texts) for name, texts in front["hints"].items()}
     master = Master(
         path,
-        said["number"],
-        said["title"],
-        said["section"],
-        said["level"],
-        tuple(said["topics"]),
+        front["number"],
+        front["title"],
+        front["section"],
+        front["level"],
+        tuple(front["topics"]),
         answers,
         hints,
         _cells(path, text),
         read_trials(trials_file(path), answers),
-        tuple(said.get("core", ())),
+        tuple(front.get("core", ())),
     )
-    hold_code(master, lines)
-    hold_drawings(master)
-    hold_blocks(master)
+    validate_code(master, lines)
+    validate_drawings(master)
+    validate_blocks(master)
     return master
 
 
@@ -120,8 +179,8 @@ def _cells(path, text):
         notebook = myst_to_notebook(text, add_source_map=True)
     except MystMetadataParsingError as error:
         raise MasterError(path, 1, f"the options of a code cell cannot be read: {error}") from None
-    begins = notebook.metadata.source_map
-    return tuple(_cell(path, cell, begin + 1, text) for cell, begin in zip(notebook.cells, begins))
+    starts = notebook.metadata.source_map
+    return tuple(_cell(path, cell, start + 1, text) for cell, start in zip(notebook.cells, starts))
 
 
 def _cell(path, cell, line, text):

@@ -1,109 +1,139 @@
-"""Seals the mistakes of a master for the students' copy: the wrong trials whose comment is a
-sentence to the student.
+"""Seal the mistakes of a master for the student notebook: wrong trials with a sentence as comment.
 
-A trial of which the signature is that of a right answer, or that of another mistake with another
-sentence, stays without a name.
+A trial is left out if its signature is that of a right answer, or of another mistake with another
+sentence.
 """
 
 import hashlib
 import json
+import os
 import re
+from contextlib import redirect_stdout
 
 from trajlib.typesetting import plain
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.encoding import encode
 from workbook.mistakes.sealing import seal
-from workbook.mistakes.signature import Question, Unlike, in_cases, signatures
+from workbook.mistakes.signature import AnswerType, NoSignature, arcs_as_piecewise, signatures
 from workbook.notebooks.execution import in_child
 
-#: A question or a pointer, and perhaps the number of the hint that belongs to it.
+#: A sentence to the student, and perhaps the number of a hint.
 SENTENCE = re.compile(r"(?P<text>[A-Z].{10,}[.?])(?: \(hint (?P<hint>\d)\))?", re.S)
-#: Minutes are enough for the worked computations of any problem.
-PATIENCE = 600
+#: Seconds for the worked computations of a problem.
+TIMEOUT = 600
 
 
-def sentence(master, trial):
-    """What the giver of a wrong trial reads, with its hint in a second line; None if its comment is
-    only a note.
+def mistake_sentence(master, trial):
+    """Return the sentence on a wrong trial with its hint in a second line, None if it has none.
 
-    Formulas are as one types them, since it is read in terminals too; HTML sets them
-    (`trajlib.typesetting.typeset`).
+    Formulas are plain text, for terminals; in HTML they are typeset (`trajlib.typesetting.typeset`).
     """
-    said = SENTENCE.fullmatch(trial.comment)
-    if said is None:
+    match = SENTENCE.fullmatch(trial.comment)
+    if match is None:
         return None
     hint = (
-        f"\nHint {said['hint']}: {plain(master.hints[trial.name][int(said['hint']) - 1])}"
-        if said["hint"]
+        f"\nHint {match['hint']}: {plain(master.hints[trial.name][int(match['hint']) - 1])}"
+        if match["hint"]
         else ""
     )
-    return plain(said["text"]) + hint
+    return plain(match["text"]) + hint
 
 
-def text_of(master):
-    """The text of the file of mistakes, by running data, answers and trials in a process of their
-    own."""
-    named = any(sentence(master, trial) for trial in master.trials["wrong"])
-    answers = in_child(_sealed_in_child, master, timeout=PATIENCE) if named else {}
-    return json.dumps({"of": origin(master), "answers": answers}, indent=1, sort_keys=True) + "\n"
+def mistakes_text(master):
+    """Return the content of the file of mistakes, by running the master in a process of its own."""
+    has_sentences = any(mistake_sentence(master, trial) for trial in master.trials["wrong"])
+    answers = in_child(_run_and_seal, master, timeout=TIMEOUT) if has_sentences else {}
+    return (
+        json.dumps({"of": source_hash(master), "answers": answers}, indent=1, sort_keys=True) + "\n"
+    )
 
 
-def origin(master):
-    """A hash of all that the mistakes are made of."""
-    made_of = [
+def source_hash(master):
+    """Return a hash of the code and the sentences from which the mistakes are made."""
+    parts = [
         master.code("data", "answer"),
-        [[trial.name, trial.source, sentence(master, trial)] for trial in master.trials["wrong"]],
+        [
+            [trial.name, trial.source, mistake_sentence(master, trial)]
+            for trial in master.trials["wrong"]
+        ],
     ]
-    return hashlib.sha256(json.dumps(made_of).encode()).hexdigest()[:16]
+    return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:16]
 
 
-def sealed(master, reference, trials):
-    """{answer: what the file says of it}; `reference` holds the right values, `trials` (trial,
-    value) of wrong ones."""
-    said = {}
+def seal_mistakes(master, reference, trials):
+    """Return the sealed mistakes by answer.
+
+    Parameters
+    ----------
+    master : Master
+        The master.
+    reference : dict
+        The right values by answer.
+    trials : list of (Trial, value)
+        The wrong trials with their values.
+
+    Returns
+    -------
+    dict
+        For each answer with a sealed mistake its kind, its symbols and the sealed sentences.
+    """
+    mistakes = {}
     for name in master.answers:
-        given = [(sentence(master, trial), value) for trial, value in trials if trial.name == name]
-        question = question_of(master, name, [reference[name], *(value for _, value in given)])
-        right, texts = set(_like(reference[name], question)), {}
-        for text, like in (
-            (text, like) for text, value in given for like in _each_like(value, question)
-        ):
-            if text and like and not right & set(like):
-                texts.setdefault(like[0], set()).add(text)
-        entries = (
-            seal(*said_of, f"{master.number} {name}", like)
-            for like, said_of in texts.items()
-            if len(said_of) == 1
+        wrong = [
+            (mistake_sentence(master, trial), value)
+            for trial, value in trials
+            if trial.name == name
+        ]
+        answer_type = answer_type_of(
+            master, name, [reference[name], *(value for _, value in wrong)]
         )
-        if told := dict(entries):
-            said[name] = {"kind": question.kind, "symbols": question.symbols, "told": told}
-    return said
+        right = set(_signatures(reference[name], answer_type))
+        sentences = {}
+        for sentence, value in wrong:
+            for form in _signatures_by_form(value, answer_type):
+                if sentence and form and not right & set(form):
+                    sentences.setdefault(form[0], set()).add(sentence)
+        sealed = dict(
+            seal(*only, f"{master.number} {name}", signature)
+            for signature, only in sentences.items()
+            if len(only) == 1
+        )
+        if sealed:
+            mistakes[name] = {
+                "kind": answer_type.kind,
+                "symbols": answer_type.symbols,
+                "told": sealed,
+            }
+    return mistakes
 
 
-def question_of(master, name, values):
-    """What an answer is read as: its symbols are those of the values, the right one first."""
+def answer_type_of(master, name, values):
+    """Return the type of an answer with the symbols of its values, those of the first value first."""
     answer = master.answers[name]
     kind = answer.kind.partition("(")[0].replace(" exact", "").strip()
     basis = " basis" if kind in ("list of vector", "dict") and "basis" in answer.text else ""
     symbols = {}
     for value in values:
         for symbol in sorted(_symbols(value), key=str):
-            symbols.setdefault(symbol.name, _assumed(symbol))
-    return Question(kind + basis, symbols)
+            symbols.setdefault(symbol.name, _assumption(symbol))
+    return AnswerType(kind + basis, symbols)
 
 
-def _like(value, question):
+def _signatures(value, answer_type):
     try:
-        return list(signatures(value, question))
-    except Unlike:
+        return list(signatures(value, answer_type))
+    except NoSignature:
         return []
 
 
-def _each_like(value, question):
-    """The signatures of a value, and of arcs those of the cases that they are for themselves."""
-    cases = [_like(form, question) for form in in_cases(value, question.kind)]
-    return [[one for one in _like(value, question) if one not in sum(cases, [])], *cases]
+def _signatures_by_form(value, answer_type):
+    """Return the signatures of a value, and those of arcs as cases, in separate lists."""
+    cases = [_signatures(form, answer_type) for form in arcs_as_piecewise(value, answer_type.kind)]
+    own = _signatures(value, answer_type)
+    return [[signature for signature in own if signature not in sum(cases, [])], *cases]
 
 
-def _assumed(symbol):
+def _assumption(symbol):
     return "positive" if symbol.is_positive else "integer" if symbol.is_integer else ""
 
 
@@ -115,10 +145,7 @@ def _symbols(value):
     return getattr(value, "free_symbols", set())
 
 
-def _sealed_in_child(master):
-    import os
-    from contextlib import redirect_stdout
-
+def _run_and_seal(master):
     os.environ.setdefault("MPLBACKEND", "Agg")
     names = {"__name__": "exercise"}
     with open(os.devnull, "w", encoding="utf-8") as nowhere, redirect_stdout(nowhere):
@@ -128,18 +155,18 @@ def _sealed_in_child(master):
         for source in master.code("answer"):
             exec(source, solved)
         reference = {name: solved[name] for name in master.answers}
-        trials = [(trial, value_of(trial, names | reference)) for trial in master.trials["wrong"]]
-    return sealed(master, received(reference), trials)
+        trials = [
+            (trial, trial_value(trial, names | reference)) for trial in master.trials["wrong"]
+        ]
+    return seal_mistakes(master, as_received(reference), trials)
 
 
-def value_of(trial, names):
-    """The value of a trial that begins from data and worked answers, as a check receives it."""
+def trial_value(trial, names):
+    """Return the value of a trial, run with the data and worked answers `names`, as checks get it."""
     exec(trial.source, names)
-    return received({trial.name: names[trial.name]})[trial.name]
+    return as_received({trial.name: names[trial.name]})[trial.name]
 
 
-def received(answers):
-    from workbook.checks.contract.decoding import decode
-    from workbook.checks.contract.encoding import encode
-
+def as_received(answers):
+    """Return answers as checks receive them, encoded and decoded."""
     return {name: decode(encode(value)) for name, value in answers.items()}

@@ -1,5 +1,4 @@
-"""A master to begin with: page and trials that are right in everything but what the problem is
-about."""
+"""Write the scaffold of a new problem: a valid page with its trials, to be filled in."""
 
 import re
 from pathlib import Path
@@ -9,7 +8,7 @@ from workbook.authoring.front_matter import read_front_matter
 from workbook.authoring.master import master_paths
 from workbook.authoring.trials import trials_file
 
-#: Stands wherever the author has something to say; a test finds what is left of it.
+#: Stands where the author has to write; a test finds what is left of it.
 PLACEHOLDER = "PLACEHOLDER"
 
 PAGE = """\
@@ -82,11 +81,27 @@ a_region = sp.Ne(k, 0) & (k >= 0)  # PLACEHOLDER the border taken out again
 """
 
 
-def begin(solutions, number):
-    """Write page and trials of a new problem below the folder `solutions`; returns their paths.
+def new_problem(solutions, number):
+    """Write page and trials of a new problem.
 
-    Raises `ValueError` for what is no number of a problem, and `FileExistsError` if one of the
-    files is there.
+    Parameters
+    ----------
+    solutions : path_like
+        Folder of the masters.
+    number : str
+        Number of the problem, such as "2.30".
+
+    Returns
+    -------
+    page, trials : pathlib.Path
+        The files that were written.
+
+    Raises
+    ------
+    ValueError
+        If the number is malformed.
+    FileExistsError
+        If one of the files exists.
     """
     if not re.fullmatch(r"[1-9]\d*\.[1-9]\d*", number):
         raise ValueError(f"{number} is no number of a problem; write it like 2.30")
@@ -95,7 +110,7 @@ def begin(solutions, number):
     for path in texts:
         if path.exists():
             raise FileExistsError(f"{path} is there already")
-    said = {
+    values = {
         "NUMBER": number,
         "LABEL": number.replace(".", "-"),
         "SECTION": _section(solutions, page),
@@ -103,13 +118,13 @@ def begin(solutions, number):
     page.parent.mkdir(parents=True, exist_ok=True)
     for path, text in texts.items():
         path.write_text(
-            re.sub("|".join(said), lambda found: said[found[0]], text), encoding="utf-8"
+            re.sub("|".join(values), lambda match: values[match[0]], text), encoding="utf-8"
         )
     return tuple(texts)
 
 
 def _section(solutions, page):
-    """The section of the last problem before this one, or the first of the chapter."""
+    """Return the section of the last problem before this one, or the first of the chapter."""
     before = [
         path
         for path in master_paths(solutions)

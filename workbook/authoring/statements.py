@@ -1,15 +1,15 @@
-"""What the code of a master assigns."""
+"""Find the answers that the code of a master assigns by its syntax trees."""
 
 import ast
 
 
 def assigned_names(source, names):
-    """Which of `names` a cell assigns at its top level, in order."""
+    """Return those of `names` that a cell assigns at its top level, in order."""
     return [name for node in ast.parse(source).body for name in assigned_by(node, names)]
 
 
 def assigned_by(statement, names):
-    """Which of `names` a statement of `ast` assigns, in order."""
+    """Return those of `names` that an `ast` statement assigns, in order."""
     if isinstance(statement, ast.FunctionDef):
         return [statement.name] if statement.name in names else []
     targets = (

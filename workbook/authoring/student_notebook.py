@@ -1,9 +1,8 @@
-"""The student's copy of a master: a plain Jupyter notebook without solutions, with nbgrader's
-metadata.
+"""Convert a master into the student notebook: plain Jupyter, no solutions, nbgrader's metadata.
 
-Data and check cells stand as they are and are locked; each answer cell becomes a stub `name = ...`;
-a drawing becomes the picture that it makes; everything between `solution-start` and `solution-end`
-leaves. MyST directives become headings and paragraphs, so that the copy reads well in any Jupyter.
+Data and check cells are copied and locked; an answer cell becomes a stub `name = ...`; a drawing
+becomes its picture; everything between `solution-start` and `solution-end` is removed. MyST
+directives become headings and paragraphs, so that the notebook reads well in any Jupyter.
 """
 
 import json
@@ -13,16 +12,18 @@ from textwrap import wrap
 
 from trajlib import __version__
 from trajlib.typesetting import plain
-from workbook.authoring.contract import caption_above, in_words, master_file
-from workbook.authoring.drawn import Drawn
+from workbook.authoring.contract import caption_above, master_file, plural_kind
+from workbook.authoring.drawing_cells import DrawingCells
 from workbook.authoring.links import Links
 from workbook.authoring.master import read, read_all
-from workbook.authoring.mistakes import origin, text_of
+from workbook.authoring.mistakes import mistakes_text, source_hash
+from workbook.authoring.plain_markdown import plain_markdown
 from workbook.authoring.statements import assigned_names
 from workbook.authoring.study_time import study_time
 from workbook.checks.contract.check_cells import reported_names
-from workbook.mistakes import file_beside
+from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
+from workbook.notebooks.new_cells import new_code_cell, new_markdown_cell, new_notebook
 
 CREDIT = (
     "S. S. Lemak, V. M. Morozov, M. Yu. Popelensky, V. V. Tikhomirov, O. Yu. Cherkasov, "
@@ -31,10 +32,10 @@ CREDIT = (
 )
 RESEARCH = "the research chapters of the workbook"
 WHEEL = f"trajlib-{__version__}-py3-none-any.whl"
-#: What a notebook's code cell shows of a line, in Jupyter and VS Code alike.
+#: Letters of a line that a code cell shows without scrolling, in Jupyter and VS Code.
 WIDTH = 79
-#: The first code cell: where the workbook is missing, it fails with one line that says how to get it.
-NEEDS = f"""\
+#: The first code cell: without the workbook it fails with one line that says how to install it.
+SETUP = f"""\
 try:
     import workbook.checks, z3
 except ModuleNotFoundError as missing:
@@ -44,21 +45,29 @@ except ModuleNotFoundError as missing:
     raise"""
 IMPORT = "from workbook import checks"
 
-DIRECTIVE = re.compile(
-    r"^(?P<fence>`{3,}|:{3,})\{(?P<name>[\w:-]+)\}[ "
-    r"\t]*(?P<argument>[^\n]*)\n(?P<body>.*?)^(?P=fence)[ \t]*$\n?",
-    re.M | re.S,
-)
-OPTIONS = re.compile(r"(?:^:[\w-]+:.*\n)+", re.M)
-SILENT = {"index", "exercise-end", "solution-start", "solution-end"}
-
 
 def write_exercises(root, numbers=()):
-    """Write the students' notebooks below `root`/exercises, with their mistakes beside them;
-    returns the paths whose content changed.
+    """Write the student notebooks of a checkout, each with its file of sealed mistakes.
 
-    All of them, or those of the problems `numbers` ("1.15"). Mistakes are found by running the
-    master, which takes seconds: of the problems named, and where what they are made of has changed.
+    Sealing runs the master, which takes seconds; without `numbers` it is done only where the
+    master's code or sentences have changed.
+
+    Parameters
+    ----------
+    root : path_like
+        The checkout; the notebooks are written below its folder exercises/.
+    numbers : sequence of str
+        Numbers of problems, such as "1.15"; all problems if empty.
+
+    Returns
+    -------
+    list of pathlib.Path
+        The files whose content changed.
+
+    Raises
+    ------
+    MasterError
+        If a master breaks its contract.
     """
     root = Path(root)
     links, changed = Links(root, baseurl(root)), []
@@ -68,7 +77,7 @@ def write_exercises(root, numbers=()):
         else read_all(root / "solutions")
     )
     for master in masters:
-        mistakes = file_beside(master.exercise)
+        mistakes = mistakes_file(master.exercise)
         texts = {
             master.exercise: json.dumps(
                 student_notebook(master, links), indent=1, ensure_ascii=False
@@ -77,9 +86,9 @@ def write_exercises(root, numbers=()):
         }
         if numbers or not (
             mistakes.exists()
-            and f'"of": "{origin(master)}"' in mistakes.read_text(encoding="utf-8")
+            and f'"of": "{source_hash(master)}"' in mistakes.read_text(encoding="utf-8")
         ):
-            texts[mistakes] = text_of(master)
+            texts[mistakes] = mistakes_text(master)
         for path, text in texts.items():
             if not path.exists() or path.read_text(encoding="utf-8") != text:
                 path.parent.mkdir(parents=True, exist_ok=True)
@@ -89,22 +98,65 @@ def write_exercises(root, numbers=()):
 
 
 def student_notebook(master, links):
-    """The student's notebook as a dict in nbformat 4.5; the same master always gives the same
-    notebook.
+    """Return the student notebook of a master as a dict in nbformat 4.5.
 
-    A drawing that has not changed keeps the picture that the copy on disk has of it
-    (`workbook.authoring.drawn`).
+    The result is deterministic. A drawing that has not changed keeps the picture that the notebook
+    on disk holds (`workbook.authoring.drawing_cells`).
+
+    Parameters
+    ----------
+    master : Master
+        The master.
+    links : Links
+        Addresses of the book's labels; where `links.base` is set, the notebook links to the site.
+
+    Returns
+    -------
+    dict
+        The notebook.
+
+    Raises
+    ------
+    MasterError
+        If the code of a drawing cell fails or its last line is no `Drawing`.
     """
-    cells, solution = [_code(NEEDS, "setup", [(WHEEL, f"wheels/{WHEEL}")])], False
-    drawn = Drawn(master)
+    cells = _cells(master, links)
+    cells.insert(0, _origin(master, _equations(cells, links)))
+    notebook = new_notebook(
+        cells,
+        workbook={
+            "number": master.number,
+            "title": master.title,
+            "section": master.section,
+            "level": master.level,
+            "topics": list(master.topics),
+            "answers": {
+                answer.name: {"kind": answer.kind, "text": answer.text, "exact": answer.exact}
+                for answer in master.answers.values()
+            },
+            "hints": {name: list(texts) for name, texts in master.hints.items()},
+            **({"core": list(master.core)} if master.core else {}),
+        },
+    )
+    for k, cell in enumerate(cells):
+        if "nbgrader" in cell["metadata"]:
+            cell["metadata"]["nbgrader"]["grade_id"] = f"{cell['metadata']['tags'][0]}-{k:02d}"
+    return (
+        exercises.add_links(notebook, exercises.site_urls(links.base)) if links.base else notebook
+    )
+
+
+def _cells(master, links):
+    cells, in_solution = [_code(SETUP, "setup", [(WHEEL, f"wheels/{WHEEL}")])], False
+    drawings = DrawingCells(master)
     for k, cell in enumerate(master.cells):
         if cell.role == "":
-            text, solution = _outside_solutions(cell.source, solution)
-            text, places = plain_markdown(text, links, master.number)
+            text, in_solution = _outside_solutions(cell.source, in_solution)
+            text, urls = plain_markdown(text, links, master.number)
             if text:
-                cells.append(_markdown(text, places))
+                cells.append(_markdown(text, urls))
         elif cell.role == "drawing":
-            cells.append(drawn.cell(cell, caption_above(master.cells[k + 1].source)))
+            cells.append(drawings.cell(cell, caption_above(master.cells[k + 1].source)))
         elif cell.role == "answer":
             if stub := _stub(master, cell.source):
                 cells.append(_code(stub, "answer"))
@@ -115,104 +167,17 @@ def student_notebook(master, links):
             cells += _hints(master, names)
             cells.append(
                 _code(
-                    _alone(cell.source, master.number),
+                    _check_source(cell.source, master.number),
                     "check",
                     nbgrader={"grade": True, "locked": True, "points": len(names)},
                 )
             )
-    cells.insert(0, _origin(master, _equations(cells, links)))
-    for k, cell in enumerate(cells):
-        cell["id"] = f"cell-{k:02d}"
-        if "nbgrader" in cell["metadata"]:
-            cell["metadata"]["nbgrader"]["grade_id"] = f"{cell['metadata']['tags'][0]}-{k:02d}"
-    about = {
-        "number": master.number,
-        "title": master.title,
-        "section": master.section,
-        "level": master.level,
-        "topics": list(master.topics),
-        "answers": {
-            a.name: {"kind": a.kind, "text": a.text, "exact": a.exact}
-            for a in master.answers.values()
-        },
-        "hints": {name: list(texts) for name, texts in master.hints.items()},
-        **({"core": list(master.core)} if master.core else {}),
-    }
-    notebook = {
-        "cells": cells,
-        "metadata": {
-            "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
-            "language_info": {"name": "python"},
-            "workbook": about,
-        },
-        "nbformat": 4,
-        "nbformat_minor": 5,
-    }
-    return exercises.linked(notebook, exercises.below(links.base)) if links.base else notebook
-
-
-def plain_markdown(text, links, number=""):
-    """MyST Markdown as Markdown that any Jupyter shows: directives become headings, quotes and
-    formulas.
-
-    Returns the text and the places of the book it names, [(words, place), ...] in the order of the
-    text.
-    """
-    text = _without_directives(text, number)
-    # the exercise's own heading says it with its title
-    text = re.sub(r"^# Problem \d+\.\d+$", "", text, flags=re.M)
-    text = re.sub(r"^\([\w-]+\)=\n", "", text, flags=re.M)
-    text = re.sub(r"\[([^\]]+)\]\(#([\w-]+)\)", lambda m: _named(m[1], links.place(m[2])), text)
-    text = re.sub(
-        r"\{(?:ref|numref|prf:ref)\}`([^`<]+?)\s*<([\w-]+)>`",
-        lambda m: _named(m[1], links.place(m[2])),
-        text,
-    )
-    text = re.sub(
-        r"\{eq\}`eq-([\w-]+)`",
-        lambda m: _named(
-            f"({_tag(m[1])})", links.place(f"eq-{m[1]}") if re.fullmatch(r"\d+-\d+", m[1]) else None
-        ),
-        text,
-    )
-    text = re.sub(
-        r"\{problem\}`([\d.]+)`",
-        lambda m: f"{'Pp'[not _begins(m.string[: m.start()])]}roblem {m[1]}",
-        text,
-    )
-    text = re.sub(r"\{cite(?::\w)?\}`[^`]*`", "", text)
-    text = re.sub(r"\{[\w:]+\}`([^`<]+?)(?:\s*<[^>]*>)?`", r"\1", text)
-    text = THIRD.sub(lambda m: rf"\overset{{\ldots}}{{{m[1] or m[2]}}}", text)
-    text = re.sub(r"\n{3,}", "\n\n", text).strip()
-    return NAMED.sub(r"\1", text), [match.groups() for match in NAMED.finditer(text)]
-
-
-#: A third derivative: VS Code's KaTeX learned its three dots late, and shows an error in red for
-#: what it does not know.
-THIRD = re.compile(r"\\dddot\s*(?:\{(\w+)\}|(\w|\\[a-z]+))")
-
-#: A place while the text is being made; the characters occur in no text.
-NAMED = re.compile("\x02(.*?)\x03(.*?)\x04", re.S)
-
-
-#: What stands before the first word of a sentence, and before the first of a paragraph or an entry
-#: in Markdown.
-SENTENCE_END = re.compile(r"(?<!e\.g)(?<!i\.e)(?<!cf)[.!?][)\"”*]*\s+$")
-OPENING = re.compile(r"(\A|\n[>\s]*\n|\n(?=[>\s]*([-*+|]|\d+\.) ))[>\s]*(([-*+|]|\d+\.) +)?\**$")
-
-
-def _begins(before):
-    return bool(SENTENCE_END.search(before) or OPENING.search(before))
-
-
-def _named(text, place):
-    return text if place is None else f"\x02{text}\x03{place}\x04"
+    return cells
 
 
 def _outside_solutions(text, inside):
-    """The part of a Markdown cell that lies outside solutions; they open in one cell and close in
-    another."""
-    kept = []
+    """Return (the text outside solutions, whether the cell ends inside one)."""
+    outside = []
     for part in re.split(
         r"(^`{3,}\{solution-(?:start|end)\}.*?^`{3,}[ \t]*$)", text, flags=re.M | re.S
     ):
@@ -221,45 +186,16 @@ def _outside_solutions(text, inside):
         elif "{solution-end}" in part:
             inside = False
         elif not inside:
-            kept.append(part)
-    return "".join(kept), inside
+            outside.append(part)
+    return "".join(outside), inside
 
 
-def _without_directives(text, number):
-    return DIRECTIVE.sub(lambda match: _directive(match, number), text)
+def _check_source(source, number):
+    """Return the source of a check cell with its import and the number of its problem.
 
-
-def _directive(match, number):
-    name, argument = match["name"], match["argument"].strip()
-    options = OPTIONS.match(match["body"])
-    body = match["body"][options.end() :] if options else match["body"]
-    label = re.search(r":label:\s*(\S+)", options[0]) if options else None
-    if name in SILENT:
-        return ""
-    if name == "exercise-start":
-        return f"# Problem {number}. {argument}\n"
-    if name == "math":
-        tag = rf" \tag{{{_tag(label[1].removeprefix('eq-'))}}}" if label else ""
-        return f"$$\n{body.strip()}{tag}\n$$\n"
-    if name in ("figure", "image"):
-        return f"*{body.strip()}*\n" if body.strip() else ""
-    heading = argument or name.removeprefix("prf:").capitalize()
-    quoted = "\n".join(
-        f"> {line}".rstrip() for line in _without_directives(body, number).strip().split("\n")
-    )
-    return f"> **{heading}**\n>\n{quoted}\n"
-
-
-def _tag(label):
-    """The number that a label such as 1-15-a stands for: 1.15a."""
-    chapter, *rest = label.split("-")
-    return ".".join([chapter, "".join(rest)]) if rest else chapter
-
-
-def _alone(source, number):
-    """A check cell that says which problem it is for, so that mistakes can be named wherever the
-    notebook is, and that has the checks by itself: run first after a restart, it says what to run
-    before it."""
+    With the number, mistakes are named wherever the notebook is. With the import, a check cell that
+    runs first after a restart can say which cells to run before it.
+    """
     numbered = re.sub(
         r"(checks\.report\()(\s*)(?=\w)",
         lambda m: f'{m[1]}{m[2]}"{number}",{m[2] or chr(10) + " " * len(m[1])}',
@@ -270,20 +206,22 @@ def _alone(source, number):
 
 
 def _stub(master, source):
-    """A line `name = ...` for each answer that the cell assigns. What it is stands beside it, or
-    above it where an editor would cut the line off."""
-    told = {
-        name: f"{in_words(master.answers[name].kind)}: {plain(master.answers[name].text)}"
+    """Return a line `name = ...` for each answer of the cell, with its meaning as a comment.
+
+    The comments stand above the lines where they would be wider than a cell.
+    """
+    meanings = {
+        name: f"{plural_kind(master.answers[name].kind)}: {plain(master.answers[name].text)}"
         for name in assigned_names(source, master.answers)
     }
-    beside = [f"{name} = ...  # {what}" for name, what in told.items()]
+    beside = [f"{name} = ...  # {meaning}" for name, meaning in meanings.items()]
     if all(len(line) <= WIDTH for line in beside):
         return "\n".join(beside)
     return "\n\n".join(
         "\n".join(
-            [*wrap(what, WIDTH, initial_indent="# ", subsequent_indent="# "), f"{name} = ..."]
+            [*wrap(meaning, WIDTH, initial_indent="# ", subsequent_indent="# "), f"{name} = ..."]
         )
-        for name, what in told.items()
+        for name, meaning in meanings.items()
     )
 
 
@@ -297,21 +235,20 @@ def _hints(master, names):
 
 
 def core_text(items):
-    """What a reader is told of the core of a long problem."""
+    """Return the sentence that names the core items of a long problem."""
     *others, last = items
-    named = f"Items {', '.join(others)} and {last} are" if others else f"Item {last} is"
-    return f"{named} the core of this problem; the rest is practice."
+    subject = f"Items {', '.join(others)} and {last} are" if others else f"Item {last} is"
+    return f"{subject} the core of this problem; the rest is practice."
 
 
 def _equations(cells, links):
-    """[("(2.7)", place), ...] of the equations of the chapters that cells name; those of problems
-    have a letter."""
-    named = {number for cell in cells for number in re.findall(r"\((\d+\.\d+)\)", cell["source"])}
-    places = [
-        (f"({number})", links.place(f"eq-{number.replace('.', '-')}"))
-        for number in sorted(named, key=lambda number: [int(part) for part in number.split(".")])
+    """Return [("(2.7)", url), ...] of the chapters' equations that cells refer to."""
+    numbers = {number for cell in cells for number in re.findall(r"\((\d+\.\d+)\)", cell["source"])}
+    urls = [
+        (f"({number})", links.url(f"eq-{number.replace('.', '-')}"))
+        for number in sorted(numbers, key=lambda number: [int(part) for part in number.split(".")])
     ]
-    return [(words, place) for words, place in places if place]
+    return [(text, url) for text, url in urls if url]
 
 
 def _origin(master, equations):
@@ -324,7 +261,7 @@ def _origin(master, equations):
         "run the check cell below it: it says what holds and what does not, as often as you like. "
         f"The theory stands in chapter {chapter}"
         + (
-            f"; numbers such as {', '.join(words for words, _ in equations)} name equations of "
+            f"; numbers such as {', '.join(text for text, _ in equations)} name equations of "
             f"chapter {equations[0][0][1:].split('.')[0]}"
             if equations
             else ""
@@ -340,12 +277,12 @@ def _origin(master, equations):
     )
 
 
-def _markdown(text, places=()):
-    return {"cell_type": "markdown", "id": "", "metadata": _places(places), "source": text}
+def _markdown(text, urls=()):
+    return new_markdown_cell(text, **_places(urls))
 
 
-def _code(source, role, places=(), nbgrader=None):
-    metadata = {"tags": [role], **_places(places)}
+def _code(source, role, urls=(), nbgrader=None):
+    metadata = {"tags": [role], **_places(urls)}
     if nbgrader:
         metadata["nbgrader"] = {
             "schema_version": 3,
@@ -354,22 +291,16 @@ def _code(source, role, places=(), nbgrader=None):
             "cell_type": "code",
             **nbgrader,
         }
-    return {
-        "cell_type": "code",
-        "execution_count": None,
-        "id": "",
-        "metadata": metadata,
-        "outputs": [],
-        "source": source,
-    }
+    return new_code_cell(source, **metadata)
 
 
-def _places(places):
-    return {"places": [list(place) for place in places]} if places else {}
+def _places(urls):
+    """Return the metadata from which `exercises.add_links` makes links."""
+    return {"places": [list(pair) for pair in urls]} if urls else {}
 
 
 def baseurl(root):
-    """The site's address in _config.yml, empty until a lecturer sets it."""
+    """Return the site's address from _config.yml, "" where none is set."""
     import yaml
 
     config = root / "_config.yml"

@@ -1,5 +1,4 @@
-"""How long a problem may take: a guess from its level and the number of its answers, to plan an
-evening by.
+"""Estimate the time that a problem takes, from its level and the number of its answers.
 
 >>> study_time("core", ["a_region", "b_region", "b_names"])
 'about 20 min'
@@ -14,16 +13,15 @@ MINUTES = {"core": 6, "advanced": 9, "starred": 15}
 
 
 def study_time(level, answers, core=()):
-    """The time in words; with a `core`, the items that are enough at first, for these and for
-    all."""
-    whole = _words(MINUTES[level] * len(answers))
+    """Return the time in words; with `core` items, the time for these and for all."""
+    whole = _in_words(MINUTES[level] * len(answers))
     if not core:
         return f"about {whole}"
-    first = _words(MINUTES[level] * sum(item_of(name) in core for name in answers))
+    first = _in_words(MINUTES[level] * sum(item_of(name) in core for name in answers))
     return f"about {first} for the core, {whole} for all"
 
 
-def _words(minutes):
+def _in_words(minutes):
     if minutes < 55:
         return f"{max(10, 10 * round(minutes / 10))} min"
     halves = round(minutes / 30)

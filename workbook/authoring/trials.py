@@ -1,4 +1,4 @@
-"""The trials of a master: `p15.trials.py` beside `p15.md` says which answers its checks refuse and which they let pass.
+"""Read the trials of a master, `p15.trials.py` beside `p15.md`: answers its checks refuse or accept.
 
     # %% wrong
     a_region = p > 0  # Is it enough that one of them is positive? (hint 1)
@@ -8,9 +8,10 @@
     least = sp.Min(p, q)
     a_region = least > 0
 
-A statement that assigns an answer ends a trial. What stands before it, back to the end of the trial before, is its own
-and is seen by no other. Its comment stands above it or behind its end; that of a wrong one is
-for the student who has it (`workbook.authoring.mistakes`).
+A trial ends with a statement that assigns an answer. Statements before it, back to the end of the
+previous trial, belong to it and are seen by no other. Its comment stands above that statement or
+behind its end; the comment of a wrong trial is for the student who made the mistake
+(`workbook.authoring.mistakes`).
 """
 
 import ast
@@ -20,13 +21,23 @@ from typing import NamedTuple
 from workbook.authoring.errors import MasterError
 from workbook.authoring.statements import assigned_by
 
-#: Typical wrong answers, and right ones that differ mathematically from the worked one.
+#: Roles: typical wrong answers, and right ones that differ mathematically from the worked one.
 TRIALS = ("wrong", "right")
 MARK = re.compile(r"# %% *(.*)")
 
 
 class Trial(NamedTuple):
-    """The answer it is for, the code that assigns it (beginning from data and reference), and its comment."""
+    """A trial.
+
+    Attributes
+    ----------
+    name : str
+        The answer that it assigns.
+    source : str
+        Its code, which uses the names of the data and of the worked answers.
+    comment : str
+        Its comment.
+    """
 
     name: str
     source: str
@@ -34,14 +45,17 @@ class Trial(NamedTuple):
 
 
 def trials_file(path):
-    """Where the trials of the master at `path` stand: beside it, p15.trials.py for p15.md."""
+    """Return the file of the trials of a master: p15.trials.py beside p15.md."""
     return path.with_suffix(".trials.py")
 
 
 def read_trials(path, names):
-    """{"wrong": trials, "right": trials} from the file at `path`, for the answers `names`.
+    """Return {"wrong": trials, "right": trials} of a file, for the answers `names`.
 
-    Raises `MasterError` with the line where a trial has no role, no comment, two answers or none.
+    Raises
+    ------
+    MasterError
+        If a trial has no role, no comment, two answers or none.
     """
     if not path.is_file():
         raise MasterError(
@@ -52,10 +66,10 @@ def read_trials(path, names):
         statements = ast.parse(text).body
     except SyntaxError as error:
         raise MasterError(path, error.lineno, f"no Python: {error.msg}") from None
-    found, role, end = {role: [] for role in TRIALS}, None, 0
-    lines, own = text.split("\n"), []
+    trials, role, end = {role: [] for role in TRIALS}, None, 0
+    lines, statements_of_trial = text.split("\n"), []
     for statement in statements:
-        own.append(statement)
+        statements_of_trial.append(statement)
         answers = assigned_by(statement, names)
         if not answers:
             continue
@@ -68,18 +82,20 @@ def read_trials(path, names):
             raise MasterError(
                 path, end, "a trial assigns one answer, under a comment or with one behind it"
             )
-        _hold_to_use(path, own)
-        found[role].append(Trial(answers[0], "\n".join(code), comment))
-        own = []
-    if own:
+        _validate_use(path, statements_of_trial)
+        trials[role].append(Trial(answers[0], "\n".join(code), comment))
+        statements_of_trial = []
+    if statements_of_trial:
         raise MasterError(
-            path, own[0].lineno, "a trial ends by assigning an answer; this assigns none"
+            path,
+            statements_of_trial[0].lineno,
+            "a trial ends by assigning an answer; this assigns none",
         )
-    return found
+    return trials
 
 
 def _parts(path, block, before, role):
-    """(role, comment above, lines of code) of a trial; its `block` of lines begins where the trial before ended."""
+    """Return (role, comment above, lines of code) of a trial from its block of lines."""
     first = next(k for k, line in enumerate(block) if line.strip() and not line.startswith("#"))
     above = []
     for k, line in enumerate(block):
@@ -98,13 +114,13 @@ def _parts(path, block, before, role):
     return role, " ".join(above), block[first:]
 
 
-def _hold_to_use(path, statements):
-    """What stands before the answer's statement is used: else it is a trial of an answer whose name is misspelt."""
+def _validate_use(path, statements):
+    """Validate that a trial uses what it assigns; otherwise the name of an answer is misspelt."""
     used = {name for statement in statements for name in _names(statement, ast.Load)}
     for statement in statements[:-1]:
-        given = _names(statement, ast.Store)
-        if isinstance(statement, ast.Assign) and given and not given & used:
-            names = ", ".join(sorted(given))
+        assigned = _names(statement, ast.Store)
+        if isinstance(statement, ast.Assign) and assigned and not assigned & used:
+            names = ", ".join(sorted(assigned))
             raise MasterError(
                 path, statement.lineno, f"{names} is no answer, and the trial does not use it"
             )

@@ -1,4 +1,4 @@
-"""What a page shows: results with their words, drawings of bodies, and animations."""
+"""What pages show: results with texts, tables, drawings of bodies, and animations."""
 
 from trajlib._lazy import lazy_names
 

@@ -1,12 +1,11 @@
-"""Drawings of bodies for the statements of problems: rods, masses, springs, carts, with their axes,
-angles and symbols.
+"""Drawings of bodies for the statements of problems: rods, masses, springs, carts, axes, forces.
 
-A drawing is a sheet whose unit is an inch, x to the right and y upwards: letters, hinges and arrows
-have the same size in all drawings. Its methods each put one thing on it; what comes later lies
-above. Points are pairs of numbers, directions are degrees, counterclockwise from the x axis; a text
-between dollars is a formula. Forces are thick arrows, velocities have an open head, accelerations
-two heads, axes are thin: so the drawing reads in black and white too. A drawing on the last line of
-a cell shows itself.
+The unit of a drawing is an inch, x to the right and y upwards; letters, hinges and arrows have the
+same size in all drawings. Each method adds one shape above the earlier ones. Points are pairs of
+numbers in inches; directions are angles in degrees, counterclockwise from the x axis; formulas
+stand between dollars. Forces are thick arrows, velocities have an open head, accelerations two
+heads, axes are thin, so that the kinds differ without colours too. A drawing on the last line of a
+cell is displayed.
 
 >>> d = Drawing((-1, 1), (-1.6, 0.3))
 >>> d.ground((-0.5, 0), (0.5, 0), above=True)
@@ -21,19 +20,48 @@ import numpy as np
 
 from trajlib.plotting import BLACK, BLUE, GREY, RED
 
-LETTERS, WORDS = 13, 11  # points
+#: Font sizes of formulas and of words, in points.
+FORMULA_SIZE, TEXT_SIZE = 13, 11
+#: Line widths in points.
 THIN, LINE, THICK = 0.9, 1.5, 2.6
 BODY = "#DCE6EE"
 
 
 def along(start, length, direction):
-    """The point at a distance from another one, in a direction."""
-    turn = np.deg2rad(direction)
-    return start[0] + length * np.cos(turn), start[1] + length * np.sin(turn)
+    """Return the point at a distance from another one, in a direction.
+
+    Parameters
+    ----------
+    start : (float, float)
+        The other point, in inches.
+    length : float
+        The distance, in inches.
+    direction : float
+        The direction, in degrees counterclockwise from the x axis.
+
+    Returns
+    -------
+    (float, float)
+        The point, in inches.
+
+    Examples
+    --------
+    >>> x, y = along((1, 2), 3, 0)
+    >>> print(x, y)
+    4.0 2.0
+    """
+    angle = np.deg2rad(direction)
+    return start[0] + length * np.cos(angle), start[1] + length * np.sin(angle)
 
 
 class Drawing:
-    """A sheet between `x_range` and `y_range`, in inches."""
+    """A sheet to draw bodies on, with axes, angles and symbols.
+
+    Parameters
+    ----------
+    x_range, y_range : (float, float)
+        Ranges (low, high) of the coordinates, in inches.
+    """
 
     def __init__(self, x_range, y_range):
         from matplotlib.figure import Figure
@@ -45,25 +73,43 @@ class Drawing:
         self._layer = 1
 
     def _repr_svg_(self):
-        return self._saved("svg", metadata={"Date": None, "Creator": None}).decode()
+        return self._save("svg", metadata={"Date": None, "Creator": None}).decode()
 
     def png(self, dpi=120):
-        """The drawing as the bytes of a PNG file."""
-        return self._saved("png", dpi=dpi, metadata={"Software": None})
+        """Return the drawing as the bytes of a PNG file.
 
-    def _saved(self, form, **how):
+        Parameters
+        ----------
+        dpi : float
+            Pixels per inch.
+        """
+        return self._save("png", dpi=dpi, metadata={"Software": None})
+
+    def _save(self, form, **options):
         import matplotlib
 
         file = io.BytesIO()
-        # the same drawing is the same file
+        # reproducible bytes
         with matplotlib.rc_context({"svg.hashsalt": "workbook"}):
-            self._figure.savefig(file, format=form, **how)
+            self._figure.savefig(file, format=form, **options)
         return file.getvalue()
 
     # Lines and letters
 
     def line(self, *points, dashed=False, width=LINE, colour=BLACK):
-        """A broken line through the points."""
+        """Draw straight lines from point to point.
+
+        Parameters
+        ----------
+        *points : (float, float)
+            The points, in inches.
+        dashed : bool
+            Whether the lines are dashed.
+        width : float
+            Line width, in points.
+        colour : str
+            A colour of Matplotlib.
+        """
         self._ax.plot(
             *zip(*points),
             color=colour,
@@ -75,20 +121,46 @@ class Drawing:
         )
 
     def reference(self, start, end):
-        """A thin dashed line, from which something is measured."""
+        """Draw a thin dashed line between two points, from which angles or lengths are measured."""
         self.line(start, end, dashed=True, width=THIN)
 
     def arc(self, centre, radius, start=0, end=360, dashed=False, width=THIN):
-        """A piece of a circle between two directions."""
+        """Draw an arc of a circle.
+
+        Parameters
+        ----------
+        centre : (float, float)
+            Centre, in inches.
+        radius : float
+            Radius, in inches.
+        start, end : float
+            Directions of its ends, in degrees.
+        dashed : bool
+            Whether it is dashed.
+        width : float
+            Line width, in points.
+        """
         self.line(*_arc(centre, radius, start, end), dashed=dashed, width=width)
 
     def label(self, point, text, side=90, gap=0.1):
-        """A text beside a point: above it (`side` 90), to its right (0), below it (-90), ..."""
+        """Write a text beside a point.
+
+        Parameters
+        ----------
+        point : (float, float)
+            The point, in inches.
+        text : str
+            The text; formulas stand between dollars.
+        side : float
+            Direction from the point to the text, in degrees: 90 above it, 0 to its right.
+        gap : float
+            Distance from the point, in inches.
+        """
         towards = along((0, 0), 1, side)
         self._ax.text(
             *along(point, gap, side),
             text,
-            fontsize=LETTERS if "$" in text else WORDS,
+            fontsize=FORMULA_SIZE if "$" in text else TEXT_SIZE,
             math_fontfamily="cm",
             ha=_aligned(towards[0], "right", "center", "left"),
             va=_aligned(towards[1], "top", "center", "bottom"),
@@ -98,34 +170,60 @@ class Drawing:
     # Bodies
 
     def rod(self, start, end):
+        """Draw a thick line between two points, in inches."""
         self.line(start, end, width=THICK)
 
     def point(self, centre):
-        """A dot without a size of its own: an origin, a point mass far away."""
+        """Draw a small dot at a point in inches, such as an origin or a distant body."""
         self.mass(centre, 0.035)
 
     def mass(self, centre, radius=0.11):
+        """Draw a black disc; centre and radius in inches."""
         self._patch(_arc(centre, radius, 0, 360), BLACK)
 
     def disc(self, centre, radius):
+        """Draw a disc in the colour of bodies; centre and radius in inches."""
         self._patch(_arc(centre, radius, 0, 360), BODY)
 
     def hinge(self, centre):
+        """Draw a hinge, a small white circle, at a point in inches."""
         self._patch(_arc(centre, 0.055, 0, 360), "white")
 
-    def shape(self, points, place=(0, 0), turn=0, size=1):
-        """A body by its outline, which is drawn about the origin: enlarged, then turned, then
-        brought to its place."""
+    def shape(self, points, position=(0, 0), turn=0, size=1):
+        """Draw a body by its outline, which is scaled, rotated and translated.
+
+        Parameters
+        ----------
+        points : sequence of (float, float)
+            The outline about the origin, in inches.
+        position : (float, float)
+            Position of the origin of the outline, in inches.
+        turn : float
+            Angle of rotation, in degrees counterclockwise.
+        size : float
+            Scale factor.
+        """
         c, s = np.cos(np.deg2rad(turn)), np.sin(np.deg2rad(turn))
         self._patch(
             [
-                (place[0] + size * (c * x - s * y), place[1] + size * (s * x + c * y))
+                (position[0] + size * (c * x - s * y), position[1] + size * (s * x + c * y))
                 for x, y in points
             ],
             BODY,
         )
 
     def box(self, centre, width, height, turn=0):
+        """Draw a rectangle in the colour of bodies.
+
+        Parameters
+        ----------
+        centre : (float, float)
+            Its centre, in inches.
+        width, height : float
+            Its sides, in inches.
+        turn : float
+            Angle of rotation, in degrees counterclockwise.
+        """
         self.shape(
             [(x * width / 2, y * height / 2) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))],
             centre,
@@ -133,8 +231,22 @@ class Drawing:
         )
 
     def cart(self, x, floor, width=1.1, height=0.36):
-        """A cart over `x` whose wheels run at the height `floor`; returns the middle of its upper
-        side."""
+        """Draw a cart with two wheels.
+
+        Parameters
+        ----------
+        x : float
+            Coordinate of its middle, in inches.
+        floor : float
+            Coordinate y on which the wheels stand, in inches.
+        width, height : float
+            Sides of its body, in inches.
+
+        Returns
+        -------
+        (float, float)
+            The middle of its upper side.
+        """
         radius = 0.12
         self.box((x, floor + 2 * radius + height / 2), width, height)
         for wheel in (x - 0.3 * width, x + 0.3 * width):
@@ -143,41 +255,103 @@ class Drawing:
         return x, floor + 2 * radius + height
 
     def ground(self, start, end, above=False):
-        """A fixed line, hatched on its right-hand side as one goes from start to end; on its left
-        if `above`."""
-        onwards = _direction(start, end)
+        """Draw a fixed line, hatched on one side.
+
+        Parameters
+        ----------
+        start, end : (float, float)
+            Its ends, in inches.
+        above : bool
+            Whether it is hatched on the left of the direction from start to end, else on the right.
+        """
+        direction = _direction(start, end)
         for k in np.arange(0.12, np.hypot(*np.subtract(end, start)) + 1e-9, 0.12):
-            root = along(start, k, onwards)
-            self.line(root, along(root, 0.14, onwards + (135 if above else -135)), width=THIN)
+            root = along(start, k, direction)
+            self.line(root, along(root, 0.14, direction + (135 if above else -135)), width=THIN)
         self.line(start, end)
 
     def spring(self, start, end, coils=6, depth=0.11):
+        """Draw a spring between two points.
+
+        Parameters
+        ----------
+        start, end : (float, float)
+            Its ends, in inches.
+        coils : int
+            Number of coils.
+        depth : float
+            Half its width, in inches.
+        """
         sides = [0, *[depth * (-1) ** k for k in range(2 * coils - 1)], 0]
         self._between(
             start, end, [(0, 0), *zip(np.linspace(0.15, 0.85, len(sides)), sides), (1, 0)]
         )
 
     def damper(self, start, end, depth=0.13):
+        """Draw a damper between two points; `depth` is half its width, all in inches."""
         self._between(start, end, [(0, 0), (0.38, 0)])
         self._between(start, end, [(0.66, depth), (0.38, depth), (0.38, -depth), (0.66, -depth)])
         self._between(start, end, [(0.54, 0.8 * depth), (0.54, -0.8 * depth)])
         self._between(start, end, [(0.54, 0), (1, 0)])
 
-    # What is measured, and what acts
+    # Coordinates, velocities and forces
 
     def axis(self, start, end, name="", side=None):
+        """Draw the axis of a coordinate, a thin arrow.
+
+        Parameters
+        ----------
+        start, end : (float, float)
+            Its ends, in inches; the head is at `end`.
+        name : str
+            Text at the head; formulas stand between dollars.
+        side : float, optional
+            Direction from the head to the text, in degrees; without it that of the arrow.
+        """
         self._arrow(start, end, name, side, "-|>", THIN, BLACK, 11)
 
     def towards_viewer(self, point, name, side=45):
-        """An axis that stands upright on the sheet: the point of its arrow."""
+        """Draw an axis that points to the viewer, a circle with a dot.
+
+        Parameters
+        ----------
+        point : (float, float)
+            Where it meets the sheet, in inches.
+        name : str
+            Text beside it; formulas stand between dollars.
+        side : float
+            Direction from the point to the text, in degrees.
+        """
         self._patch(_arc(point, 0.09, 0, 360), "white")
         self.point(point)
         self.label(point, name, side, 0.13)
 
     def velocity(self, start, end, name="", side=None):
+        """Draw a velocity, an arrow with an open head.
+
+        Parameters
+        ----------
+        start, end : (float, float)
+            Its ends, in inches; the head is at `end`.
+        name : str
+            Text at the head; formulas stand between dollars.
+        side : float, optional
+            Direction from the head to the text, in degrees; without it that of the arrow.
+        """
         self._arrow(start, end, name, side, "->", LINE, BLUE, 14)
 
     def acceleration(self, start, end, name="", side=None):
+        """Draw an acceleration, an arrow with two heads.
+
+        Parameters
+        ----------
+        start, end : (float, float)
+            Its ends, in inches; the head is at `end`.
+        name : str
+            Text at the head; formulas stand between dollars.
+        side : float, optional
+            Direction from the head to the text, in degrees; without it that of the arrow.
+        """
         self._arrow(start, end, "", None, "-|>", LINE, RED, 14)
         self._arrow(
             start, along(end, -0.12, _direction(start, end)), "", None, "-|>", LINE, RED, 14
@@ -185,11 +359,35 @@ class Drawing:
         self.label(end, name, _direction(start, end) if side is None else side, 0.06)
 
     def force(self, start, end, name="", side=None):
+        """Draw a force, a thick arrow.
+
+        Parameters
+        ----------
+        start, end : (float, float)
+            Its ends, in inches; the head is at `end`.
+        name : str
+            Text at the head; formulas stand between dollars.
+        side : float, optional
+            Direction from the head to the text, in degrees; without it that of the arrow.
+        """
         self._arrow(start, end, name, side, "-|>", THICK, RED, 16)
 
     def angle(self, vertex, start, end, radius, name, side=None):
-        """An angle counted from the direction `start` to the direction `end`, where its arrow has
-        its head."""
+        """Draw an angle as an arc with an arrow head.
+
+        Parameters
+        ----------
+        vertex : (float, float)
+            Its vertex, in inches.
+        start, end : float
+            Directions between which it is measured, in degrees; the head is at `end`.
+        radius : float
+            Radius of the arc, in inches.
+        name : str
+            Text beside the middle of the arc; formulas stand between dollars.
+        side : float, optional
+            Direction from the middle of the arc to the text, in degrees; without it outwards.
+        """
         arc = _arc(vertex, radius, start, end)
         self.line(*arc[:-4], width=THIN)
         self._arrow(arc[-5], arc[-1], "", None, "-|>", THIN, BLACK, 10)
@@ -197,8 +395,20 @@ class Drawing:
         self.label(along(vertex, radius, middle), name, middle if side is None else side, 0.06)
 
     def dimension(self, start, end, name, side=90, offset=0):
-        """A length between two points, drawn at a distance `offset` beside them (to the left of the
-        way)."""
+        """Draw the length between two points as a dimension line.
+
+        Parameters
+        ----------
+        start, end : (float, float)
+            The points, in inches.
+        name : str
+            Text beside its middle; formulas stand between dollars.
+        side : float
+            Direction from the middle to the text, in degrees.
+        offset : float
+            Distance of the line from the points, to the left of the direction from start to end,
+            in inches.
+        """
         across = _direction(start, end) + 90
         ends = [along(point, offset, across) for point in (start, end)]
         if offset:
@@ -228,7 +438,7 @@ class Drawing:
         self.label(end, name, _direction(start, end) if side is None else side, 0.06)
 
     def _between(self, start, end, points):
-        """A line given by pairs (part of the way from start to end, inches to its left)."""
+        """Draw a line through points (fraction of the way from start to end, inches to its left)."""
         (x, y), way = start, np.subtract(end, start)
         left = np.array([-way[1], way[0]]) / np.hypot(*way)
         self.line(
@@ -257,8 +467,8 @@ class Drawing:
 
 
 def _arc(centre, radius, start, end):
-    turns = np.linspace(start, end, max(12, int(abs(end - start) / 4)) + 1)
-    return [along(centre, radius, turn) for turn in turns]
+    angles = np.linspace(start, end, max(12, int(abs(end - start) / 4)) + 1)
+    return [along(centre, radius, angle) for angle in angles]
 
 
 def _direction(start, end):

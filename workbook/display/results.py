@@ -1,54 +1,76 @@
-r"""Results with their words: `show` is `print` for whoever reads mathematics.
+r"""Show results with texts: `show` is `print` with typeset formulas in notebooks.
 
-In a notebook and on the site formulas are set, in a terminal they are typed as `print` types them.
-What is too long to stand beside words stands on a line of its own, a long sum on several.
+In a notebook and on the site formulas are typeset; in a terminal they are printed as text. A
+formula that is too long to stand beside words is displayed on a line of its own, a long sum on
+several.
 
 >>> import sympy as sp
 >>> k1, k2 = sp.symbols("k1 k2")
 >>> show("the second minor, for $k_1 > 0$:", k1*k2 - 1)
 the second minor, for k1 > 0: k1*k2 - 1
 
-Rows of numbers are a `table`, with a head for each column.
+Rows of numbers are shown by `table`.
 """
 
 import html
 import re
 
 from trajlib.typesetting import FORMULA, plain, typeset
-from workbook.jupyter import in_notebook
+from workbook.jupyter import runs_in_notebook
 
 __all__ = ["show", "table"]
 
-#: What Markdown would take for its own.
+#: Characters with a meaning in Markdown.
 MARKUP = re.compile(r"[\\`*_{}\[\]#|~$]")
 
 NUMBER = re.compile(r"[-+]?\.?\d")
-#: Rounding leaves a sign before a zero.
+#: The sign of a zero that is left by rounding.
 MINUS_ZERO = re.compile(r"(?<![\w.)])-(?=0\.0+(?![\d.eE]))")
-#: What fits into a line beside words, and into a line of its own, in letters.
-BESIDE, LINE = 46, 66
-UNSEEN = re.compile(
+#: Letters of a formula that fit beside words, and into a line of its own.
+INLINE, LINE = 46, 66
+INVISIBLE = re.compile(
     r"\\(?:left|right|d?frac|displaystyle|limits|mathrm|operatorname|(?:begin|end)\{\w+\})|[{}_^&\s]"
 )
 
 
 def show(*values):
-    """Words and results in a line, with commas between results; in a notebook their formulas are
-    set.
+    """Show texts and results in a line, with commas between neighbouring results.
 
-    Formulas in words stand between dollars. Results are what they are: SymPy expressions, lists and
-    dicts of them, and what the functions of trajlib return.
+    Parameters
+    ----------
+    *values
+        Texts (str), in which formulas stand between dollars, and results: SymPy expressions,
+        numbers, arrays, lists and dicts of them, and results of trajlib's functions.
+
+    Examples
+    --------
+    >>> show("the roots of $s^2 - 1$:", [1, -1])
+    the roots of s^2 - 1: [1, -1]
     """
     values = [MINUS_ZERO.sub("", value) if isinstance(value, str) else value for value in values]
-    words = _joined(
+    text = _join(
         values, [plain(value) if isinstance(value, str) else str(value) for value in values]
     )
-    _display(words, lambda: _joined(values, map(_markdown, values)))
+    _display(text, lambda: _join(values, map(_markdown, values)))
 
 
 def table(heads, rows):
-    """Rows of values under heads; numbers keep the digits of their text, `f"{x:.3f}"`.
+    """Show rows of values as a table.
 
+    Parameters
+    ----------
+    heads : sequence of str
+        Heads of the n columns; formulas stand between dollars.
+    rows : sequence of sequence, shape (m, n)
+        The values; numbers as texts keep their digits, ``f"{x:.3f}"``.
+
+    Raises
+    ------
+    ValueError
+        If a row has not as many values as there are heads.
+
+    Examples
+    --------
     >>> table(["$k$", "root"], [[1, "0.50"], [10, "-12.25"]])
      k    root
      1    0.50
@@ -63,92 +85,98 @@ def table(heads, rows):
         raise ValueError(
             f"rows: expected {len(heads)} values in each, as there are heads, got {wrong[0]}"
         )
-    typed = [
+    texts = [
         [plain(cell) if isinstance(cell, str) else str(cell) for cell in row]
         for row in (heads, *rows)
     ]
-    # numbers end below each other
-    ends = [all(NUMBER.match(cell) for cell in column[1:]) for column in zip(*typed)]
-    widths = [max(map(len, column)) for column in zip(*typed)]
+    is_numeric = [all(NUMBER.match(cell) for cell in column[1:]) for column in zip(*texts)]
+    widths = [max(map(len, column)) for column in zip(*texts)]
     lines = (
         "  ".join(
-            cell.rjust(width) if end else cell.ljust(width)
-            for cell, width, end in zip(row, widths, ends)
+            cell.rjust(width) if numeric else cell.ljust(width)
+            for cell, width, numeric in zip(row, widths, is_numeric)
         )
-        for row in typed
+        for row in texts
     )
-    words = "\n".join(line.rstrip() for line in lines)
-    _display(words, lambda: _table([heads, *rows], ends))
+    text = "\n".join(line.rstrip() for line in lines)
+    _display(text, lambda: _table([heads, *rows], is_numeric))
 
 
-def _table(rows, ends):
+def _table(rows, is_numeric):
     heads, *rows = (f"| {' | '.join(map(_cell, row))} |" for row in rows)
-    return "\n".join([heads, f"|{'|'.join('---:' if end else ':---' for end in ends)}|", *rows])
+    return "\n".join(
+        [heads, f"|{'|'.join('---:' if numeric else ':---' for numeric in is_numeric)}|", *rows]
+    )
 
 
 def _cell(value):
-    """What stands between the bars of a table, which a formula must not hold."""
+    """Return the Markdown of a table cell; bars in formulas would end the cell."""
     return FORMULA.sub(
         lambda formula: formula[0].replace("|", r"\vert "), _markdown(value)
     ).replace("\n", " ")
 
 
-def _display(words, markdown):
-    if not in_notebook():
-        print(words)
+def _display(text, markdown):
+    if not runs_in_notebook():
+        print(text)
         return
     from IPython.display import display
 
-    display({"text/plain": words, "text/markdown": markdown()}, raw=True)
+    display({"text/plain": text, "text/markdown": markdown()}, raw=True)
 
 
-def _joined(values, texts):
-    """With a space between, but before a sign that ends or divides, and a comma between two
-    results: side by side they would read as a product."""
-    joined, result = "", False
+def _join(values, texts):
+    """Join texts with spaces, and commas between results, which would read as a product.
+
+    There is no space before punctuation.
+    """
+    joined, after_result = "", False
     for value, text in zip(values, texts):
         if not (isinstance(value, str) and value[:1] in (",", ".", ";", ":", ")")) and joined:
-            # what stands on lines of its own needs no comma
+            # no comma after a formula on lines of its own
             joined += (
-                ", " if result and not isinstance(value, str) and not joined.endswith("\n") else " "
+                ", "
+                if after_result and not isinstance(value, str) and not joined.endswith("\n")
+                else " "
             )
-        joined, result = joined + text, not isinstance(value, str)
+        joined, after_result = joined + text, not isinstance(value, str)
     return joined
 
 
 def _markdown(value):
-    value = _read(value)
+    value = _simplify(value)
     if isinstance(value, str):
         parts = re.split(r"(\$[^$]+\$)", value)
         return "".join(
-            part if FORMULA.fullmatch(part) else typeset(part, _escaped) for part in parts
+            part if FORMULA.fullmatch(part) else typeset(part, _escape) for part in parts
         )
     if isinstance(value, dict) and value:
         return ", ".join(f"{_markdown(key)}: {_markdown(item)}" for key, item in value.items())
     if _is_formula(value):
         latex = _latex(value)
-        if isinstance(value, (list, tuple)) and _letters(latex) > BESIDE:
+        if isinstance(value, (list, tuple)) and _letters(latex) > INLINE:
             return ", ".join(map(_markdown, value))
-        return _set(latex, lambda: _on_lines(value))
+        return _formula(latex, lambda: _on_lines(value))
     for form in ("_repr_markdown_", "_repr_latex_"):
         if hasattr(value, form):
             text = getattr(value, form)()
             inner = re.fullmatch(r"\$(?:\\displaystyle)?([^$]+)\$", text)
-            return _set(inner[1].strip()) if inner else f"\n\n{text}\n\n" if "\n" in text else text
+            return (
+                _formula(inner[1].strip()) if inner else f"\n\n{text}\n\n" if "\n" in text else text
+            )
     if type(value) in (list, tuple) and value:
         listed = ", ".join(map(_markdown, value))
         return listed if all(isinstance(item, str) for item in value) else f"({listed})"
-    # A text that was broken into lines for a terminal flows again.
+    # a text may be broken into lines for a terminal
     return _markdown(re.sub(r"\n +", " ", str(value)))
 
 
-def _read(value):
-    """Without what no reader wants: the comma after the only entry of a tuple, and digits of
-    decimals beyond eight. Arrays and lists of rows are matrices."""
+def _simplify(value):
+    """Return a value with at most eight digits, a 1-tuple as its entry, and arrays as matrices."""
     if type(value).__module__ == "numpy":
         value = value.tolist()
     if type(value) in (list, tuple):
-        entries = [_read(entry) for entry in value]
+        entries = [_simplify(entry) for entry in value]
         if (
             type(value) is list
             and all(type(row) is list for row in entries)
@@ -179,7 +207,7 @@ def _read(value):
 
 
 def _is_matrix(rows):
-    """Whether these are lists of numbers and expressions, all of a length."""
+    """Return whether rows are lists of numbers and expressions of equal length."""
     import sympy as sp
 
     return len(set(map(len, rows))) == 1 and all(
@@ -198,7 +226,7 @@ def _is_formula(value):
 
 
 def _latex(value):
-    """With the functions and letters as the book writes them."""
+    """Return LaTeX with the functions and letters of the book."""
     import sympy as sp
 
     return re.sub(
@@ -208,20 +236,20 @@ def _latex(value):
     )
 
 
-def _set(latex, on_lines=None):
-    """A formula beside words where it fits there, else on a line of its own or on several."""
+def _formula(latex, on_lines=None):
+    """Return a formula beside words if it fits, else on a line of its own or on several."""
     count = _letters(latex)
-    if count <= BESIDE:
+    if count <= INLINE:
         return f"${latex}$"
     return f"\n\n$$\n{on_lines() if on_lines and count > LINE else latex}\n$$\n\n"
 
 
 def _letters(latex):
-    return len(re.sub(r"\\[A-Za-z]+|\\.", "x", UNSEEN.sub("", latex)))
+    return len(re.sub(r"\\[A-Za-z]+|\\.", "x", INVISIBLE.sub("", latex)))
 
 
 def _on_lines(value):
-    """A sum, or an equation with one on its right, broken between its terms."""
+    """Return the LaTeX of a sum, or of an equation with one on its right, broken between terms."""
     import sympy as sp
 
     left, total = (
@@ -239,7 +267,7 @@ def _on_lines(value):
     return rf"\begin{{aligned}} {left} & " + r"\\ & ".join(lines) + r"\end{aligned}"
 
 
-def _escaped(text):
+def _escape(text):
     return (
         MARKUP.sub(r"\\\g<0>", html.escape(text, quote=False))
         .replace("  ", "\u2003")

@@ -235,7 +235,7 @@ def _plan(copies, aside, homeworks, store, limits):
             "problem": problem,
             "exercise": fingerprints[problem],
             "trouble": submission.trouble,
-            "sources": exercise.to_run(submission.cells),
+            "sources": exercise.sources_to_run(submission.cells),
             "names": list(exercise.about["answers"]),
         }
     return Plan(tuple(pending.values()), graded_before, tuple(aside))

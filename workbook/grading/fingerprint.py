@@ -6,7 +6,7 @@ When it changes, the notebook is graded again.
 import hashlib
 import json
 
-from workbook.mistakes import file_beside
+from workbook.mistakes import mistakes_file
 from workbook.notebooks.dependencies import module_closure
 
 #: The modules that run a notebook's cells, and read and judge what they hand over.
@@ -19,7 +19,7 @@ def fingerprint(exercise):
     This is its data and check cells, its named mistakes, and all modules of ours that these cells
     import or that run and judge a notebook.
     """
-    cells, mistakes = exercise.code("data", "check"), file_beside(exercise.path)
+    cells, mistakes = exercise.code("data", "check"), mistakes_file(exercise.path)
     closure = module_closure("\n".join([JUDGING_MODULES, *(source for _, source in cells)]))
     return hashlib.sha256(
         json.dumps(

@@ -108,8 +108,8 @@ def release(problem, site=""):
     notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
     if site:
         # Homework links to the student edition, which has no solutions.
-        to_site = exercises.below(site)
-        notebook = exercises.linked(
+        to_site = exercises.site_urls(site)
+        notebook = exercises.add_links(
             notebook, lambda page: to_site(re.sub("^solutions/", "exercises/", page))
         )
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"

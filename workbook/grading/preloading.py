@@ -12,7 +12,7 @@ from trajlib._lazy import home_of
 from workbook.grading.fingerprint import JUDGING_MODULES
 from workbook.grading.system_calls import system_call
 from workbook.notebooks import exercises
-from workbook.notebooks.dependencies import module_closure, path_of
+from workbook.notebooks.dependencies import module_closure, module_path
 
 #: SymPy imports these inside its functions, when `solve`, `simplify`, `lambdify`, a derivative with
 #: respect to a matrix, or a set first needs them.
@@ -103,7 +103,7 @@ def _with_libraries(cells, sources=()):
     imports = [
         line
         for module in modules
-        for line in _IMPORT.findall(path_of(module).read_text(encoding="utf-8"))
+        for line in _IMPORT.findall(module_path(module).read_text(encoding="utf-8"))
     ]
     return [
         name

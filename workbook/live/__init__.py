@@ -1,8 +1,8 @@
 """Lectures with live code: a problem or a lecture in JupyterLab, before a class.
 
-`present` opens a copy that may be thrown away; its kernels are forked from a process that has
-imported everything, and know the magics: this module is their IPython extension. All of it needs a
-checkout of the workbook, where the worked solutions are.
+`present` opens a copy that may be thrown away. Its kernels are forked from a process that has
+imported everything, and they load this module as an IPython extension with the magics. All of it
+needs a checkout of the workbook, which holds the worked solutions.
 """
 
 from trajlib._lazy import lazy_names
@@ -10,16 +10,17 @@ from trajlib._lazy import lazy_names
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
     {
-        "subjects": ["LiveError", "find", "lectures"],
+        "errors": ["LiveError"],
+        "presentations": ["find_presentation", "lectures"],
         "presenting": ["present"],
         "explorers": [
             "region_of_stability",
             "phase_portrait",
-            "losing_a_mode",
-            "popov_distance",
+            "pole_zero_cancellation",
+            "distance_to_unobservable",
             "fastest_motion",
             "circle_synthesis",
-            "against_the_best",
+            "manual_control",
             "explore",
         ],
     },
@@ -27,7 +28,8 @@ __getattr__, __dir__, __all__ = lazy_names(
 
 
 def load_ipython_extension(shell):
-    from workbook.live.magics import LectureMagics
+    """Register the magics of a lecture in an IPython shell."""
+    from workbook.live.magics import LectureMagics  # loads ipywidgets
 
     lecture = LectureMagics(shell)
     shell.register_magics(lecture)

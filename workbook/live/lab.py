@@ -2,9 +2,9 @@
 
     python -m workbook.live.lab FOLDER PORT
 
-`FOLDER` holds the copy (copy/) and settings of this lecture alone: nothing of the lecturer's own
-JupyterLab is read or changed. It ends when its standard input does, and writes a line as soon as it
-answers.
+`FOLDER` holds the notebook (copy/) and the settings of this lecture; the lecturer's own JupyterLab
+is neither read nor changed. The server prints a line when it is ready, and stops when its standard
+input closes.
 """
 
 import json
@@ -13,13 +13,11 @@ import shutil
 import sys
 from pathlib import Path
 
-from workbook.live.kernels import without_grammars
+from workbook.live.kernel_forkserver import skip_rfc3987_grammars
 
-#: Shift+Enter goes on when the cell has run, not before: then what a magic puts below it is the
-#: next cell.
+#: Shift+Enter selects the next cell when the cell has run, so that a cell inserted by a magic is next.
 RUN_THEN_DOWN = {"commands": ["notebook:run-cell", "notebook:move-cursor-down"]}
-#: Points on a projector; the last row reads them.
-# on slides it is a command of labextension/
+#: Settings by plugin: Shift+Enter (on slides labextension/ does it), large fonts for a projector.
 SETTINGS = {
     "@jupyterlab/shortcuts-extension/shortcuts": {
         "shortcuts": [
@@ -50,7 +48,7 @@ SETTINGS = {
         }
     },
     "@jupyterlab/apputils-extension/notification": {"checkForUpdates": False, "fetchNews": "false"},
-    # Nothing can be spoilt here, and %catchup reads what is saved.
+    # %catchup reads what is saved, and the notebook is a copy
     "@jupyterlab/docmanager-extension/plugin": {
         "autosaveInterval": 3,
         "renameUntitledFileOnSave": False,
@@ -61,8 +59,8 @@ SETTINGS = {
         "codeCellConfig": {"lineNumbers": False, "lineWrap": True},
     },
 }
-#: What would only stand in the way, or cost the page its time.
-UNSEEN = (
+#: Extensions of the page that a lecture does not need, or that slow it down.
+DISABLED_EXTENSIONS = (
     "@jupyter/nbgrader",
     "@jupyter-notebook/lab-extension",
     "jupyterlab-jupytext",
@@ -71,27 +69,38 @@ UNSEEN = (
     "@jupyterlab/extensionmanager-extension",
     "@jupyterlab/apputils-extension:announcements",
 )
-#: What a lecture needs of all that is installed: each other one costs the start its time.
-SERVED = {"jupyterlab": True, "jupyterlab_rise": True}
-IPYTHON = """\
+#: Extensions of the server that a lecture needs; each other one slows down the start.
+SERVER_EXTENSIONS = ("jupyterlab", "jupyterlab_rise")
+IPYTHON_CONFIG = """\
 c.InteractiveShellApp.extensions = ["workbook.live"]
 c.HistoryManager.enabled = False
 c.InlineBackend.figure_formats = {"retina"}
 """
 
 
-def furnish(folder):
-    """Write the settings of the lecture's JupyterLab and of its kernels; returns their
-    environment."""
-    for name, said in SETTINGS.items():
+def write_settings(folder):
+    """Write the settings of the lecture's JupyterLab and kernels and return their environment.
+
+    Parameters
+    ----------
+    folder : pathlib.Path
+        The folder of the lecture.
+
+    Returns
+    -------
+    dict of str
+        Environment variables that point to the settings.
+    """
+    for name, settings in SETTINGS.items():
         plugin, _, part = name.rpartition("/")
         path = folder / "settings" / plugin / f"{part}.jupyterlab-settings"
         path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(json.dumps(said), encoding="utf-8")
+        path.write_text(json.dumps(settings), encoding="utf-8")
     page = folder / "config" / "labconfig" / "page_config.json"
     page.parent.mkdir(parents=True)
     page.write_text(
-        json.dumps({"disabledExtensions": dict.fromkeys(UNSEEN, True)}), encoding="utf-8"
+        json.dumps({"disabledExtensions": dict.fromkeys(DISABLED_EXTENSIONS, True)}),
+        encoding="utf-8",
     )
     shutil.copytree(
         Path(__file__).with_name("labextension"),
@@ -99,8 +108,8 @@ def furnish(folder):
     )
     profile = folder / "ipython" / "profile_default"
     profile.mkdir(parents=True)
-    (profile / "ipython_config.py").write_text(IPYTHON, encoding="utf-8")
-    places = {
+    (profile / "ipython_config.py").write_text(IPYTHON_CONFIG, encoding="utf-8")
+    subfolders = {
         "JUPYTERLAB_SETTINGS_DIR": "settings",
         "JUPYTERLAB_WORKSPACES_DIR": "workspaces",
         "JUPYTER_CONFIG_DIR": "config",
@@ -108,18 +117,19 @@ def furnish(folder):
         "JUPYTER_DATA_DIR": "data",
         "IPYTHONDIR": "ipython",
     }
-    return {variable: str(folder / place) for variable, place in places.items()}
+    return {variable: str(folder / name) for variable, name in subfolders.items()}
 
 
 def serve(folder, port):
-    without_grammars()
+    """Run the server until its standard input closes."""
+    skip_rfc3987_grammars()
     from jupyterlab.labapp import LabApp
     from traitlets.config import Config
 
-    from workbook.live.provisioning import take_over
+    from workbook.live.provisioning import register_provisioner
 
-    take_over()
-    others = dict.fromkeys(
+    register_provisioner()
+    disabled = dict.fromkeys(
         (
             "jupyter_lsp",
             "jupyter_server_terminals",
@@ -127,7 +137,7 @@ def serve(folder, port):
             "notebook",
             "notebook_shim",
             "nbclassic",
-            *_graders(),
+            *_nbgrader_extensions(),
         ),
         False,
     )
@@ -139,7 +149,8 @@ def serve(folder, port):
         port_retries=0,
         open_browser=False,
         log_level="ERROR",
-        jpserver_extensions=others | {name: True for name in SERVED if _is_there(name)},
+        jpserver_extensions=disabled
+        | {name: True for name in SERVER_EXTENSIONS if _is_installed(name)},
         allow_root=True,
         terminals_enabled=False,
         preferred_dir=str(folder / "copy"),
@@ -153,14 +164,14 @@ def serve(folder, port):
     server.start()
 
 
-def _graders():
+def _nbgrader_extensions():
     return [
         f"nbgrader.server_extensions.{name}"
         for name in ("formgrader", "validate_assignment", "assignment_list", "course_list")
     ]
 
 
-def _is_there(name):
+def _is_installed(name):
     from importlib.util import find_spec
 
     return find_spec(name) is not None

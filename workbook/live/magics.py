@@ -1,8 +1,7 @@
-"""The magics of a lecture: `%answer`, `%catchup`, `%hint`, `%check`, `%mistake` and `%poll`, and
-`%explore`.
+"""The magics of a lecture: `%answer`, `%catchup`, `%hint`, `%check`, `%mistake`, `%poll`, `%explore`.
 
-Each but the last names an answer, `a_region`, where a lecture has several problems with its
-problem, `1.16 a_region`. What is not understood ends in one line.
+All but the last are followed by the name of an answer, `a_region`, with its problem where several
+problems of the lecture have it, `1.16 a_region`. Bad input ends in one line.
 """
 
 import builtins
@@ -12,73 +11,75 @@ from contextlib import contextmanager, suppress
 from IPython.core.error import UsageError
 from IPython.core.magic import Magics, line_magic, magics_class, no_var_expand
 from IPython.display import Markdown, display
+from IPython.utils.capture import capture_output
 
+from workbook.authoring.plain_markdown import plain_markdown
+from workbook.checks.contract.reporting import NotYet
 from workbook.live import steps
-from workbook.live.prose import prose
-from workbook.live.subjects import LiveError
-from workbook.live.worked import Worked, chosen
+from workbook.live.catch_up import cells_above
+from workbook.live.errors import LiveError
+from workbook.live.worked_problem import WorkedProblem, choose_answer
+from workbook.mistakes.reporting import report
 
-OURS = ("answer", "catchup", "hint", "check", "mistake", "poll", "explore")
+MAGICS = ("answer", "catchup", "hint", "check", "mistake", "poll", "explore")
 
 
 @magics_class
 class LectureMagics(Magics):
-    """One lecture: what has been shown of each answer so far is known until the kernel ends."""
+    """Magics of one lecture; they count what has been shown of each answer."""
 
     def __init__(self, shell):
         super().__init__(shell)
         self._problems = {
-            number: Worked(number) for number in os.environ.get("TRAJLIB_LIVE", "").split()
+            number: WorkedProblem(number)
+            for number in os.environ.get("WORKBOOK_LIVE_PROBLEMS", "").split()
         }
-        self._shown = {}
-        self._last = ""
-        self._handed_out = None
+        self._counts = {}
+        self._last_answer = ""
+        self._inserted = None
 
     @no_var_expand
     @line_magic
     def answer(self, line):
-        """%answer a_region: one step more of the worked answer; without a name, of the one
-        before."""
-        with _in_one_line():
-            worked, name = self._chosen(line or self._last)
-            self._last = f"{worked.number} {name}" if len(self._problems) != 1 else name
-            all_steps = worked.steps[name]
-            k = self._next("answer", worked, name)
+        """%answer a_region: one step more of the worked answer; without a name, of the last one."""
+        with _errors_in_one_line():
+            problem, name = self._choose_answer(line or self._last_answer)
+            self._last_answer = f"{problem.number} {name}" if len(self._problems) != 1 else name
+            all_steps = problem.steps[name]
+            k = self._count("answer", problem, name)
             if k >= len(all_steps):
                 raise LiveError(f"that is all of {name}")
             step = all_steps[k]
-            if step.kind == steps.IDEA:
-                _show_markdown(worked, step.text)
+            if step.kind == steps.TEXT:
+                _show_markdown(problem, step.text)
                 if k + 1 < len(all_steps):
-                    self.shell.set_next_input(f"%answer {self._last}")
+                    self.shell.set_next_input(f"%answer {self._last_answer}")
             else:
-                self._make_ready(worked, name, step.text)
+                self._prepare(problem, name, step.text)
                 self.shell.set_next_input(step.text)
-                self._handed_out = step.text if k + 1 < len(all_steps) else None
+                self._inserted = step.text if k + 1 < len(all_steps) else None
 
     @no_var_expand
     @line_magic
     def hint(self, line):
         """%hint a_region: the hints so far, and one more."""
-        with _in_one_line():
-            worked, name = self._chosen(line)
-            hints = worked.exercise.about["hints"][name]
-            told = min(self._next("hint", worked, name) + 1, len(hints))
+        with _errors_in_one_line():
+            problem, name = self._choose_answer(line)
+            hints = problem.exercise.about["hints"][name]
+            count = min(self._count("hint", problem, name) + 1, len(hints))
             _show_markdown(
-                worked,
-                "\n\n".join(f"**Hint {k}.** {hint}" for k, hint in enumerate(hints[:told], 1)),
+                problem,
+                "\n\n".join(f"**Hint {k}.** {hint}" for k, hint in enumerate(hints[:count], 1)),
             )
 
     @no_var_expand
     @line_magic
     def check(self, line):
-        """%check a_region = k1 > 0 judges the expression, %check a_region what the variable is."""
-        from workbook.checks import NotYet, report
-
-        with _in_one_line():
-            name, given, expression = line.partition("=")
-            worked, name = self._chosen(name)
-            if given:
+        """%check a_region = k1 > 0 judges the expression, %check a_region the variable."""
+        with _errors_in_one_line():
+            name, equals, expression = line.partition("=")
+            problem, name = self._choose_answer(name)
+            if equals:
                 if not expression.strip():
                     raise LiveError(f"write what is to be judged: %check {name} = ...")
                 try:
@@ -87,117 +88,105 @@ class LectureMagics(Magics):
                     raise LiveError(
                         f"{expression.strip()} cannot be computed: {type(error).__name__}: {error}"
                     ) from None
-            verdict = worked.verdict(name, self.shell.user_ns.get(name, ...))
+            verdict = problem.verdict(name, self.shell.user_ns.get(name, ...))
             with suppress(NotYet):
                 report(**{name: verdict})
 
     @no_var_expand
     @line_magic
     def mistake(self, line):
-        """%mistake a_region: what half the class would say, and what speaks against it; one more at
-        each call."""
-        from workbook.checks import NotYet, report
-        from workbook.live.counterexamples import picture
+        """%mistake a_region: a likely wrong answer with its verdict; another one at each call."""
+        from workbook.live.counterexample import counterexample_figure  # Matplotlib, SciPy
 
-        with _in_one_line():
-            worked, name = self._chosen(line)
-            trials = worked.trials(name)
-            trial = trials[self._next("mistake", worked, name) % len(trials)]
-            value = worked.value_of(trial)
+        with _errors_in_one_line():
+            problem, name = self._choose_answer(line)
+            trials = problem.trials(name)
+            trial = trials[self._count("mistake", problem, name) % len(trials)]
+            value = problem.trial_value(trial)
             display(Markdown(f"What one may say:\n\n```python\n{trial.source}\n```"))
             with suppress(NotYet):
-                report(**{name: worked.verdict(name, value)})
-            shown = picture(value, worked.solved[name])
-            if shown is not None:
-                display(shown)
+                report(**{name: problem.verdict(name, value)})
+            figure = counterexample_figure(value, problem.solved[name])
+            if figure is not None:
+                display(figure)
 
     @no_var_expand
     @line_magic
     def catchup(self, line):
-        """%catchup runs the cells above this one; %catchup c_region what is worked out before that
-        answer."""
-        from workbook.live.catching_up import cells_above
-
-        with _in_one_line():
+        """%catchup: run the cells above this one; %catchup c_region: all before that answer."""
+        with _errors_in_one_line():
             if line.strip():
-                worked, name = self._chosen(line)
+                problem, name = self._choose_answer(line)
                 cells = [
-                    *(source for _, source in worked.exercise.code("data")),
-                    *worked.before(name),
+                    *(source for _, source in problem.exercise.code("data")),
+                    *problem.cells_before(name),
                 ]
             else:
-                cells = [cell for cell in cells_above(self.shell) if not is_ours(cell)]
+                cells = [cell for cell in cells_above(self.shell) if not is_lecture_magic(cell)]
             self._run_quietly(cells)
             print(f"{len(cells)} cell{'s' * (len(cells) != 1)} run")
 
     @no_var_expand
     @line_magic
     def poll(self, line):
-        """%poll a_region: the right answer among likely wrong ones, for a show of hands; then the
-        reveal.
+        """%poll a_region: the right answer among likely wrong ones, for a show of hands.
 
         Counts may follow, %poll a_region 12 40 3 8.
         """
-        from workbook.live.polls import poll
+        from workbook.live.polls import poll  # ipywidgets
 
-        with _in_one_line():
+        with _errors_in_one_line():
             words = line.split()
-            named = next((k for k, word in enumerate(words) if not word[0].isdigit()), len(words))
-            worked, name = self._chosen(" ".join(words[: named + 1]))
-            display(poll(worked, name, words[named + 1 :]))
+            k = next((k for k, word in enumerate(words) if not word[0].isdigit()), len(words))
+            problem, name = self._choose_answer(" ".join(words[: k + 1]))
+            display(poll(problem, name, words[k + 1 :]))
 
     @no_var_expand
     @line_magic
     def explore(self, line):
-        """%explore phase_portrait 1.4 shows a picture that follows its sliders; %explore alone
-        lists them."""
-        from workbook.live.explorers import explore, listed
+        """%explore phase_portrait 1.4: a picture that follows its sliders; %explore: the list."""
+        from workbook.live.explorers import explore, list_explorers  # ipywidgets
 
-        with _in_one_line():
+        with _errors_in_one_line():
             if line.strip():
                 display(explore(line))
             else:
-                print(listed())
+                print(list_explorers())
 
     def after_cell(self, result):
-        """When the cell that was handed out has run, the next one asks for the step after it."""
+        """Insert `%answer` below an inserted cell that has run without an error."""
         run = (result.info.raw_cell or "").strip() if result.info else ""
-        if (
-            self._handed_out
-            and run
-            and run.split("\n")[0] == self._handed_out.strip().split("\n")[0]
-        ):
-            self._handed_out = None
+        if self._inserted and run and run.split("\n")[0] == self._inserted.strip().split("\n")[0]:
+            self._inserted = None
             if result.success:
-                self.shell.set_next_input(f"%answer {self._last}")
+                self.shell.set_next_input(f"%answer {self._last_answer}")
 
-    def _chosen(self, words):
-        worked, name = chosen(self._problems, words)
-        self._problems.setdefault(worked.number, worked)
-        return worked, name
+    def _choose_answer(self, words):
+        problem, name = choose_answer(self._problems, words)
+        self._problems.setdefault(problem.number, problem)
+        return problem, name
 
-    def _next(self, magic, worked, name):
-        """How often a magic has been called with an answer; those worked out in one cell are
-        one."""
-        key = magic, worked.number, worked.steps[name] if magic == "answer" else name
-        self._shown[key] = self._shown.get(key, -1) + 1
-        return self._shown[key]
+    def _count(self, magic, problem, name):
+        """Return how often a magic was called before with an answer.
 
-    def _make_ready(self, worked, name, source):
-        """Give the cell handed out what it takes from the cells before: their imports, and their
-        results if used."""
-        before = worked.before(name)
-        self._run_quietly([steps.needed_imports([*before, *worked.master.code("figure")])])
-        lacking = steps.names_used(source) - set(self.shell.user_ns) - set(dir(builtins))
-        if lacking & set(worked.solved):
-            self._run_quietly([*(source for _, source in worked.exercise.code("data")), *before])
+        `%answer` counts answers that share their steps together.
+        """
+        key = magic, problem.number, problem.steps[name] if magic == "answer" else name
+        self._counts[key] = self._counts.get(key, -1) + 1
+        return self._counts[key]
+
+    def _prepare(self, problem, name, source):
+        """Run the imports of the cells before an inserted cell, and the cells if it uses them."""
+        before = problem.cells_before(name)
+        self._run_quietly([steps.needed_imports([*before, *problem.master.code("figure")])])
+        missing = steps.names_used(source) - set(self.shell.user_ns) - set(dir(builtins))
+        if missing & set(problem.solved):
+            self._run_quietly([*(source for _, source in problem.exercise.code("data")), *before])
             print(
-                f"worked out before, and run now: {', '.join(sorted(lacking & set(worked.solved)))}"
+                f"worked out before, and run now: {', '.join(sorted(missing & set(problem.solved)))}"
             )
 
     def _run_quietly(self, cells):
-        from IPython.utils.capture import capture_output
-
         for source in cells:
             with capture_output():
                 outcome = self.shell.run_cell(source, store_history=False)
@@ -209,19 +198,18 @@ class LectureMagics(Magics):
                 )
 
 
-def is_ours(source):
-    """Whether a cell asks for something of this lecture: to run it again would show one step
-    more."""
+def is_lecture_magic(source):
+    """Return whether a cell calls a magic of the lecture, which does something else each time."""
     first = source.strip().partition(" ")[0].partition("\n")[0]
-    return first.lstrip("%") in OURS and first.startswith("%")
+    return first.lstrip("%") in MAGICS and first.startswith("%")
 
 
-def _show_markdown(worked, text):
-    display(Markdown(prose(text, worked.number)))
+def _show_markdown(problem, text):
+    display(Markdown(plain_markdown(text, number=problem.number)[0]))
 
 
 @contextmanager
-def _in_one_line():
+def _errors_in_one_line():
     try:
         yield
     except LiveError as error:

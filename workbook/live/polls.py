@@ -1,9 +1,8 @@
-"""A poll before the reveal: the right answer among those that the named mistakes give, shown of
-hands.
+"""Polls: the right answer among those of named mistakes, for a show of hands before the reveal.
 
-The answers stand in an order that is always the same and says nothing. The lecturer counts hands,
-by typing or with the button beside each answer; only the reveal tells which one is right, and each
-other one what is to be thought over.
+The order of the answers is fixed by a hash and does not depend on which one is right. The lecturer
+counts hands, by typing or with the button beside each answer. Only the reveal shows which one is
+right, and beside each other one a question to think about.
 """
 
 import html
@@ -13,9 +12,11 @@ from hashlib import sha256
 import ipywidgets
 
 from trajlib.typesetting import FORMULA, typeset
-from workbook.live.subjects import LiveError
+from workbook.authoring.mistakes import mistake_sentence
+from workbook.live.errors import LiveError
 
-WRONG, LONGEST = 3, 400
+#: At most so many wrong options, of at most so many letters.
+WRONG_OPTIONS, MAX_LENGTH = 3, 400
 LETTERS = "ABCD"
 STYLE = """<style>
 .workbook-poll .widget-html-content, .workbook-poll .widget-htmlmath-content {
@@ -29,43 +30,56 @@ STYLE = """<style>
 
 @dataclass(frozen=True)
 class Option:
-    """An answer to choose: its text in HTML with formulas, whether it is right, and what its giver
-    is told."""
+    """An answer of a poll.
+
+    Attributes
+    ----------
+    text : str
+        The answer in HTML with formulas.
+    right : bool
+        Whether it is right.
+    explanation : str
+        The sentence on the mistake, if there is one.
+    """
 
     text: str
     right: bool
-    said: str = ""
+    explanation: str = ""
 
 
-def options(worked, name):
-    """The right answer and up to three wrong ones, as they are shown; raises `LiveError` where
-    there is no wrong one.
+def options(problem, name):
+    """Return the right answer and up to three wrong ones, in the order in which they are shown.
 
-    Mistakes that have a sentence come before those that have none.
+    Mistakes with a sentence are preferred.
+
+    Raises
+    ------
+    LiveError
+        If there is no wrong answer that is short enough.
     """
-    from workbook.authoring.mistakes import sentence
-
-    kind = worked.master.answers[name].kind
-    right = shown(worked.solved[name], kind)
-    found = {right: Option(right, right=True)}
-    trials = sorted(worked.trials(name), key=lambda trial: sentence(worked.master, trial) is None)
+    kind = problem.master.answers[name].kind
+    right = value_html(problem.solved[name], kind)
+    by_text = {right: Option(right, right=True)}
+    trials = sorted(
+        problem.trials(name), key=lambda trial: mistake_sentence(problem.master, trial) is None
+    )
     for trial in trials:
-        text = shown(worked.value_of(trial), kind)
-        if len(found) <= WRONG and len(text) <= LONGEST and text not in found:
-            told = (sentence(worked.master, trial) or "").partition("\n")[0]
-            found[text] = Option(text, right=False, said=told)
-    if len(found) == 1:
+        text = value_html(problem.trial_value(trial), kind)
+        if len(by_text) <= WRONG_OPTIONS and len(text) <= MAX_LENGTH and text not in by_text:
+            explanation = (mistake_sentence(problem.master, trial) or "").partition("\n")[0]
+            by_text[text] = Option(text, right=False, explanation=explanation)
+    if len(by_text) == 1:
         raise LiveError(
             f"{name} has no wrong answer that fits on a line; %mistake {name} shows those there are"
         )
     return sorted(
-        found.values(),
-        key=lambda one: sha256(f"{worked.number} {name} {one.text}".encode()).hexdigest(),
+        by_text.values(),
+        key=lambda option: sha256(f"{problem.number} {name} {option.text}".encode()).hexdigest(),
     )
 
 
-def shown(value, kind=""):
-    """A value in HTML with formulas between dollars; `kind` is the type of the answer."""
+def value_html(value, kind=""):
+    """Return a value as HTML with formulas between dollars; `kind` is the type of the answer."""
     import sympy as sp
 
     from trajlib.stability.regions import latex_condition
@@ -78,38 +92,55 @@ def shown(value, kind=""):
     if isinstance(value, sp.logic.boolalg.Boolean):
         return f"${latex_condition(value)}$"
     if isinstance(value, dict):
-        return "; ".join(f"{shown(key)}: {shown(item)}" for key, item in value.items())
+        return "; ".join(f"{value_html(key)}: {value_html(item)}" for key, item in value.items())
     if isinstance(value, (list, tuple)) and any(
         isinstance(item, (str, bool, dict)) for item in value
     ):
-        return ", ".join(map(shown, value))
+        return ", ".join(map(value_html, value))
     return f"${sp.latex(value)}$"
 
 
 class Poll(ipywidgets.VBox):
-    """The question with its answers; `reveal` tells which is right."""
+    """Widget with the question and its options; `reveal` shows which one is right.
 
-    def __init__(self, worked, name, counts=()):
-        self.options = options(worked, name)
+    Parameters
+    ----------
+    problem : WorkedProblem
+        The problem.
+    name : str
+        The answer that is asked for.
+    counts : sequence of int
+        Hands counted before, one number for each option, or none.
+
+    Raises
+    ------
+    LiveError
+        If there are no options, or as many counts are not given.
+    """
+
+    def __init__(self, problem, name, counts=()):
+        self.options = options(problem, name)
         if len(counts) not in (0, len(self.options)):
             raise LiveError(
                 f"there are {len(self.options)} answers here; expected as many counts, not "
                 f"{len(counts)}"
             )
-        answer = worked.master.answers[name]
+        answer = problem.master.answers[name]
         self.counts = [
             ipywidgets.BoundedIntText(count, min=0, max=9999, layout={"width": "90px"})
             for count in counts or [0] * len(self.options)
         ]
         self._bars = [ipywidgets.HTML(layout={"width": "330px"}) for _ in self.options]
-        self._said = [ipywidgets.HTMLMath(layout={"margin": "0 0 10px 46px"}) for _ in self.options]
+        self._explanations = [
+            ipywidgets.HTMLMath(layout={"margin": "0 0 10px 46px"}) for _ in self.options
+        ]
         self._reveal = ipywidgets.Button(
             description="Reveal", button_style="primary", layout={"width": "140px"}
         )
         self._reveal.on_click(self.reveal)
         rows = []
-        for letter, option, count, bar, said in zip(
-            LETTERS, self.options, self.counts, self._bars, self._said
+        for letter, option, count, bar, explanation in zip(
+            LETTERS, self.options, self.counts, self._bars, self._explanations
         ):
             hand = ipywidgets.Button(
                 description="+1", tooltip=f"one hand more for {letter}", layout={"width": "60px"}
@@ -122,8 +153,8 @@ class Poll(ipywidgets.VBox):
             row = ipywidgets.HBox(
                 [text, hand, count, bar], layout={"align_items": "center", "flex_flow": "row wrap"}
             )
-            rows += [row, said]
-        question = f"<b>{worked.number}, {name.replace('_', ' ')}.</b> Which one is it? {_words(answer.text)}"
+            rows += [row, explanation]
+        question = f"<b>{problem.number}, {name.replace('_', ' ')}.</b> Which one is it? {_text_html(answer.text)}"
         super().__init__(
             [ipywidgets.HTML(STYLE), ipywidgets.HTMLMath(question), *rows, self._reveal]
         )
@@ -131,12 +162,12 @@ class Poll(ipywidgets.VBox):
         self._draw()
 
     def reveal(self, _=None):
-        """Say which answer is right, and to the others what to think over."""
-        for option, said in zip(self.options, self._said):
-            said.value = (
+        """Show which option is right, and the explanations of the others."""
+        for option, explanation in zip(self.options, self._explanations):
+            explanation.value = (
                 '<div class="workbook-right">✓ right</div>'
                 if option.right
-                else f'<div class="workbook-wrong">✗ {typeset(option.said) or "wrong"}</div>'
+                else f'<div class="workbook-wrong">✗ {typeset(option.explanation) or "wrong"}</div>'
             )
         self._reveal.disabled = True
 
@@ -151,19 +182,25 @@ class Poll(ipywidgets.VBox):
             )
 
 
-def poll(worked, name, counts=()):
-    """The poll on an answer; `counts` are words or numbers, one for each answer, or none."""
+def poll(problem, name, counts=()):
+    """Return the poll on an answer; `counts` are words or numbers, one for each option, or none.
+
+    Raises
+    ------
+    LiveError
+        As `Poll`, and for counts that are no whole numbers.
+    """
     try:
         counts = [int(count) for count in counts]
     except ValueError:
         raise LiveError(
             f"counts of hands are whole numbers, not {' '.join(map(str, counts))}"
         ) from None
-    return Poll(worked, name, counts)
+    return Poll(problem, name, counts)
 
 
-def _words(text):
-    """Words with formulas and code, as HTML."""
+def _text_html(text):
+    """Return a text with formulas and code as HTML."""
     parts, end = [], 0
     for formula in (*FORMULA.finditer(text), None):
         pieces = html.escape(text[end : formula.start() if formula else None]).split("`")

@@ -1,4 +1,4 @@
-"""From the command to a lecture on the screen, and back to a clean machine."""
+"""Run a lecture: start JupyterLab and the kernel forkserver, open the page, stop both at the end."""
 
 import json
 import os
@@ -15,70 +15,88 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from workbook.live import lab
-from workbook.live.copies import hold_outside, notebook_of, settle
-from workbook.live.kernels import SOCKET, modules_for
-from workbook.live.subjects import LiveError
+from workbook.live.errors import LiveError
+from workbook.live.keeping import keep_notebook, validate_destination
+from workbook.live.kernel_forkserver import SOCKET, modules_of_problems
+from workbook.live.lecture_notebook import lecture_notebook
 
-#: Seconds for JupyterLab to answer on the slowest machine that one would lecture from.
-PATIENCE = 60
+#: Seconds in which JupyterLab answers on a slow machine.
+TIMEOUT = 60
 
 
-def present(subject, port=None, browser=True, keep=None, discard=False, say=print):
-    """Open a subject in JupyterLab on a copy, until Ctrl-C or JupyterLab's own Shut Down.
+def present(presentation, port=None, browser=True, keep=None, discard=False, say=print):
+    """Open a problem or a lecture in JupyterLab, on a copy, until it is shut down.
 
-    Raises `LiveError` where JupyterLab, a browser or the port is not to be had.
+    Ctrl-C or JupyterLab's own Shut Down ends it.
+
+    Parameters
+    ----------
+    presentation : Presentation
+        The problem or lecture.
+    port : int, optional
+        Port of JupyterLab; without it a free one.
+    browser : bool
+        Whether a browser is opened.
+    keep : pathlib.Path, optional
+        File or folder to keep the notebook in (`workbook.live.keeping`).
+    discard : bool
+        Whether the notebook is thrown away without asking.
+    say : callable
+        Prints a line for the lecturer.
+
+    Raises
+    ------
+    LiveError
+        If JupyterLab, a browser or the port is not available.
     """
-    if find_spec("jupyterlab") is None or find_spec("jupytext") is None:
+    if any(find_spec(name) is None for name in ("jupyterlab", "jupytext", "ipywidgets")):
         raise LiveError(
-            "JupyterLab is not installed here; `pip install 'trajlib[live]'` in the checkout gets "
-            "it"
+            "JupyterLab is not installed here; `pip install 'trajlib[live]'` in the checkout gets it"
         )
     if browser:
-        browser = _browser()
+        browser = _find_browser()
     if keep is not None:
-        hold_outside(keep)
-    port = _free(port)
+        validate_destination(keep)
+    port = _free_port(port)
     with (
-        TemporaryDirectory(prefix="workbook-live-", ignore_cleanup_errors=True) as place,
-        _terminated_as_interrupted(),
+        TemporaryDirectory(prefix="workbook-live-", ignore_cleanup_errors=True) as path,
+        _signals_as_interrupts(),
     ):
-        folder = Path(place)
-        with _running(folder, subject, port) as (server, address, copy, before):
+        folder = Path(path)
+        with _running(folder, presentation, port) as (server, address, notebook, original):
             try:
                 _wait_until_ready(server, folder)
-                _start_kernel(address, copy.name)
-                say(f"{subject.title}: {address}")
+                _start_kernel(address, notebook.name)
+                say(f"{presentation.title}: {address}")
                 say("Ctrl-C here, or File, Shut Down there, ends the lecture.")
                 if browser:
                     browser.open(address)
                 server.wait()
             except KeyboardInterrupt:
                 say("")
-        kept = settle(copy, before, subject.word, keep, discard)
+        kept = keep_notebook(notebook, original, presentation.name, keep, discard)
         if kept is not None:
             say(f"kept: {kept}")
 
 
 @contextmanager
-def _running(folder, subject, port):
-    """The kernels' process and JupyterLab, side by side from the first moment; both end with this
-    context."""
+def _running(folder, presentation, port):
+    """Start JupyterLab and the kernel forkserver at the same time; both end with this context."""
     token = secrets.token_hex(16)
     environment = (
         os.environ
-        | lab.furnish(folder)
+        | lab.write_settings(folder)
         | {
-            # without the folder, in which both stand: the path of a socket has 107 characters at
-            # most
+            # relative to the working folder, since the path of a socket has at most 107 characters
             SOCKET: "kernels",
             "JUPYTER_TOKEN": token,
-            "TRAJLIB_LIVE": " ".join(subject.problems),
+            "WORKBOOK_LIVE_PROBLEMS": " ".join(presentation.problems),
             "PYTHONPATH": os.environ.get("PYTHONPATH", ""),
             "MPLBACKEND": "module://matplotlib_inline.backend_inline",
         }
     )
-    copy = folder / "copy" / f"{subject.word}.ipynb"
-    copy.parent.mkdir()
+    notebook = folder / "copy" / f"{presentation.name}.ipynb"
+    notebook.parent.mkdir()
     log = open(folder / "log", "wb")
     processes = []
 
@@ -99,15 +117,18 @@ def _running(folder, subject, port):
     try:
         server = start("workbook.live.lab", str(folder), str(port))
         if hasattr(os, "fork"):
-            kernels = start("workbook.live.kernels", environment[SOCKET])
-            with suppress(BrokenPipeError):  # without it kernels start as always
-                kernels.stdin.write(json.dumps(modules_for(subject.problems)).encode() + b"\n")
-                kernels.stdin.flush()
-        copy.write_text(
-            json.dumps(notebook_of(subject), indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
+            forkserver = start("workbook.live.kernel_forkserver", environment[SOCKET])
+            with suppress(BrokenPipeError):  # without a forkserver kernels start as usual
+                forkserver.stdin.write(
+                    json.dumps(modules_of_problems(presentation.problems)).encode() + b"\n"
+                )
+                forkserver.stdin.flush()
+        notebook.write_text(
+            json.dumps(lecture_notebook(presentation), indent=1, ensure_ascii=False) + "\n",
+            encoding="utf-8",
         )
-        address = f"http://127.0.0.1:{port}/doc/tree/{copy.name}?token={token}"
-        yield server, address, copy, copy.read_bytes()
+        address = f"http://127.0.0.1:{port}/doc/tree/{notebook.name}?token={token}"
+        yield server, address, notebook, notebook.read_bytes()
     finally:
         for process in processes:
             _end(process)
@@ -115,8 +136,8 @@ def _running(folder, subject, port):
 
 
 def _end(process):
-    """Its standard input ends, on which it ends by itself; what does not is ended."""
-    with suppress(BrokenPipeError):  # it has ended, and never read what was written
+    """Close the standard input of a process, on which it exits; kill it if it does not."""
+    with suppress(BrokenPipeError):  # it has exited without reading its input
         process.stdin.close()
     try:
         process.wait(10)
@@ -127,42 +148,41 @@ def _end(process):
 
 
 def _wait_until_ready(server, folder):
-    ready, _, _ = select.select([server.stdout], [], [], PATIENCE)
+    ready, _, _ = select.select([server.stdout], [], [], TIMEOUT)
     if not (ready and server.stdout.readline()):
         lines = (folder / "log").read_text(errors="replace").split("\n")
-        said = next(
-            (line for line in reversed(lines) if line.strip()), f"no answer in {PATIENCE} s"
+        reason = next(
+            (line for line in reversed(lines) if line.strip()), f"no answer in {TIMEOUT} s"
         )
-        raise LiveError(f"JupyterLab does not start: {said.strip()}")
+        raise LiveError(f"JupyterLab does not start: {reason.strip()}")
 
 
 def _start_kernel(address, name):
-    """The page finds the kernel running: a cell run before there is one would be passed over
-    without a word."""
+    """Start the kernel before the page opens, which ignores a cell that is run without one."""
     import urllib.request
     from urllib.parse import parse_qs, urlsplit
 
     parts = urlsplit(address)
-    asked = {"path": name, "name": name, "type": "notebook", "kernel": {"name": "python3"}}
+    session = {"path": name, "name": name, "type": "notebook", "kernel": {"name": "python3"}}
     request = urllib.request.Request(
         f"http://{parts.netloc}/api/sessions",
-        json.dumps(asked).encode(),
+        json.dumps(session).encode(),
         {
             "Authorization": f"token {parse_qs(parts.query)['token'][0]}",
             "Content-Type": "application/json",
         },
     )
     try:
-        # Not by way of a proxy: this is the same machine.
+        # no proxy: this is the same machine
         urllib.request.build_opener(urllib.request.ProxyHandler({})).open(
-            request, timeout=PATIENCE
+            request, timeout=TIMEOUT
         ).close()
     except OSError as error:
         raise LiveError(f"JupyterLab starts no kernel: {error}") from None
 
 
-def _free(port):
-    """The port if nobody has it, any that nobody has without one."""
+def _free_port(port):
+    """Return the port if it is free, or any free port; raise `LiveError` otherwise."""
     with socket.socket() as trial:
         if hasattr(socket, "SO_REUSEADDR") and os.name == "posix":
             trial.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
@@ -176,7 +196,7 @@ def _free(port):
         return trial.getsockname()[1]
 
 
-def _browser():
+def _find_browser():
     try:
         return webbrowser.get()
     except webbrowser.Error:
@@ -186,8 +206,8 @@ def _browser():
 
 
 @contextmanager
-def _terminated_as_interrupted():
-    """What ends this process politely ends the lecture as Ctrl-C does."""
+def _signals_as_interrupts():
+    """Let SIGTERM and SIGHUP end the lecture as Ctrl-C does."""
 
     def interrupt(*_):
         raise KeyboardInterrupt

@@ -1,5 +1,7 @@
-"""Tells JupyterLab's server to take its kernels from `workbook.live.kernels`; without it they start
-as always."""
+"""Kernel provisioner that takes JupyterLab's kernels from `workbook.live.kernel_forkserver`.
+
+Where no forkserver answers, kernels start as processes of their own, as usual.
+"""
 
 import asyncio
 import os
@@ -8,30 +10,32 @@ from importlib.metadata import EntryPoint
 
 from jupyter_client.provisioning import KernelProvisionerFactory, LocalProvisioner
 
-from workbook.live.kernels import SOCKET, ask
+from workbook.live.kernel_forkserver import SOCKET, request_kernel
 
 
-class ForkedKernels(LocalProvisioner):
-    """Asks for a fork instead of starting a process."""
+class ForkedKernelProvisioner(LocalProvisioner):
+    """Provisioner that requests a fork instead of starting a process."""
 
-    async def launch_kernel(self, cmd, **given):
+    async def launch_kernel(self, cmd, **options):
         request = {
             "connection_file": self.parent.connection_file,
-            "env": given.get("env") or dict(os.environ),
-            "folder": given.get("cwd") or os.getcwd(),
+            "env": options.get("env") or dict(os.environ),
+            "folder": options.get("cwd") or os.getcwd(),
         }
         try:
-            self.pid = self.pgid = await asyncio.to_thread(ask, os.environ[SOCKET], request)
-        # no such process, and on Windows no such sockets
+            self.pid = self.pgid = await asyncio.to_thread(
+                request_kernel, os.environ[SOCKET], request
+            )
+        # no forkserver, or no such sockets (Windows)
         except (OSError, KeyError, AttributeError):
-            return await super().launch_kernel(cmd, **given)
-        self.process = _Forked(self.pid)
+            return await super().launch_kernel(cmd, **options)
+        self.process = _ForkedProcess(self.pid)
         self.cwd = request["folder"]
         return self.connection_info
 
 
-class _Forked:
-    """What `subprocess.Popen` has of a process, for one that is not our child."""
+class _ForkedProcess:
+    """The methods of `subprocess.Popen` for a process that is not our child."""
 
     stdin = stdout = stderr = None
 
@@ -58,11 +62,11 @@ class _Forked:
         self.send_signal(signal.SIGTERM)
 
 
-def take_over():
-    """All kernels of this process's server from here on."""
+def register_provisioner():
+    """Make the provisioner the default of the JupyterLab server in this process."""
     factory = KernelProvisionerFactory.instance()
     name = "workbook-live"
     factory.provisioners[name] = EntryPoint(
-        name, f"{__name__}:{ForkedKernels.__name__}", factory.GROUP_NAME
+        name, f"{__name__}:{ForkedKernelProvisioner.__name__}", factory.GROUP_NAME
     )
     factory.default_provisioner_name = name

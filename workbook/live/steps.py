@@ -1,34 +1,41 @@
-"""The worked solution of an answer, cut into steps as one would write them on a board.
+"""Cut the worked solution of an answer into steps, as one would write them on a board.
 
-A step is a paragraph with its formulas, a computation, a picture or its caption. What stands before
-the cell that assigns an answer leads to it, what follows, up to the reasoning for the next answer,
-belongs to it too.
+A step is a paragraph with its formulas, a computation, a picture or its caption. The steps of an
+answer are the text before the cell that assigns it, the cell, and what follows up to the reasoning
+for the next answer.
 """
 
 import ast
 import re
 from dataclasses import dataclass
 
-IDEA, CODE, PICTURE = "idea", "code", "picture"
+from workbook.authoring.contract import caption_above
+from workbook.authoring.statements import assigned_names
+
+TEXT, CODE, FIGURE = "text", "code", "figure"
 FENCE = re.compile(r"^(`{3,}|:{3,})\{solution-(start|end)\}.*?^\1[ \t]*$\n?", re.M | re.S)
-#: A blank line, but not one inside a formula or a directive: these keep their blank lines
-#: (`_paragraphs`).
-BLANK = re.compile(r"\n{2,}")
+BLANK_LINES = re.compile(r"\n{2,}")
 
 
 @dataclass(frozen=True)
 class Step:
-    """`kind` is one of IDEA, CODE and PICTURE, `text` Markdown or the source of a cell."""
+    """A step of a solution.
+
+    Attributes
+    ----------
+    kind : str
+        One of `TEXT`, `CODE` and `FIGURE`.
+    text : str
+        Markdown, or the source of a cell.
+    """
 
     kind: str
     text: str
 
 
-def steps_of(master):
-    """{answer: its steps}; answers that come out of one reasoning have the same."""
-    from workbook.authoring.statements import assigned_names
-
-    found = {}
+def solution_steps(master):
+    """Return {answer: tuple of steps} of a master; answers found together share their steps."""
+    steps = {}
     for solution in _solutions(master):
         group, names = [], []
         for k, (role, source) in enumerate(solution):
@@ -36,22 +43,22 @@ def steps_of(master):
                 group, names = [], []
             group += _steps(role, source)
             names += assigned_names(source, master.answers) if role == "answer" else []
-            found |= dict.fromkeys(names, group)
-    return {name: tuple(found[name]) for name in master.answers if name in found}
+            steps |= dict.fromkeys(names, group)
+    return {name: tuple(steps[name]) for name in master.answers if name in steps}
 
 
 def _leads_to_more(rest, master):
-    """Whether a text opens the reasoning for another answer: it is no caption, and an answer cell
-    comes after it."""
-    from workbook.authoring.statements import assigned_names
+    """Return whether a text begins the reasoning for another answer.
 
-    return not _is_caption(rest[0][1]) and any(
+    It does if it is no caption and an answer cell follows.
+    """
+    return not caption_above(rest[0][1]) and any(
         role == "answer" and assigned_names(source, master.answers) for role, source in rest
     )
 
 
 def _solutions(master):
-    """The cells inside each solution, as (role, text)."""
+    """Return a list of (role, text) for each solution: its cells and the texts between them."""
     solutions, inside = [], False
     for cell in master.cells:
         if cell.role:
@@ -72,34 +79,29 @@ def _solutions(master):
 
 def _steps(role, source):
     if role == "figure":
-        return [Step(PICTURE, source)]
+        return [Step(FIGURE, source)]
     if role:
         return [Step(CODE, source)]
-    return [Step(IDEA, text) for text in _paragraphs(source)]
+    return [Step(TEXT, text) for text in _paragraphs(source)]
 
 
 def _paragraphs(text):
-    """Paragraphs, each with the formulas, lists and boxes that follow it."""
-    whole = []
-    for part in BLANK.split(text):
-        inside = whole and (
-            whole[-1].count("$$") % 2 or len(re.findall(r"^(?:`{3,}|:{3,})", whole[-1], re.M)) % 2
+    """Split a text into paragraphs, each with the formulas, lists and boxes that follow it."""
+    paragraphs = []
+    for part in BLANK_LINES.split(text):
+        inside = paragraphs and (
+            paragraphs[-1].count("$$") % 2
+            or len(re.findall(r"^(?:`{3,}|:{3,})", paragraphs[-1], re.M)) % 2
         )
-        if whole and (inside or re.match(r"\$\$|[-*] |\d+\. |`{3,}\{math\}|[a-z,;|]", part)):
-            whole[-1] += "\n\n" + part
+        if paragraphs and (inside or re.match(r"\$\$|[-*] |\d+\. |`{3,}\{math\}|[a-z,;|]", part)):
+            paragraphs[-1] += "\n\n" + part
         else:
-            whole.append(part)
-    return whole
-
-
-def _is_caption(text):
-    from workbook.authoring.contract import caption_above
-
-    return bool(caption_above(text))
+            paragraphs.append(part)
+    return paragraphs
 
 
 def needed_imports(sources):
-    """The import statements of cells, as one source."""
+    """Return the import statements of cells as one source."""
     return "\n".join(
         ast.unparse(node)
         for source in sources
@@ -109,7 +111,7 @@ def needed_imports(sources):
 
 
 def names_used(source):
-    """Names that a cell reads and does not bind itself, as far as one can see."""
+    """Return the names that a cell reads and does not bind itself, by its syntax tree."""
     nodes = list(ast.walk(ast.parse(source)))
     names = [node for node in nodes if isinstance(node, ast.Name)]
     bound = {node.id for node in names if isinstance(node.ctx, ast.Store)}

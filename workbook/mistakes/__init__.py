@@ -1,10 +1,8 @@
-"""Mistakes that are named: what a wrong answer that was foreseen may have come from, in a sentence
-to its giver.
+"""Named mistakes: the sentence on a wrong answer that was foreseen.
 
-The masters hold wrong answers, each with its misconception. Of those a student's copy gets, beside
-the notebook, only fingerprints (`sealing`) of what they are whatever their form (`signature`): an
-answer that a check has found wrong is looked up there, and opens the sentence that was written for
-it.
+The masters hold wrong answers, each with its misconception. The student notebooks come with files
+of sealed sentences only (`sealing`), found and opened by the signature of the wrong answer, which
+does not depend on its form (`signature`).
 """
 
 import json
@@ -12,30 +10,42 @@ import json
 from workbook.notebooks import exercises
 
 
-def name_of(problem, answer, value):
-    """The sentence for a wrong value of an answer, with a hint below it if one belongs to it; "" if
-    there is none."""
-    from workbook.mistakes.sealing import find
-    from workbook.mistakes.signature import Question, Unlike, signatures
+def find_mistake(problem, answer, value):
+    """Return the sentence on a wrong value of an answer.
 
-    file = file_beside(exercises.place(problem))
-    asked = (
+    Parameters
+    ----------
+    problem : str
+        Number of the problem.
+    answer : str
+        Name of the answer.
+    value
+        The wrong value, as a check receives it.
+
+    Returns
+    -------
+    str
+        The sentence, perhaps with a hint on a second line; "" if there is none.
+    """
+    # SymPy, and only for wrong answers
+    from workbook.mistakes.sealing import find
+    from workbook.mistakes.signature import AnswerType, NoSignature, signatures
+
+    file = mistakes_file(exercises.notebook_path(problem))
+    mistakes = (
         json.loads(file.read_text(encoding="utf-8"))["answers"].get(answer)
         if file.is_file()
         else None
     )
-    if asked is None:
+    if mistakes is None:
         return ""
+    answer_type = AnswerType(mistakes["kind"], mistakes["symbols"])
     try:
-        return find(
-            asked["told"],
-            f"{problem} {answer}",
-            signatures(value, Question(asked["kind"], asked["symbols"])),
-        )
-    except Unlike:
+        return find(mistakes["told"], f"{problem} {answer}", signatures(value, answer_type))
+    except NoSignature:
         return ""
 
 
-def file_beside(notebook):
-    """Where the sealed mistakes of a problem stand: p15.mistakes beside p15.ipynb."""
+def mistakes_file(notebook):
+    """Return the file of the sealed mistakes of a student notebook: p15.mistakes of p15.ipynb."""
     return notebook.with_suffix(".mistakes")

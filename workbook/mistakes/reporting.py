@@ -9,7 +9,7 @@ from dataclasses import replace
 from workbook.checks.contract import error_hints
 from workbook.checks.contract.reporting import deliver
 from workbook.checks.contract.verdict import MISSING, UNCHECKED, WRONG, Verdict
-from workbook.mistakes import name_of
+from workbook.mistakes import find_mistake
 from workbook.notebooks.exercises import UnknownExercise
 
 
@@ -57,6 +57,6 @@ def report(problem="", /, **verdicts):
 
 def _mistake(problem, name, answer):
     try:
-        return name_of(problem, name, answer)
+        return find_mistake(problem, name, answer)
     except UnknownExercise:  # a notebook of another edition
         return ""

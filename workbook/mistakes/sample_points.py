@@ -1,8 +1,6 @@
-"""What expressions are, and where conditions hold, at fixed places that hang on the names of the
-symbols alone.
+"""Evaluate expressions and conditions at fixed sample points, which depend on symbols' names only.
 
-An answer is only looked at: its tree is walked and its numbers are NumPy's, so nothing is
-simplified, compiled or run.
+The tree of an answer is evaluated with NumPy; nothing is simplified, compiled or run.
 """
 
 import functools
@@ -14,13 +12,11 @@ import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 
-#: At how many places expressions are tried, and how many it takes to meet every part of a law of
-#: control, or every border of a condition.
-FEW, LAW, CONDITION = 24, 400, 6000
-#: Two sides that differ by a smaller share are equal but for rounding.
+#: Numbers of points for expressions, for control laws with several regions, and for conditions.
+EXPRESSION, LAW, CONDITION = 24, 400, 6000
+#: Relative difference up to which two sides are equal.
 ROUNDING = 1e-9
-#: Coordinates that put places of conditions exactly on borders: a third are small, a third as
-#: people write them.
+#: Coordinates that put points exactly on borders of conditions.
 SMALL = (0, 1, -1, 2, -2, 3, -3, 0.5, -0.5)
 USUAL = tuple(
     sorted(
@@ -42,68 +38,85 @@ USUAL = tuple(
 
 
 class NoValue(Exception):
-    """Something that has no numbers at places, such as an integral."""
+    """A function that has no values at points, such as an integral."""
 
 
-def expression_places(name, assumed):
-    """Ordinary values, with a third of the places all positive, so that roots and logarithms are
-    real there."""
-    return _signed(0.35 + 2.3 * _shares(name, FEW, "size"), name, assumed, FEW // 3)
+def expression_points(name, assumption):
+    """Return the values of a symbol at the points for expressions.
+
+    At the first third of the points all symbols are positive, so that roots and logarithms are real.
+    """
+    return _signed(
+        0.35 + 2.3 * _uniform(name, EXPRESSION, "size"), name, assumption, EXPRESSION // 3
+    )
 
 
-def law_places(name, assumed):
-    """Small and large values together, for every region of a plane."""
-    return _signed(0.08 * 100 ** _shares(name, LAW, "size"), name, assumed, 0)
+def law_points(name, assumption):
+    """Return the values of a symbol at the points for control laws: small and large ones."""
+    return _signed(0.08 * 100 ** _uniform(name, LAW, "size"), name, assumption, 0)
 
 
-def condition_places(name, assumed):
-    """A third small numbers, a third usual ones, a third any."""
+def condition_points(name, assumption):
+    """Return the values of a symbol at the points for conditions: small, usual and any numbers."""
     small, usual = (
-        np.array(pool)[(_shares(name, CONDITION, what) * len(pool)).astype(int)]
-        for pool, what in ((SMALL, "small"), (USUAL, "usual"))
+        np.array(pool)[(_uniform(name, CONDITION, purpose) * len(pool)).astype(int)]
+        for pool, purpose in ((SMALL, "small"), (USUAL, "usual"))
     )
-    which = _shares(name, CONDITION, "which")
-    found = np.where(
-        which < 1 / 3,
+    choice = _uniform(name, CONDITION, "which")
+    values = np.where(
+        choice < 1 / 3,
         small,
-        np.where(which < 2 / 3, usual, 6 * _shares(name, CONDITION, "any") - 3),
+        np.where(choice < 2 / 3, usual, 6 * _uniform(name, CONDITION, "any") - 3),
     )
-    found = np.round(found) if assumed == "integer" else found
-    return np.where(found == 0, 1, abs(found)) if assumed == "positive" else found
+    values = np.round(values) if assumption == "integer" else values
+    return np.where(values == 0, 1, abs(values)) if assumption == "positive" else values
 
 
-def _signed(sizes, name, assumed, positive):
-    sizes = np.ceil(3 * sizes) if assumed == "integer" else sizes
-    turned = (
-        (_shares(name, len(sizes), "sign") < 0.5)
+def _signed(sizes, name, assumption, positive):
+    sizes = np.ceil(3 * sizes) if assumption == "integer" else sizes
+    negative = (
+        (_uniform(name, len(sizes), "sign") < 0.5)
         & (np.arange(len(sizes)) >= positive)
-        & (assumed != "positive")
+        & (assumption != "positive")
     )
-    return np.where(turned, -sizes, sizes)
+    return np.where(negative, -sizes, sizes)
 
 
-def _shares(name, count, what):
-    """`count` numbers between 0 and 1, always the same ones for a name."""
-    stream = hashlib.shake_256(f"{what} {name}".encode()).digest(4 * count)
+def _uniform(name, count, purpose):
+    """Return `count` numbers in [0, 1), always the same for a name and a purpose."""
+    stream = hashlib.shake_256(f"{purpose} {name}".encode()).digest(4 * count)
     return np.frombuffer(stream, "<u4") / 2**32
 
 
-class Walk:
-    """Finds values of SymPy trees at places: `places(name, assumed)` gives those of a symbol,
-    `symbols` what is assumed of it."""
+class Evaluator:
+    """Evaluate SymPy trees at the sample points.
 
-    def __init__(self, places, symbols):
-        self._places, self._symbols, self._known = places, symbols, {}
+    Parameters
+    ----------
+    points : callable
+        `points(name, assumption)` returns the values of a symbol.
+    symbols : dict of str
+        Assumptions ("", "positive" or "integer") by the names of the symbols.
+    """
+
+    def __init__(self, points, symbols):
+        self._points, self._symbols, self._values = points, symbols, {}
 
     def __call__(self, node):
-        """Complex numbers, or truths; a single one where they are the same at all places."""
-        if node not in self._known:
-            self._known[node] = self._value(node)
-        return self._known[node]
+        """Return complex numbers or truth values: one for each point, or one for all.
+
+        Raises
+        ------
+        NoValue
+            If a function of the tree has no values at points.
+        """
+        if node not in self._values:
+            self._values[node] = self._value(node)
+        return self._values[node]
 
     def _value(self, node):
         if isinstance(node, (sp.Symbol, AppliedUndef, sp.Derivative)):
-            return self._places(str(node), self._symbols.get(str(node), "")).astype(complex)
+            return self._points(str(node), self._symbols.get(str(node), "")).astype(complex)
         if node.is_Number or isinstance(node, sp.NumberSymbol):
             return complex(node)
         if node is sp.I:
@@ -116,13 +129,13 @@ class Walk:
             )
         parts = [self(part) for part in node.args]
         if isinstance(node, Relational):
-            return _compared(node, *parts)
-        if found := FUNCTIONS.get(node.func):
-            return found(*parts)
+            return _compare(node, *parts)
+        if function := FUNCTIONS.get(node.func):
+            return function(*parts)
         raise NoValue(type(node).__name__)
 
 
-def _compared(relation, left, right):
+def _compare(relation, left, right):
     real = (abs(np.imag(left)) < ROUNDING) & (abs(np.imag(right)) < ROUNDING)
     size = np.maximum(np.maximum(abs(left), abs(right)), 1)
     difference = np.real(left) - np.real(right)
@@ -140,21 +153,20 @@ SIGNS = {
 }
 
 
-def _above(x):
-    """Numbers that are real but for rounding as real ones, which roots and logarithms continue from
-    above."""
+def _on_upper_side(x):
+    """Return numbers with imaginary parts of rounding size set to +0, the upper side of the cut."""
     x = np.asarray(x, dtype=complex)
     return np.where(abs(x.imag) <= ROUNDING * abs(x), x.real + 0j, x)
 
 
 def _power(base, exponent):
-    whole = (
+    is_integer = (
         np.ndim(exponent) == 0 and complex(exponent).imag == 0 and complex(exponent).real % 1 == 0
     )
     return (
         np.asarray(base, dtype=complex) ** int(complex(exponent).real)
-        if whole
-        else _above(base) ** exponent
+        if is_integer
+        else _on_upper_side(base) ** exponent
     )
 
 
@@ -163,22 +175,22 @@ def _sign(x):
     return np.where(size < ROUNDING, 0, x / np.where(size == 0, 1, size))
 
 
-def _real(function):
+def _of_real_parts(function):
     return lambda *parts: function(*(np.real(part) for part in parts))
 
 
-def _all(function):
+def _reduce(function):
     return lambda *parts: functools.reduce(function, parts)
 
 
-#: What SymPy's functions are in numbers.
+#: NumPy functions for SymPy's.
 FUNCTIONS = {
-    sp.Add: _all(np.add),
-    sp.Mul: _all(np.multiply),
+    sp.Add: _reduce(np.add),
+    sp.Mul: _reduce(np.multiply),
     sp.Pow: _power,
     sp.Abs: np.abs,
     sp.exp: np.exp,
-    sp.log: lambda x: np.log(_above(x)),
+    sp.log: lambda x: np.log(_on_upper_side(x)),
     sp.sin: np.sin,
     sp.cos: np.cos,
     sp.tan: np.tan,
@@ -187,7 +199,7 @@ FUNCTIONS = {
     sp.asin: np.arcsin,
     sp.acos: np.arccos,
     sp.atan: np.arctan,
-    sp.atan2: _real(np.arctan2),
+    sp.atan2: _of_real_parts(np.arctan2),
     sp.acot: lambda x: np.arctan(1 / x),
     sp.sinh: np.sinh,
     sp.cosh: np.cosh,
@@ -204,15 +216,15 @@ FUNCTIONS = {
     sp.arg: np.angle,
     sp.sign: _sign,
     sp.Heaviside: lambda x, at_zero=0.5: (1 + _sign(x)) / 2,
-    sp.floor: _real(np.floor),
-    sp.ceiling: _real(np.ceil),
-    sp.Mod: _real(np.mod),
-    sp.Max: _real(_all(np.maximum)),
-    sp.Min: _real(_all(np.minimum)),
-    sp.And: _all(np.logical_and),
-    sp.Or: _all(np.logical_or),
+    sp.floor: _of_real_parts(np.floor),
+    sp.ceiling: _of_real_parts(np.ceil),
+    sp.Mod: _of_real_parts(np.mod),
+    sp.Max: _of_real_parts(_reduce(np.maximum)),
+    sp.Min: _of_real_parts(_reduce(np.minimum)),
+    sp.And: _reduce(np.logical_and),
+    sp.Or: _reduce(np.logical_or),
     sp.Not: np.logical_not,
-    sp.Xor: _all(np.logical_xor),
+    sp.Xor: _reduce(np.logical_xor),
     sp.Implies: lambda a, b: ~a | b,
     sp.ITE: lambda test, yes, no: np.where(test, yes, no),
     type(sp.true): lambda: True,

@@ -1,1 +1,1 @@
-"""Notebooks: find the exercises, run their cells, and see which modules they use."""
+"""Notebooks: make, find and run them, and find the modules that they use."""

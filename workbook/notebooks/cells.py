@@ -1,9 +1,8 @@
-"""Run a notebook's code cells as Jupyter would, and collect its answers, forgiving what students do
-to notebooks.
+"""Run a notebook's code cells as Jupyter would, and collect its answers.
 
-Cells are moved, duplicated, split and deleted; some fail, some never end. A cell that fails does
-not stop the others; one that failed for want of a later cell is tried again; an untouched stub
-(`name = ...`) takes no answer back.
+Students move, duplicate, split and delete cells; some cells fail, some never end. A cell that fails
+does not stop the others; one that failed because a later cell had not run is run again; an
+untouched stub (`name = ...`) does not overwrite an answer.
 """
 
 import json
@@ -15,38 +14,52 @@ from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
 from workbook.checks.contract.error_hints import hint_for
 
-#: Of all encoded answers together: far above any honest notebook, within one message of the
-#: sandbox.
-ROOM = 6 * 2**20
+#: Bytes of all encoded answers together: more than any honest notebook needs, within one message of
+#: the sandbox.
+MAX_ANSWER_BYTES = 6 * 2**20
 
 
-class TooLong(BaseException):
-    """Raised in a cell that has used its time; not an `Exception`, so that the cell's own handlers
-    let it pass."""
+class CellTimeout(BaseException):
+    """A cell has used its time; no `Exception`, so that the cell's own handlers do not catch it."""
 
 
 def run_cells(sources, names, folder=None, before=(), seconds=None):
-    """In this very process: run the cells, then {"encoded", "unreadable", "errors", "stopped"} (for
-    a child only).
+    """Run code cells in this process, which is to be a child process, and collect the answers.
 
-    `before` are cells of ours that run first, in case the notebook lost or moved its own copies.
-    With `seconds`, of computing and perhaps on the clock, a cell that takes half of what is left of
-    them is stopped, and the next one runs; so is one at which the signal of an alarm comes.
+    Parameters
+    ----------
+    sources : list of str
+        The code cells.
+    names : sequence of str
+        Names of the answers.
+    folder : str, optional
+        Working folder.
+    before : sequence of str
+        Cells of ours that run first, in case the notebook lost or moved its own copies.
+    seconds : sequence of float, optional
+        Limits of computing time and, optionally, of elapsed time. A cell that takes half of the
+        remaining time is stopped, as is one that receives an alarm signal; the next one runs.
+
+    Returns
+    -------
+    dict
+        "encoded": encoded answers by name; "unreadable": messages on other answers by name;
+        "errors": a line for each failed cell; "stopped": numbers of stopped cells, from 1.
     """
-    # what a check cell raises: verdicts say it better
+    # loads what renders reports; the error of a check cell, which is no error of the notebook
     from workbook.checks.contract.reporting import NotYet
 
     os.environ.setdefault("MPLBACKEND", "Agg")
     if folder:
         os.chdir(folder)
-    sys.path.insert(0, "")  # what a cell wrote into the folder can be imported, as in Jupyter
-    # What is printed is kept nowhere, so that endless output fills nothing.
+    sys.path.insert(0, "")  # modules that a cell writes can be imported, as in Jupyter
+    # output is discarded, since it may be endless
     with (
-        open(os.devnull, "w", encoding="utf-8", errors="replace") as nowhere,
-        redirect_stdout(nowhere),
-        redirect_stderr(nowhere),
+        open(os.devnull, "w", encoding="utf-8", errors="replace") as devnull,
+        redirect_stdout(devnull),
+        redirect_stderr(devnull),
     ):
-        notebook = _Notebook(names, _Patience(seconds))
+        notebook = _Notebook(names, _CellTimer(seconds))
         for source in before:
             notebook.run(source)
         failed = {
@@ -54,175 +67,179 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
             for k, source in enumerate(sources, start=1)
             if (error := notebook.run(source)) is not None
         }
-        _try_again(notebook, sources, failed)
+        _rerun_failed(notebook, sources, failed)
         encoded, unreadable = notebook.encoded()
     errors = [
-        f"code cell {k}: {_told(error)}"
+        f"code cell {k}: {_error_line(error)}"
         for k, error in failed.items()
-        if not isinstance(error, (TooLong, NotYet))
+        if not isinstance(error, (CellTimeout, NotYet))
     ]
     return {
         "encoded": encoded,
         "unreadable": unreadable,
         "errors": errors,
-        "stopped": [k for k, error in failed.items() if isinstance(error, TooLong)],
+        "stopped": [k for k, error in failed.items() if isinstance(error, CellTimeout)],
     }
 
 
 def prepare():
-    """Start a shell now for the next `run_cells`, here or in a child forked from this process."""
-    shell = _shell()
-    shell.run_cell("pass", store_history=False)  # what the first cell would set up
+    """Start a shell for the next `run_cells`, in this process or in a fork of it."""
+    shell = _new_shell()
+    shell.run_cell("pass", store_history=False)  # the first cell takes longer than later ones
     _prepared.append(shell)
 
 
-#: Shells that have run nothing of anybody's.
+#: Shells that have run no cell of a notebook.
 _prepared = []
 
 
-def _try_again(notebook, sources, failed):
-    """Run failed cells once more while that brings answers still missing: what they need may have
-    stood below them."""
+def _rerun_failed(notebook, sources, failed):
+    """Run failed cells again while missing answers remain, since they may need later cells."""
     progress = True
-    while progress and len(notebook.given) < len(notebook.names):
+    while progress and len(notebook.answers) < len(notebook.names):
         progress = False
         for k, error in list(failed.items()):
-            if not isinstance(error, TooLong) and notebook.run_for_missing(sources[k - 1]) is None:
+            if (
+                not isinstance(error, CellTimeout)
+                and notebook.run_for_missing(sources[k - 1]) is None
+            ):
                 del failed[k]
                 progress = True
 
 
 class _Notebook:
-    """A fresh shell that writes no history: nothing of one notebook is seen by the next."""
+    """A fresh shell for one notebook, without a history."""
 
-    def __init__(self, names, patience):
-        self.names, self.given = names, {}
-        self._patience, self._shell = patience, _prepared.pop() if _prepared else _shell()
+    def __init__(self, names, timer):
+        self.names, self.answers = names, {}
+        self._timer, self._shell = timer, _prepared.pop() if _prepared else _new_shell()
 
     def run(self, source):
-        """Run a cell and note the answers; returns its error or None."""
+        """Run a cell and store the answers; return its error or None."""
         try:
-            with self._patience.for_one():
+            with self._timer.limit():
                 outcome = self._shell.run_cell(source, store_history=False)
             error = outcome.error_before_exec or outcome.error_in_exec
-        # what even the shell cannot run, such as text with half a character
+        # sources that IPython cannot run, such as text with a lone surrogate
         except BaseException as failure:
             error = failure
         for name in self.names:
             value = self._shell.user_ns.get(name, ...)
             if value is not ...:
-                self.given[name] = value
-            elif name in self.given:
-                self._shell.user_ns[name] = self.given[name]
+                self.answers[name] = value
+            elif name in self.answers:
+                self._shell.user_ns[name] = self.answers[name]
         return error
 
     def run_for_missing(self, source):
-        """Run a cell again; answers given already stay as they are."""
-        settled = dict(self.given)
+        """Run a cell again without changing existing answers; return its error or None."""
+        existing = dict(self.answers)
         error = self.run(source)
-        self.given |= settled
+        self.answers |= existing
         return error
 
     def encoded(self):
-        """(encoded answers, why others cannot be read), by name; an untouched stub is an answer
-        too."""
+        """Return encoded answers and messages on unreadable ones, by name; a stub is an answer."""
         from workbook.checks.contract.encoding import encode
         from workbook.checks.contract.traversal import EncodingError
 
-        encoded, unreadable, room = {}, {}, ROOM
+        encoded, unreadable, remaining = {}, {}, MAX_ANSWER_BYTES
         for name in self.names:
             if name not in self._shell.user_ns:
                 continue
             try:
-                with self._patience.for_one():
-                    text = encode(self.given.get(name, ...)).decode()
+                with self._timer.limit():
+                    text = encode(self.answers.get(name, ...)).decode()
             except EncodingError as error:
                 unreadable[name] = str(error)
                 continue
-            except (TooLong, MemoryError):
+            except (CellTimeout, MemoryError):
                 unreadable[name] = "reading this answer took more time or memory than allowed"
                 continue
-            room -= len(json.dumps(text))
-            if room >= 0:
+            remaining -= len(json.dumps(text))
+            if remaining >= 0:
                 encoded[name] = text
             else:
                 unreadable[name] = (
-                    f"the answers together take more than the {ROOM // 2**20} MB allowed"
+                    f"the answers together take more than the {MAX_ANSWER_BYTES // 2**20} MB allowed"
                 )
         return encoded, unreadable
 
 
-class _Patience:
-    """Stops a cell that takes half of the time left, of computing or (if that is bounded) on the
-    clock, or that an alarm wakes; without `seconds` it never does."""
+class _CellTimer:
+    """Stops a cell that takes half of the remaining time, or receives an alarm signal.
+
+    Parameters
+    ----------
+    seconds : sequence of float, optional
+        Limits of computing time and elapsed time; without it cells are never stopped.
+    """
 
     def __init__(self, seconds):
-        self._ends = [clock() + limit for clock, limit in zip(CLOCKS, seconds)] if seconds else []
+        self._deadlines = (
+            [clock() + limit for clock, limit in zip(CLOCKS, seconds)] if seconds else []
+        )
 
     @contextmanager
-    def for_one(self):
-        kinds = TIMERS if self._ends else ()
-        for _, kind in kinds:
-            signal.signal(kind, _stop)
-        for end, clock, (timer, _) in zip(self._ends, CLOCKS, TIMERS):
-            signal.setitimer(timer, max((end - clock()) / 2, 0.01))
+    def limit(self):
+        timers = TIMERS if self._deadlines else ()
+        for _, signal_number in timers:
+            signal.signal(signal_number, _raise_timeout)
+        for deadline, clock, (timer, _) in zip(self._deadlines, CLOCKS, TIMERS):
+            signal.setitimer(timer, max((deadline - clock()) / 2, 0.01))
         try:
             yield
         finally:
-            for timer, kind in kinds:
+            for timer, signal_number in timers:
                 signal.setitimer(timer, 0)
-                # it may also come from whoever watches this process
-                signal.signal(kind, signal.SIG_IGN)
+                # the watchdog of this process may send it too
+                signal.signal(signal_number, signal.SIG_IGN)
 
 
 CLOCKS = (time.process_time, time.monotonic)
 TIMERS = ((signal.ITIMER_PROF, signal.SIGPROF), (signal.ITIMER_REAL, signal.SIGALRM))
 
 
-def _stop(*_):
-    raise TooLong
+def _raise_timeout(*_):
+    raise CellTimeout
 
 
-def _shell():
+def _new_shell():
     from IPython.core.displayhook import DisplayHook
     from IPython.core.interactiveshell import InteractiveShell
     from traitlets import Any
     from traitlets.config import Config, Configurable
 
     class InlineBackend(Configurable):
-        """Takes what `%config InlineBackend...` sets: no picture is shown here, and the real one
-        loads Matplotlib."""
+        """Stand-in for `%config InlineBackend...`; the real one loads Matplotlib."""
 
         figure_format, figure_formats, print_figure_kwargs, rc = (
             Any().tag(config=True) for _ in range(4)
         )
         close_figures = Any().tag(config=True)
 
-    class Kept(DisplayHook):
-        """The value of a cell's last line is kept as `_`, but made into no text: nobody reads it
-        here."""
+    class SilentDisplayHook(DisplayHook):
+        """Stores the value of a cell's last line as `_` and displays nothing."""
 
         def __call__(self, result=None):
             if result is not None:
                 self.update_user_ns(result)
 
     class Shell(InteractiveShell):
-        displayhook_class = Kept
+        displayhook_class = SilentDisplayHook
 
         def enable_matplotlib(self, gui=None):
-            """`%matplotlib inline` and its kin find no screen here, and need none."""
+            """Accept `%matplotlib inline` and the like without a display."""
             return gui, "agg"
 
         def showtraceback(self, *args, **options):
-            """Errors are told by their type and text: nobody reads a traceback here, and one may be
-            built to be endless."""
+            """Format no traceback, which nobody reads and which may be endless."""
 
         showsyntaxerror = showtraceback
 
         @contextmanager
         def _tee(self, channel):
-            """IPython 9 keeps a copy of all that is printed, which endless output would turn into
-            endless memory."""
+            """Keep no copy of the output (IPython 9), which may be endless."""
             yield
 
     config = Config()
@@ -232,12 +249,12 @@ def _shell():
     return shell
 
 
-def _told(error):
-    """An error in one line, whatever its class does when asked."""
+def _error_line(error):
+    """Return an error in one line, also if its class overrides names and texts."""
     name = type.__dict__["__name__"].__get__(type(error))
     try:
         text = str(error)[:300]
     except BaseException:
         text = "(its text cannot be read)"
-    said = hint_for(text)
-    return f"{name}: {text}" + (". " + said.replace("\n", " ") if said else "")
+    hint = hint_for(text)
+    return f"{name}: {text}" + (". " + hint.replace("\n", " ") if hint else "")

@@ -1,6 +1,6 @@
-"""Static import closure of a notebook: which modules of trajlib and of workbook it uses.
+"""Static import closure of a notebook: the modules of trajlib and workbook that it uses.
 
-A stored result or output is stale when one of these modules changes, and only then.
+A stored result or output is stale if and only if one of these modules has changed.
 """
 
 import ast
@@ -12,38 +12,50 @@ from pathlib import Path
 
 from trajlib._lazy import home_of
 
-#: The packages whose modules count, and the folder in which both lie.
-OURS = ("trajlib", "workbook")
-HOME = Path(__file__).resolve().parents[2]
+#: Our packages, and the folder that holds them.
+PACKAGES = ("trajlib", "workbook")
+ROOT = Path(__file__).resolve().parents[2]
 
 
 def module_closure(source):
-    """Our modules that code loads, directly or through each other, with the SHA-256 of their text.
+    """Return our modules that code loads, directly or indirectly, with the hashes of their texts.
 
-    Found by reading imports, without running anything; packages whose names load lazily count by
-    the names used.
+    Imports are read from the syntax trees; nothing is run. Of packages with lazy names only the
+    modules of the names used are included.
 
+    Parameters
+    ----------
+    source : str
+        The code.
+
+    Returns
+    -------
+    dict of str
+        SHA-256 of the text of each module, by the module's name.
+
+    Examples
+    --------
     >>> closure = module_closure("from workbook import checks; checks.stability_region")
     >>> "workbook.checks.stability.regions" in closure, "workbook.checks.stability.cycles" in closure
     (True, False)
     """
-    closure, waiting = {}, sorted(_loaded(source))
-    while waiting:
-        module = waiting.pop()
+    closure, queue = {}, sorted(_loaded(source))
+    while queue:
+        module = queue.pop()
         if module not in closure:
-            path = path_of(module)
+            path = module_path(module)
             closure[module] = hashlib.sha256(path.read_bytes()).hexdigest()
-            waiting += sorted(_loaded_by(module, path))
+            queue += sorted(_loaded_by(module, path))
     return dict(sorted(closure.items()))
 
 
 def _loaded(source, package=None):
-    """Our modules that code names in its imports, or by attributes of what it imports.
+    """Return our modules that code imports, or uses by attributes of imported packages.
 
-    `package` is the package that relative imports start from, for the source of a module.
+    `package` is the package of the module with this source, for its relative imports.
     """
-    packages, found = {}, set()
-    for node in _imports(ast.parse(source) if package is None else _quick(source)):
+    packages, modules = {}, set()
+    for node in _imports(ast.parse(source) if package is None else _parse_imports(source)):
         if isinstance(node, ast.Import):
             for alias in node.names:
                 if _is_ours(alias.name):
@@ -57,15 +69,14 @@ def _loaded(source, package=None):
             if _is_ours(start):
                 for alias in node.names:
                     module = f"{start}.{alias.name}"
-                    if path_of(module):
+                    if module_path(module):
                         packages[alias.asname or alias.name] = module
                     else:
-                        found.add(_home(start, alias.name) or start)
+                        modules.add(_home(start, alias.name) or start)
     for module in packages.values():
-        # A package itself says nothing of what a notebook computes, but what it imports at once
-        # may.
-        found |= (
-            _loaded_by(module, path_of(module)) - {"trajlib._lazy"}
+        # of a package, the modules that it imports at once
+        modules |= (
+            _loaded_by(module, module_path(module)) - {"trajlib._lazy"}
             if _is_package(module)
             else {module}
         )
@@ -73,8 +84,8 @@ def _loaded(source, package=None):
         if isinstance(node, ast.Attribute) and (package := _package(node.value, packages)):
             home = _home(package, node.attr)
             if home is not None and not _is_package(home):
-                found.add(home)
-    return found
+                modules.add(home)
+    return modules
 
 
 def _package(node, packages):
@@ -85,29 +96,31 @@ def _package(node, packages):
     if not isinstance(node, ast.Attribute) or not (above := _package(node.value, packages)):
         return None
     within = f"{above}.{node.attr}"
-    return within if path_of(within) and _is_package(within) else None
+    return within if module_path(within) and _is_package(within) else None
 
 
 def _imports(tree):
-    """Only statements are looked at, which saves most of the time of `ast.walk`."""
-    waiting = [tree]
-    while waiting:
-        node = waiting.pop()
+    """Yield the import statements of a tree; expressions are skipped, which saves most of the time."""
+    queue = [tree]
+    while queue:
+        node = queue.pop()
         if isinstance(node, (ast.Import, ast.ImportFrom)):
             yield node
         for field in ("body", "orelse", "handlers", "finalbody", "cases"):
-            waiting += getattr(node, field, ())
+            queue += getattr(node, field, ())
 
 
-#: An import on lines of its own, as all of ours are, to the end of its line or of its brackets.
+#: An import statement on lines of its own, to the end of its line or of its brackets.
 _IMPORT = re.compile(
     r"^[ \t]*((?:from[ \t]+[\w.]+[ \t]+)?import[ \t]+(?:\([^)]*\)|[^\n]*))", re.MULTILINE
 )
 
 
-def _quick(source):
-    """The tree of a module's imports, or of all of it where a line of prose looks like one. This is
-    done for every module under a notebook, and takes a tenth of what whole modules do."""
+def _parse_imports(source):
+    """Parse the import statements of a module, or all of it where prose looks like one.
+
+    This takes a tenth of the time of parsing whole modules.
+    """
     try:
         return ast.parse("\n".join(_IMPORT.findall(source)))
     except SyntaxError:
@@ -115,10 +128,10 @@ def _quick(source):
 
 
 def _dotted(node):
-    """The text of names with dots, None for anything else."""
+    """Return the text of a dotted name, None for another node."""
     if isinstance(node, ast.Attribute):
-        before = _dotted(node.value)
-        return before and f"{before}.{node.attr}"
+        owner = _dotted(node.value)
+        return owner and f"{owner}.{node.attr}"
     return node.id if isinstance(node, ast.Name) else None
 
 
@@ -129,7 +142,7 @@ def _loaded_by(module, path):
 
 
 def _is_ours(name):
-    return name.split(".")[0] in OURS
+    return name.split(".")[0] in PACKAGES
 
 
 def _home(module, name):
@@ -137,16 +150,18 @@ def _home(module, name):
 
 
 def _is_package(module):
-    return path_of(module).name == "__init__.py"
+    return module_path(module).name == "__init__.py"
 
 
 @cache
-def path_of(name):
-    """The file of a module of ours, None if the name is of something else; by its place, since
-    `find_spec` imports what is above."""
+def module_path(name):
+    """Return the file of one of our modules, None for another name.
+
+    It is found by its path, since `find_spec` imports the packages above a module.
+    """
     if not _is_ours(name):
         return None
-    place = HOME.joinpath(*name.split("."))
+    base = ROOT.joinpath(*name.split("."))
     return next(
-        (file for file in (place / "__init__.py", place.with_suffix(".py")) if file.is_file()), None
+        (file for file in (base / "__init__.py", base.with_suffix(".py")) if file.is_file()), None
     )

@@ -1,9 +1,8 @@
-"""Run a notebook's cells in a child process and bring its answers home as data; judge answers in
-another.
+"""Run a notebook's cells in a child process, and judge its answers in another.
 
-The child that runs a student's cells hands over bytes only (`workbook.checks.contract.encoding`).
-The child that judges decodes them, runs data and check cells of the pristine exercise, and never
-executes anything of the student's.
+The child that runs a student's cells returns bytes only (`workbook.checks.contract.encoding`). The
+child that judges decodes them and runs data and check cells of the pristine exercise, but no code
+of the student.
 """
 
 import json
@@ -22,13 +21,22 @@ CONTEXT = multiprocessing.get_context(
     "fork" if "fork" in multiprocessing.get_all_start_methods() else "spawn"
 )
 
-DISTURBING = {signal.SIGINT, signal.SIGTERM}
+INTERRUPTS = {signal.SIGINT, signal.SIGTERM}
 
 
 @dataclass(frozen=True)
 class Run:
-    """What running a notebook gave: encoded answers by name, why others could not be read, and
-    errors of cells."""
+    """The result of running a notebook.
+
+    Attributes
+    ----------
+    encoded : dict of bytes
+        Encoded answers by name.
+    unreadable : dict of str
+        Messages on the other answers by name.
+    errors : tuple of str
+        A line for each cell that failed.
+    """
 
     encoded: dict
     unreadable: dict
@@ -36,27 +44,44 @@ class Run:
 
 
 class TimeLimit(RuntimeError):
-    """The child did not finish within its time."""
+    """A child process did not finish within its time."""
 
 
 class Child:
-    """A child process that computes `function(*args)`, beginning now; what goes in and out must be
-    plain data.
+    """A child process that computes `function(*args)` from now on.
 
-    A generator gives a result each time that it yields. The process is forked where the system can,
-    so it starts with everything imported that the parent has.
+    It is forked where the system can fork, so that it starts with all modules of the parent.
+
+    Parameters
+    ----------
+    function : callable
+        The function; a generator function gives several results.
+    *args
+        Its arguments, which can be pickled; its results can be written as JSON.
     """
 
     def __init__(self, function, *args):
         self._receiver, sender = CONTEXT.Pipe(duplex=False)
         self._process = CONTEXT.Process(target=_serve, args=(sender, function, args), daemon=True)
-        with _undisturbed():
+        with _interrupts_blocked():
             self._process.start()
         sender.close()
 
     def result(self, timeout):
-        """Raises `TimeLimit` after `timeout` seconds, and `RuntimeError` with the child's last
-        words if it dies."""
+        """Return the next result.
+
+        Parameters
+        ----------
+        timeout : float
+            Seconds to wait for it.
+
+        Raises
+        ------
+        TimeLimit
+            If there is none in this time, or the child has reached its limit of processor time.
+        RuntimeError
+            If the function raised an error (with its traceback), or the child died.
+        """
         try:
             if not self._receiver.poll(timeout):
                 raise TimeLimit(f"no result after {timeout:g} s")
@@ -71,6 +96,7 @@ class Child:
         return value
 
     def end(self):
+        """Kill the child and release its resources."""
         self._process.kill()
         self._process.join()
         self._process.close()
@@ -78,7 +104,7 @@ class Child:
 
 
 def in_child(function, *args, timeout):
-    """The result of a `Child`, which ends with it."""
+    """Return the result of `function(*args)` in a `Child`, which is ended then."""
     child = Child(function, *args)
     try:
         return child.result(timeout)
@@ -87,10 +113,28 @@ def in_child(function, *args, timeout):
 
 
 def run_notebook(sources, names, timeout=120, folder=None):
-    """Run code cells as Jupyter would (magics included) and collect the answers `names`; returns a
-    `Run`.
+    """Run code cells as Jupyter would, magics included, and collect the answers.
 
-    A cell that fails does not stop the others: what can be answered is answered.
+    Parameters
+    ----------
+    sources : iterable of str
+        The code cells; one that fails does not stop the others.
+    names : iterable of str
+        Names of the answers.
+    timeout : float
+        Seconds for all cells.
+    folder : path_like, optional
+        Working folder.
+
+    Returns
+    -------
+    Run
+        The answers and the errors.
+
+    Raises
+    ------
+    TimeLimit
+        If the cells take longer than `timeout`.
     """
     result = in_child(
         run_cells, list(sources), list(names), str(folder) if folder else None, timeout=timeout
@@ -103,66 +147,107 @@ def run_notebook(sources, names, timeout=120, folder=None):
 
 
 def judge(cells, run, names, timeout=60):
-    """The verdicts on a run: `cells` are (role, source) of the pristine exercise's data and check
-    cells, in order."""
+    """Return the verdicts on a run by answer.
+
+    Parameters
+    ----------
+    cells : iterable of (str, str)
+        (role, source) of the pristine exercise's data and check cells, in order.
+    run : Run
+        The run.
+    names : iterable of str
+        Names of the answers.
+    timeout : float
+        Seconds for all checks.
+
+    Returns
+    -------
+    dict of Verdict
+        The verdicts by name.
+
+    Raises
+    ------
+    TimeLimit
+        If the checks take longer than `timeout`.
+    """
     encoded = {name: data.decode() for name, data in run.encoded.items()}
-    found = in_child(
+    verdicts = in_child(
         judge_cells, list(cells), encoded, dict(run.unreadable), list(names), timeout=timeout
     )
-    return {name: Verdict(*verdict) for name, verdict in found.items()}
+    return {name: Verdict(*verdict) for name, verdict in verdicts.items()}
 
 
 @contextmanager
-def _undisturbed():
-    """Ctrl-C and the like wait: what a handler of signals raises in the midst of a fork is printed
-    and lost."""
+def _interrupts_blocked():
+    """Delay Ctrl-C and SIGTERM during a fork, where an exception of a signal handler is lost."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
         return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, DISTURBING)
+    previous = signal.pthread_sigmask(signal.SIG_BLOCK, INTERRUPTS)
     try:
         yield
     finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+        signal.pthread_sigmask(signal.SIG_SETMASK, previous)
 
 
 def _serve(sender, function, args):
     if hasattr(signal, "pthread_sigmask"):
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, DISTURBING)
+        signal.pthread_sigmask(signal.SIG_UNBLOCK, INTERRUPTS)
     try:
-        found = function(*args)
-        for answer in found if isinstance(found, GeneratorType) else [found]:
-            sender.send_bytes(json.dumps(["done", answer]).encode())
-    except BaseException:  # whatever happened is told, even SystemExit
+        result = function(*args)
+        for value in result if isinstance(result, GeneratorType) else [result]:
+            sender.send_bytes(json.dumps(["done", value]).encode())
+    except BaseException:  # SystemExit too
         sender.send_bytes(json.dumps(["error", traceback.format_exc(limit=-3)]).encode())
     sender.close()
 
 
 def judge_cells(cells, encoded, unreadable, names):
-    """In this very process: {name: [status, message, mistake]} for encoded answers (for a child
-    only)."""
+    """Judge encoded answers in this process, which is to be a child process.
+
+    Returns
+    -------
+    dict
+        [status, message, mistake] by name.
+    """
     return judge_answers(cells, lambda: decoded(encoded, unreadable, names), names)
 
 
 def judge_answers(cells, answers, names, namespace=None):
-    """The same, where `answers()` gives them by name as `decoded` does; it is called when the first
-    check is due. `namespace` is what cells before these have left.
+    """Judge answers in this process, which is to be a child process.
 
-    What was handed over reaches the check cells under the names of the answers alone: nothing else
-    of theirs, such as the data, can be replaced by it.
+    The values reach the check cells under the names of the answers only, so that they cannot
+    replace other names, such as the data.
+
+    Parameters
+    ----------
+    cells : iterable of (str, str)
+        (role, source) of data and check cells, in order.
+    answers : callable
+        `answers()` returns the values by name, as `decoded` does; it is called before the first
+        check cell.
+    names : iterable of str
+        Names of the answers.
+    namespace : dict, optional
+        The namespace after cells that have run before.
+
+    Returns
+    -------
+    dict
+        [status, message, mistake] by name.
     """
     os.environ.setdefault("MPLBACKEND", "Agg")
-    from workbook.checks import collecting
+    from workbook.checks import collecting  # reads the names of all checks
 
-    given, namespace = None, {"__name__": "exercise"} if namespace is None else namespace
+    values, namespace = None, {"__name__": "exercise"} if namespace is None else namespace
     with collecting() as verdicts:
         for role, source in cells:
             if role != "check":
                 run_cell((role, source), namespace)
                 continue
-            given = answers() if given is None else given
-            namespace.update(given)
-            # a check cell that fails leaves its own answers unchecked, and no others
+            values = answers() if values is None else values
+            namespace.update(values)
+            # the answers of a check cell that fails stay unchecked
             with suppress(Exception):
                 run_cell((role, source), namespace)
     unchecked = Verdict(
@@ -176,17 +261,17 @@ def judge_answers(cells, answers, names, namespace=None):
 
 
 def run_cell(cell, namespace):
+    """Execute a cell (role, source) in a namespace."""
     role, source = cell
     exec(compile(source, f"<{role} cell>", "exec"), namespace)
 
 
 def decoded(encoded, unreadable, names):
-    """{name: value} of the answers: the stub for one that is not there, `Unusable` for one that
-    cannot be read."""
-    return {name: _answer(encoded.get(name), unreadable.get(name)) for name in names}
+    """Return the values of the answers by name: `...` if missing, `Unusable` if unreadable."""
+    return {name: _decode(encoded.get(name), unreadable.get(name)) for name in names}
 
 
-def _answer(text, unreadable):
+def _decode(text, unreadable):
     from workbook.checks.contract.decoding import decode
     from workbook.checks.contract.traversal import EncodingError
 

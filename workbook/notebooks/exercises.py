@@ -1,9 +1,8 @@
-"""The pristine exercises: what every check and grade reads data and check cells from.
+"""The pristine exercises, from which every check and every grade reads data and check cells.
 
-They stand in exercises/ of a checkout, and inside the package when it was installed from a wheel. A
-notebook names places of the book without a link, since a student may be anywhere; its cells'
-metadata know where each stands on the site, and `linked` makes links of them where the site has an
-address.
+They are in exercises/ of a checkout, and in the package where it was installed from a wheel. A
+notebook refers to the book without links, since a student may be anywhere; the metadata `places` of
+its cells hold the addresses, and `add_links` makes links of them where the site has an address.
 """
 
 import copy
@@ -18,13 +17,22 @@ CHECKOUT = PACKAGE.parent
 
 
 class UnknownExercise(ValueError):
-    """No exercise has this number, or a file is no exercise of the workbook."""
+    """There is no exercise with a number, or a file is no exercise of the workbook."""
 
 
 @dataclass(frozen=True)
 class Exercise:
-    """A student's notebook as it was handed out: `about` is its metadata (number, title, answers,
-    hints, ...)."""
+    """A student notebook.
+
+    Attributes
+    ----------
+    path : pathlib.Path
+        Its file.
+    about : dict
+        Its metadata: number, title, section, level, topics, answers and hints.
+    cells : tuple of (str, str)
+        (role, source) of its code cells.
+    """
 
     path: Path
     about: dict
@@ -35,27 +43,28 @@ class Exercise:
         return self.about["number"]
 
     def code(self, *roles):
-        """(role, source) of the code cells with one of the roles, in order."""
+        """Return (role, source) of the code cells with one of the roles, in order."""
         return [(role, source) for role, source in self.cells if role in roles]
 
-    def to_run(self, sources):
-        """A student's code cells, with nothing in the place of check cells that are as we handed
-        them out."""
-        ours = {source.strip() for _, source in self.code("check")}
-        return ["" if source.strip() in ours else source for source in sources]
+    def sources_to_run(self, sources):
+        """Return a student's code cells, with "" for check cells that have not been changed."""
+        pristine = {source.strip() for _, source in self.code("check")}
+        return ["" if source.strip() in pristine else source for source in sources]
 
 
-def home():
-    """The folder that holds the exercises."""
+def folder():
+    """Return the folder of the exercises."""
     checkout = CHECKOUT / "exercises"
     return checkout if checkout.is_dir() else PACKAGE / "_exercises"
 
 
 def read(path):
-    """The exercise in a notebook file of ours, pristine or worked on.
+    """Return the exercise in a notebook file, pristine or worked on.
 
-    Raises `UnknownExercise` if the file is not a notebook or does not say which problem it belongs
-    to.
+    Raises
+    ------
+    UnknownExercise
+        If the file is no notebook, or its metadata name no problem.
     """
     path = Path(path)
     try:
@@ -78,62 +87,75 @@ def read(path):
 
 
 def read_all():
-    """All exercises in the order of their numbers."""
-    paths = home().glob("ch*/p*.ipynb")
+    """Return all exercises in the order of their numbers."""
+    paths = folder().glob("ch*/p*.ipynb")
     return [read(path) for path in sorted(paths, key=lambda p: (int(p.parent.name[2:]), p.stem))]
 
 
 def find(number):
-    """The pristine exercise with a number such as "1.15"; raises `UnknownExercise`."""
-    path = place(number)
-    return _as_changed(path, path.stat().st_mtime_ns)
+    """Return the pristine exercise with a number such as "1.15".
+
+    Raises
+    ------
+    UnknownExercise
+        If there is none.
+    """
+    path = notebook_path(number)
+    return _read_cached(path, path.stat().st_mtime_ns)
 
 
 @lru_cache(maxsize=256)
-def _as_changed(path, when):
-    """What was read of a file stays true until it is changed: who grades asks for it with each
-    notebook."""
+def _read_cached(path, modified):
+    """Read a file again only after a change; grading reads it for each submission."""
     return read(path)
 
 
-def place(number):
-    """Where the notebook of `find` stands."""
+def notebook_path(number):
+    """Return the file of an exercise; raise `UnknownExercise` if there is none."""
     chapter, _, problem = str(number).partition(".")
-    path = home() / f"ch{chapter}" / f"p{problem:0>2}.ipynb"
+    path = folder() / f"ch{chapter}" / f"p{problem:0>2}.ipynb"
     if not (chapter.isdigit() and problem.isdigit() and path.exists()):
         raise UnknownExercise(f"there is no problem {number}; `workbook problems` lists them")
     return path
 
 
-def linked(notebook, address):
-    """A copy of a notebook in which the names of the book's places are links, whatever links they
-    were before.
+def add_links(notebook, url_of):
+    """Return a copy of a notebook with links to the book, in place of other links to it.
 
-    `address` maps a place below the site's root, "book/ch1.html#thm-1-2", to what the link is to
-    hold.
+    Parameters
+    ----------
+    notebook : dict
+        A student notebook in nbformat 4.5.
+    url_of : callable
+        Maps an address below the site's root, such as "book/ch1.html#thm-1-2", to a URL.
+
+    Returns
+    -------
+    dict
+        The copy.
     """
     notebook = copy.deepcopy(notebook)
     for cell in notebook["cells"]:
         source, done = "".join(cell["source"]), ""
-        for text, place in cell["metadata"].get("places", ()):
+        for text, address in cell["metadata"].get("places", ()):
             words, is_prose = re.escape(text), cell["cell_type"] == "markdown"
-            named = re.search(
+            match = re.search(
                 rf"\[{words}\]\([^)\s]*\)|{words}" if is_prose else rf'"[^"]*{words}[^"]*"', source
             )
             link = (
-                f"[{text}]({address(place)})"
+                f"[{text}]({url_of(address)})"
                 if is_prose
-                else f'"trajlib[workbook] @ {address(place)}"'
+                else f'"trajlib[workbook] @ {url_of(address)}"'
             )
-            done += source[: named.start()] + link
-            source = source[named.end() :]
+            done += source[: match.start()] + link
+            source = source[match.end() :]
         cell["source"] = done + source
     return notebook
 
 
-def below(site):
-    """The `address` of `linked` for a site with this address."""
-    return lambda place: f"{site.rstrip('/')}/{place}"
+def site_urls(site):
+    """Return the `url_of` for `add_links` of a site with this address."""
+    return lambda address: f"{site.rstrip('/')}/{address}"
 
 
 def _role(cell):

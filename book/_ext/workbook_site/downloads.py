@@ -61,8 +61,8 @@ def _served(source, base, solved):
     """Return the text of a notebook, its links leading to this edition if the site has an address."""
     notebook = json.loads(source.read_text(encoding="utf-8"))
     if base:
-        to_site = exercises.below(base)
-        notebook = exercises.linked(
+        to_site = exercises.site_urls(base)
+        notebook = exercises.add_links(
             notebook,
             lambda path: to_site(path if solved else path.replace("solutions/", "exercises/", 1)),
         )

@@ -13,7 +13,7 @@ from string import ascii_lowercase
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
-from workbook.authoring.drawn import beginning
+from workbook.authoring.drawing_cells import alt_text
 from workbook_site import catalogue
 
 CHAPTER = re.compile(r"book/ch(\d+)")
@@ -34,7 +34,7 @@ class CaptionFigures(SphinxPostTransform):
             *others, last = cell.findall(nodes.image)
             caption = _caption_below(cell)
             number = self._number(k, len(sources))
-            text = beginning(_as_written(caption)) if caption is not None else ""
+            text = alt_text(_as_written(caption)) if caption is not None else ""
             for image in (*others, last):
                 image["alt"] = f"{number}: {text}" if text else number
             if caption is not None:

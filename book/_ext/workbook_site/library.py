@@ -2,12 +2,16 @@
 
 import importlib
 import inspect
+import re
 
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
-from workbook_site.docstrings import parse
+from workbook_site.docstrings import parse, spans
+from workbook_site.problem_pages import to_label
 from workbook_site.uses import label_of, public_names, used_in
+
+LETTER = re.compile(r"^( *)([A-Za-z]\.(?: |$))")
 
 
 class Library(SphinxDirective):
@@ -23,8 +27,21 @@ class Library(SphinxDirective):
         )
         return [
             *self._autodoc("automodule", module.__name__),
+            self._summary(module, names),
             *(self._section(module, name) for name in names),
         ]
+
+    def _summary(self, module, names):
+        """Return a table with the first sentence about each name."""
+        rows = []
+        for name in names:
+            link = to_label(self.env.docname, label_of(module.__name__, name), name)
+            first = inspect.getdoc(getattr(module, name)).partition("\n\n")[0].replace("\n", " ")
+            cells = (nodes.paragraph("", "", link), nodes.paragraph("", "", *spans(first)))
+            rows.append(nodes.row("", *(nodes.entry("", cell) for cell in cells)))
+        columns = [nodes.colspec(colwidth=width) for width in (30, 70)]
+        group = nodes.tgroup("", *columns, nodes.tbody("", *rows), cols=2)
+        return nodes.table("", group, classes=["library-summary"])
 
     def _section(self, module, name):
         member = getattr(module, name)
@@ -41,6 +58,11 @@ class Library(SphinxDirective):
     def _autodoc(self, directive, name):
         options = "   :members:\n   :member-order: bysource\n" if directive == "autoclass" else ""
         return parse(f".. {directive}:: {name}\n{options}", self.state.document)
+
+
+def _escape_letters(app, what, name, member, options, lines):
+    """Escape a letter with a full stop at the beginning of a line: it numbers no list."""
+    lines[:] = [LETTER.sub(r"\1\\\2", line) for line in lines]
 
 
 def _skip_fields(app, what, name, member, skip, options):
@@ -68,6 +90,7 @@ def _hide_private(app, what, name, member, options, arguments, result):
 def setup(app):
     app.setup_extension("sphinx.ext.autodoc")
     app.setup_extension("numpydoc")
+    app.connect("autodoc-process-docstring", _escape_letters, priority=900)  # after numpydoc
     app.connect("autodoc-skip-member", _skip_fields)
     app.connect("autodoc-process-signature", _hide_private, priority=900)
     app.add_directive("library", Library)

@@ -18,8 +18,9 @@ from sphinx.util.docutils import SphinxDirective, SphinxRole
 from sphinx.util.index_entries import split_index_msg
 from sphinx_exercise.nodes import exercise_node
 
-from workbook.authoring.contract import in_words, item_of
-from workbook.authoring.student_notebook import SENTENCE_END, core_text
+from workbook.authoring.contract import item_of, plural_kind
+from workbook.authoring.plain_markdown import SENTENCE_END
+from workbook.authoring.student_notebook import core_text
 from workbook.notebooks import exercises
 from workbook_site import catalogue
 from workbook_site.downloads import link
@@ -64,7 +65,7 @@ def _student_page(source, head):
             # the wheel is no page: the student's guide links to it
             if not path.startswith("wheels/")
         ]
-    notebook = exercises.linked(notebook, _link_target)
+    notebook = exercises.add_links(notebook, _link_target)
     texts = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
     for cell in texts:
         cell["source"] = re.sub(r"^##? Problem .*$", "", cell["source"], flags=re.M).strip()
@@ -153,7 +154,7 @@ class ProblemAnswers(SphinxDirective):
         kind, meaning = problem.answers[name]
         row = nodes.container(classes=["answer"])
         row += self._markdown(f"`{name}` {meaning}")
-        row[0] += [nodes.Text(" "), nodes.inline("", in_words(kind), classes=["kind"])]
+        row[0] += [nodes.Text(" "), nodes.inline("", plural_kind(kind), classes=["kind"])]
         for k, hint in enumerate(problem.hints.get(name, []), start=1):
             fold = details("", summary("", f"Hint {k}"), classes=["hint"])
             fold += self._markdown(hint)

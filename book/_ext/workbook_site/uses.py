@@ -15,7 +15,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from workbook.notebooks import exercises
-from workbook.notebooks.dependencies import OURS
+from workbook.notebooks.dependencies import PACKAGES
 from workbook_site import catalogue
 from workbook_site.problem_pages import to_label, to_page
 
@@ -113,7 +113,7 @@ def uses(code):
 
 
 def _is_ours(module):
-    return module.split(".")[0] in OURS
+    return module.split(".")[0] in PACKAGES
 
 
 def _code_of(path):

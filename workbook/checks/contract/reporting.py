@@ -11,7 +11,7 @@ from contextvars import ContextVar
 
 from trajlib.typesetting import typeset
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
-from workbook.jupyter import in_notebook
+from workbook.jupyter import runs_in_notebook
 
 MARKS = {RIGHT: "✓", WRONG: "✗", MISSING: "…", INVALID: "?", UNCHECKED: "!"}
 #: Ink and ground of a line, with a contrast of at least 4.5.
@@ -42,7 +42,7 @@ class NotYet(Exception):
     def _render_traceback_(self):
         # Jupyter asks for this instead of the traceback: the student reads the verdicts and nothing
         # else.
-        if not in_notebook():
+        if not runs_in_notebook():
             return str(self).split("\n")
         right = sum(verdict.status == RIGHT for verdict in self.verdicts.values())
         return [f"Not yet: {right} of {len(self.verdicts)} right."]
@@ -55,7 +55,7 @@ def deliver(verdicts):
         collected.update(verdicts)
         return
     right = all(verdict.status == RIGHT for verdict in verdicts.values())
-    if in_notebook():
+    if runs_in_notebook():
         _display(verdicts)
     elif right:
         print(_as_text(verdicts))

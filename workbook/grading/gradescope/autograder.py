@@ -145,7 +145,9 @@ def _graded(matched):
                 judgement = judge(
                     exercise,
                     sandbox.run(
-                        exercise.to_run(submission.cells), exercise.about["answers"], before=data
+                        exercise.sources_to_run(submission.cells),
+                        exercise.about["answers"],
+                        before=data,
                     ),
                     bounds,
                 )

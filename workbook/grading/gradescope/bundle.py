@@ -13,9 +13,9 @@ from pathlib import Path
 from workbook.grading import assignment as assignments
 from workbook.grading.assignment import AssignmentError
 from workbook.grading.record import put_bytes
-from workbook.mistakes import file_beside
+from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
-from workbook.notebooks.dependencies import OURS
+from workbook.notebooks.dependencies import PACKAGES
 
 HERE = Path(__file__).resolve().parent
 HOME = exercises.PACKAGE.parent
@@ -51,12 +51,12 @@ def _wheel():
     info = f"trajlib-{distribution.version}.dist-info"
     files = {
         path.relative_to(HOME).as_posix(): path.read_bytes()
-        for package in OURS
+        for package in PACKAGES
         for path in sorted((HOME / package).rglob("*"))
         if path.is_file() and not {"__pycache__", "_exercises"} & set(path.relative_to(HOME).parts)
     }
     notebooks = [exercise.path for exercise in exercises.read_all()]
-    with_mistakes = [*notebooks, *filter(Path.is_file, map(file_beside, notebooks))]
+    with_mistakes = [*notebooks, *filter(Path.is_file, map(mistakes_file, notebooks))]
     files |= {
         f"workbook/_exercises/{path.parent.name}/{path.name}": path.read_bytes()
         for path in with_mistakes

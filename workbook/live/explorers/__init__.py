@@ -1,6 +1,6 @@
-"""Explorers: pictures of a lecture that follow a slider, the pointer, or both.
+"""Explorers: interactive figures of a lecture that follow sliders and the pointer.
 
-One function each, in a module of its own; `explore` finds one by its name, as `%explore` does.
+Each is a function in a module of its own; `explore` finds it by its name, as `%explore` does.
 """
 
 from trajlib._lazy import lazy_names
@@ -10,11 +10,11 @@ __getattr__, __dir__, __all__ = lazy_names(
     {
         "region": ["region_of_stability"],
         "phase": ["phase_portrait"],
-        "lost_mode": ["losing_a_mode"],
-        "popov": ["popov_distance"],
+        "cancellation": ["pole_zero_cancellation"],
+        "unobservability": ["distance_to_unobservable"],
         "fastest": ["fastest_motion"],
         "circle": ["circle_synthesis"],
-        "by_hand": ["against_the_best"],
-        "asking": ["explore", "listed"],
+        "manual": ["manual_control"],
+        "by_name": ["explore", "list_explorers"],
     },
 )

@@ -1,33 +1,46 @@
-"""The phase portrait of a planar problem of chapter 1, redrawn while its parameter moves."""
+"""The phase portrait of a planar problem of chapter 1, redrawn while a parameter changes."""
 
 import dataclasses
 import warnings
+from collections import Counter
 from dataclasses import dataclass
 
 import numpy as np
 import sympy as sp
 
 from trajlib import plotting
-from workbook.live.explorers.stage import Explorer, Stage, slider
-from workbook.live.subjects import LiveError
-from workbook.live.worked import Worked
+from workbook.live.errors import LiveError
+from workbook.live.explorers.blitting import BlittedFigure
+from workbook.live.explorers.explorer import Explorer, slider
+from workbook.live.worked_problem import WorkedProblem
 
-#: Starts across and upwards; steps of a short line, each this share of the window; of the line from
-#: a click.
-GRID, STEPS, SHARE, LONG = (12, 9), 9, 0.012, 1500
+#: Initial points across and upwards; steps of a short line and their length as a share of the window;
+#: points of the line from a click.
+GRID, STEPS, STEP, POINTS = (12, 9), 9, 0.012, 1500
 
 
 @dataclass(frozen=True)
 class Portrait:
-    """What to draw: `field` and `state` are names of data, or functions of the data that give them;
-    `parameters`: {name: (from, to, at first)}; `given`: numbers for the other symbols."""
+    """What to draw of a problem.
+
+    Attributes
+    ----------
+    x_range, y_range : (float, float)
+        The window.
+    field, state : str or callable
+        Right-hand side and state variables: names of data, or functions of the data.
+    parameters : dict
+        (low, high, initial value) of each parameter with a slider, by name.
+    constants : dict
+        Values of the other symbols, by name.
+    """
 
     x_range: tuple
     y_range: tuple
     field: object = "field"
     state: object = "state"
     parameters: dict = dataclasses.field(default_factory=dict)
-    given: dict = dataclasses.field(default_factory=dict)
+    constants: dict = dataclasses.field(default_factory=dict)
 
 
 def _matrix(name):
@@ -35,7 +48,7 @@ def _matrix(name):
 
 
 def _oscillator(name):
-    """x'' = ..., of an equation that is linear in x''."""
+    """Return the portrait's field and state for an equation that is linear in x''."""
 
     def rates(data):
         t, x = data["t"], data["x"]
@@ -45,16 +58,18 @@ def _oscillator(name):
     return {"field": rates, "state": lambda data: PLANE}
 
 
-def _around(data):
-    """1.12 in the plane: r' and phi' as given, x = r cos(phi), y = r sin(phi)."""
+def _polar(data):
+    """Return the field of 1.12 in Cartesian coordinates, x = r cos(phi), y = r sin(phi)."""
     x, y = PLANE
     radius = sp.sqrt(x**2 + y**2)
-    grows, turns = (data[name].subs(data["r"], radius) for name in ("radial_rate", "angular_rate"))
-    return [grows * x / radius - turns * y, grows * y / radius + turns * x]
+    radial, angular = (
+        data[name].subs(data["r"], radius) for name in ("radial_rate", "angular_rate")
+    )
+    return [radial * x / radius - angular * y, radial * y / radius + angular * x]
 
 
 def _heading(data):
-    """1.10 at the constant speed V: the heading and its rate."""
+    """Return the field of 1.10 for the heading and its rate, at the constant speed V."""
     _alpha, omega = data["heading"]
     return [omega, data["field"][4].subs({data["u_D"]: 0})]
 
@@ -82,14 +97,14 @@ PORTRAITS = {
             (-2, 2.6),
             "a_field",
             parameters={"k": (-1.2, -0.05, -0.3)},
-            given={"Omega": 1},
+            constants={"Omega": 1},
         ),
         "b": Portrait(
             (-0.8, 3.6),
             (-2, 2.6),
             "b_field",
             parameters={"k": (-1.2, -0.05, -0.3), "k1": (0.05, 2, 0.5)},
-            given={"Omega": 1},
+            constants={"Omega": 1},
         ),
     },
     "1.7": {
@@ -99,7 +114,7 @@ PORTRAITS = {
             lambda data: [data["v"], *data["field"]],
             lambda data: [PLANE[0], data["v"]],
             parameters={"P": (0.5, 4, 2)},
-            given={"m": 1, "g": 1, "k": 0.5},
+            constants={"m": 1, "g": 1, "k": 0.5},
         )
     },
     "1.8": {
@@ -108,7 +123,7 @@ PORTRAITS = {
             (0.05, 2.6),
             "b_field",
             parameters={"P": (0, 2.5, 0.5), "k": (0, 1, 0.3)},
-            given={"g": 1},
+            constants={"g": 1},
         )
     },
     "1.9": {
@@ -116,7 +131,7 @@ PORTRAITS = {
             (-np.pi, np.pi),
             (0.05, 2.6),
             parameters={"k": (0, 1, 0.2), "k1": (0.2, 2, 1)},
-            given={"g": 1},
+            constants={"g": 1},
         )
     },
     "1.10": {
@@ -126,7 +141,7 @@ PORTRAITS = {
             _heading,
             "heading",
             parameters={"V": (-2, 2, 1), "k2": (-2, 2, 1)},
-            given={"k1": 1, "k3": 1},
+            constants={"k1": 1, "k3": 1},
         )
     },
     "1.11": {
@@ -139,7 +154,7 @@ PORTRAITS = {
     },
     "1.12": {
         "": Portrait(
-            (-1.8, 1.8), (-1.8, 1.8), _around, lambda data: PLANE, parameters={"u": (0, 5, 3)}
+            (-1.8, 1.8), (-1.8, 1.8), _polar, lambda data: PLANE, parameters={"u": (0, 5, 3)}
         )
     },
     "1.13": {item: Portrait((-1.8, 1.8), (-1.8, 1.8), f"{item}_field") for item in "abc"},
@@ -170,14 +185,24 @@ PORTRAITS = {
 
 
 def phase_portrait(problem="1.4", item=""):
-    """The portrait of a problem of chapter 1, with a slider for each parameter; a click draws the
-    motion through it.
+    """Show a phase portrait with a slider for each parameter; a click draws the motion through it.
 
-    `problem`: a number, `item`: a letter where the problem has several systems. Rest points are
-    marked: filled if stable, open if unstable, a cross for a saddle.
+    Equilibria are marked: filled if stable, open if unstable, a cross for a saddle.
+
+    Parameters
+    ----------
+    problem : str
+        A problem of chapter 1.
+    item : str
+        The letter of the system, where the problem has several.
+
+    Raises
+    ------
+    LiveError
+        If the problem has no planar system with this letter.
     """
-    item, portrait = _asked(problem, item)
-    data = Worked(problem).data
+    item, portrait = _portrait(problem, item)
+    data = WorkedProblem(problem).data
     rates, state = (
         part(data) if callable(part) else data[part] for part in (portrait.field, portrait.state)
     )
@@ -185,13 +210,13 @@ def phase_portrait(problem="1.4", item=""):
     rates = sp.Matrix(
         [
             sp.sympify(rate).subs(
-                {known[name]: value for name, value in portrait.given.items() if name in known}
+                {known[name]: value for name, value in portrait.constants.items() if name in known}
             )
             for rate in rates
         ]
     )
     arguments = [*state, *(known.get(name, sp.Symbol(name)) for name in portrait.parameters)]
-    velocity, slopes, alone = (
+    field, jacobian, scalar_field = (
         sp.lambdify(arguments, *form)
         for form in (
             (list(rates), "numpy"),
@@ -200,19 +225,19 @@ def phase_portrait(problem="1.4", item=""):
         )
     )
 
-    stage = Stage(1, height=5.6)
-    (plane,) = stage.axes
+    figure = BlittedFigure(1, height=5.6)
+    (plane,) = figure.axes
     plotting.window(state, portrait.x_range, portrait.y_range, ax=plane)
     plane.axhline(0, color=plotting.GREY, linewidth=0.6)
     plane.axvline(0, color=plotting.GREY, linewidth=0.6)
     plane.set_title(f"problem {problem}" + (f", item {item}" if item else ""))
     window = np.array([portrait.x_range, portrait.y_range], dtype=float)
-    starts = _starts(window)
-    lines = stage.moving(_lines(plane, len(starts[0])))
-    heads = stage.moving(
+    initial_points = _initial_points(window)
+    lines = figure.animate(_lines(plane, len(initial_points[0])))
+    heads = figure.animate(
         plane.quiver(
-            *starts,
-            *starts,
+            *initial_points,
+            *initial_points,
             angles="xy",
             scale_units="xy",
             scale=1,
@@ -225,11 +250,11 @@ def phase_portrait(problem="1.4", item=""):
             zorder=2,
         )
     )
-    motion = stage.line(plane, "-", color=plotting.BLUE, linewidth=2.4)
-    begin = stage.line(plane, "o", color=plotting.BLUE, markersize=7)
+    motion = figure.line(plane, "-", color=plotting.BLUE, linewidth=2.4)
+    clicked_point = figure.line(plane, "o", color=plotting.BLUE, markersize=7)
     marks = {
-        "stable": stage.line(plane, "o", color=plotting.BLACK, markersize=9),
-        "unstable": stage.line(
+        "stable": figure.line(plane, "o", color=plotting.BLACK, markersize=9),
+        "unstable": figure.line(
             plane,
             "o",
             markerfacecolor="white",
@@ -237,39 +262,39 @@ def phase_portrait(problem="1.4", item=""):
             markersize=9,
             markeredgewidth=2,
         ),
-        "saddle": stage.line(plane, "X", color=plotting.RED, markersize=10),
+        "saddle": figure.line(plane, "X", color=plotting.RED, markersize=10),
     }
     clicked = []
 
     def draw(**values):
         numbers = list(values.values())
-        _there, paths = _short_lines(lambda x, y: velocity(x, y, *numbers), starts, window)
+        paths = _short_lines(lambda x, y: field(x, y, *numbers), initial_points, window)
         lines.set_segments(paths)
         heads.set_offsets(paths[:, -2])
         heads.set_UVC(*(paths[:, -1] - paths[:, -2]).T)
-        kinds = _rest_points(velocity, slopes, starts, numbers, window)
+        equilibria = _equilibria(field, jacobian, initial_points, numbers, window)
         for kind, artist in marks.items():
             artist.set_data(
-                *np.array([point for point, said in kinds if said == kind]).reshape(-1, 2).T
+                *np.array([point for point, its_kind in equilibria if its_kind == kind])
+                .reshape(-1, 2)
+                .T
             )
         if clicked:
-            begin.set_data(*np.transpose([clicked[-1]]))
-            motion.set_data(*_motion(alone, clicked[-1], numbers, window))
-        counts = [
-            f"{sum(said == kind for _, said in kinds)} {kind}"
-            for kind in marks
-            if any(said == kind for _, said in kinds)
-        ]
-        return "rest points here: " + (", ".join(counts) or "none")
+            clicked_point.set_data(*np.transpose([clicked[-1]]))
+            motion.set_data(*_motion(scalar_field, clicked[-1], numbers, window))
+        counts = Counter(kind for _, kind in equilibria)
+        return "equilibria here: " + (
+            ", ".join(f"{counts[kind]} {kind}" for kind in marks if counts[kind]) or "none"
+        )
 
-    def pointed(axes, points):
+    def on_stroke(axes, points):
         clicked.append(points[-1])
 
     controls = {name: slider(name, *ends) for name, ends in portrait.parameters.items()}
-    return Explorer(stage, controls, draw, pointed)
+    return Explorer(figure, controls, draw, on_stroke)
 
 
-def _asked(problem, item):
+def _portrait(problem, item):
     if problem not in PORTRAITS:
         raise LiveError(f"problem {problem} moves in no plane; there is {', '.join(PORTRAITS)}")
     items = PORTRAITS[problem]
@@ -283,8 +308,8 @@ def _asked(problem, item):
     return item, items[item]
 
 
-def _starts(window):
-    """Points of a grid, every other row shifted by half a mesh."""
+def _initial_points(window):
+    """Return the points of a grid, every other row shifted by half a mesh."""
     (left, right), (low, high) = window
     across, upwards = GRID
     x, y = np.meshgrid((np.arange(across) + 0.25) / across, (np.arange(upwards) + 0.5) / upwards)
@@ -300,16 +325,18 @@ def _lines(axes, count):
     return lines
 
 
-def _short_lines(velocity, starts, window):
-    """Pieces of trajectories, all of one length in the picture: the midpoint rule, with the length
-    for the time."""
+def _short_lines(field, initial_points, window):
+    """Return pieces of trajectories of the same length in the picture, shape (N, steps + 1, 2).
+
+    They are integrated by the midpoint rule over the arc length.
+    """
     size = (window[:, 1] - window[:, 0])[:, None]
 
     def direction(points):
         with np.errstate(all="ignore"):
             rate = (
                 np.array(
-                    [np.broadcast_to(part, points[0].shape) for part in velocity(*points)],
+                    [np.broadcast_to(part, points[0].shape) for part in field(*points)],
                     dtype=float,
                 )
                 / size
@@ -317,37 +344,39 @@ def _short_lines(velocity, starts, window):
             rate = rate / (np.hypot(*rate) + 1e-3)
         return np.where(np.isfinite(rate).all(axis=0), rate, 0) * size
 
-    points = np.array(starts, dtype=float)
+    points = np.array(initial_points, dtype=float)
     paths = [points]
     for _ in range(STEPS):
-        half = points + SHARE / 2 * direction(points)
-        points = points + SHARE * direction(half)
+        half = points + STEP / 2 * direction(points)
+        points = points + STEP * direction(half)
         paths.append(points)
-    return paths[0], np.array(paths).transpose(2, 0, 1)
+    return np.array(paths).transpose(2, 0, 1)
 
 
-def _rest_points(velocity, slopes, starts, numbers, window):
-    """[(point, "stable", "unstable" or "saddle")] by Newton's method from all starts at once;
-    centres count as neither and are left out, as are points outside of the window."""
-    points = np.array(starts, dtype=float)
+def _equilibria(field, jacobian, initial_points, numbers, window):
+    """Return [(point, "stable", "unstable" or "saddle")] by Newton's method from all points at once.
+
+    Centres and points outside the window are left out.
+    """
+    points = np.array(initial_points, dtype=float)
     with np.errstate(all="ignore"):
         for _ in range(14):
-            f, (a, b, c, d) = _values(velocity, points, numbers), _values(slopes, points, numbers)
+            f, (a, b, c, d) = (_values(function, points, numbers) for function in (field, jacobian))
             determinant = a * d - b * c
             points = points - np.array([d * f[0] - b * f[1], a * f[1] - c * f[0]]) / determinant
-        f, (a, b, c, d) = _values(velocity, points, numbers), _values(slopes, points, numbers)
+        f, (a, b, c, d) = (_values(function, points, numbers) for function in (field, jacobian))
         size = window[:, 1] - window[:, 0]
-        found = (np.hypot(*f) < 1e-9) & (
+        converged = (np.hypot(*f) < 1e-9) & (
             (points.T >= window[:, 0]) & (points.T <= window[:, 1])
         ).all(axis=1)
     kinds = {}
-    for k in np.flatnonzero(found):
-        place = tuple(np.round(points[:, k] / size, 4))
+    for k in np.flatnonzero(converged):
+        rounded = tuple(np.round(points[:, k] / size, 4))
         trace, determinant = a[k] + d[k], a[k] * d[k] - b[k] * c[k]
         if determinant < -1e-9:
-            kinds[place] = points[:, k], "saddle"
+            kinds[rounded] = points[:, k], "saddle"
         elif determinant > 1e-9 and abs(trace) > 1e-9:
-            kinds[place] = points[:, k], "stable" if trace < 0 else "unstable"
+            kinds[rounded] = points[:, k], "stable" if trace < 0 else "unstable"
     return list(kinds.values())
 
 
@@ -358,35 +387,37 @@ def _values(function, points, numbers):
     ]
 
 
-def _motion(alone, start, numbers, window):
-    """The motion through a point, forwards and backwards, as long as it is in the picture."""
+def _motion(scalar_field, point, numbers, window):
+    """Return the motion through a point, forwards and backwards, as far as it is in the picture."""
     from scipy.integrate import ODEintWarning, odeint
 
     (left, right), (low, high) = window
     width, height = right - left, high - low
 
-    def rate(point, _, sign):
-        x, y = point
+    def rate(state, _, sign):
+        x, y = state
         if not (
             left - width / 2 < x < right + width / 2 and low - height / 2 < y < high + height / 2
         ):
             return 0.0, 0.0
         try:
-            u, v = alone(x, y, *numbers)
-        except (ArithmeticError, ValueError):  # outside of where it is defined
+            u, v = scalar_field(x, y, *numbers)
+        except (ArithmeticError, ValueError):  # outside the domain of the field
             return 0.0, 0.0
         speed = sign * (np.hypot(u / width, v / height) + 1e-3)
         return u / speed, v / speed
 
-    def followed(sign):
-        along = np.linspace(0, 12, LONG)
+    def integrate(sign):
+        length = np.linspace(0, 12, POINTS)
         with warnings.catch_warnings():
-            # it ends where it gets too stiff, and so does the line
+            # where the equation is too stiff, the line ends
             warnings.simplefilter("ignore", ODEintWarning)
-            path, about = odeint(
-                rate, start, along, args=(sign,), rtol=1e-6, atol=1e-8, full_output=True
+            path, information = odeint(
+                rate, point, length, args=(sign,), rtol=1e-6, atol=1e-8, full_output=True
             )
-        good = np.append(True, (about["tcur"] >= along[1:]) & np.isfinite(path[1:]).all(axis=1))
+        good = np.append(
+            True, (information["tcur"] >= length[1:]) & np.isfinite(path[1:]).all(axis=1)
+        )
         return path[: len(good) if good.all() else np.argmin(good)]
 
-    return np.concatenate([followed(-1)[::-1], followed(1)]).T
+    return np.concatenate([integrate(-1)[::-1], integrate(1)]).T

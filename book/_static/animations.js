@@ -1,16 +1,16 @@
-/* Motions (workbook.display.animations): a button and a slider for each; nothing moves before it is asked to.
-   Who asked the system for less motion gets a button that goes on by a step. */
+/* Animations (workbook.display.animations): each gets a button and a slider; nothing moves before the button is pressed.
+   Where the system is set to reduced motion, the button goes on by a step. */
 addEventListener("DOMContentLoaded", () => {
-  const calm = matchMedia("(prefers-reduced-motion: reduce)");
-  for (const box of document.querySelectorAll(".motion[data-motion]")) {
-    const {times, speed, still, parts} = JSON.parse(box.dataset.motion);
+  const reducedMotion = matchMedia("(prefers-reduced-motion: reduce)");
+  for (const box of document.querySelectorAll(".animation[data-animation]")) {
+    const {times, speed, still, parts} = JSON.parse(box.dataset.animation);
     const shapes = box.querySelectorAll(".moving");
     const last = times.length - 1;
     const controls = document.createElement("div");
     const button = document.createElement("button");
     const slider = document.createElement("input");
     const clock = document.createElement("output");
-    controls.className = "motion-controls";
+    controls.className = "animation-controls";
     button.type = "button";
     Object.assign(slider, {type: "range", min: 0, max: last, step: 1, value: still, ariaLabel: "Time of the motion"});
     controls.append(button, slider, clock);
@@ -30,7 +30,7 @@ addEventListener("DOMContentLoaded", () => {
       slider.ariaValueText = clock.value;
     };
     const stop = () => { began = null; label(); };
-    const label = () => { button.textContent = calm.matches ? "Next step" : began === null ? "Play" : "Pause"; };
+    const label = () => { button.textContent = reducedMotion.matches ? "Next step" : began === null ? "Play" : "Pause"; };
     const tick = (now) => {
       if (began === null) return;
       const at = began.time + (now - began.now) / 1000 * speed;
@@ -40,7 +40,7 @@ addEventListener("DOMContentLoaded", () => {
       frame < last ? requestAnimationFrame(tick) : stop();
     };
     button.addEventListener("click", () => {
-      if (calm.matches) {
+      if (reducedMotion.matches) {
         const frame = Number(slider.value);
         show(frame === last ? 0 : Math.min(last, frame + Math.max(1, Math.round(last / 12))));
       } else if (began !== null) {
@@ -53,7 +53,7 @@ addEventListener("DOMContentLoaded", () => {
       }
     });
     slider.addEventListener("input", () => { stop(); show(Number(slider.value)); });
-    calm.addEventListener("change", stop);
+    reducedMotion.addEventListener("change", stop);
     show(still);
     label();
   }

@@ -1,31 +1,37 @@
-"""A wrong region with a point of the plane that speaks against it."""
+"""Draw a wrong stability region with a point of the plane where it is wrong."""
 
 import numpy as np
 
-#: Half the side of the square that is looked at; the first one in which claim and truth differ is
-#: drawn.
-WINDOWS = (4, 2, 10, 1)
+#: Half the sides of the squares that are searched; the first one with a counterexample is drawn.
+HALF_WIDTHS = (4, 2, 10, 1)
 GRID = 121
 
 
-def picture(claim, truth):
-    """A figure of the claimed condition in two parameters with a point where it is wrong, as deep
-    in as can be.
+def counterexample_figure(claim, truth):
+    """Return a figure of a claimed condition with the point farthest inside the wrong part.
 
-    None where claim and truth are no conditions in the same two real parameters, or differ on lines
-    alone.
+    Parameters
+    ----------
+    claim, truth : sympy Boolean
+        The claimed and the true condition.
+
+    Returns
+    -------
+    matplotlib.figure.Figure or None
+        None if these are no conditions in the same two real parameters, or differ on curves only.
     """
     symbols = _plane(claim, truth)
     if symbols is None:
         return None
-    for half in WINDOWS:
-        point = _deepest(claim, truth, symbols, half)
+    for half_width in HALF_WIDTHS:
+        point = _deepest_point(claim, truth, symbols, half_width)
         if point is not None:
-            return _drawn(claim, symbols, half, *point)
+            return _figure(claim, symbols, half_width, *point)
     return None
 
 
 def _plane(claim, truth):
+    """Return the two symbols of both conditions, or None."""
     from sympy.logic.boolalg import Boolean
 
     if not (isinstance(claim, Boolean) and isinstance(truth, Boolean)):
@@ -35,35 +41,34 @@ def _plane(claim, truth):
     return symbols if len(symbols) == 2 == len(by_name) else None
 
 
-def _deepest(claim, truth, symbols, half):
-    """(x, y, whether the claim counts it in) of the point of a grid that is farthest from where the
-    two agree."""
+def _deepest_point(claim, truth, symbols, half_width):
+    """Return (x, y, value of the claim) of the grid point farthest from where both agree."""
     from scipy.ndimage import distance_transform_edt
 
-    axis = np.linspace(-half, half, GRID)
+    axis = np.linspace(-half_width, half_width, GRID)
     x, y = np.meshgrid(axis, axis)
-    claimed, true = _holds(claim, symbols, x, y), _holds(truth, symbols, x, y)
+    claimed, true = _evaluate(claim, symbols, x, y), _evaluate(truth, symbols, x, y)
     if claimed is None or true is None:
         return None
     depth = distance_transform_edt(np.pad(claimed != true, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(depth.argmax(), depth.shape)
-    if depth[row, column] < 2:  # lines of the grid
+    if depth[row, column] < 2:  # they differ on a line of the grid only
         return None
     return axis[column], axis[row], bool(claimed[row, column])
 
 
-def _holds(condition, symbols, x, y):
+def _evaluate(condition, symbols, x, y):
     import sympy as sp
 
     with np.errstate(all="ignore"):
         try:
             values = sp.lambdify(symbols, condition, "numpy")(x, y)
-        except (TypeError, NameError, ValueError):  # what NumPy has no word for
+        except (TypeError, NameError, ValueError):  # a function that NumPy does not have
             return None
     return np.broadcast_to(np.asarray(values, dtype=bool), x.shape)
 
 
-def _drawn(claim, symbols, half, x, y, counted_in):
+def _figure(claim, symbols, half_width, x, y, is_claimed):
     import matplotlib.pyplot as plt
     import sympy as sp
 
@@ -71,11 +76,10 @@ def _drawn(claim, symbols, half, x, y, counted_in):
 
     with plotting.style():
         figure, axes = plt.subplots(figsize=(4.4, 4))
-        plotting.region(claim, symbols, (-half, half), (-half, half), ax=axes)
+        plotting.region(claim, symbols, *[(-half_width, half_width)] * 2, ax=axes)
         axes.plot(x, y, "kX", markersize=11)
-        said = "counted in" if counted_in else "left out"
         axes.annotate(
-            f"({x:.2g}, {y:.2g})\n{said}, wrongly",
+            f"({x:.2g}, {y:.2g})\n{'counted in' if is_claimed else 'left out'}, wrongly",
             (x, y),
             textcoords="offset points",
             xytext=(9, 9),

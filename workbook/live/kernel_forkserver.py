@@ -1,10 +1,10 @@
-"""Kernels that are ready at once: forks of a process that has imported all that a lecture uses.
+"""Forkserver for kernels: imports once what lectures use, then forks a kernel for each request.
 
-    python -m workbook.live.kernels SOCKET
+    python -m workbook.live.kernel_forkserver SOCKET
 
-is that process. It imports what every lecture uses and the modules that a line of its standard
-input names, then forks a kernel for every request that comes by its socket. It ends, with its
-kernels, when its standard input does: whoever started it need not come back to end it.
+is the forkserver. It imports `LIBRARIES` and the modules that a line of its standard input names as
+JSON, then answers requests on the socket. It exits with its kernels when its standard input closes,
+so that it outlives no parent process.
 """
 
 import importlib
@@ -17,10 +17,9 @@ import sys
 import traceback
 from contextlib import suppress
 
-#: The variable of the environment that names the socket.
+#: Environment variable with the path of the socket.
 SOCKET = "WORKBOOK_LIVE_KERNELS"
-#: What cells of lectures and the magics load beside trajlib, most of it only when a function is
-#: called.
+#: Modules that cells of lectures and the magics load, most of them only when a function is called.
 LIBRARIES = (
     "ipykernel.kernelapp",
     "matplotlib.pyplot",
@@ -30,12 +29,12 @@ LIBRARIES = (
     "jupytext.myst",
     "yaml",
     "workbook.live.magics",
-    "workbook.live.counterexamples",
+    "workbook.live.counterexample",
     "scipy.ndimage",
     "workbook.authoring.master",
     "workbook.authoring.mistakes",
     "workbook.authoring.student_notebook",
-    "workbook.live.catching_up",
+    "workbook.live.catch_up",
     "workbook.display.results",
     "trajlib.plotting.curves",
     "trajlib.plotting.parameter_plane",
@@ -43,14 +42,17 @@ LIBRARIES = (
 )
 
 
-def without_grammars():
-    """jsonschema, which Jupyter loads, would build the grammars of a checker that nothing here
-    asks: over a second."""
+def skip_rfc3987_grammars():
+    """Keep jsonschema from building grammars for rfc3987 formats, which takes over a second.
+
+    Jupyter loads jsonschema but checks no such format.
+    """
     sys.modules.setdefault("rfc3987_syntax", None)
 
 
-def modules_for(numbers):
-    """Our modules that the cells of some problems use; to find them takes a third of a second."""
+def modules_of_problems(numbers):
+    """Return the names of our modules that the cells of problems use; takes a third of a second."""
+    # the forkserver has nothing to do with masters, and starts sooner without them
     from workbook.authoring.contract import master_file
     from workbook.notebooks import exercises
     from workbook.notebooks.dependencies import module_closure
@@ -68,10 +70,11 @@ def modules_for(numbers):
 
 
 def serve(address):
+    """Run the forkserver on a socket until standard input closes."""
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(address)
         listener.listen()
-        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for a kernel that ends
+        signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # no zombies of kernels that end
         _import_all()
         kernels = []
         while True:
@@ -80,25 +83,41 @@ def serve(address):
                 break
             if listener in ready:
                 with listener.accept()[0] as connection:
-                    kernels.append(_answer(connection, listener))
+                    kernels.append(_fork_kernel(connection, listener))
     for pid in kernels:
         with suppress(ProcessLookupError):
             os.killpg(pid, signal.SIGKILL)
 
 
-def ask(address, request):
-    """Ask the process at `address` for a kernel; returns its number. Raises `OSError` if nobody is
-    there."""
+def request_kernel(address, request):
+    """Request a kernel from the forkserver at a socket and return its process id.
+
+    Parameters
+    ----------
+    address : str
+        Path of the socket.
+    request : dict
+        `connection_file` (path), `env` (environment) and `folder` (path) of the kernel.
+
+    Returns
+    -------
+    int
+        The process id.
+
+    Raises
+    ------
+    OSError
+        If the forkserver is not there or forks no kernel.
+    """
     with socket.socket(socket.AF_UNIX) as connection:
         connection.settimeout(60)
         connection.connect(address)
         connection.sendall(json.dumps(request).encode() + b"\n")
-        with connection.makefile() as answer:
-            return int(answer.readline() or "0") or _nobody(address)
-
-
-def _nobody(address):
-    raise ConnectionError(f"no kernel from {address}")
+        with connection.makefile() as reply:
+            pid = int(reply.readline() or "0")
+    if not pid:
+        raise ConnectionError(f"no kernel from {address}")
+    return pid
 
 
 def _import_all():
@@ -106,13 +125,13 @@ def _import_all():
 
     with freeze_new_objects():
         os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
-        without_grammars()
-        # jupytext would import a server, and do without one
+        skip_rfc3987_grammars()
+        # jupytext imports it where it is, and does not need it
         sys.modules["jupyter_server"] = None
         for name in (*LIBRARIES, *SYMPY):
             importlib.import_module(name)
-        # found meanwhile by who started this; read without a buffer, in which `select` would miss
-        # the end
+        # The parent has found these meanwhile. Read without a buffer, since `select` in `serve`
+        # would not see what a buffer holds.
         for name in json.loads(sys.stdin.buffer.raw.readline() or "[]"):
             importlib.import_module(name)
         if any("casadi" in name for name in sys.modules):
@@ -121,32 +140,31 @@ def _import_all():
         del sys.modules["rfc3987_syntax"], sys.modules["jupyter_server"]
 
 
-def _answer(connection, listener):
-    with connection.makefile() as asked:
-        request = json.loads(asked.readline())
+def _fork_kernel(connection, listener):
+    with connection.makefile() as lines:
+        request = json.loads(lines.readline())
     pid = os.fork()
     if pid == 0:
         connection.close()
         listener.close()
-        _be_kernel(request)
+        _run_kernel(request)
     connection.sendall(f"{pid}\n".encode())
     return pid
 
 
-def _be_kernel(request):
-    """In the fork: be a kernel until the end, as `python -m ipykernel_launcher` is."""
+def _run_kernel(request):
+    """Run a kernel in the fork, as `python -m ipykernel_launcher` does; never returns."""
     try:
         os.setsid()
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)
-        nothing = os.open(os.devnull, os.O_RDONLY)
-        os.dup2(nothing, 0)
+        os.dup2(os.open(os.devnull, os.O_RDONLY), 0)
         os.environ.clear()
         os.environ.update(request["env"])
         os.chdir(request["folder"])
         sys.path[0] = ""
         import numpy
 
-        # as `random` does by itself: a fork would repeat the numbers of its brothers
+        # all forks have the same state; Python's `random` does this by itself
         numpy.random.seed()
         from ipykernel.kernelapp import IPKernelApp
 

@@ -1,0 +1,220 @@
+"""The commands of a course: grade, collect, score and assignment."""
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from workbook.terminal import AsJson, UserError, console
+
+assignment = typer.Typer(
+    help="Make a homework: to hand out, or as an autograder for Gradescope.", no_args_is_help=True
+)
+Homework = Annotated[str, typer.Argument(metavar="ASSIGNMENT", help="Name of the homework.")]
+Assignments = Annotated[Path, typer.Option(help="Folder of all homeworks.")]
+Site = Annotated[
+    str, typer.Option(help="Address of the student edition of the site, for links to the theory.")
+]
+
+
+def grade(
+    submitted: Annotated[
+        Path, typer.Argument(help="Folder submitted/<student>/<assignment>/<notebook>.ipynb.")
+    ],
+    out: Annotated[
+        Path, typer.Option(help="Folder for the grade store, tables and feedback pages.")
+    ],
+    assignments: Annotated[
+        Path | None,
+        typer.Option(
+            help="Folder <assignment>/assignment.toml; default: assignments, if it is there."
+        ),
+    ] = None,
+    roster: Annotated[
+        Path | None, typer.Option(help="Gradebook exported from Canvas; one column is filled in.")
+    ] = None,
+    site: Site = "",
+    processes: Annotated[
+        int | None, typer.Option(help="Notebooks graded at the same time; default: all cores.")
+    ] = None,
+    timeout: Annotated[
+        float, typer.Option(help="Seconds of computing time for one notebook.", min=1)
+    ] = 120,
+    trust_students: Annotated[
+        bool,
+        typer.Option("--trust-students", help="Run notebooks without a sandbox, as your user."),
+    ] = False,
+    cluster: Annotated[
+        str | None,
+        typer.Option(help="Grade on a Dask cluster: its scheduler's address, tls://host:8786."),
+    ] = None,
+    tls_ca_file: Annotated[
+        Path | None,
+        typer.Option(help="For --cluster: certificate of the authority that signed the others."),
+    ] = None,
+    tls_cert: Annotated[
+        Path | None, typer.Option(help="For --cluster: certificate of this machine.")
+    ] = None,
+    tls_key: Annotated[
+        Path | None, typer.Option(help="For --cluster: private key of this certificate.")
+    ] = None,
+    as_json: AsJson = False,
+):
+    """Grade a course: run notebooks in a sandbox, judge the answers, write tables and feedback.
+
+    A run that was stopped goes on where it was; what has not changed is not graded again.
+    """
+    if sys.platform != "linux":
+        raise UserError(
+            "grading needs Linux; on Windows it runs in WSL, on a Mac in a virtual machine"
+        )
+    if not submitted.is_dir():
+        raise UserError(f"{submitted} is not a folder")
+    if processes is not None and processes < 1:
+        raise UserError("--processes is a number from 1 up")
+    if cluster is not None and processes is not None:
+        raise UserError(
+            "--processes is for this machine; with --cluster each worker grades as many at a time "
+            "as it has threads"
+        )
+    if cluster is None and (tls_ca_file or tls_cert or tls_key):
+        raise UserError("--tls-ca-file, --tls-cert and --tls-key are for --cluster")
+    cluster_options = (
+        {"address": cluster, "ca_file": tls_ca_file, "cert": tls_cert, "key": tls_key}
+        if cluster is not None
+        else None
+    )
+    try:
+        summary = _grade_course(
+            submitted,
+            out,
+            assignments,
+            processes,
+            timeout,
+            trust_students,
+            as_json,
+            roster,
+            site,
+            cluster_options,
+        )
+    except KeyboardInterrupt:
+        print(
+            "workbook: stopped; what is graded is stored, and the same command goes on from there",
+            file=sys.stderr,
+        )
+        raise typer.Exit(130) from None
+    if as_json:
+        print(json.dumps(summary, ensure_ascii=False, indent=1))
+
+
+def _grade_course(*arguments):
+    # The imports are inside the context too: they take long enough for a Ctrl-C.
+    from workbook.grading.interrupts import repeat_lost_interrupts
+
+    with repeat_lost_interrupts():
+        from workbook.grading.commands import grade_course
+        from workbook.grading.isolation import ProcessStartError, SandboxUnavailableError
+
+        try:
+            return grade_course(*arguments)
+        except ProcessStartError as error:
+            raise UserError(str(error)) from None
+        except SandboxUnavailableError as error:
+            raise UserError(f"{error}; --trust-students grades without a sandbox") from None
+
+
+def collect(
+    download: Annotated[
+        Path, typer.Argument(help="All submissions from Moodle or Canvas: .zip or folder.")
+    ],
+    homework: Homework,
+    into: Annotated[Path, typer.Option(help="Folder of all submissions.")] = Path("submitted"),
+    worksheet: Annotated[
+        Path | None, typer.Option(help="Moodle's grading worksheet, for addresses.")
+    ] = None,
+):
+    """Put a download from Moodle or Canvas into folders submitted/STUDENT/ASSIGNMENT."""
+    from workbook.grading.collecting import collect
+
+    collected, aside = collect(download, homework, into, worksheet)
+    for path, reason in aside:
+        console.print(f"left aside: {path}: {reason}", markup=False, style="yellow")
+    files, students = sum(map(len, collected.values())), len(collected)
+    console.print(
+        f"{into}: {files} file{'s' * (files != 1)} of {students} student{'s' * (students != 1)} "
+        f"for {homework}",
+        markup=False,
+    )
+
+
+def score(
+    student: Annotated[str, typer.Argument(help="Name of the student's folder.")],
+    homework: Homework,
+    problem: Annotated[str, typer.Argument(help='A problem such as "1.15".')],
+    answer: Annotated[str, typer.Argument(help="Variable of the answer, such as a_region.")],
+    points: Annotated[
+        float | None, typer.Argument(help="From 0 to the points of the answer.")
+    ] = None,
+    comment: Annotated[str, typer.Option(help="For the student, shown on the feedback page.")] = "",
+    remove: Annotated[bool, typer.Option("--remove", help="Remove points given by hand.")] = False,
+    graded: Annotated[
+        Path, typer.Option(help="Folder that workbook grade wrote (its --out).")
+    ] = Path("graded"),
+):
+    """Give points for one answer by hand, which replace the automatic ones until --remove."""
+    from workbook.grading.commands import score_by_hand
+
+    if remove == (points is not None):
+        raise UserError("give either POINTS or --remove")
+    console.print(
+        score_by_hand(graded, student, homework, problem, answer, points, comment), markup=False
+    )
+    console.print("run workbook grade again to write tables and pages anew")
+
+
+@assignment.command()
+def new(
+    name: Annotated[str, typer.Argument(help="Name of the homework and of its folder.")],
+    numbers: Annotated[
+        list[str], typer.Argument(metavar="PROBLEMS", help="Its problems, such as 1.4 1.15.")
+    ],
+    title: Annotated[str | None, typer.Option(help="Title to show; default: the name.")] = None,
+    due: Annotated[
+        str | None,
+        typer.Option(help='"2026-10-01 23:59", or "2026-10-01" for the end of that day.'),
+    ] = None,
+    assignments: Assignments = Path("assignments"),
+    site: Site = "",
+):
+    """Make a homework folder: notebooks, a README, and assignment.toml with points and dates."""
+    from workbook.grading.handing_out import due_date, due_text, make
+
+    homework = make(assignments, name, numbers, title, due_date(due) if due else None, site)
+    answers = sum(len(points) for points in homework.points.values())
+    console.print(
+        f"{assignments / name}: {len(homework.problems)} problems, {answers} answers, "
+        f"{homework.max_points:g} points, "
+        + (f"due {due_text(homework.due)}" if homework.due else "no due date"),
+        markup=False,
+    )
+
+
+@assignment.command()
+def gradescope(
+    name: Annotated[str, typer.Argument(help="Name of the homework.")],
+    out: Annotated[
+        Path, typer.Option(help="The archive to write, to be uploaded as an autograder.")
+    ],
+    assignments: Assignments = Path("assignments"),
+):
+    """Make an autograder for Gradescope from assignments/NAME/assignment.toml."""
+    from workbook.grading.gradescope.bundle import make
+
+    homework = make(assignments, name, out)
+    console.print(
+        f"{out}: an autograder for {homework.title}, {homework.max_points:g} points; upload it to "
+        "Gradescope",
+        markup=False,
+    )

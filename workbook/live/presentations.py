@@ -1,0 +1,90 @@
+"""Find what can be presented to a class: a problem by its number, a lecture by its slug."""
+
+from dataclasses import dataclass
+from difflib import get_close_matches
+from pathlib import Path
+
+from workbook.live.errors import LiveError
+from workbook.notebooks import exercises
+
+
+@dataclass(frozen=True)
+class Presentation:
+    """A problem or a lecture to present.
+
+    Attributes
+    ----------
+    name : str
+        Number of the problem or slug of the lecture.
+    title : str
+        Its title.
+    problems : tuple of str
+        Numbers of the problems whose answers the magics can name without a number.
+    path : pathlib.Path
+        The student notebook or the page of the lecture.
+    is_lecture : bool
+        Whether it is a lecture.
+    """
+
+    name: str
+    title: str
+    problems: tuple
+    path: Path
+    is_lecture: bool
+
+
+def find_presentation(name):
+    """Return the problem or lecture with a name such as "1.15" or "limit-cycles".
+
+    Raises
+    ------
+    LiveError
+        If there is none, or no checkout of the workbook.
+    """
+    _validate_checkout()
+    if name[:1].isdigit():
+        try:
+            exercise = exercises.find(name)
+        except exercises.UnknownExercise as error:
+            raise LiveError(error) from None
+        return Presentation(name, exercise.about["title"], (name,), exercise.path, is_lecture=False)
+    known = {lecture.name: lecture for lecture in lectures()}
+    if name not in known:
+        similar = get_close_matches(name, known, cutoff=0.4)
+        raise LiveError(
+            f"there is no lecture {name}; "
+            + (f"did you mean {' or '.join(similar)}?" if similar else "`workbook live` lists them")
+        )
+    return known[name]
+
+
+def lectures():
+    """Return the lectures of book/lectures/ in the order of their slugs.
+
+    Raises
+    ------
+    LiveError
+        If there is no checkout of the workbook.
+    """
+    _validate_checkout()
+    return [
+        _lecture(path)
+        for path in sorted((exercises.CHECKOUT / "book" / "lectures").glob("*.md"))
+        if path.stem != "index"
+    ]
+
+
+def _lecture(path):
+    import yaml  # problems do not need it
+
+    front_matter = yaml.safe_load(path.read_text(encoding="utf-8").split("---\n")[1])["lecture"]
+    return Presentation(
+        path.stem, front_matter["title"], tuple(front_matter["problems"]), path, is_lecture=True
+    )
+
+
+def _validate_checkout():
+    if not (exercises.CHECKOUT / "solutions").is_dir():
+        raise LiveError(
+            "a lecture needs a checkout of the workbook: the worked solutions are only there"
+        )
