@@ -37,7 +37,7 @@ LAYERS = [
     (r"tests\.(masters|mistakes)", "masters"),
     (r"tests\.library", "library"),
     (r"tests\.grading", "grader"),
-    (r"tests\.site\.test_(pages|articles|reading|library_pages)", "built files"),
+    (r"tests\.site\.test_(pages|page_content|readability|library_pages)", "built files"),
     (r"tests\.site\.test_execution", "page execution, its own tests"),
     (r"tests\.site", "site in the browser"),
     (r"tests\.(live|cli)", "live and command line"),

@@ -1,10 +1,10 @@
-"""What `make` calls to build the site, with nothing loaded that no page needs.
+"""The two steps that `make` calls to build the site; no module is loaded that no page needs.
 
     python book/build.py outputs    execute the pages that are stale (book/execute.py)
     python book/build.py site       read and write the pages that changed, as `jupyter-book build` does
 
-A warning is an error. Pages are executed one a core; Sphinx goes through them one after the other:
-its processes that read side by side wait for each other for ever.
+A warning is an error. Pages are executed in parallel, one on each core. Sphinx reads them one after
+the other: its parallel readers deadlock.
 """
 
 import os
@@ -14,16 +14,16 @@ from pathlib import Path
 from settings import SETTINGS
 
 ROOT = Path(__file__).resolve().parent.parent
-#: jsonschema, which all of Jupyter loads, would build the grammars of a checker that nothing here
-#: asks: that takes twice as long as all else that is loaded.
+#: jsonschema, which all of Jupyter loads, would build grammars that nothing here uses: that takes
+#: twice as long as all other imports.
 sys.modules["rfc3987_syntax"] = None
-#: And every kernel would load this, for cells that somebody wants to go through step by step.
+#: And every kernel would load the debugger.
 sys.modules["debugpy"] = None
 
 
 def outputs():
-    """Execute what is stale; returns the exit code."""
-    # they count from the start of the interpreter
+    """Execute the stale pages; return the exit code."""
+    # some settings are read at the start of the interpreter
     if not SETTINGS.items() <= os.environ.items():
         os.execve(sys.executable, [sys.executable, *sys.argv], os.environ | SETTINGS)
     from execute import main
@@ -32,10 +32,10 @@ def outputs():
 
 
 def site():
-    """Build the edition with solutions in _build/html; returns the exit code."""
+    """Build the edition with solutions in _build/html; return the exit code."""
     from jupyter_book.sphinx import build_sphinx
 
-    ended = build_sphinx(
+    result = build_sphinx(
         ROOT,
         ROOT / "_build" / "html",
         noconfig=True,
@@ -48,7 +48,7 @@ def site():
         warningiserror=True,
         keep_going=True,
     )
-    return 1 if isinstance(ended, BaseException) else ended
+    return 1 if isinstance(result, BaseException) else result
 
 
 if __name__ == "__main__":

@@ -1,15 +1,14 @@
-"""Execute the pages of the book whose outputs are missing or stale into the cache the site is built
-from, one a core.
+"""Execute the stale pages of the book into the cache from which the site is built.
 
-A page is stale when its code cells changed, or a module of ours that it loads (however indirectly),
-or requirements.txt, or how pages are executed. Jupyter Book's own cache sees only the cells.
-Records that no page uses any more are removed.
+A page is stale if its code cells changed, or a module of ours that it loads (also indirectly), or
+requirements.txt, or the way in which pages are executed. Jupyter Book's own cache compares only the
+cells. Records that no page uses any more are removed.
 
-What pages load is imported here, once; each page then has a kernel of its own, forked from this
-process.
+Libraries are imported here, once; each page then has its own kernel, forked from this process. One
+page is executed on each core.
 
-A cell that fails, also a check that finds an answer not right, ends with the page, the cell and the
-message, exit code 1.
+If a cell fails, or a check finds an answer not right, the page, the cell and the message are
+printed and the exit code is 1.
 """
 
 import hashlib
@@ -42,9 +41,9 @@ from workbook.notebooks.dependencies import PACKAGES, module_closure
 from workbook.notebooks.dependencies import ROOT as HOME
 
 ROOT = Path(__file__).resolve().parent.parent
-#: How pages are executed: what they show may depend on it.
-HOW = [Path(__file__).with_name(name) for name in ("execute.py", "kernel.py", "settings.py")]
-#: What pages and the modules of ours load beside them, most of it only when a function is called.
+#: The files that define how pages are executed: outputs may depend on them.
+EXECUTION = [Path(__file__).with_name(name) for name in ("execute.py", "kernel.py", "settings.py")]
+#: Libraries that pages and our modules load, most of them only when a function is called.
 LIBRARIES = (
     "casadi",
     "control",
@@ -58,7 +57,7 @@ LIBRARIES = (
     "z3",
     *SYMPY,
 )
-#: Characters of a picture.
+#: The largest size of a picture, in characters.
 LARGEST = 600_000
 CURVE = re.compile(r'(?<= d=")[^"]*')
 FORK = multiprocessing.get_context("fork")
@@ -69,25 +68,25 @@ class Page:
     path: Path
     notebook: NotebookNode
     fingerprint: str
-    modules: tuple  # of ours, that its cells load
+    modules: tuple  # those of ours that its cells load
 
 
 def main(root=ROOT):
-    """Bring the cache of the book at `root` up to date; returns the exit code."""
+    """Bring the cache of the book at `root` up to date; return the exit code."""
     cache = get_cache(root / "_build" / ".jupyter_cache")
-    notes, common = cache.path / "settled.json", shared_digest(root)
-    found = {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in page_paths(root)}
-    known = settled(notes, common)
+    state_file, common = cache.path / "fresh_pages.json", shared_digest(root)
+    hashes = {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in page_paths(root)}
+    known = read_state(state_file, common)
     keys = {
         path: known[path][1]
-        for path, text in found.items()
-        if path in known and known[path][0] == text
+        for path, digest in hashes.items()
+        if path in known and known[path][0] == digest
     }
-    if found.keys() == keys.keys() == known.keys():
+    if hashes.keys() == keys.keys() == known.keys():
         print("nothing has changed, all outputs are up to date")
         return 0
     config = yaml.safe_load((root / "_config.yml").read_text(encoding="utf-8"))
-    changed = [path for path in found if path not in keys]
+    changed = [path for path in hashes if path not in keys]
     pages = read_pages(root, config, changed)
     current = {cache.create_hashed_notebook(page.notebook)[1]: page for page in pages}
     stale = keep_fresh_records(cache, current, {str(path): key for path, key in keys.items()})
@@ -96,15 +95,15 @@ def main(root=ROOT):
         f"{len(stale)} of {sum(key is not None for key in keys.values())} pages with code are to "
         "be executed"
     )
-    settle(
-        notes,
+    write_state(
+        state_file,
         common,
-        found,
+        hashes,
         {path: key for path, key in keys.items() if path not in {page.path for page in stale}},
     )
     failures = []
     import_for(stale)
-    for page, result in side_by_side(execute, stale, config["execute"]["timeout"]):
+    for page, result in run_in_parallel(execute, stale, config["execute"]["timeout"]):
         name = page.path.relative_to(root).as_posix()
         failure = result["failure"]
         print(
@@ -115,45 +114,51 @@ def main(root=ROOT):
             failures.append(f"{name}, {failure}")
             del keys[page.path]
         else:
-            remember(cache, page, result)
-    settle(notes, common, found, keys)
+            store_outputs(cache, page, result)
+    write_state(state_file, common, hashes, keys)
     for failure in sorted(failures):
         print(f"\n{failure}", file=sys.stderr)
     return 1 if failures else 0
 
 
-def settled(notes, common):
-    """Path -> (hash of its text, key of its record or None) of the pages that were up to date after
-    the last run, if what all pages share is what it was: they need not be read to know that they
-    still are."""
-    was, pages = json.loads(notes.read_text()) if notes.exists() else (None, {})
-    return {Path(path): (text, key) for path, (text, key) in pages.items()} if was == common else {}
+def read_state(state_file, common):
+    """Return path -> (hash of its text, key of its record or None) of the fresh pages.
+
+    These are the pages that were fresh after the last run; none if the digest of everything that
+    all pages share has changed. A page with the same hash need not be read again.
+    """
+    previous, pages = json.loads(state_file.read_text()) if state_file.exists() else (None, {})
+    if previous != common:
+        return {}
+    return {Path(path): (digest, key) for path, (digest, key) in pages.items()}
 
 
-def settle(notes, common, found, keys):
-    """Note what is up to date; before pages are executed too: records are gone by then, and a run
-    may be stopped."""
-    notes.write_text(
-        json.dumps([common, {str(path): (found[path], key) for path, key in keys.items()}])
+def write_state(state_file, common, hashes, keys):
+    """Note which pages are fresh.
+
+    Also before pages are executed: their records have been removed, and a run may be stopped.
+    """
+    state_file.write_text(
+        json.dumps([common, {str(path): (hashes[path], key) for path, key in keys.items()}])
     )
 
 
 def shared_digest(root):
-    """One hash of everything beside a page's own text that its outputs may depend on."""
+    """Return one hash of everything beside a page's own text that its outputs may depend on."""
     files = [
         root / "_config.yml",
         root / "requirements.txt",
-        *HOW,
+        *EXECUTION,
         *(path for package in PACKAGES for path in (HOME / package).rglob("*.py")),
     ]
-    found = hashlib.sha256(sys.version.encode())
+    combined = hashlib.sha256(sys.version.encode())
     for path in sorted(files):
-        found.update(f"{path}\n".encode() + path.read_bytes())
-    return found.hexdigest()
+        combined.update(f"{path}\n".encode() + path.read_bytes())
+    return combined.hexdigest()
 
 
 def page_paths(root):
-    """The pages of the table of contents."""
+    """Return the pages of the table of contents."""
     toc = parse_toc_yaml(root / "_toc.yml")
     paths = {root / f"{name}.md" for name in toc} | {
         path for glob in toc.globs() for path in root.glob(f"{glob}.md")
@@ -162,11 +167,11 @@ def page_paths(root):
 
 
 def read_pages(root, config, paths):
-    """Those of these pages that have code cells to execute."""
-    # The cells are found by the same Markdown dialect as when the site is built.
+    """Return those of these pages that have code cells to execute."""
+    # The site is built with the same Markdown dialect, so it finds the same cells.
     dialect = MdParserConfig(enable_extensions=set(config["parse"]["myst_enable_extensions"]))
-    decisive = b"".join(path.read_bytes() for path in (root / "requirements.txt", *HOW))
-    shared = hashlib.sha256(decisive).hexdigest() + sys.version
+    settings = b"".join(path.read_bytes() for path in (root / "requirements.txt", *EXECUTION))
+    shared = hashlib.sha256(settings).hexdigest() + sys.version
     pages = []
     for path in paths:
         text = path.read_text(encoding="utf-8")
@@ -183,19 +188,18 @@ def read_pages(root, config, paths):
 
 
 def modules_loaded(code):
-    """Module -> hash, for every module of ours that the cells load."""
+    """Return module -> hash, for every module of ours that the cells load."""
     try:
         return module_closure("\n".join(code))
     except SyntaxError:
-        return {}  # executing the page will say in which cell
+        return {}  # executing the page will name the cell
 
 
-def keep_fresh_records(cache, current, settled):
-    """Remove what is stale or belongs to no page from the cache; returns the pages that are to be
-    executed.
+def keep_fresh_records(cache, current, unread):
+    """Remove records that are stale or belong to no page; return the pages to be executed.
 
-    `current` are the pages that were read, by the key of their record; `settled` are the keys of
-    the others, by their path.
+    `current` maps the key of its record to each page that was read, `unread` the paths of the
+    others to the keys of their records.
     """
     fresh = set()
     for record in cache.list_cache_records():
@@ -206,33 +210,31 @@ def keep_fresh_records(cache, current, settled):
             and record.uri == str(page.path)
         ):
             fresh.add(record.hashkey)
-        elif settled.get(record.uri) != record.hashkey:
+        elif unread.get(record.uri) != record.hashkey:
             cache.remove_cache(record.pk)
     return [page for key, page in current.items() if key not in fresh]
 
 
 def import_for(pages):
-    """Import what pages load, so that no kernel has to; what only some may load is not worth its
-    time for a few."""
+    """Import the libraries of pages, so that no kernel has to; for few pages only what they name."""
     many = len(pages) > CORES
     preload(
         *(LIBRARIES if many else ()), *sorted({module for page in pages for module in page.modules})
     )
     if many:
-        # both are kept, and were found anew by every page
+        # both are cached: each page would look them up again
         local_ips(), KernelProvisionerFactory.instance()
         warm_up_matplotlib("svg")
 
 
-def side_by_side(function, items, *arguments):
-    """(item, function(item, *arguments)) as each ends; one a core at a time, each in a process
-    forked from this one."""
+def run_in_parallel(function, items, *arguments):
+    """Yield (item, function(item, *arguments)) as each ends, one forked process on each core."""
     waiting, running = list(items), {}
     while waiting or running:
         while waiting and len(running) < CORES:
             item = waiting.pop(0)
             receiver, sender = FORK.Pipe(duplex=False)
-            process = FORK.Process(target=send, args=(sender, function, item, *arguments))
+            process = FORK.Process(target=send_result, args=(sender, function, item, *arguments))
             process.start()
             sender.close()
             running[receiver] = item, process
@@ -242,17 +244,16 @@ def side_by_side(function, items, *arguments):
             process.join()
 
 
-def send(sender, function, *arguments):
+def send_result(sender, function, *arguments):
     sender.send(function(*arguments))
 
 
 def execute(page, timeout):
-    """In a process of its own: execute a page in a ready kernel; its outputs or what failed, and
-    what that took."""
+    """Execute a page in a ready kernel; return its outputs or failure, and the time it took."""
     start = time.monotonic()
     try:
         with Kernel(page.path.parent) as kernel:
-            # Times of cells would make it another page in the eyes of the cache.
+            # Times of cells would change the key of the page in the cache.
             NotebookClient(
                 page.notebook, km=kernel.manager(), timeout=timeout, record_timing=False
             ).execute()
@@ -262,7 +263,7 @@ def execute(page, timeout):
         failure = explain(page.notebook, error)
     except RuntimeError as error:  # the kernel died
         failure = str(error)
-    # the kernel's too
+    # the times of the kernel are included
     return {
         "notebook": page.notebook,
         "failure": failure,
@@ -272,23 +273,23 @@ def execute(page, timeout):
 
 
 def explain(notebook, error):
-    """Which cell failed, where it stands in the file, and what it said."""
+    """Return which cell failed, at which line of the file, and its message."""
     for number, cell in enumerate(notebook.cells):
         for output in cell.get("outputs", []):
             if output.output_type == "error":
-                said = (
+                message = (
                     output.evalue
                     if output.ename == "NotYet"
                     else f"{output.ename}: {output.evalue}"
                 )
-                return f"{place(notebook, number)}:\n    {failing_line(cell, output)}\n{said}"
+                line = failing_line(cell, output)
+                return f"{describe_cell(notebook, number)}:\n    {line}\n{message}"
     # a time limit or a dead kernel leaves no output; nbclient's message quotes the cell
     return str(error)
 
 
 def missing_picture(notebook):
-    """The first figure or drawing cell that shows nothing: its caption would stand under an empty
-    place."""
+    """Return a message on the first figure or drawing cell without a picture, or None."""
     for number, cell in enumerate(notebook.cells):
         for role in {"figure", "drawing"}.intersection(cell.metadata.get("tags", [])):
             if not any(
@@ -296,26 +297,25 @@ def missing_picture(notebook):
                 for output in cell.outputs
                 for form in output.get("data", ())
             ):
-                return f"{place(notebook, number)}: this {role} cell shows no picture"
+                return f"{describe_cell(notebook, number)}: this {role} cell shows no picture"
     return None
 
 
 def heavy_picture(notebook):
-    """The first picture that takes a phone too long."""
+    """Return a message on the first picture that loads too slowly on a phone, or None."""
     for number, cell in enumerate(notebook.cells):
         for output in cell.get("outputs", ()):
             size = len(output.get("data", {}).get("image/svg+xml", ""))
             if size > LARGEST:
                 return (
-                    f"{place(notebook, number)}: this picture takes {size // 1000} kB; draw what "
+                    f"{describe_cell(notebook, number)}: this picture takes {size // 1000} kB; draw what "
                     "has so many points with rasterized=True"
                 )
     return None
 
 
 def slim_pictures(notebook):
-    """Hundredths of a point are enough for the curves of an SVG, of which Matplotlib gives
-    millionths."""
+    """Round the curves of an SVG to hundredths of a point; Matplotlib writes millionths."""
     for cell in notebook.cells:
         for output in cell.get("outputs", ()):
             data = output.get("data", {})
@@ -325,21 +325,21 @@ def slim_pictures(notebook):
                 )
 
 
-def place(notebook, number):
+def describe_cell(notebook, number):
+    """Return the number, the roles and the line of a cell, as messages name it."""
     cell, line = notebook.cells[number], notebook.metadata.source_map[number] + 1
     roles = ", ".join(cell.metadata.get("tags", [])) or "no role"
     return f"cell {number + 1} ({roles}) at line {line}"
 
 
 def failing_line(cell, output):
-    """The line of the cell that the traceback points at; its first line if the traceback shows
-    none."""
+    """Return the line of the cell that the traceback points at, or else its first line."""
     traceback = re.sub(r"\x1b\[[0-9;]*m", "", "\n".join(output.traceback))
     arrow = re.search(r"^Cell In.*?^-+> (\d+) ", traceback, re.M | re.S)
     return cell.source.splitlines()[int(arrow[1]) - 1 if arrow else 0].strip()
 
 
-def remember(cache, page, result):
+def store_outputs(cache, page, result):
     cache.cache_notebook_bundle(
         CacheBundleIn(
             result["notebook"],

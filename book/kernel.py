@@ -1,9 +1,8 @@
-"""A Jupyter kernel that is ready at once: a fork of this process, with all that this process has
-imported.
+"""A Jupyter kernel that is ready at once: a fork of this process, with all its imports.
 
-It has to be forked before this process has a thread or a ZeroMQ context, since neither lives on in
-a fork. The kernel takes free ports and writes them into its connection file, so that no other
-program can take one of them meanwhile.
+It has to be forked before this process has a thread or a ZeroMQ context, since neither survives a
+fork. The kernel itself takes free ports and writes them into its connection file, so that no other
+program can take one of them in between.
 """
 
 import os
@@ -29,65 +28,63 @@ PICTURES = {
 
 
 class Client(AsyncKernelClient):
-    """Who talks to a kernel that is ready: at once, where Jupyter's own would wait until nothing is
-    heard of it for a fifth of a second. What the kernel tells of the first question is not taken
-    for what it tells of a cell."""
+    """A client of a kernel that is ready.
+
+    Jupyter's own client waits until the kernel is silent for a fifth of a second. This one waits
+    for the first message instead, so that it is not taken for a message on a cell.
+    """
 
     async def wait_for_ready(self, timeout):
-        heard = None
-        while not heard:
+        message = None
+        while not message:
             self.kernel_info()
             try:
                 await self.shell_channel.get_msg(timeout=timeout)
             except Empty:
                 raise RuntimeError(f"the kernel gives no answer within {timeout} seconds") from None
-            with suppress(Empty):  # or it was not listened to yet
-                heard = await self.iopub_channel.get_msg(timeout=0.2)
+            with suppress(Empty):  # the channel may not be connected yet
+                message = await self.iopub_channel.get_msg(timeout=0.2)
 
 
 class Kernel:
-    """A running kernel in `folder`, with what `subprocess.Popen` has of a process; within `with` it
-    lives."""
+    """A kernel in `folder` with the interface of `subprocess.Popen`; the end of `with` ends it."""
 
     stdin = stdout = stderr = None
 
     def __init__(self, folder):
-        self._place = TemporaryDirectory()
-        self._file = f"{self._place.name}/kernel.json"
+        self._folder = TemporaryDirectory()
+        self._file = f"{self._folder.name}/kernel.json"
         self.returncode = None
-        ready, tell = os.pipe()
+        receiver, sender = os.pipe()
         self.pid = os.fork()
         if self.pid == 0:
-            os.close(ready)
-            _serve(self._file, folder, tell)
-        os.close(tell)
-        with open(ready, "rb") as answer:
+            os.close(receiver)
+            _serve(self._file, folder, sender)
+        os.close(sender)
+        with open(receiver, "rb") as answer:
             if not answer.read():
                 raise RuntimeError("the kernel ended before it could be asked anything")
 
     def manager(self):
-        """What nbclient asks for: it finds this kernel running and needs not start one."""
+        """Return a kernel manager for nbclient, which finds this kernel running."""
         manager = AsyncKernelManager(connection_file=self._file, client_factory=Client)
         manager.load_connection_file()
         manager.provisioner = LocalProvisioner(
             kernel_spec=manager.kernel_spec, kernel_id="", parent=manager
         )
-        manager.provisioner.process, manager.provisioner.pid, manager.provisioner.pgid = (
-            self,
-            self.pid,
-            self.pid,
-        )
+        manager.provisioner.process = self
+        manager.provisioner.pid = manager.provisioner.pgid = self.pid
         return manager
 
     def poll(self):
-        return self._ended(os.WNOHANG)
+        return self._wait(os.WNOHANG)
 
     def wait(self):
-        return self._ended(0)
+        return self._wait(0)
 
-    def _ended(self, how):
+    def _wait(self, options):
         if self.returncode is None:
-            pid, status = os.waitpid(self.pid, how)
+            pid, status = os.waitpid(self.pid, options)
             self.returncode = os.waitstatus_to_exitcode(status) if pid else None
         return self.returncode
 
@@ -101,22 +98,21 @@ class Kernel:
         if self.poll() is None:
             os.killpg(self.pid, signal.SIGKILL)
             self.wait()
-        self._place.cleanup()
+        self._folder.cleanup()
 
 
-def _serve(connection_file, folder, tell):
-    """In the fork: be a kernel until the end, as `python -m ipykernel_launcher` is."""
+def _serve(connection_file, folder, sender):
+    """Run the kernel in the fork, as `python -m ipykernel_launcher` does; never return."""
     try:
         os.setsid()
         os.chdir(folder)
         sys.path[:] = [
             path for path in sys.path if path != os.path.dirname(os.path.abspath(__file__))
         ]
-        # as `random` does by itself: a fork would repeat the numbers of its brothers
+        # as `random` does by itself: all forks would draw the same numbers
         numpy.random.seed()
         app = IPKernelApp.instance(config=Config(InlineBackend=PICTURES))
-        # A kernel's own log has nothing for the reader of a build: what a cell says is in its
-        # outputs.
+        # A kernel's own log is no use in a build: the messages of a cell are in its outputs.
         app.initialize(
             [
                 f"--f={connection_file}",
@@ -125,8 +121,8 @@ def _serve(connection_file, folder, tell):
                 f"--IPKernelApp.parent_handle={os.getppid()}",
             ]
         )
-        os.write(tell, b"ready")
-        os.close(tell)
+        os.write(sender, b"ready")
+        os.close(sender)
         app.start()
     except BaseException:
         traceback.print_exc()

@@ -1,10 +1,12 @@
-"""What counts from the start of the interpreter, or when a library is loaded; so it loads nothing
-itself."""
+"""Settings of the processes that execute pages.
+
+They are read at the start of the interpreter or of a library, so this module loads no library.
+"""
 
 import os
 
-#: Pages are executed side by side, outputs should not depend on the order of a set, and pictures
-#: belong into the page.
+#: Pages are executed in parallel, outputs must not depend on the order of a set, and pictures belong
+#: in the page.
 SETTINGS = {
     "OMP_NUM_THREADS": "1",
     "OPENBLAS_NUM_THREADS": "1",

@@ -14,6 +14,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "book"))
 import execute
 import kernel
 
+#: A kernel that is forked from this process inherits its filters, and `%matplotlib inline` warns.
+pytestmark = pytest.mark.filterwarnings("ignore:InlineBackend._figure_formats_changed")
 execute_as_before = execute.read_myst_markdown_notebook
 CONFIG = "execute: {timeout: 20}\nparse: {myst_enable_extensions: [dollarmath]}\n"
 TOC = "format: jb-book\nroot: index\nchapters: [{glob: 'p*'}]\n"
@@ -120,7 +122,7 @@ def test_a_run_that_is_stopped_leaves_no_page_for_settled(book, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
-        patch.setattr(execute, "side_by_side", stopped)
+        patch.setattr(execute, "run_in_parallel", stopped)
         book.run()
     (book.root / "p1.md").write_text(before)
     assert "1 of 1 pages" in book.run()[1]
@@ -244,7 +246,7 @@ def test_trials_beside_a_page_are_no_part_of_it(book):
     assert code == 0 and "1 of 1 pages" in said
     trials.write_text("# %% wrong\n2 / 0\n")
     assert "nothing has changed" in book.run()[1]
-    (book.root / "_build/.jupyter_cache/settled.json").unlink()
+    (book.root / "_build/.jupyter_cache/fresh_pages.json").unlink()
     assert "0 of 1 pages" in book.run()[1]
 
 

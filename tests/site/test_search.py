@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 CONFIGURATION = f"""
 import sys
 sys.path.insert(0, {str(ROOT / "book" / "_ext")!r})
-from workbook_site.pages import _keep_index_entries
+from workbook_site.problem_pages import _keep_index_entries
 
 def setup(app):
     app.connect("env-updated", _keep_index_entries)

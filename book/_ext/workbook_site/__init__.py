@@ -1,68 +1,73 @@
 """What the workbook's site adds to Jupyter Book.
 
-catalogue   the problems of the edition that is being built, from their front matter
-pages       a problem's page: title, chips, download, answers and hints, labels that hold in both editions
-listings    the list of all problems and the index by topic, so that no list is kept by hand
-downloads   the students' notebooks and the wheel
-boxes       statements; solutions, hints and code folded with the browser's own <details>
-figures     pictures with their number, their caption and words for who cannot see them
-printed     powers and products in what cells print
-punctuation a comma stays with the formula before it
-numbering   numbers of equations and theorems follow their labels
-reference   the pages of the library, from its docstrings, with links to what uses it and back
-lectures    what only the notebook of a lecture shows
-cases       the page of the checks, from the tables that are their tests
-freshness   what makes a page outdated, beyond its own text
-keeping     what is kept from one build to the next
-offline     nothing is loaded from another host
+catalogue         the problems of the edition that is being built, from their front matter
+problem_pages     a problem's page: title, chips, download, answers and hints, labels for both editions
+listings          the list of all problems and the index by topic, made from the catalogue
+downloads         the students' notebooks and the wheel
+folding           statements; solutions, hints and code folded with the browser's own <details>
+figures           pictures with their number, their caption and alternative text
+cell_output       formulas typeset in what cells print
+punctuation       a comma stays with the formula before it
+numbering         numbers of equations and theorems follow their labels
+library           the pages of the library, by autodoc and numpydoc (`docstrings`)
+uses              links between the names of the library and the pages that use them
+lectures          blocks that only the notebook of a lecture shows
+check_cases       the page of the checks, from the tables that are their tests
+invalidation      what makes a page outdated, beyond its own text
+slim_environment  less of each page is kept from one build to the next
+offline           nothing is loaded from another host
 """
 
 import gc
 
 from workbook.grading.preloading import GC_THRESHOLD
 from workbook_site import (
-    boxes,
-    cases,
     catalogue,
+    cell_output,
+    check_cases,
     downloads,
     figures,
-    freshness,
-    keeping,
+    folding,
+    invalidation,
     lectures,
+    library,
     listings,
     numbering,
     offline,
-    pages,
-    printed,
+    problem_pages,
     punctuation,
-    reference,
+    slim_environment,
+    uses,
+)
+
+EXTENSIONS = (
+    catalogue,
+    problem_pages,
+    listings,
+    downloads,
+    folding,
+    figures,
+    cell_output,
+    punctuation,
+    numbering,
+    uses,
+    library,
+    lectures,
+    check_cases,
+    invalidation,
+    slim_environment,
+    offline,
 )
 
 
 def setup(app):
-    # trees of pages live on: to look for garbage in them takes a seventh of a build
+    # document trees live on: garbage collection in them takes a seventh of a build
     gc.set_threshold(GC_THRESHOLD)
-    for part in (
-        catalogue,
-        pages,
-        listings,
-        downloads,
-        boxes,
-        figures,
-        printed,
-        punctuation,
-        numbering,
-        reference,
-        lectures,
-        cases,
-        freshness,
-        keeping,
-        offline,
-    ):
-        part.setup(app)
+    for extension in EXTENSIONS:
+        extension.setup(app)
     return {
         "version": "1",
-        "env_version": freshness.EXTENSION,
+        "env_version": invalidation.EXTENSION,
         "parallel_read_safe": True,
         "parallel_write_safe": True,
     }

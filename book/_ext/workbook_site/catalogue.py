@@ -20,8 +20,7 @@ PAGE = re.compile(r"(solutions|exercises)/ch\d+/p\d+")
 
 @dataclass(frozen=True)
 class Problem:
-    """What a page says about its problem; `answers` maps a name to (kind, meaning), `hints` to a
-    list of texts."""
+    """The front matter of a problem; `answers`: name -> (kind, meaning), `hints`: name -> texts."""
 
     page: str
     number: str
@@ -43,12 +42,12 @@ class Problem:
 
     @property
     def label(self):
-        """The label of its exercise, ex-1-15."""
+        """Return the label of its exercise, ex-1-15."""
         return "ex-" + self.number.replace(".", "-")
 
     @property
     def notebook(self):
-        """The student's notebook: its place in the repository and its address on the site."""
+        """Return the path of the student's notebook, in the repository and on the site."""
         return self.page.replace("solutions/", "exercises/", 1) + ".ipynb"
 
     @property
@@ -57,12 +56,12 @@ class Problem:
 
     @property
     def solved(self):
-        """True if the page holds the solution."""
+        """Return whether the page holds the solution."""
         return self.page.startswith("solutions/")
 
 
 def read(page, path):
-    """The problem whose page `page` is the file `path`."""
+    """Return the problem whose page `page` is the file `path`."""
     path = Path(path)
     about = exercises.read(path).about if path.suffix == ".ipynb" else _front_matter(path)
     return Problem(
@@ -79,16 +78,16 @@ def read(page, path):
 
 
 def of(env):
-    """The catalogue of a build: page -> Problem, in the order of the numbers."""
+    """Return the catalogue of a build: page -> Problem, in the order of the numbers."""
     return env.workbook_catalogue
 
 
 def _front_matter(path):
     try:
-        said, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
+        front_matter, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
     except MasterError as error:
         raise ExtensionError(str(error)) from None
-    return said
+    return front_matter
 
 
 def _answer(answer):
@@ -99,7 +98,7 @@ def _answer(answer):
 
 
 def _load(app, env, added, changed, removed):
-    """Read all problems before any page; a change among them outdates the pages that list them."""
+    """Read all problems before any page; return the pages that list problems if one changed."""
     found = [
         read(page, env.doc2path(page)) for page in sorted(env.found_docs) if PAGE.fullmatch(page)
     ]

@@ -1,7 +1,6 @@
-"""What the site serves beside its pages: the students' notebooks and the wheel of trajlib and
-workbook.
+"""Downloads beside the pages: the students' notebooks, and the wheel of trajlib and workbook.
 
-A notebook has the address it has in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel
+A notebook has the same path as in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel
 into wheels/.
 """
 
@@ -18,17 +17,28 @@ from workbook_site import catalogue
 
 
 class WheelRole(SphinxRole):
-    """{wheel}`the wheel` links to the wheel that the site serves."""
+    """Links to the wheel that the site serves: {wheel}`the wheel`."""
 
     def run(self):
-        name = f"trajlib-{version('trajlib')}-py3-none-any.whl"
+        name = wheel_name()
         return [
             link(self.env.docname, f"wheels/{name}", f"{escape(self.text)} (<code>{name}</code>)")
         ], []
 
 
+class InstallWheelRole(SphinxRole):
+    """Shows the command that installs the downloaded wheel with an extra: {install-wheel}`live`."""
+
+    def run(self):
+        return [nodes.literal("", f'pip install "{wheel_name()}[{self.text}]"')], []
+
+
+def wheel_name():
+    return f"trajlib-{version('trajlib')}-py3-none-any.whl"
+
+
 def link(page, address, inner):
-    """A download link from a page to an address below the site's root; `inner` is its HTML."""
+    """Return a download link from a page to an address below the root; `inner` is its HTML."""
     relative = posixpath.relpath(address, posixpath.dirname(page) or ".")
     return nodes.raw(
         "", f'<a class="download" href="{escape(relative)}" download>{inner}</a>', format="html"
@@ -48,20 +58,18 @@ def _copy_notebooks(app, exception):
 
 
 def _served(source, base, solved):
-    """A notebook as the site hands it out: where the site has an address, its links lead to this
-    very edition."""
+    """Return the text of a notebook, its links leading to this edition if the site has an address."""
     notebook = json.loads(source.read_text(encoding="utf-8"))
     if base:
         to_site = exercises.site_urls(base)
         notebook = exercises.add_links(
             notebook,
-            lambda place: to_site(
-                place if solved else place.replace("solutions/", "exercises/", 1)
-            ),
+            lambda path: to_site(path if solved else path.replace("solutions/", "exercises/", 1)),
         )
     return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
 
 
 def setup(app):
     app.add_role("wheel", WheelRole())
+    app.add_role("install-wheel", InstallWheelRole())
     app.connect("build-finished", _copy_notebooks)

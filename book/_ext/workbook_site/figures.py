@@ -1,10 +1,9 @@
-"""Pictures with what a reader needs around them: a number, a caption that belongs to them, and
-words in their place.
+"""Pictures with a number, a caption and alternative text.
 
-A master writes a picture's caption as a paragraph in emphasis under the cell that draws it, and so
-it stands under the picture that a student's notebook has in the place of the cell. In the page both
-become one <figure>: "Figure 5.9a" on a problem's page, "Figure 5.1" in a chapter; whoever cannot
-see it is told how it begins.
+A master writes a picture's caption as a paragraph in emphasis under the cell that draws it; in a
+student's notebook it is under the picture that replaces the cell. In the page both become one
+<figure>: "Figure 5.9a" on a problem's page, "Figure 5.1" in a chapter. The alternative text is the
+first sentence of the caption.
 """
 
 import re
@@ -22,20 +21,22 @@ SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
 class CaptionFigures(SphinxPostTransform):
-    """After myst-nb has chosen the outputs to show, before it folds the code that made them."""
+    """Joins pictures and captions, after myst-nb has chosen the outputs and before it folds code."""
 
     default_priority = 150
     formats = ("html",)
 
     def run(self, **kwargs):
-        drawn = list(self.document.findall(lambda node: _makes_pictures(node) or _is_picture(node)))
-        for k, cell in enumerate(drawn):
+        sources = list(
+            self.document.findall(lambda node: _makes_pictures(node) or _is_picture(node))
+        )
+        for k, cell in enumerate(sources):
             *others, last = cell.findall(nodes.image)
             caption = _caption_below(cell)
-            number = self._number(k, len(drawn))
-            words = alt_text(_as_written(caption)) if caption is not None else ""
+            number = self._number(k, len(sources))
+            text = alt_text(_as_written(caption)) if caption is not None else ""
             for image in (*others, last):
-                image["alt"] = f"{number}: {words}" if words else number
+                image["alt"] = f"{number}: {text}" if text else number
             if caption is not None:
                 caption.parent.remove(caption)
                 label = nodes.strong("", f"{number}. ")
@@ -51,8 +52,11 @@ class CaptionFigures(SphinxPostTransform):
                 last.replace_self(figure)
 
     def _has_panels(self, image):
-        """Whether a picture (its size in points) is too wide to be read on a phone at once: two
-        panels side by side, or any that would be shown at less than half its size there."""
+        """Return whether a picture is too wide to be read on a phone at once.
+
+        That is two panels side by side, or a picture shown there at less than half its size (the
+        sizes are in points).
+        """
         file = Path(self.env.srcdir, image["uri"].lstrip("/"))
         size = SIZE.search(file.read_text(encoding="utf-8")) if file.suffix == ".svg" else None
         width, height = map(float, size.groups()) if size else (0, 1)
@@ -67,18 +71,18 @@ class CaptionFigures(SphinxPostTransform):
 
 
 def _makes_pictures(node):
-    """Whether a node is a code cell that shows pictures."""
+    """Return whether a node is a code cell that shows pictures."""
     is_cell = isinstance(node, nodes.container) and node.get("nb_element") == "cell_code"
     return is_cell and any(node.findall(nodes.image))
 
 
 def _is_picture(node):
-    """Whether a node is a paragraph of nothing but a picture."""
+    """Return whether a node is a paragraph of nothing but a picture."""
     return isinstance(node, nodes.paragraph) and len(node) == 1 and isinstance(node[0], nodes.image)
 
 
 def _caption_below(cell):
-    """The paragraph under a cell or a picture, if emphasis is all there is in it."""
+    """Return the paragraph under a cell or a picture if it consists of emphasis alone."""
     following = cell.next_node(siblings=True, descend=False)
     is_caption = (
         isinstance(following, nodes.paragraph)
@@ -89,7 +93,7 @@ def _caption_below(cell):
 
 
 def _as_written(caption):
-    """The text of a caption, its formulas between dollars."""
+    """Return the text of a caption, its formulas between dollars."""
     return "".join(
         f"${part.astext()}$" if isinstance(part, nodes.math) else part.astext()
         for part in caption.findall(lambda node: isinstance(node, (nodes.math, nodes.Text)))

@@ -1,11 +1,10 @@
-"""Lectures: `{live}` holds what only the notebook before a class has, a cell that asks for a step
-or a mistake."""
+"""Lectures: `{live}` holds cells that only the notebook before a class has."""
 
 from sphinx.util.docutils import SphinxDirective
 
 
 class Live(SphinxDirective):
-    """Nothing on the page: it would ask a kernel that is not there."""
+    """Shows nothing on the page: its cells need a kernel."""
 
     has_content = True
 

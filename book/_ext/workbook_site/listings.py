@@ -6,7 +6,7 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from workbook_site import catalogue
-from workbook_site.pages import to_page, topic_label
+from workbook_site.problem_pages import to_page, topic_label
 
 
 class Listing(SphinxDirective):
@@ -23,7 +23,7 @@ class Listing(SphinxDirective):
 
 
 class ProblemList(Listing):
-    """All problems, a table a chapter; with `:chapter:` the table of that chapter alone."""
+    """Lists all problems, a table for each chapter; with `:chapter:` that chapter alone."""
 
     option_spec = {"chapter": str}
 
@@ -77,8 +77,7 @@ class ProblemList(Listing):
 
 
 class TopicIndex(Listing):
-    """Every topic with its problems, under its first letter; the chips of the problem pages lead
-    here."""
+    """Lists every topic with its problems, by first letter; the chips of the problem pages link here."""
 
     def content_of(self, problems):
         topics = {}

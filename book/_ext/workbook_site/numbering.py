@@ -1,9 +1,9 @@
 """Numbers follow labels.
 
 An equation labelled eq-1-15-a is (1.15a), a theorem labelled thm-1-2 is Theorem 1.2: on every page,
-in references, in the student's notebook, and in the problem book where the number comes from. What
-has no such label is counted as usual. A number given by TeX's own \\tag stands where all others
-stand. A chapter's number is that of its file, book/ch5.md, whichever chapters stand before it.
+in references, in the student's notebook, and in the problem book where the number comes from. All
+else is counted as usual. A number given by TeX's own \\tag is placed as all others are. A chapter's
+number is that of its file, book/ch5.md, whichever chapters come before it.
 """
 
 import re
@@ -32,8 +32,7 @@ def _number_equations(app, document):
 
 
 def _label_statements(app, document):
-    """Let [text](#thm-1-2) and {ref} find theorems, which sphinx-proof keeps in a domain of its
-    own."""
+    """Let [text](#thm-1-2) and {ref} find theorems, which have a domain of their own."""
     labels = app.env.get_domain("std")
     for node in document.findall(nodes.Admonition):
         if "realtype" in node:
@@ -47,7 +46,7 @@ def _label_statements(app, document):
 
 
 def _number_statements(app, env):
-    """Put the numbers of the labels over those that Sphinx has counted."""
+    """Replace the numbers that Sphinx has counted by those of the labels."""
     env.workbook_counted = deepcopy(env.toc_fignumbers)
     for label, entry in getattr(env, "proof_list", {}).items():
         match = STATEMENT.fullmatch(label)
@@ -58,7 +57,7 @@ def _number_statements(app, env):
 
 
 def _number_chapters(app, env):
-    """Put the numbers of the files over those that Sphinx has counted."""
+    """Replace the numbers that Sphinx has counted by those of the files."""
     env.workbook_counted_chapters = deepcopy(env.toc_secnumbers)
     for page in list(env.toc_secnumbers):
         if match := CHAPTER.fullmatch(page):

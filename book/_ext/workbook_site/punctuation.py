@@ -1,5 +1,4 @@
-"""A comma or a full stop stays with the formula before it: the browser may break a line between
-them otherwise."""
+"""A comma or a full stop stays with the formula before it, also where a browser breaks lines."""
 
 import re
 
@@ -8,8 +7,7 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 
 
 class KeepWithFormula(SphinxPostTransform):
-    """Puts an inline formula and the signs that follow it without a space into one span that does
-    not break."""
+    """Joins an inline formula and the punctuation right after it into one unbreakable span."""
 
     default_priority = 800
     formats = ("html",)
@@ -24,8 +22,7 @@ class KeepWithFormula(SphinxPostTransform):
             )
             if signs:
                 rest = after.astext()[signs.end() :]
-                # By identity: a text is equal to any other of the same words, and the first would
-                # be replaced.
+                # By identity: texts of the same words are equal, and the first would be replaced.
                 k = next(k for k, node in enumerate(after.parent.children) if node is after)
                 after.parent[k : k + 1] = [nodes.Text(rest)] if rest else []
                 together = formula.deepcopy(), nodes.Text(signs[0])

@@ -27,8 +27,8 @@ def count_reading(app):
 
 def setup(app):
     if {{kept}}:
-        from workbook_site import keeping
-        keeping.setup(app)
+        from workbook_site import slim_environment
+        slim_environment.setup(app)
     app.connect("builder-inited", count_reading)
 """
 PAGES = {

@@ -1,8 +1,8 @@
 """A problem's page.
 
-The master says everything in its front matter; here, as a page is read, that is put where a reader
-looks for it: the number with the title, a line of chips and the notebook under it, the answers
-asked for and the hints under the statement. The file itself is never touched.
+The front matter of the master is shown as the page is read: the number with the title, a line of
+chips and the notebook under it, the answers asked for and the hints under the statement. The file
+itself is never changed.
 """
 
 import json
@@ -23,13 +23,13 @@ from workbook.authoring.plain_markdown import SENTENCE_END
 from workbook.authoring.student_notebook import core_text
 from workbook.notebooks import exercises
 from workbook_site import catalogue
-from workbook_site.boxes import details, summary
 from workbook_site.downloads import link
+from workbook_site.folding import details, summary
 
 logger = logging.getLogger(__name__)
 
 TITLE = re.compile(r"^# .*$", re.M)
-# of a person, in a topic: what else is written there begins small
+# of a person, in a topic: all other words there begin small
 NAME = re.compile(r"(?:van der )?[A-Z]\w+")
 EXERCISE_END = re.compile(r"^(`{3,}|:{3,})\{exercise-end\}[ \t]*\n(?:.*\n)*?\1[ \t]*$", re.M)
 
@@ -53,24 +53,23 @@ def _complete(app, page, source):
 
 
 def _student_page(source, head):
-    """The notebook with the page's head first, then where the data come from, without its own two
-    headings."""
+    """Return the notebook as a page: the head first, without the notebook's own two headings."""
     notebook = json.loads(source)
     notebook["cells"] = [
         cell for cell in notebook["cells"] if cell["metadata"].get("tags") != ["setup"]
     ]
     for cell in notebook["cells"]:
         cell["metadata"]["places"] = [
-            (text, place)
-            for text, place in cell["metadata"].get("places", ())
-            # no page: the student's guide links to it
-            if not place.startswith("wheels/")
+            (text, path)
+            for text, path in cell["metadata"].get("places", ())
+            # the wheel is no page: the student's guide links to it
+            if not path.startswith("wheels/")
         ]
-    notebook = exercises.add_links(notebook, _neighbour)
+    notebook = exercises.add_links(notebook, _link_target)
     texts = [cell for cell in notebook["cells"] if cell["cell_type"] == "markdown"]
     for cell in texts:
         cell["source"] = re.sub(r"^##? Problem .*$", "", cell["source"], flags=re.M).strip()
-        for name, forms in cell.get("attachments", {}).items():  # myst-nb does not know them
+        for name, forms in cell.get("attachments", {}).items():  # myst-nb does not support them
             for form, picture in forms.items():
                 cell["source"] = cell["source"].replace(
                     f"attachment:{name}", f"data:{form};base64,{picture}"
@@ -79,14 +78,14 @@ def _student_page(source, head):
     return json.dumps(notebook)
 
 
-def _neighbour(place):
-    """How a page of the site refers to a place: by its label, or by the file of its page."""
-    page, _, label = place.partition("#")
+def _link_target(path):
+    """Return how a page of the site links to a path: by its label, or by the file of its page."""
+    page, _, label = path.partition("#")
     return f"#{label}" if label else f"/{page.removesuffix('.html')}.md"
 
 
 class ProblemHead(SphinxDirective):
-    """The line under the title: section, level, topics, and the student's notebook."""
+    """Shows the line under the title: section, level, topics, and the student's notebook."""
 
     def run(self):
         problem = catalogue.of(self.env)[self.env.docname]
@@ -102,7 +101,7 @@ class ProblemHead(SphinxDirective):
             link(problem.page, problem.notebook, "Student’s notebook"),
             classes=["problem-notebook"],
         )
-        # Stock search takes "1.15" apart and drops the digits; an index entry is found whole.
+        # Sphinx's search splits "1.15" and drops the digits; an index entry is found whole.
         index = addnodes.index(
             entries=[
                 ("single", entry, f"problem-{problem.number}", "main", None)
@@ -119,9 +118,8 @@ class ProblemHead(SphinxDirective):
         return [index, target, head, *core]
 
     def _index_entries(self, problem):
-        # A master brings the entry of its number itself, its copy for students does not. The search
-        # finds an entry by one half of it at least, so the names in a topic are entries of their
-        # own.
+        # A master has the index entry of its number, the student's notebook has not. The search needs
+        # half of an entry to find it, so the names in a topic are entries of their own.
         names = [name for topic in problem.topics for name in NAME.findall(topic)]
         entries = [
             f"problem {problem.number}",
@@ -133,11 +131,9 @@ class ProblemHead(SphinxDirective):
 
 
 class ProblemAnswers(SphinxDirective):
-    """What the student is to assign: a fold an item, with its answers and their hints, one fold a
-    hint.
+    """Shows the answers to assign: a fold for each item, in it a fold for each hint.
 
-    `AnswersBesideItems` puts the fold of an item under its statement; what has no such place stays
-    here.
+    `AnswersBesideItems` moves the fold of an item under its statement, if it has one.
     """
 
     def run(self):
@@ -172,8 +168,7 @@ class ProblemAnswers(SphinxDirective):
 
 
 class AnswersBesideItems(SphinxPostTransform):
-    """The answers of an item go under its statement, with the formulas and the half sentences that
-    belong to it."""
+    """Moves the answers of an item under its statement and the formulas that belong to it."""
 
     default_priority = 25  # before solutions are folded
     formats = ("html",)
@@ -191,15 +186,15 @@ class AnswersBesideItems(SphinxPostTransform):
                     None,
                 )
                 if opening is not None:
-                    place, below = opening.parent, opening.parent.index(opening) + 1
-                    while below < len(place) and _goes_on(place[below]):
+                    parent, below = opening.parent, opening.parent.index(opening) + 1
+                    while below < len(parent) and _continues_item(parent[below]):
                         below += 1
                     fold.parent.remove(fold)
-                    place.insert(below, fold)
+                    parent.insert(below, fold)
 
 
-def _goes_on(node):
-    """True for a formula, a list, and a paragraph that goes on in the midst of a sentence."""
+def _continues_item(node):
+    """Return whether a node is a formula, a list, or a paragraph that continues a sentence."""
     return isinstance(node, (nodes.math_block, nodes.bullet_list)) or (
         isinstance(node, nodes.paragraph)
         and re.match(r"(?![a-z]\)(\W|$))[a-z]", node.astext()) is not None
@@ -207,8 +202,10 @@ def _goes_on(node):
 
 
 class ProblemRole(SphinxRole):
-    """{problem}`1.15` leads to the problem's page in whichever edition is built; a problem without
-    a page is only named."""
+    """Links to a problem's page in the edition that is built: {problem}`1.15`.
+
+    A problem without a page is named without a link.
+    """
 
     def run(self):
         for problem in catalogue.of(self.env).values():
@@ -223,8 +220,7 @@ class ProblemRole(SphinxRole):
 
 
 class BeginWithCapital(SphinxTransform):
-    """What begins a sentence, a paragraph, an entry of a list or a cell of a table says "Problem
-    1.15"."""
+    """Writes "Problem 1.15" with a capital at the beginning of a sentence."""
 
     default_priority = 880
 
@@ -232,14 +228,14 @@ class BeginWithCapital(SphinxTransform):
         for reference in self.document.findall(
             lambda node: isinstance(node, nodes.Element) and "problem" in node
         ):
-            before, place = "", reference
-            # emphasis begins with what it holds
-            while isinstance(place.parent, nodes.TextElement):
+            before, node = "", reference
+            # also the first word of an emphasis may begin the sentence
+            while isinstance(node.parent, nodes.TextElement):
                 before = (
-                    "".join(node.astext() for node in place.parent[: place.parent.index(place)])
+                    "".join(part.astext() for part in node.parent[: node.parent.index(node)])
                     + before
                 )
-                place = place.parent
+                node = node.parent
             if not before.strip() or SENTENCE_END.search(before):
                 text = next(iter(reference.findall(nodes.Text)))
                 text.parent.replace(text, nodes.Text(text[0].upper() + text[1:]))
@@ -250,11 +246,12 @@ def topic_label(topic):
 
 
 def to_label(page, label, text, *classes):
-    """A link to a label of the book, resolved when all pages are read."""
+    """Return a link to a label of the book, resolved when all pages are read."""
     return _reference(page, "ref", label, text, *classes)
 
 
 def to_page(page, other, text, *classes):
+    """Return a link from one page to another."""
     return _reference(page, "doc", f"/{other}", text, *classes)
 
 
@@ -276,8 +273,7 @@ def _chip(text, *classes):
 
 
 def _name_labels(app, document):
-    """`ex-1-15` reads "problem 1.15" wherever it is referred to, and exists in the student edition
-    as well."""
+    """Show references to `ex-1-15` as "problem 1.15", also in the student edition."""
     problem = catalogue.of(app.env).get(app.env.docname)
     if problem is None:
         return
@@ -291,8 +287,7 @@ def _name_labels(app, document):
 
 
 def _keep_index_entries(app, env):
-    """Sphinx's search forgets the index entries of pages that it need not write again; the
-    environment knows them."""
+    """Add the index entries of pages not written again, which Sphinx's search would lose."""
     for docname, entries in env.get_domain("index").entries.items():
         env._search_index_index_entries[docname] = sorted(
             {

@@ -1,5 +1,4 @@
-"""The page of the checks: what each accepts and rejects, from the tables of cases that are its
-tests."""
+"""The page of the checks: accepted and rejected answers, from the tables that are their tests."""
 
 import importlib.util
 import re
@@ -13,13 +12,15 @@ from sphinx.util.docutils import SphinxDirective
 from workbook import checks
 from workbook.checks.contract.encoding import describe
 from workbook.checks.contract.reporting import MARKS
-from workbook_site.reference import spans
+from workbook_site.docstrings import spans
 
 
 class CheckCases(SphinxDirective):
-    """A section a theme, a table a check, then the theme's known limits. What a check asks is
-    told in the theme of its module, or else in the first that has cases of it; the others refer
-    there."""
+    """Shows a section for each theme: a table for each check, then the known limits.
+
+    A check is described in the theme of its module, or else in the first that has cases of it; the
+    others refer there.
+    """
 
     def run(self):
         folder = Path(self.env.srcdir) / "tests" / "checks"
@@ -28,28 +29,30 @@ class CheckCases(SphinxDirective):
         for path in sorted((folder / "cases").glob("*/*.py")):
             self.env.note_dependency(str(path))
             modules[path] = _load(path, folder)
-        homes = homes_of(modules)
+        described_in = find_descriptions(modules)
         return [
-            self._theme(module, path.stem, {name for name in homes if homes[name] == path})
+            self._theme(
+                module, path.stem, {name for name in described_in if described_in[name] == path}
+            )
             for path, module in modules.items()
         ]
 
-    def _theme(self, module, theme, at_home):
+    def _theme(self, module, theme, described):
         section = nodes.section(
             "",
             nodes.title("", theme.replace("_", " ").capitalize()),
             ids=[f"checks-{theme.replace('_', '-')}"],
         )
         for name in dict.fromkeys(case.check for case in module.CASES):
-            shown = nodes.literal("", f"checks.{name}")
-            if name in at_home:
+            code = nodes.literal("", f"checks.{name}")
+            if name in described:
                 purpose, *more = _paragraphs(attrgetter(name)(checks).__doc__)
                 anchor = nodes.target("", "", ids=[_anchor(name)])
-                section += nodes.paragraph("", "", anchor, shown, *spans(f": {purpose}"))
+                section += nodes.paragraph("", "", anchor, code, *spans(f": {purpose}"))
                 section += [nodes.paragraph("", "", *spans(part)) for part in more]
             else:
                 section += nodes.paragraph(
-                    "", "", nodes.reference("", "", shown, refid=_anchor(name), internal=True)
+                    "", "", nodes.reference("", "", code, refid=_anchor(name), internal=True)
                 )
             section += _table([case for case in module.CASES if case.check == name])
         if module.LIMITS:
@@ -75,22 +78,21 @@ def _anchor(name):
     return f"check-{name.replace('.', '-')}"
 
 
-def homes_of(modules):
-    """The file, of those in which a check has cases, where it is told what it asks, by the names of
-    the checks."""
-    homes = {}
+def find_descriptions(modules):
+    """Return check name -> the file of cases in whose section the check is described."""
+    described_in = {}
     for path, module in modules.items():
         for name in {case.check for case in module.CASES}:
             if attrgetter(name)(checks).__module__.split(".")[-2:] == [path.parent.name, path.stem]:
-                homes[name] = path
-            homes.setdefault(name, path)
-    return homes
+                described_in[name] = path
+            described_in.setdefault(name, path)
+    return described_in
 
 
 def _table(cases):
     body = nodes.tbody()
     for case in cases:
-        # a matrix stands on one line
+        # a matrix is written on one line
         text = re.sub(r"\[\s+", "[", " ".join(describe(case.answer).split()))
         shown = text if len(text) <= 90 else text[:87] + "..."
         verdict = f"{MARKS[case.verdict]}\N{NO-BREAK SPACE}{case.verdict}"
@@ -111,7 +113,7 @@ def _table(cases):
 
 
 def _load(path, folder):
-    """A table imports `Case` from the folder of the tests."""
+    """Import a table of cases; it imports `Case` from the folder of the tests."""
     sys.path.insert(0, str(folder))
     try:
         spec = importlib.util.spec_from_file_location(f"cases_{path.parent.name}_{path.stem}", path)

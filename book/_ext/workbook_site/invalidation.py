@@ -1,9 +1,9 @@
 """What makes a page outdated, beyond its own text.
 
-Outputs: book/execute.py executes what is stale and notes the time in the cache's record. Sphinx
-compares source files only, and would not notice outputs that changed because the library did. The
-look: Sphinx copies a changed style sheet only if some page is written. This extension: a change in
-it may change every page.
+Outputs: book/execute.py executes stale pages and notes the time in the cache's record; Sphinx
+compares source files only, and would miss outputs that changed with the library. Style sheets:
+Sphinx copies a changed one only if some page is written. This extension: a change in it may change
+every page.
 """
 
 import hashlib
@@ -13,25 +13,25 @@ from jupyter_cache import get_cache
 
 
 def digest(folder, pattern="**/*"):
-    """One hash of all files below a folder."""
-    found = hashlib.sha256()
+    """Return one hash of all files below a folder."""
+    combined = hashlib.sha256()
     for path in sorted(Path(folder).glob(pattern)):
         if path.is_file():
-            found.update(path.read_bytes())
-    return found.hexdigest()
+            combined.update(path.read_bytes())
+    return combined.hexdigest()
 
 
 EXTENSION = digest(Path(__file__).parent, "*.py")
 
 
-def _settle(app, config):
-    # Both editions, and every way of building, find the outputs where book/execute.py keeps them.
+def _configure(app, config):
+    # Both editions, however they are built, use the cache of book/execute.py.
     config.nb_execution_cache_path = str(app.srcdir / "_build" / ".jupyter_cache")
-    config.workbook_look = [digest(app.srcdir / folder) for folder in config.html_static_path]
+    config.workbook_style = [digest(app.srcdir / folder) for folder in config.html_static_path]
 
 
 def _remove_pages(app, env, added, changed, removed):
-    """A page that left the book leaves the site: Sphinx would go on serving it."""
+    """Delete the files of pages that left the book: Sphinx would go on serving them."""
     for page in removed:
         for leftover in (f"{page}.html", f"{page.replace('solutions/', 'exercises/', 1)}.ipynb"):
             (app.outdir / leftover).unlink(missing_ok=True)
@@ -39,6 +39,7 @@ def _remove_pages(app, env, added, changed, removed):
 
 
 def _executed_since_read(app, env, added, changed, removed):
+    """Return the pages that were executed after Sphinx read them."""
     executed = {
         record.uri: record.data.get("executed", 0)
         for record in get_cache(app.config.nb_execution_cache_path).list_cache_records()
@@ -51,7 +52,7 @@ def _executed_since_read(app, env, added, changed, removed):
 
 
 def setup(app):
-    app.add_config_value("workbook_look", [], "html")
-    app.connect("config-inited", _settle)
+    app.add_config_value("workbook_style", [], "html")
+    app.connect("config-inited", _configure)
     app.connect("env-get-outdated", _remove_pages)
     app.connect("env-get-outdated", _executed_since_read)

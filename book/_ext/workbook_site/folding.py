@@ -1,6 +1,6 @@
 """Statements, and folded solutions, hints and code.
 
-A fold is the browser's own <details>: it opens without scripts, by keyboard, on paper, and when a
+A fold is the browser's own <details>: it opens without scripts, by keyboard, in print, and when a
 search or a link leads into it.
 """
 
@@ -27,8 +27,7 @@ class summary(nodes.General, nodes.TextElement):
 
 
 class UniqueIds(SphinxPostTransform):
-    """sphinx-exercise and sphinx-proof give every box of a kind the same id; an id may occur once
-    in a page."""
+    """Removes the ids that sphinx-exercise and sphinx-proof give to every box of a kind."""
 
     default_priority = 10
     formats = ("html",)
@@ -40,7 +39,7 @@ class UniqueIds(SphinxPostTransform):
         ):
             box["ids"] = [name for name in box["ids"] if name not in self.shared]
         for box in self.document.findall(unenumerable_node):
-            # Its title repeats its id, for the writer to find the place of the word "Theorem".
+            # Its title repeats its id, which tells the writer where the word "Theorem" stands.
             box[0]["ids"] = []
             box[0].insert(
                 0, nodes.inline("", box["realtype"].capitalize(), classes=["caption-number"])
@@ -48,8 +47,7 @@ class UniqueIds(SphinxPostTransform):
 
 
 class FoldSolutions(SphinxPostTransform):
-    """Statement and solutions under short titles: the page's own title already says which problem
-    it is."""
+    """Folds solutions and gives short titles: the page's own title already names the problem."""
 
     default_priority = 30  # after sphinx-exercise has resolved its titles (20 to 22)
     formats = ("html",)
@@ -61,17 +59,17 @@ class FoldSolutions(SphinxPostTransform):
             node for node in self.document.findall(solution_node) if "dropdown" in node["classes"]
         ]
         for solution in solutions:
-            # the only one is that of the whole problem
+            # a single solution is that of the whole problem
             item = self._item(solution) if len(solutions) > 1 else ""
             title = "Worked solution" + (f", item {item})" if item else "")
-            # A link to what is inside opens a fold, one to the fold itself does not.
+            # A link to an element inside a fold opens it, a link to the fold itself does not.
             solution[1]["ids"], solution["ids"] = solution["ids"], []
             solution.replace_self(
                 details("", summary("", title), *solution.children[1:], classes=["solution"])
             )
 
     def _item(self, solution):
-        """The letter of sol-1-15-a; several items solved together keep all theirs, sol-1-15-ab."""
+        """Return the letters of the items that a solution is of: sol-1-15-a, sol-1-15-ab."""
         last = solution["label"].rpartition("-")[2]
         return last if last.isalpha() else ""
 
@@ -79,9 +77,8 @@ class FoldSolutions(SphinxPostTransform):
 class FoldCode(SphinxPostTransform):
     """Folds the code of the answer, figure and drawing cells by their role.
 
-    It does what myst-nb's own tag `hide-input` does. Done here and not in the cell's tags, the
-    master says one thing once, and the cached outputs, which are found by a cell's text and tags,
-    stay valid.
+    It does what the tag `hide-input` of myst-nb does. Adding that tag would repeat the role in the
+    master and invalidate the cached outputs, which are found by a cell's text and tags.
     """
 
     default_priority = 190  # before myst-nb folds (199)
@@ -91,13 +88,13 @@ class FoldCode(SphinxPostTransform):
         if self.env.docname.startswith("exercises/"):
             return  # the student's answer cells are stubs to be read
         for cell in self.document.findall(nodes.container):
-            for role, what in FOLDED_CODE.items():
+            for role, name in FOLDED_CODE.items():
                 if cell.get("nb_element") == "cell_code" and f"tag_{role}" in cell["classes"]:
                     cell.update_all_atts(
                         {
                             "hide_mode": "input",
-                            "prompt_show": f"Show the {what}",
-                            "prompt_hide": f"Hide the {what}",
+                            "prompt_show": f"Show the {name}",
+                            "prompt_hide": f"Hide the {name}",
                         },
                         replace=True,
                     )

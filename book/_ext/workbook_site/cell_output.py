@@ -1,5 +1,4 @@
-"""What cells print beside what they show: a line of words or a table keeps its columns, and its
-formulas are set."""
+"""Formulas typeset in what cells print; lines and columns stay as they are."""
 
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
@@ -7,8 +6,8 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from trajlib.typesetting import TYPEWRITTEN, typeset
 
 
-class SetFormulas(SphinxPostTransform):
-    """After myst-nb has chosen the outputs to show."""
+class TypesetPrinted(SphinxPostTransform):
+    """Typesets printed formulas, after myst-nb has chosen the outputs to show."""
 
     default_priority = 150
     formats = ("html",)
@@ -30,4 +29,4 @@ class SetFormulas(SphinxPostTransform):
 
 
 def setup(app):
-    app.add_post_transform(SetFormulas)
+    app.add_post_transform(TypesetPrinted)
