@@ -48,7 +48,7 @@ serve:  ## show the built site at http://127.0.0.1:8000
 test: $(INSTALLED)  ## the style of the code, its types and arrows, and all tests
 	$(BIN)/ruff format --check --quiet
 	$(BIN)/ruff check --quiet
-	$(BIN)/lint-imports --no-cache --quiet
+	$(BIN)/lint-imports --no-cache --no-logo
 	$(BIN)/mypy --no-error-summary
 	@mkdir -p _build/tests
 	@$(PYTEST) -n 2 tests/grading --junitxml=_build/tests/grader.xml > _build/tests/grader.log 2>&1 & grader=$$!; \

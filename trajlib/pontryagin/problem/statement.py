@@ -144,7 +144,15 @@ class Statement:
         )
 
     def cached(self, name: str, compute: Callable[[], Any]) -> Any:
-        """Return the result of `compute()`, computed once for this statement, which never changes."""
+        """Return the result of `compute()`, computed once: a statement never changes.
+
+        Parameters
+        ----------
+        name : str
+            Name under which the result is kept.
+        compute : callable
+            Function without arguments.
+        """
         results = self.__dict__.setdefault("_cached", {})
         if name not in results:
             results[name] = compute()
