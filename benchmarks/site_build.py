@@ -1,4 +1,4 @@
-"""Measure `make book` in a copy of the checkout: cold, with one changed page, with no change.
+"""Measure `make book` in a copy of the checkout: cold, one changed page, no change.
 
 The results are wall-clock seconds and processor time, which depends less on other load. The
 environment is made before the clock starts: its time depends on the network.

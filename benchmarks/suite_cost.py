@@ -1,4 +1,4 @@
-"""Show the cost of the tests in core-seconds, by layer and by problem, from reports of pytest.
+"""Show the cost of the tests in core-seconds, by layer and by problem.
 
     python benchmarks/suite_cost.py            # of the last `make test`: the reports in _build/tests
     python benchmarks/suite_cost.py one.xml    # of reports that pytest wrote with --junitxml
@@ -123,7 +123,7 @@ def main(*reports):
 
 
 def by_problem(proofs, visits, others, layers, executed):
-    """A line for each problem, the means of the chapters, and the costliest compared with the bar."""
+    """Print a line for each problem, the means of the chapters, and the costliest problems."""
     numbers = in_order(proofs)
     if not numbers:
         return

@@ -81,7 +81,7 @@ class Browser:
         return self.driver.execute_script(f"return {script}")
 
     def wait_for(self, script, seconds=10):
-        """Return the value of a script as soon as it is true, or its last value after so many seconds."""
+        """Return the value of a script once it is true, or its last value after so many seconds."""
         end = time.monotonic() + seconds
         while not (value := self.run(script)) and time.monotonic() < end:
             time.sleep(0.1)

@@ -78,7 +78,7 @@ def pages_of():
 
 @pytest.fixture(scope="session", params=["full", "student"])
 def pages(request, editions, pages_of):
-    """Return the folder of an edition, and path -> parsed page; all tests of an edition share them."""
+    """Return the folder of an edition, and path -> parsed page, for all tests of an edition."""
     root = getattr(editions, request.param)
     with freeze_new_objects():
         return root, {
@@ -104,7 +104,7 @@ class _QuietHandler(SimpleHTTPRequestHandler):
 
 @pytest.fixture(scope="session")
 def addresses(editions):
-    """Return the addresses of the sites: with solutions from disk and server, the other from a server."""
+    """Return the addresses of the sites: file and http with solutions, and student."""
     served = {"http": editions.full, "student": editions.student}
     servers = {
         name: ThreadingHTTPServer(("127.0.0.1", 0), partial(_QuietHandler, directory=str(root)))
@@ -123,7 +123,7 @@ def addresses(editions):
 
 @pytest.fixture
 def search_for(browser):  # noqa: F811
-    """Return a function that searches for a text in the open page: text -> addresses, best first."""
+    """Return the search of the open page: text -> addresses, best first."""
     from selenium.webdriver.common.keys import Keys
 
     def search(text):

@@ -1,4 +1,4 @@
-"""Axe finds no fault in a page of each kind, all folds open, light and dark, desktop and phone."""
+"""Axe finds no fault in a page of each kind: folds open, light and dark, desktop and phone."""
 
 import pytest
 from selenium_axe_python import Axe

@@ -1,5 +1,4 @@
-"""Motions on the static site: they play, pause and follow the slider, from the disk and without
-another host."""
+"""Animations on the static site play, pause and follow the slider, also from the disk."""
 
 import time
 from pathlib import Path

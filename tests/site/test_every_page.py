@@ -1,5 +1,4 @@
-"""The layout of every page, with scroll bars: nothing overflows a phone, nothing is cut off on a
-desktop.
+"""The layout of every page, with scroll bars: nothing overflows or is cut off.
 
 Each page is opened once for all its tests: loading it and typesetting its formulas is what costs.
 """

@@ -291,12 +291,12 @@ def test_kernels_are_independent(book):
             f"""\
             import random
             import numpy as np
-            print(getattr(np, "page", "not set"), random.random(), np.random.random())
+            print(getattr(np, "page", "unset"), random.random(), np.random.random())
             np.page = '{name}'""",
         )
     assert book.run()[0] == 0
     printed = [book.outputs(name)[0].text.split() for name in ("p1", "p2")]
-    assert printed[0][0] == printed[1][0] == "not set"
+    assert printed[0][0] == printed[1][0] == "unset"
     assert printed[0][1] != printed[1][1] and printed[0][2] != printed[1][2], (
         "random numbers without a seed"
     )

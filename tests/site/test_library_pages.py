@@ -1,4 +1,4 @@
-"""The pages of the library: each public name, and links between it and the pages that use it."""
+"""The pages of the library: each public name, and links to and from the pages that use it."""
 
 import sys
 from pathlib import Path

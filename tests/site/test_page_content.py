@@ -1,4 +1,4 @@
-"""The content of the built pages: outputs, pictures and captions, drawings, answers, solutions."""
+"""The content of the built pages: outputs, pictures, drawings, answers, solutions."""
 
 import re
 
@@ -26,7 +26,7 @@ GREEK_NAME = re.compile(rf"\b({'|'.join(GREEK)})(?![a-z])")
 
 @full
 def test_results_are_typeset(pages):
-    """Outputs have no powers, products, roots or Greek letters as one types them, and no warnings."""
+    """Outputs have no typewritten powers, products, roots or Greek letters, and no warnings."""
     faults, shown = {}, 0
     for path, page in matching(pages, PROBLEM, CHAPTER, "book/errata/ch*.html").items():
         found = [warning.get_text()[:80] for warning in page.select(".cell_output .stderr")]

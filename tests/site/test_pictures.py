@@ -189,7 +189,7 @@ def brightness(colours):
 
 
 def test_entries_of_a_legend_differ_without_colours(pictures):
-    """They differ by dashes, widths, markers or hatchings, for prints and readers without colours."""
+    """They differ by dashes, widths, markers or hatchings, for readers without colours."""
     legends = {name: list(legend_styles(svg)) for name, svg in pictures.items()}
     assert sum(len(entries) for found in legends.values() for entries in found) > 500
     assert not {

@@ -1,4 +1,4 @@
-"""Readability on a phone and in print: scrolling boxes, letters in pictures, folds, page breaks."""
+"""Readability on a phone and in print: scroll boxes, letters in pictures, folds, breaks."""
 
 import base64
 
@@ -126,7 +126,7 @@ def test_a_fold_does_not_fade_in_in_print(browser, addresses, problem):
 
 
 def test_formulas_are_not_bold_and_tables_break_in_print(browser, addresses):
-    """A stroke around each letter makes formulas bold in PDF; an unbreakable table leaves a page blank."""
+    """A stroke around letters makes formulas bold; an unbreakable table leaves a page blank."""
     browser.open(f"{addresses['http']}/solutions/ch2/p24.html")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     strokes = browser.run("""[...document.querySelectorAll('article mjx-container svg :is(path, use)')].map(
