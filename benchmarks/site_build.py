@@ -1,8 +1,7 @@
-"""`make book` from nothing (cold), with a sentence more in one page, and with nothing changed, in a
-copy of the checkout, in seconds on the clock and of processor time, which other work on the machine
-disturbs less.
+"""Measure `make book` in a copy of the checkout: cold, one changed page, no change.
 
-The environment is made before the clock starts: it is a matter of the network, not of the build.
+The results are wall-clock seconds and processor time, which depends less on other load. The
+environment is made before the clock starts: its time depends on the network.
 """
 
 import os

@@ -1,16 +1,15 @@
-"""What the tests cost in core-seconds, by layer and by problem, as the last tests noted it.
+"""Show the cost of the tests in core-seconds, by layer and by problem.
 
-    python benchmarks/suite_cost.py            # of the last `make test`: what stands in _build/tests
+    python benchmarks/suite_cost.py            # of the last `make test`: the reports in _build/tests
     python benchmarks/suite_cost.py one.xml    # of reports that pytest wrote with --junitxml
 
-Processor time of each test and of its child processes. What a problem costs is the sum of its proof
+This is the processor time of each test and of its child processes. A problem costs the sum of its proof
 (the tests of tests/problems under its number), its page (executed in a kernel), its part of the
-Sphinx builds of both editions and of the tests of the built files, its visit by the browser with
-what Chromium computed for it, and the tests of the grader and others under its number. What the
-tests took before the first and after the last problem is no part.
+Sphinx builds of both editions and of the tests of the built files, its visit by the browser and
+by Chromium, and the tests of the grader and others under its number. The
+setup before the first and after the last problem is not included.
 
-Read the numbers of a quiet machine: what runs beside the tests made the same proof cost up to twice
-as much.
+Use a quiet machine: other load has made the same proof cost up to twice as much.
 """
 
 import re
@@ -25,9 +24,9 @@ from jupyter_cache import get_cache
 ROOT = Path(__file__).resolve().parents[1]
 #: The number of the problem that a test is about: "test_x[2.30]", "test_y[2.30-full]".
 NUMBER = re.compile(r"[\[-](\d+\.\d+)[]-]")
-#: Core-seconds that a further problem may cost in all, and how many of the dearest are named.
-BAR, DEAREST = 6, 10
-#: Where tests stand, and the layer that they belong to; the first that fits counts.
+#: A reference cost of a problem in core-seconds, and how many of the costliest are named.
+BAR, COSTLIEST = 6, 10
+#: Patterns of modules of tests, and the layer to which they belong; the first match counts.
 LAYERS = [
     (r"tests\.problems\.test_masters", "proofs"),
     (r"tests\.problems\.test_exercises", "exercises"),
@@ -46,12 +45,12 @@ LAYERS = [
 ]
 
 
-def layer(place):
-    return next(name for pattern, name in LAYERS if re.match(pattern, place))
+def layer(module):
+    return next(name for pattern, name in LAYERS if re.match(pattern, module))
 
 
 def tests(report):
-    """(place, number of the problem or None, {what: core-seconds}) of each test in a report."""
+    """Yield (module, number of the problem or None, {kind: core-seconds}) of each test."""
     for case in ElementTree.parse(report).iter("testcase"):
         noted = {
             each.get("name"): float(each.get("value"))
@@ -63,16 +62,15 @@ def tests(report):
 
 
 def pages(since):
-    """Problem or page of theory -> core-seconds of executing it, for pages executed after the
-    moment `since`."""
-    found = {}
+    """Return problem or page -> core-seconds of executing it, for pages executed after `since`."""
+    costs = {}
     for record in get_cache(ROOT / "_build" / ".jupyter_cache").list_cache_records():
         path = Path(record.uri)
         if record.data["executed"] > since:
             problem = path.parent.name.startswith("ch")
             number = f"{path.parent.name[2:]}.{int(path.stem[1:])}" if problem else path.stem
-            found[number] = record.data["core_seconds"]
-    return found
+            costs[number] = record.data["core_seconds"]
+    return costs
 
 
 def in_order(numbers):
@@ -91,9 +89,8 @@ def main(*reports):
     layers, proofs, visits, others = (defaultdict(float) for _ in range(4))
     counts = Counter()
     for report in reports:
-        for place, number, noted in tests(report):
-            # Building the site and Chromium are noted by themselves, and are part of what a test
-            # took.
+        for module, number, noted in tests(report):
+            # Building the site and Chromium are noted separately and included in the time of a test.
             built, browser = (
                 noted.get("core seconds of a build", 0),
                 noted.get("core seconds of a browser", 0),
@@ -101,12 +98,12 @@ def main(*reports):
             seconds = noted.get("core seconds", 0) - built - browser
             layers["site builds"] += built
             layers["site in the browser"] += browser
-            layers[layer(place)] += seconds
-            counts[layer(place)] += 1
+            layers[layer(module)] += seconds
+            counts[layer(module)] += 1
             if number:
                 visits[number] += noted.get("core seconds in Chromium", 0)
                 {"proofs": proofs, "exercises": proofs, "site in the browser": visits}.get(
-                    layer(place), others
+                    layer(module), others
                 )[number] += seconds
     executed = pages(began) if layers["site builds"] else {}
     layers["site builds"] -= sum(executed.values())
@@ -126,7 +123,7 @@ def main(*reports):
 
 
 def by_problem(proofs, visits, others, layers, executed):
-    """A line for each problem, the means of the chapters, and the dearest beside the bar."""
+    """Print a line for each problem, the means of the chapters, and the costliest problems."""
     numbers = in_order(proofs)
     if not numbers:
         return
@@ -145,9 +142,9 @@ def by_problem(proofs, visits, others, layers, executed):
         print(f"{'mean ' + chapter:>10}" + line([sum(column) / len(rows) for column in zip(*rows)]))
     above = [number for number in numbers if costs[number][-1] > BAR]
     print(
-        f"\n{len(above)} of {len(numbers)} problems cost more than {BAR} core-seconds; the dearest:"
+        f"\n{len(above)} of {len(numbers)} problems cost more than {BAR} core-seconds; the costliest:"
     )
-    for number in sorted(numbers, key=lambda number: -costs[number][-1])[:DEAREST]:
+    for number in sorted(numbers, key=lambda number: -costs[number][-1])[:COSTLIEST]:
         part = max(zip(costs[number], columns[:-1]))
         print(
             f"{number:>10}{costs[number][-1]:8.1f}, {costs[number][-1] / BAR:.1f} times the bar, "

@@ -216,7 +216,7 @@ def keep_fresh_records(cache, current, unread):
 
 
 def import_for(pages):
-    """Import the libraries of pages, so that no kernel has to; for few pages only what they name."""
+    """Import the libraries of pages once; for few pages only their modules."""
     many = len(pages) > CORES
     preload(
         *(LIBRARIES if many else ()), *sorted({module for page in pages for module in page.modules})

@@ -1,4 +1,4 @@
-"""What tests cost is added up by layer and by problem, once each."""
+"""The cost of tests is summed by layer and by problem, each test once."""
 
 import importlib.util
 import re
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-PLACE = Path(__file__).resolve().parents[2] / "benchmarks" / "suite_cost.py"
+SCRIPT = Path(__file__).resolve().parents[2] / "benchmarks" / "suite_cost.py"
 CASES = [
     ("tests.problems.test_masters", "test_a[1.2]", {"": 7.0}),
     ("tests.problems.test_exercises", "test_b[1.2]", {"": 1.0}),
@@ -23,18 +23,18 @@ CASES = [
 
 @pytest.fixture
 def printed(tmp_path, capsys):
-    spec = importlib.util.spec_from_file_location("suite_cost", PLACE)
+    spec = importlib.util.spec_from_file_location("suite_cost", SCRIPT)
     suite_cost = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(suite_cost)
     suite_cost.pages = lambda since: {"1.2": 3.0}
     cases = "".join(
-        f'<testcase classname="{place}" name="{name}"><properties>'
+        f'<testcase classname="{module}" name="{name}"><properties>'
         + "".join(
             f'<property name="core seconds{what}" value="{seconds}"/>'
             for what, seconds in noted.items()
         )
         + "</properties></testcase>"
-        for place, name, noted in CASES
+        for module, name, noted in CASES
     )
     (tmp_path / "all.xml").write_text(
         f'<testsuites><testsuite timestamp="2026-01-01T00:00:00">{cases}</testsuite></testsuites>'
@@ -43,9 +43,9 @@ def printed(tmp_path, capsys):
     return capsys.readouterr().out.splitlines()
 
 
-def test_a_layer_holds_its_own_tests_and_what_was_noted_apart(printed):
-    lines = [re.fullmatch(r"(\D+?) +(\d+ +)?([\d.]+) +\d+%", said) for said in printed]
-    assert {found[1]: float(found[3]) for found in lines if found} == {
+def test_a_layer_has_its_tests_and_separately_noted_costs(printed):
+    lines = [re.fullmatch(r"(\D+?) +(\d+ +)?([\d.]+) +\d+%", text) for text in printed]
+    assert {match[1]: float(match[3]) for match in lines if match} == {
         "proofs": 9,
         "exercises": 1,
         "cases of the checks": 0.5,
@@ -56,7 +56,7 @@ def test_a_layer_holds_its_own_tests_and_what_was_noted_apart(printed):
     }
 
 
-def test_a_problem_has_its_proof_page_and_share_of_what_serves_all(printed):
+def test_a_problem_has_its_proof_its_page_and_its_share_of_builds(printed):
     costs = {
         words[0]: [float(word) for word in words[1:]]
         for words in map(str.split, printed)
@@ -66,7 +66,7 @@ def test_a_problem_has_its_proof_page_and_share_of_what_serves_all(printed):
     assert costs == {"1.2": [8, 3, 8.5, 0, 0, 19.5], "1.10": [2, 0, 8.5, 8.5, 0, 19]}
 
 
-def test_the_dearest_are_named_with_what_they_cost_most_for(printed):
-    told = [" ".join(said.split()) for said in printed]
-    assert "2 of 2 problems cost more than 6 core-seconds; the dearest:" in told
-    assert "1.2 19.5, 3.2 times the bar, of which built 8.5" in told
+def test_the_costliest_problems_are_named_with_their_largest_part(printed):
+    lines = [" ".join(text.split()) for text in printed]
+    assert "2 of 2 problems cost more than 6 core-seconds; the costliest:" in lines
+    assert "1.2 19.5, 3.2 times the bar, of which built 8.5" in lines

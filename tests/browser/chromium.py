@@ -1,5 +1,4 @@
-"""Chromium for the tests of what is seen in a browser, and unable to reach anything but this
-machine."""
+"""Chromium for tests in a browser, without access to any other machine."""
 
 import json
 import os
@@ -12,12 +11,12 @@ import pytest
 
 from workbook.grading.system_calls import system_call
 
-#: Linux: whom the children of a child that ends are left to.
+#: Linux: orphaned descendants become children of this process.
 PR_SET_CHILD_SUBREAPER = 36
 
 
 class Browser:
-    """Chromium with every name but this machine's unknown to it."""
+    """Chromium that resolves no host name."""
 
     def __init__(self, chromium, driver, profile, *more):
         from selenium import webdriver
@@ -42,13 +41,13 @@ class Browser:
             options.add_argument(argument)
         options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
         self.driver = webdriver.Chrome(options=options, service=Service(driver))
-        # axe takes long for a chapter where others compute beside
+        # axe takes long for a chapter on a busy machine
         self.driver.set_script_timeout(180)
         self._size = None
 
     def open(self, address):
         """Open a page and wait until its formulas are set."""
-        # forget the page before
+        # discard the logs of the previous page
         self.driver.get_log("browser"), self.driver.get_log("performance")
         self.driver.get(address)
         self.driver.execute_async_script("""
@@ -56,8 +55,7 @@ class Browser:
             (window.MathJax && MathJax.startup ? MathJax.startup.promise : Promise.resolve()).then(() => done());""")
 
     def resize(self, width, height, phone=False):
-        """Chromium goes from one size to another in several steps: the page is laid out after the
-        last one alone."""
+        """Resize the window; Chromium does so in several steps, and only the last needs a layout."""
         if self._size == (width, height, phone):
             return
         self.driver.execute_script("document.documentElement.style.contentVisibility = 'hidden'")
@@ -69,12 +67,11 @@ class Browser:
         self._size = width, height, phone
 
     def forget(self):
-        """Empty the page: nothing more is asked of it, and it need not be laid out for the size of
-        the next one."""
+        """Empty the page, so that it is not laid out again at the next resize."""
         self.driver.execute_script("document.body.replaceChildren()")
 
-    def computed(self):
-        """The core-seconds of all its processes up to now."""
+    def core_seconds(self):
+        """Return the core-seconds of all its processes up to now."""
         driver = psutil.Process(self.driver.service.process.pid)
         return sum(
             sum(process.cpu_times()[:2]) for process in [driver, *driver.children(recursive=True)]
@@ -84,11 +81,11 @@ class Browser:
         return self.driver.execute_script(f"return {script}")
 
     def wait_for(self, script, seconds=10):
-        """What the script gives as soon as it is true; its last value after so many seconds."""
+        """Return the value of a script once it is true, or its last value after so many seconds."""
         end = time.monotonic() + seconds
-        while not (found := self.run(script)) and time.monotonic() < end:
+        while not (value := self.run(script)) and time.monotonic() < end:
             time.sleep(0.1)
-        return found
+        return value
 
     def find(self, selector):
         from selenium.webdriver.common.by import By
@@ -96,7 +93,7 @@ class Browser:
         return self.driver.find_element(By.CSS_SELECTOR, selector)
 
     def errors(self):
-        """What the console calls an error since the page was opened."""
+        """Return the errors in the console since the page was opened."""
         return [
             entry["message"]
             for entry in self.driver.get_log("browser")
@@ -104,7 +101,7 @@ class Browser:
         ]
 
     def foreign_requests(self):
-        """Requests to other hosts since the page was opened."""
+        """Return the requests to other hosts since the page was opened."""
         messages = (
             json.loads(entry["message"])["message"] for entry in self.driver.get_log("performance")
         )
@@ -122,15 +119,17 @@ class Browser:
 
 @pytest.fixture(scope="session")
 def browser(tmp_path_factory, core_seconds):
-    """For pages on which nothing is to move: without a graphics card, layers that a thread of their
-    own puts together are a third of what a visit computes, and without that thread no frames of
-    animations come."""
+    """Return a browser for still pages.
+
+    Without a graphics card, threaded compositing is a third of the cost of a visit; without it there
+    are no frames of animations.
+    """
     yield from _running(tmp_path_factory, core_seconds, "--disable-threaded-compositing")
 
 
 @pytest.fixture(scope="session")
 def moving_browser(tmp_path_factory, core_seconds):
-    """For what moves, for icons and for JupyterLab, which are drawn when a frame is."""
+    """Return a browser for animations, icons and JupyterLab, which are drawn in frames."""
     yield from _running(tmp_path_factory, core_seconds)
 
 
@@ -142,19 +141,21 @@ def _running(tmp_path_factory, core_seconds, *arguments):
     )
     driver = shutil.which("chromedriver")
     if not (chromium and driver):
-        missing = "chromium and chromedriver are needed for what is seen in a browser"
+        missing = "chromium and chromedriver are needed for tests in a browser"
         if os.environ.get("CI") == "true":
             pytest.fail(missing)
         pytest.skip(missing)
     browser = Browser(chromium, driver, tmp_path_factory.mktemp("profile"), *arguments)
     yield browser
-    with core_seconds("a browser"):  # what it computed is known when it has ended
+    with core_seconds("a browser"):  # its core-seconds are known when it has ended
         _end(browser.driver)
 
 
 def _end(driver):
-    """Quit and wait for all processes of this Chromium. Its driver leaves them behind, so that
-    nobody would know what they computed, which is nearly all of it: they are taken on (Linux)."""
+    """Quit and wait for all processes of this Chromium, so that their core-seconds are counted.
+
+    Its driver orphans them; on Linux they become children of this process.
+    """
     with suppress(OSError):
         system_call("prctl", PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     left = {
@@ -164,12 +165,12 @@ def _end(driver):
     driver.quit()
     end = time.monotonic() + 10
     while left and time.monotonic() < end:
-        left = {pid for pid in left if not _waited_for(pid)}
+        left = {pid for pid in left if not _has_ended(pid)}
         time.sleep(0.02)
 
 
-def _waited_for(pid):
+def _has_ended(pid):
     try:
         return os.waitpid(pid, os.WNOHANG) != (0, 0)
-    except ChildProcessError:  # it is still another one's, or gone
+    except ChildProcessError:  # it is not yet a child of this process, or it has ended
         return not psutil.pid_exists(pid)

@@ -1,5 +1,4 @@
-"""Builds both editions of the site once, and opens them in a browser that can reach nothing but
-this machine."""
+"""Builds both editions of the site once, for a browser that reaches no other machine."""
 
 import fcntl
 import functools
@@ -31,10 +30,9 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture(scope="session")
 def editions(testrun_uid, core_seconds):
-    """The folders of the two editions, as `make` builds them in this checkout; a warning ends the
-    build."""
+    """Return the folders of the two editions as `make` builds them; a warning ends the build."""
     (ROOT / "_build").mkdir(exist_ok=True)
-    # Test processes run side by side: the first builds, the others wait and find the work done.
+    # Test processes run in parallel: the first builds, the others wait for it.
     with open(ROOT / "_build" / ".built-for-tests", "a+") as run:
         fcntl.flock(run, fcntl.LOCK_EX)
         run.seek(0)
@@ -49,14 +47,14 @@ def editions(testrun_uid, core_seconds):
 
 
 def _build():
-    # As from a shell: the tests' own choice of a backend without pictures is not for the kernels.
+    # As from a shell: kernels must not use the tests' backend of Matplotlib.
     settings = {
         key: value
         for key, value in os.environ.items()
         if not key.startswith(("MAKE", "MPLBACKEND"))
     }
     # The running environment is used as it is: nothing is installed.
-    built = subprocess.run(
+    process = subprocess.run(
         ["make", "--jobs=2", "book", "book-student", f"VENV={sys.prefix}", "INSTALLED="],
         cwd=ROOT,
         env=settings,
@@ -65,12 +63,12 @@ def _build():
         stderr=subprocess.STDOUT,
         timeout=3000,
     )
-    assert built.returncode == 0, f"the site does not build:\n{built.stdout[-6000:]}"
+    assert process.returncode == 0, f"the site does not build:\n{process.stdout[-6000:]}"
 
 
 @pytest.fixture(scope="session")
 def pages_of():
-    """The pages below a folder; _static holds templates of the theme, which are no pages."""
+    """Return the pages below a folder; _static has templates of the theme, which are no pages."""
     return functools.cache(
         lambda root: sorted(
             path for path in root.rglob("*.html") if root / "_static" not in path.parents
@@ -80,7 +78,7 @@ def pages_of():
 
 @pytest.fixture(scope="session", params=["full", "student"])
 def pages(request, editions, pages_of):
-    """The folder of an edition, and path -> parsed page; all tests of an edition share them."""
+    """Return the folder of an edition, and path -> parsed page, for all tests of an edition."""
     root = getattr(editions, request.param)
     with freeze_new_objects():
         return root, {
@@ -91,7 +89,7 @@ def pages(request, editions, pages_of):
 
 @pytest.fixture(scope="session")
 def problem(editions):
-    """A problem to look at closely: its number, and its page in the edition with solutions."""
+    """Return a sample problem: its number, and its page in the edition with solutions."""
     page = min(editions.full.glob("solutions/ch*/p*.html"), key=lambda page: page.stem != "p15")
     return SimpleNamespace(
         page=page.relative_to(editions.full).as_posix(),
@@ -99,25 +97,24 @@ def problem(editions):
     )
 
 
-class _Quiet(SimpleHTTPRequestHandler):
+class _QuietHandler(SimpleHTTPRequestHandler):
     def log_message(self, *args):
         pass
 
 
 @pytest.fixture(scope="session")
 def addresses(editions):
-    """Where the sites are opened: the edition with solutions from the disk and from a web server,
-    the other from one."""
+    """Return the addresses of the sites: file and http with solutions, and student."""
     served = {"http": editions.full, "student": editions.student}
     servers = {
-        way: ThreadingHTTPServer(("127.0.0.1", 0), partial(_Quiet, directory=str(root)))
-        for way, root in served.items()
+        name: ThreadingHTTPServer(("127.0.0.1", 0), partial(_QuietHandler, directory=str(root)))
+        for name, root in served.items()
     }
     for server in servers.values():
         threading.Thread(target=server.serve_forever, daemon=True).start()
     yield {
         "file": editions.full.as_uri(),
-        **{way: f"http://127.0.0.1:{s.server_port}" for way, s in servers.items()},
+        **{name: f"http://127.0.0.1:{server.server_port}" for name, server in servers.items()},
     }
     for server in servers.values():
         server.shutdown()
@@ -125,14 +122,14 @@ def addresses(editions):
 
 
 @pytest.fixture
-def found_by_search(browser):  # noqa: F811
-    """Types into the search of the open page; the addresses that are found, best first."""
+def search_for(browser):  # noqa: F811
+    """Return the search of the open page: text -> addresses, best first."""
     from selenium.webdriver.common.keys import Keys
 
-    def found(text):
+    def search(text):
         browser.find(".bd-sidebar-primary .search-button-field").click()
         browser.find("#pst-search-dialog input[type=search]").send_keys(text, Keys.ENTER)
         return browser.wait_for("""/^Search Results/.test(document.querySelector('#search-results h2')?.innerText || '')
             && [...document.querySelectorAll('main #search-results ul.search li > a')].map(link => link.href)""")
 
-    return found
+    return search

@@ -1,5 +1,4 @@
-"""Axe finds nothing against a page of each kind, with all folds open, by day and at night, on a
-desk and on a phone."""
+"""Axe finds no fault in a page of each kind: folds open, light and dark, desktop and phone."""
 
 import pytest
 from selenium_axe_python import Axe
@@ -24,27 +23,27 @@ PAGES = [
     "genindex.html",
     "search.html",
 ]
-#: Beyond what axe asks for by itself: words on a button are in its name. It does not see that
-#: MathML says something.
+#: In addition to the default rules: the text of a button is in its name. Axe takes a header cell that
+#: holds only MathML for empty.
 OPTIONS = """{resultTypes: ['violations'],
     rules: {'label-content-name-mismatch': {enabled: true}, 'empty-table-header': {enabled: false}}}"""
-#: So these are asked here: a head of a column and a fold say what they are of.
+#: So header cells and folds without a name are found here.
 NAMELESS = """[...document.querySelectorAll('summary, article th')].filter(e => !e.querySelector('math')
     && !(e.getAttribute('aria-label') || e.innerText || '').trim()).map(e => e.outerHTML)"""
 
 
 @pytest.fixture
 def browser(moving_browser):
-    """Icons are drawn when a frame is."""
+    """Return a browser that renders frames: icons are drawn in them."""
     return moving_browser
 
 
 @pytest.fixture
 def faults(browser):
-    """Opens a page and tells what is wrong with it: rule and element."""
+    """Return a function that opens a page and returns its faults: rule and element."""
     axe = Axe(browser.driver)
 
-    def of(address, before=lambda: None):
+    def faults_of(address, before=lambda: None):
         browser.open(address)
         before()
         browser.run(
@@ -56,7 +55,7 @@ def faults(browser):
             (rule["id"], node["html"][:150]) for rule in violations for node in rule["nodes"]
         ] + [("nameless", element[:150]) for element in browser.run(NAMELESS)]
 
-    yield of
+    yield faults_of
     browser.forget()
     browser.resize(1280, 900)
 
@@ -67,12 +66,12 @@ def test_a_page_of_each_kind(browser, addresses, faults, page):
     assert faults(f"{addresses['http']}/{page}") == []
 
 
-def test_a_problem_of_the_student_edition_on_a_phone(browser, addresses, faults):
+def test_a_student_page_on_a_phone(browser, addresses, faults):
     browser.resize(390, 844, phone=True)
     assert faults(f"{addresses['student']}/exercises/ch1/p15.html") == []
 
 
-#: The scripts of a page are set up in no fixed order; so ours comes after all that the theme draws.
+#: Scripts of a page run in no fixed order; this one delays ours until the theme has drawn its icons.
 LATE = """const listen = window.addEventListener;
     window.addEventListener = function (event, act, ...how) {
         const late = this === window && event === 'DOMContentLoaded';
@@ -103,7 +102,7 @@ def test_icons_that_are_drawn_before_our_script_runs(browser, addresses, faults)
 
 
 @pytest.mark.parametrize("page", ["book/ch1.html", "solutions/ch1/p15.html"])
-def test_at_night(browser, addresses, faults, page):
+def test_a_page_in_the_dark_theme(browser, addresses, faults, page):
     assert (
         faults(
             f"{addresses['http']}/{page}",
@@ -115,7 +114,5 @@ def test_at_night(browser, addresses, faults, page):
     )
 
 
-def test_the_open_search_with_its_results(browser, addresses, faults, found_by_search):
-    assert (
-        faults(f"{addresses['http']}/book/index.html", lambda: found_by_search("criterion")) == []
-    )
+def test_the_open_search_with_its_results(browser, addresses, faults, search_for):
+    assert faults(f"{addresses['http']}/book/index.html", lambda: search_for("criterion")) == []

@@ -1,5 +1,4 @@
-"""Motions on the static site: they play, pause and follow the slider, from the disk and without
-another host."""
+"""Animations on the static site play, pause and follow the slider, also from the disk."""
 
 import time
 from pathlib import Path
@@ -50,23 +49,23 @@ def test_it_plays_pauses_and_follows_the_slider(browser, page):
     browser.open(page)
     button = browser.find(".animation button")
     assert button.accessible_name == "Play" and browser.run(AT) == 0
-    place = "document.querySelector('.animation circle').getAttribute('cx')"
-    before = browser.run(place)
+    position = "document.querySelector('.animation circle').getAttribute('cx')"
+    before = browser.run(position)
     time.sleep(0.5)
-    assert browser.run(AT) == 0  # nothing moves unasked
+    assert browser.run(AT) == 0  # it does not start by itself
     button.send_keys(Keys.SPACE)
     assert button.accessible_name == "Pause"
-    assert browser.wait_for(f"{AT} > 5") and browser.run(place) != before
+    assert browser.wait_for(f"{AT} > 5") and browser.run(position) != before
     button.send_keys(Keys.SPACE)
-    stands = browser.run(AT)
+    paused_at = browser.run(AT)
     time.sleep(0.5)
-    assert browser.run(AT) == stands and button.accessible_name == "Play"
+    assert browser.run(AT) == paused_at and button.accessible_name == "Play"
     slider = browser.find(".animation input")
     assert slider.accessible_name == "Time of the motion"
     slider.send_keys(Keys.END)
     assert browser.run(AT) == 80
     assert browser.run("document.querySelector('.animation output').value") == "t = 4.00"
-    button.click()  # at the end it begins anew
+    button.click()  # at the end it starts again
     assert browser.wait_for(f"{AT} > 2 && {AT} < 60")
     assert browser.wait_for(f"{AT} == 80", 20) and button.accessible_name == "Play"
     assert browser.errors() == [] and browser.foreign_requests() == []
@@ -101,14 +100,14 @@ def test_animations_of_the_site_move_and_are_small(browser, addresses, editions,
     )
     assert sizes and sum(sizes) + (STATIC / "animations.js").stat().st_size <= 60_000
     browser.run("document.querySelectorAll('details.dropdown').forEach(fold => fold.open = true)")
-    # its still may lie so near to its end that it is over soon
+    # its still may be near to its end
     browser.find(".animation input").send_keys(Keys.HOME)
     # at once: a driver's click takes a while on a long page
     press = "document.querySelector('.animation button').click()"
     browser.run(press)
     assert browser.wait_for(f"{AT} > 2")
     browser.run(press)
-    stands = browser.run(AT)
+    paused_at = browser.run(AT)
     time.sleep(0.3)
-    assert browser.run(AT) == stands
+    assert browser.run(AT) == paused_at
     assert browser.errors() == [] and browser.foreign_requests() == []

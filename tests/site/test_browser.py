@@ -11,21 +11,21 @@ import pytest
 
 
 @pytest.fixture(autouse=True)
-def on_a_desk(browser):
+def desktop_window(browser):
     browser.resize(1280, 900)
 
 
-@pytest.mark.parametrize("way", ["file", "http"])
-def test_formulas_are_set_and_nothing_else_is_asked_for(browser, addresses, problem, way):
-    browser.open(f"{addresses[way]}/{problem.page}")
+@pytest.mark.parametrize("scheme", ["file", "http"])
+def test_formulas_are_typeset_without_foreign_requests(browser, addresses, problem, scheme):
+    browser.open(f"{addresses[scheme]}/{problem.page}")
     assert browser.run("document.querySelectorAll('article mjx-container svg').length") > 0
     assert browser.errors() == []
     assert browser.foreign_requests() == []
 
 
-def test_the_dark_switch_darkens_the_page(browser, addresses, problem):
+def test_the_theme_switch_darkens_the_page(browser, addresses, problem):
     browser.open(f"{addresses['http']}/{problem.page}")
-    for _ in range(3):  # the button goes round light, dark, and what the system says
+    for _ in range(3):  # the button cycles through light, dark and the system setting
         if browser.run("document.documentElement.dataset.mode") == "dark":
             break
         browser.find(".theme-switch-button").click()
@@ -40,9 +40,9 @@ def test_the_dark_switch_darkens_the_page(browser, addresses, problem):
     browser.run("localStorage.clear()")
 
 
-@pytest.mark.parametrize("way", ["file", "http"])
-def test_a_solution_is_folded_and_opens(browser, addresses, problem, way):
-    browser.open(f"{addresses[way]}/{problem.page}")
+@pytest.mark.parametrize("scheme", ["file", "http"])
+def test_a_solution_is_folded_and_opens(browser, addresses, problem, scheme):
+    browser.open(f"{addresses[scheme]}/{problem.page}")
     folds = "[...document.querySelectorAll('details.solution, details.hint')]"
     assert browser.run(f"{folds}.some(fold => fold.open)") is False
     content = browser.find("details.solution > section")
@@ -66,12 +66,10 @@ def test_a_link_to_a_solution_opens_it(browser, addresses, problem):
     assert browser.run("document.querySelector('details.solution').open")
 
 
-@pytest.mark.parametrize("way", ["file", "http"])
-def test_a_number_typed_into_the_search_finds_the_problem_first(
-    browser, addresses, found_by_search, problem, way
-):
-    browser.open(f"{addresses[way]}/book/index.html")
-    assert problem.page in found_by_search(problem.number)[0]
+@pytest.mark.parametrize("scheme", ["file", "http"])
+def test_the_search_finds_a_problem_by_its_number(browser, addresses, search_for, problem, scheme):
+    browser.open(f"{addresses[scheme]}/book/index.html")
+    assert problem.page in search_for(problem.number)[0]
     assert browser.errors() == []
 
 
@@ -86,12 +84,12 @@ def test_a_number_typed_into_the_search_finds_the_problem_first(
         ("Schuler", "ch7/p01"),
     ],
 )
-def test_a_name_of_the_field_finds_the_problem(browser, addresses, found_by_search, name, page):
-    """Before all pages that have the name somewhere come the problems that have it as a topic."""
+def test_the_search_finds_a_problem_by_its_topic(browser, addresses, search_for, name, page):
+    """Problems with the name as a topic come before all other pages that contain it."""
     for edition, folder in (("http", "solutions"), ("student", "exercises")):
         browser.open(f"{addresses[edition]}/book/index.html")
-        by_topic = itertools.takewhile(lambda found: "#problem-" in found, found_by_search(name))
-        assert any(f"{folder}/{page}.html" in found for found in by_topic)
+        by_topic = itertools.takewhile(lambda address: "#problem-" in address, search_for(name))
+        assert any(f"{folder}/{page}.html" in address for address in by_topic)
 
 
 def test_the_students_notebook_is_served(browser, addresses, problem):

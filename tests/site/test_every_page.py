@@ -1,8 +1,6 @@
-"""Every page as people see it, with scroll bars on: it fits a phone without errors, and at a desk
-nothing is cut off.
+"""The layout of every page, with scroll bars: nothing overflows or is cut off.
 
-A page is opened once and asked all of it: what a visit costs is loading the page and setting its
-formulas.
+Each page is opened once for all its tests: loading it and typesetting its formulas is what costs.
 """
 
 import re
@@ -25,17 +23,17 @@ WIDE = ("solutions/ch*/p*.html", "book/ch*.html", "book/guides/*.html", "book/li
 
 
 @pytest.fixture(scope="module", autouse=True)
-def at_a_desk_again(browser):
+def desktop_window_afterwards(browser):
     yield
     browser.resize(1280, 900)
 
 
-# First what takes longest: no process waits for it at the end.
+# The longest test first, so that no process waits for it at the end.
 @pytest.mark.parametrize("number", ["the other pages", *PROBLEMS])
-def test_every_page_fits_a_phone_and_a_desk_without_errors(
+def test_every_page_fits_a_phone_and_a_desktop_without_errors(
     browser, addresses, editions, pages_of, number, record_property
 ):
-    began = browser.computed()
+    began = browser.core_seconds()
     pages = {path.relative_to(editions.full).as_posix() for path in pages_of(editions.full)}
     assert pages.issuperset(PROBLEMS.values())
     for page in (
@@ -45,22 +43,21 @@ def test_every_page_fits_a_phone_and_a_desk_without_errors(
         if any(PurePosixPath(page).match(pattern) for pattern in WIDE):
             assert _cut_off(browser, 1400) == {}, page
         browser.forget()
-    record_property("core seconds in Chromium", round(browser.computed() - began, 3))
+    record_property("core seconds in Chromium", round(browser.core_seconds() - began, 3))
 
 
-def test_what_is_cut_off_is_seen(browser, addresses):
-    """Also in a window that was a phone before: it has scroll bars again, which take room."""
+def test_cut_off_elements_are_found(browser, addresses):
+    """Also in a window that was a phone before: its scroll bars take room again."""
     browser.resize(PHONE, 844, phone=True)
     browser.open(f"{addresses['http']}/solutions/ch4/p17.html")
     assert {"code", "displayed", "tables"} <= _cut_off(browser, 620).keys()
     assert browser.run("innerWidth - document.documentElement.clientWidth") > 10
 
 
-def test_what_the_student_edition_alone_shows_fits_a_phone_without_errors(
+def test_pages_of_the_student_edition_alone_fit_a_phone_without_errors(
     browser, addresses, editions, pages_of
 ):
-    """Most of its pages show a part of what those of the other edition do, and that has been seen
-    to fit."""
+    """Most of its pages show a part of those of the other edition, which are tested above."""
     pages = {
         path.relative_to(editions.student).as_posix(): path for path in pages_of(editions.student)
     }
@@ -74,25 +71,24 @@ def test_what_the_student_edition_alone_shows_fits_a_phone_without_errors(
         assert _faults_on_a_phone(browser, f"{addresses['student']}/{page}") == []
 
 
-#: What may be too wide or fail to be set. Code scrolls in its own box on every page.
+#: Elements that may be too wide or fail to be typeset. Code scrolls in its own box on every page.
 SHOWN = re.compile(
     r'<(span|div) class="math[ "][^>]*>.*?</\1>|<(table)\b.*?</table>|<(img|svg)\b[^>]*>', re.DOTALL
 )
-#: What may differ between the editions: addresses, and the letter of a figure where it is the only
-#: one of its page.
-EITHER_WAY = re.compile(r'(href|src|id|data-[a-z]+)="[^"]*"|(?<=\d)[a-z](?=:)')
+#: Differences between the editions: addresses, and the letter of a page's only figure.
+EDITION_SPECIFIC = re.compile(r'(href|src|id|data-[a-z]+)="[^"]*"|(?<=\d)[a-z](?=:)')
 
 
 def _shown(path):
-    """The formulas, tables and pictures of a page."""
+    """Return the formulas, tables and pictures of a page."""
     if not path.exists():
         return set()
     article = path.read_text(encoding="utf-8").partition("<article")[2].partition("</article>")[0]
-    return {EITHER_WAY.sub("", found[0]) for found in SHOWN.finditer(article)}
+    return {EDITION_SPECIFIC.sub("", found[0]) for found in SHOWN.finditer(article)}
 
 
 def _faults_on_a_phone(browser, address):
-    """All folds open: what is folded away has to fit as well."""
+    """Return the faults of a page on a phone, with all folds open."""
     browser.resize(PHONE, 844, phone=True)
     browser.open(address)
     browser.run("document.querySelectorAll('details').forEach(fold => fold.open = true)")
@@ -105,18 +101,18 @@ def _faults_on_a_phone(browser, address):
         e => !e.querySelector('mjx-container') && e.innerText.trim()).map(e => e.innerText.slice(0, 60))""")
     faults = [f"{width} px wide"] if width > PHONE else []
     return [
-        f"{address}: {what}"
-        for what in faults + broken + unset + browser.errors() + browser.foreign_requests()
+        f"{address}: {fault}"
+        for fault in faults + broken + unset + browser.errors() + browser.foreign_requests()
     ]
 
 
 def _cut_off(browser, width):
-    """{what is cut off or has a scroll bar in the opened page at a desk: how many of them}."""
+    """Return kind -> number of the elements that are cut off or have a scroll bar on a desktop."""
     browser.resize(width, 900)
-    return {what: count for what, count in browser.run(CENSUS).items() if count}
+    return {kind: count for kind, count in browser.run(CUT_OFF).items() if count}
 
 
-CENSUS = """(() => {
+CUT_OFF = """(() => {
     document.querySelectorAll('article details').forEach(fold => fold.open = true);
     const of = selector => [...document.querySelectorAll(selector)];
     const scrolls = e => e.scrollWidth > e.clientWidth + 1;

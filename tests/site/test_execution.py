@@ -1,5 +1,4 @@
-"""book/execute.py in a small book of its own: what is executed, what is kept, and what a failure
-says."""
+"""Page execution (book/execute.py) in a small book: staleness, cached outputs, failures."""
 
 import re
 import subprocess
@@ -46,7 +45,7 @@ def book(tmp_path, capsys):
             return code, shown.out, shown.err
 
         def outputs(self, name):
-            """What the cells of a page show, as the site finds it."""
+            """Return the outputs of a page as the site finds them in the cache."""
             cache = execute.get_cache(tmp_path / "_build" / ".jupyter_cache")
             (page,) = execute.read_pages(
                 tmp_path, execute.yaml.safe_load(CONFIG), [tmp_path / f"{name}.md"]
@@ -67,7 +66,7 @@ def book(tmp_path, capsys):
 
 
 def test_the_build_loads_no_grammars():
-    """jsonschema would build them from Lark's, which takes longer than reading a page."""
+    """Those that jsonschema builds from Lark's take longer than reading a page."""
     loads = "import build, execute, jupyter_book.sphinx, sys; print('jsonschema' in sys.modules, 'lark' in sys.modules)"
     shown = subprocess.run(
         [sys.executable, "-c", loads],
@@ -92,8 +91,7 @@ def test_only_what_changed_is_executed(book):
 
 
 def test_only_what_changed_is_read(book, monkeypatch):
-    """Reading takes a large book seconds; a page that was executed and is as it was needs none of
-    them."""
+    """Reading a large book takes seconds; unchanged pages are not read."""
     for name in ("p1", "p2", "p3"):
         book.write(name, f"'{name}'")
     book.write("p4")
@@ -102,9 +100,9 @@ def test_only_what_changed_is_read(book, monkeypatch):
     monkeypatch.setattr(
         execute,
         "read_myst_markdown_notebook",
-        lambda text, *given, path, **options: (
+        lambda text, *arguments, path, **options: (
             read.append(path.stem),
-            execute_as_before(text, *given, path=path, **options),
+            execute_as_before(text, *arguments, path=path, **options),
         )[1],
     )
     book.write("p2", "'another'")
@@ -112,13 +110,13 @@ def test_only_what_changed_is_read(book, monkeypatch):
     assert [output.data["text/plain"] for output in book.outputs("p1")] == ["'p1'"]
 
 
-def test_a_run_that_is_stopped_leaves_no_page_for_settled(book, monkeypatch):
+def test_a_stopped_run_leaves_its_pages_stale(book, monkeypatch):
     book.write("p1", "1 + 1")
     book.run()
     before = (book.root / "p1.md").read_text()
     book.write("p1", "2 + 2")
 
-    def stopped(*given):
+    def stopped(*arguments):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
@@ -141,7 +139,7 @@ def test_a_page_follows_the_modules_it_loads(book, monkeypatch):
     monkeypatch.setattr(
         execute, "module_closure", lambda source: closure if "stability" in source else {}
     )
-    book.write("p1", "# stands for: from trajlib import stability")
+    book.write("p1", "# replaced: from trajlib import stability")
     book.write("p2", "2 + 2")
     book.run()
     closure["trajlib.stability"] = "after"
@@ -157,7 +155,7 @@ def test_a_changed_environment_makes_every_page_stale(book):
     assert "1 of 1 pages" in book.run()[1]
 
 
-def test_records_of_pages_that_are_gone_are_removed(book):
+def test_records_of_deleted_pages_are_removed(book):
     book.write("p1", "1 + 1")
     book.write("p2", "2 + 2")
     book.run()
@@ -173,8 +171,8 @@ def test_the_site_finds_the_outputs_in_the_cache(book):
     assert [output.data["text/plain"] for output in book.outputs("p1")] == ["42"]
 
 
-def test_a_picture_is_drawn_sharp_and_the_same_again(book):
-    """As SVG, without the date and with names that do not change, in hundredths of a point."""
+def test_a_picture_is_a_reproducible_svg(book):
+    """It has no date, constant names, and coordinates in hundredths of a point."""
     for name in ("p1", "p2"):
         book.write(
             name,
@@ -238,12 +236,12 @@ def test_an_answer_that_is_not_right_ends_with_its_verdict(book):
     assert code == 1 and "cell 2 (check)" in error and "the trace is 3, not 2" in error
 
 
-def test_trials_beside_a_page_are_no_part_of_it(book):
+def test_trials_do_not_make_a_page_stale(book):
     book.write("p1", "1 + 1")
     trials = book.root / "p1.trials.py"
     trials.write_text("# %% wrong\n1 / 0\n")
-    code, said, _ = book.run()
-    assert code == 0 and "1 of 1 pages" in said
+    code, printed, _ = book.run()
+    assert code == 0 and "1 of 1 pages" in printed
     trials.write_text("# %% wrong\n2 / 0\n")
     assert "nothing has changed" in book.run()[1]
     (book.root / "_build/.jupyter_cache/fresh_pages.json").unlink()
@@ -251,7 +249,7 @@ def test_trials_beside_a_page_are_no_part_of_it(book):
 
 
 @pytest.mark.parametrize("role, last", [("figure", "x = 1"), ("drawing", "1 + 1")])
-def test_a_cell_that_should_show_a_picture_and_does_not_is_a_failure(book, role, last):
+def test_a_figure_cell_without_a_picture_is_a_failure(book, role, last):
     book.write("p1", f":tags: [{role}]\n{last}")
     code, _, error = book.run()
     assert code == 1 and f"this {role} cell shows no picture" in error
@@ -264,47 +262,47 @@ def test_a_cell_has_a_time_limit(book):
     assert code == 1 and "p1.md" in error and "time.sleep(30)" in error
 
 
-def test_a_kernel_that_cannot_start_is_told(book, monkeypatch):
-    monkeypatch.setattr(kernel.IPKernelApp, "initialize", lambda *given: sys.exit(1))
+def test_a_kernel_that_cannot_start_is_reported(book, monkeypatch):
+    monkeypatch.setattr(kernel.IPKernelApp, "initialize", lambda *arguments: sys.exit(1))
     book.write("p1", "1 + 1")
     code, _, error = book.run()
     assert code == 1 and "p1.md, the kernel ended before" in error
 
 
-def test_pages_are_executed_side_by_side(book, monkeypatch):
+def test_pages_are_executed_in_parallel(book, monkeypatch):
     monkeypatch.setattr(execute, "CORES", 2)
-    for mine, other in (("p1", "p2"), ("p2", "p1")):
+    for page, other in (("p1", "p2"), ("p2", "p1")):
         book.write(
-            mine,
+            page,
             f"""\
             import pathlib, time
-            pathlib.Path("{mine}").touch()
+            pathlib.Path("{page}").touch()
             while not pathlib.Path("{other}").exists():
                 time.sleep(0.05)""",
         )
     assert book.run()[0] == 0
 
 
-def test_kernels_are_strangers_to_each_other(book):
-    """What the process that they are forked from has imported is all that they share."""
+def test_kernels_are_independent(book):
+    """They share the imports of the process from which they are forked, and nothing else."""
     for name in ("p1", "p2"):
         book.write(
             name,
             f"""\
             import random
             import numpy as np
-            print(getattr(np, "page", "nobody"), random.random(), np.random.random())
+            print(getattr(np, "page", "unset"), random.random(), np.random.random())
             np.page = '{name}'""",
         )
     assert book.run()[0] == 0
-    said = [book.outputs(name)[0].text.split() for name in ("p1", "p2")]
-    assert said[0][0] == said[1][0] == "nobody"
-    assert said[0][1] != said[1][1] and said[0][2] != said[1][2], (
-        "random numbers that nobody seeded"
+    printed = [book.outputs(name)[0].text.split() for name in ("p1", "p2")]
+    assert printed[0][0] == printed[1][0] == "unset"
+    assert printed[0][1] != printed[1][1] and printed[0][2] != printed[1][2], (
+        "random numbers without a seed"
     )
 
 
-def test_a_kernel_that_dies_in_a_cell_is_told(book):
+def test_a_kernel_that_dies_in_a_cell_is_reported(book):
     book.write(
         "p1", "import pathlib; pathlib.Path('runs').open('a').write('x')", "import os; os._exit(1)"
     )
@@ -312,7 +310,7 @@ def test_a_kernel_that_dies_in_a_cell_is_told(book):
     assert ended == 1 and "p1.md, Kernel died" in error and (book.root / "runs").read_text() == "x"
 
 
-def test_a_kernel_that_gives_no_answer_is_told(book, monkeypatch):
+def test_a_kernel_that_does_not_reply_is_reported(book, monkeypatch):
     waits = kernel.Client.wait_for_ready
     monkeypatch.setattr(kernel.Client, "wait_for_ready", lambda client, timeout: waits(client, 1))
     monkeypatch.setattr(kernel.IPKernelApp, "start", lambda app: time.sleep(30))

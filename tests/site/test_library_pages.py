@@ -1,5 +1,4 @@
-"""The pages of the library: each public name, and links both ways between it and the pages that use
-it."""
+"""The pages of the library: each public name, and links to and from the pages that use it."""
 
 import sys
 from pathlib import Path
@@ -19,7 +18,7 @@ from workbook_site import docstrings, uses  # noqa: E402
 MODULES = sorted(path.stem for path in (ROOT / "book" / "library").glob("*.md"))
 
 
-def test_every_theme_that_can_be_imported_has_a_page():
+def test_every_public_module_has_a_page():
     import trajlib
 
     assert set(MODULES) == {*trajlib.__all__, *uses.OF_WORKBOOK}
@@ -70,31 +69,31 @@ def test_arguments_of_a_numpydoc_section_keep_their_type_apart():
     ]
 
 
-def test_links_lead_both_ways(pages):
+def test_links_go_both_ways(pages):
     """Links from functions to pages and from pages to functions are the same pairs."""
     root, parsed = pages
-    forth, back = set(), set()
+    to_pages, to_names = set(), set()
     for module in MODULES:
-        place = root / "book" / "library" / f"{module}.html"
-        for section in parsed[place].select("section section"):
-            forth |= {
-                (section["id"], (place.parent / link["href"]).resolve())
+        library_page = root / "book" / "library" / f"{module}.html"
+        for section in parsed[library_page].select("section section"):
+            to_pages |= {
+                (section["id"], (library_page.parent / link["href"]).resolve())
                 for link in section.select("p.used-in a")
             }
-    for place in [*root.glob("*/ch*/p*.html"), *root.glob("book/**/ch*.html")]:
-        back |= {
-            (urldefrag(link["href"]).fragment, place.resolve())
-            for link in parsed[place].select("p.used-in a")
+    for page in [*root.glob("*/ch*/p*.html"), *root.glob("book/**/ch*.html")]:
+        to_names |= {
+            (urldefrag(link["href"]).fragment, page.resolve())
+            for link in parsed[page].select("p.used-in a")
         }
-    assert forth == back
+    assert to_pages == to_names
     assert (
         "library-stability-stability_conditions",
         (root / "book" / "ch1.html").resolve(),
-    ) in forth
-    assert len({page for _, page in forth}) > (50 if (root / "solutions").exists() else 5)
+    ) in to_pages
+    assert len({page for _, page in to_pages}) > (50 if (root / "solutions").exists() else 5)
 
 
-def test_the_first_page_leads_an_engineer_there(browser, addresses):
+def test_the_first_page_links_the_library_for_engineers(browser, addresses):
     browser.open(f"{addresses['http']}/book/index.html")
     cards = browser.run(
         "[...document.querySelectorAll('.sd-card')].map(card => "

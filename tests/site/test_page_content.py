@@ -1,5 +1,4 @@
-"""What the built pages show: pictures with their captions, drawings, answers and solutions where
-they belong."""
+"""The content of the built pages: outputs, pictures, drawings, answers, solutions."""
 
 import re
 
@@ -12,8 +11,8 @@ full = pytest.mark.parametrize("pages", ["full"], indirect=True)
 PROBLEM, CHAPTER = "solutions/ch*/p*.html", "book/ch*.html"
 
 
-def those(pages, *patterns):
-    """The parsed pages at places of these forms, in order."""
+def matching(pages, *patterns):
+    """Return path -> parsed page of the pages that match, in order."""
     root, parsed = pages
     return {
         path: parsed[path]
@@ -22,15 +21,14 @@ def those(pages, *patterns):
 
 
 #: A Greek letter by its name.
-SPELT = re.compile(rf"\b({'|'.join(GREEK)})(?![a-z])")
+GREEK_NAME = re.compile(rf"\b({'|'.join(GREEK)})(?![a-z])")
 
 
 @full
-def test_results_are_set_and_not_typed(pages):
-    """What cells show holds no powers, products, roots or Greek letters as they are typed, and no
-    warnings."""
+def test_results_are_typeset(pages):
+    """Outputs have no typewritten powers, products, roots or Greek letters, and no warnings."""
     faults, shown = {}, 0
-    for path, page in those(pages, PROBLEM, CHAPTER, "book/errata/ch*.html").items():
+    for path, page in matching(pages, PROBLEM, CHAPTER, "book/errata/ch*.html").items():
         found = [warning.get_text()[:80] for warning in page.select(".cell_output .stderr")]
         for output in page.select(".cell_output"):
             shown += len(output.select(".math"))
@@ -40,7 +38,7 @@ def test_results_are_set_and_not_typed(pages):
             found += [
                 line
                 for line in words.splitlines()
-                if TYPEWRITTEN.search(line) or SPELT.search(line)
+                if TYPEWRITTEN.search(line) or GREEK_NAME.search(line)
             ]
         if found:
             faults[path.name] = found
@@ -48,12 +46,11 @@ def test_results_are_set_and_not_typed(pages):
 
 
 @full
-def test_units_stand_upright(pages):
-    """After a number that is typed m/s is a speed; alone, in the head of a column, it would be set
-    as two letters."""
+def test_units_are_upright(pages):
+    """After a number m/s is a unit; alone, in the head of a column, it would be two variables."""
     faults = {
         path.name: found
-        for path, page in those(pages, PROBLEM, CHAPTER, "book/lectures/*.html").items()
+        for path, page in matching(pages, PROBLEM, CHAPTER, "book/lectures/*.html").items()
         if (
             found := re.findall(
                 r".{,40}<i>m</i>/<i>s</i>|, <i>k?m</i></p>",
@@ -64,17 +61,16 @@ def test_units_stand_upright(pages):
     assert not faults
 
 
-#: Python's own forms of a value, and decimals of more than nine places; an enclosure, m ± r, has
-#: all that are proved.
-RAW = re.compile(
+#: Values in Python's notation, and decimals of more than nine places except in an enclosure, m ± r.
+PYTHON_NOTATION = re.compile(
     r"array\(|Matrix\(|\bnp\.\w+\(|Float\(|\{\w+: |\[\[|[\[(]'|', '|\d\.\d{10,}(?!\d* (?:±|\+/-))"
 )
 
 
 @full
-def test_no_value_is_shown_as_python_writes_it(pages):
+def test_no_value_is_shown_in_python_notation(pages):
     faults, shown = {}, 0
-    for path, page in those(
+    for path, page in matching(
         pages, PROBLEM, CHAPTER, "book/errata/ch*.html", "book/lectures/*.html"
     ).items():
         lines = [
@@ -85,16 +81,16 @@ def test_no_value_is_shown_as_python_writes_it(pages):
             ).splitlines()
         ]
         shown += len(lines)
-        if found := [line for line in lines if RAW.search(line)]:
+        if found := [line for line in lines if PYTHON_NOTATION.search(line)]:
             faults[path.name] = found
     assert shown > 1000 and not faults
 
 
 @full
-def test_nothing_is_printed(pages):
-    """Results and their tables are set; two numbers do not stand side by side without a comma."""
+def test_no_output_is_plain_text(pages):
+    """Results and tables are typeset; two numbers in a line have a comma between them."""
     faults = {}
-    for path, page in those(
+    for path, page in matching(
         pages, PROBLEM, CHAPTER, "book/errata/ch*.html", "book/lectures/*.html"
     ).items():
         found = [output.get_text()[:80] for output in page.select(".cell_output pre")]
@@ -110,9 +106,9 @@ def test_nothing_is_printed(pages):
 
 
 @full
-def test_every_picture_is_sharp_and_has_a_number_a_caption_and_words(pages):
+def test_every_picture_is_an_svg_with_number_caption_and_alternative_text(pages):
     faults, seen = [], 0
-    for path, page in those(pages, PROBLEM, CHAPTER).items():
+    for path, page in matching(pages, PROBLEM, CHAPTER).items():
         numbers = []
         for picture in page.select(".cell_output img"):
             seen += 1
@@ -122,8 +118,10 @@ def test_every_picture_is_sharp_and_has_a_number_a_caption_and_words(pages):
                 if caption
                 else None
             )
-            told = label and re.match(rf"{re.escape(label[0])}: [^\\]{{13,}}\.$", picture["alt"])
-            if not told or not picture["src"].endswith(".svg"):
+            described = label and re.match(
+                rf"{re.escape(label[0])}: [^\\]{{13,}}\.$", picture["alt"]
+            )
+            if not described or not picture["src"].endswith(".svg"):
                 faults.append(f"{path.name}: {picture['alt'][:60]}")
             numbers.append(label and label[0])
         assert len(set(numbers)) == len(numbers), path
@@ -131,29 +129,30 @@ def test_every_picture_is_sharp_and_has_a_number_a_caption_and_words(pages):
 
 
 @pytest.mark.parametrize("pages", ["student"], indirect=True)
-def test_drawings_stand_in_the_statement_of_both_editions(pages, editions):
+def test_drawings_are_in_the_statement_of_both_editions(pages, editions):
     seen = 0
-    for path, page in those(pages, "exercises/ch*/p*.html").items():
+    for path, page in matching(pages, "exercises/ch*/p*.html").items():
         full = editions.full / "solutions" / path.relative_to(editions.student / "exercises")
         text = full.read_text(encoding="utf-8")
-        # most have none to look for
+        # most pages have no drawing
         with_drawing = BeautifulSoup(text if "tag_drawing" in text else "", "html.parser")
-        given = page.select("figure img[src^='data:image/png;base64,']")
-        inside = with_drawing.select("div.exercise .tag_drawing figure img")
-        # What is said of it differs by a letter of the number alone, where the solution has figures
-        # too.
-        assert [re.sub(r"(Figure [\d.]+)[a-z]?:", r"\1:", picture["alt"]) for picture in given] == [
-            re.sub(r"(Figure [\d.]+)[a-z]?:", r"\1:", picture["alt"]) for picture in inside
-        ], path
-        seen += len(given)
+        in_student = page.select("figure img[src^='data:image/png;base64,']")
+        in_full = with_drawing.select("div.exercise .tag_drawing figure img")
+        # The texts differ by the letter of the number alone, if the solution has figures too.
+        assert [
+            re.sub(r"(Figure [\d.]+)[a-z]?:", r"\1:", picture["alt"]) for picture in in_student
+        ] == [re.sub(r"(Figure [\d.]+)[a-z]?:", r"\1:", picture["alt"]) for picture in in_full], (
+            path
+        )
+        seen += len(in_student)
     assert seen >= 3
 
 
 @full
-def test_the_answers_of_an_item_stand_under_its_statement(pages):
-    """Of problems whose statement has items, every fold stands inside the statement."""
+def test_the_answers_of_an_item_are_under_its_statement(pages):
+    """If the statement has items, every fold is inside the statement."""
     moved = 0
-    for path, page in those(pages, PROBLEM).items():
+    for path, page in matching(pages, PROBLEM).items():
         folds = page.select("details.answers")
         assert folds, path
         moved += len(page.select("div.exercise details.answers"))
@@ -177,7 +176,7 @@ def test_the_answers_of_an_item_stand_under_its_statement(pages):
 
 @full
 def test_every_column_of_a_table_has_a_head(pages):
-    """Somebody who hears a table is told the head of each entry."""
+    """A screen reader announces the head of each entry."""
     heads = [
         (path.name, head.get_text().strip())
         for path, page in pages[1].items()
@@ -188,9 +187,8 @@ def test_every_column_of_a_table_has_a_head(pages):
 
 @full
 def test_a_comma_stays_with_its_formula(pages):
-    """A browser breaks the line between a formula and the sign after it unless both stand in one
-    unbroken span."""
-    torn = {}
+    """A browser breaks a line between a formula and its comma unless one span holds both."""
+    separated = {}
     for path, page in pages[1].items():
         signs = [
             formula.next_sibling
@@ -201,13 +199,13 @@ def test_a_comma_stays_with_its_formula(pages):
             sign[:20] for sign in signs if isinstance(sign, str) and sign[:1] in tuple(".,;:!?)")
         ]
         if found:
-            torn[path.name] = found
-    assert not torn
+            separated[path.name] = found
+    assert not separated
 
 
 @full
 def test_a_problem_without_items_has_one_solution_without_a_letter(pages):
-    for path, page in those(pages, PROBLEM).items():
+    for path, page in matching(pages, PROBLEM).items():
         titles = [fold.summary.get_text() for fold in page.select("details.solution")]
         assert titles and (
             titles[0].startswith("Worked solution") and "item" not in titles[0]

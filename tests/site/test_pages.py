@@ -1,4 +1,4 @@
-"""The built files: links, sources, ids, and what the student edition must not hold."""
+"""The built files: links, sources, ids; the student edition holds no solutions."""
 
 import re
 import zipfile
@@ -45,7 +45,7 @@ def test_every_internal_link_leads_somewhere(pages):
             if not file.is_relative_to(root) or not file.is_file():
                 dead.append(f"{path.relative_to(root)}: {address} (no such file)")
             elif anchor and file.suffix == ".html" and unquote(anchor) not in anchors[file]:
-                dead.append(f"{path.relative_to(root)}: {address} (no such place in the page)")
+                dead.append(f"{path.relative_to(root)}: {address} (no such id in the page)")
     assert not dead, "\n".join(dead)
 
 
@@ -64,7 +64,7 @@ def test_nothing_is_loaded_from_another_host(pages):
             f"{path.relative_to(root)}: {load}"
             for load in JS_LOADS.findall(inline) + CSS_LOADS.findall(inline)
         ]
-        # The constant stands ready in every page of Jupyter Book, though nothing loads it.
+        # Jupyter Book defines a constant of this name in every page, though nothing uses it.
         foreign += [f"{path.relative_to(root)}: thebe"] if "thebe" in inline else []
     for pattern, loads in (("*.css", CSS_LOADS), ("*.js", JS_LOADS)):
         for path in root.rglob(pattern):
@@ -107,8 +107,8 @@ def test_every_problem_is_listed_under_its_number_and_topics(pages):
             listed = parsed[root / "book" / "problems.html"].find("a", string=number)
             assert (root / "book" / listed["href"]).resolve() == path
             for topic in page.select(".problem-chips a"):
-                place, anchor = urldefrag(topic["href"])
-                term = parsed[(path.parent / place).resolve()].find(id=anchor)
+                file, anchor = urldefrag(topic["href"])
+                term = parsed[(path.parent / file).resolve()].find(id=anchor)
                 assert number in term.find_next("dd").get_text()
 
 
@@ -145,8 +145,7 @@ def _trials(master):
 
 
 def _lines(sources):
-    """The lines of cells that say something of their own; imports and one-word lines occur
-    everywhere."""
+    """Return the characteristic lines of cells; imports and short lines occur everywhere."""
     lines = (line.strip() for source in sources for line in source.splitlines())
     return {
         line

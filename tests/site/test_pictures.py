@@ -1,4 +1,4 @@
-"""The pictures of the built pages, read as the SVG they are."""
+"""Legends in the pictures of the built pages, read from their SVG."""
 
 import itertools
 import re
@@ -18,7 +18,7 @@ COVERED = 0.1
 
 
 def lines(path):
-    """The polygons through the ends of a path's pieces, a point to a unit of length."""
+    """Yield the polygons of a path, sampled at one point for each unit of length."""
     found = []
     for command, numbers in COMMAND.findall(path.get("d", "")):
         if command in "Zz":
@@ -38,7 +38,7 @@ def lines(path):
 
 
 def frame(group):
-    """The box of the first patch of a group, (low, high), or None."""
+    """Return the box of the first patch of a group, (low, high), or None."""
     patch = next(
         (part for part in group.iter(f"{SVG}g") if part.get("id", "").startswith("patch_")), None
     )
@@ -55,7 +55,7 @@ def frame(group):
 
 
 def covered(svg):
-    """For each framed legend: how much of the curves lies under it, in lengths of its diagonal."""
+    """Yield for each framed legend the length of curves under it, in lengths of its diagonal."""
     groups = list(ElementTree.fromstring(svg).iter(f"{SVG}g"))
     legends = [frame(group) for group in groups if group.get("id", "").startswith("legend_")]
     curves = []
@@ -88,30 +88,30 @@ def covered(svg):
         yield length / np.linalg.norm(high - low)
 
 
-def test_what_is_covered(tmp_path):
+def test_covered_length_of_curves(tmp_path):
     import matplotlib.pyplot as plt
 
-    found = {}
-    for place in ("upper left", "lower right"):
+    lengths = {}
+    for position in ("upper left", "lower right"):
         with plt.rc_context({"svg.fonttype": "path"}):
             fig, ax = plt.subplots()
             ax.plot([0, 1], [0, 0.1], label="near the floor")
             ax.plot([0, 1, 1], [0, 0, 1], color="#b5b5b5")
             ax.set_ylim(0, 1)
-            ax.legend(loc=place)
+            ax.legend(loc=position)
             fig.savefig(tmp_path / "one.svg")
             plt.close(fig)
-        [found[place]] = covered((tmp_path / "one.svg").read_text(encoding="utf-8"))
-    assert found["upper left"] == 0 and found["lower right"] > 2 * COVERED
+        [lengths[position]] = covered((tmp_path / "one.svg").read_text(encoding="utf-8"))
+    assert lengths["upper left"] == 0 and lengths["lower right"] > 2 * COVERED
 
 
 @pytest.fixture(scope="module")
 def pictures(editions):
-    """Page and file -> the text of a picture."""
+    """Return page and file -> the text of a picture."""
     pages = [
         page
-        for places in ("solutions/ch*/p*.html", "book/**/*.html")
-        for page in editions.full.glob(places)
+        for pattern in ("solutions/ch*/p*.html", "book/**/*.html")
+        for page in editions.full.glob(pattern)
     ]
     return {
         f"{page.name}: {name}": Path(page.parent, name).read_text(encoding="utf-8")
@@ -120,7 +120,7 @@ def pictures(editions):
     }
 
 
-def test_no_legend_lies_over_a_curve(pictures):
+def test_no_legend_covers_a_curve(pictures):
     faults, seen = {}, 0
     for name, svg in pictures.items():
         shares = list(covered(svg))
@@ -130,17 +130,16 @@ def test_no_legend_lies_over_a_curve(pictures):
     assert seen > 200 and not faults
 
 
-#: What of a style a printer without colours keeps.
+#: Properties of a style that a printer without colours keeps.
 STYLE = re.compile(
     r"(stroke-dasharray|stroke-width|fill|stroke|opacity|fill-opacity|stroke-opacity): ([^;]+)"
 )
-#: Two greys so far apart are told apart, of 255.
-APART = 60
+#: The least visible difference of two greys, of 255.
+VISIBLE = 60
 
 
-def looks(svg):
-    """For each legend how its entries look: [(what a printer without colours keeps, the
-    colours)]."""
+def legend_styles(svg):
+    """Yield for each legend the styles of its entries: [(style without colours, colours)]."""
     for group in ElementTree.fromstring(svg).iter(f"{SVG}g"):
         if group.get("id", "").startswith("legend_"):
             entries = [
@@ -148,10 +147,10 @@ def looks(svg):
                 for part in group
                 if re.match("line2d_|patch_|LineCollection|PathCollection", part.get("id", ""))
             ]
-            yield [look(part) for part in entries[1:] or entries]
+            yield [style_of(part) for part in entries[1:] or entries]
 
 
-def look(entry):
+def style_of(entry):
     kept, colours = [], []
     for part in entry.iter():
         if part.tag in (f"{SVG}path", f"{SVG}use"):
@@ -167,13 +166,15 @@ def look(entry):
     return kept, colours
 
 
-def alike(entries):
-    """Pairs of entries that differ in their colours alone, and not even in their brightness."""
+def indistinguishable(entries):
+    """Return pairs of entries that differ in their colours alone, and not in their brightness."""
     return [
-        (one, two)
-        for j, (two, inks) in enumerate(entries)
-        for one, others in entries[:j]
-        if one == two and inks != others and abs(brightness(inks) - brightness(others)) < APART
+        (first, second)
+        for j, (second, inks) in enumerate(entries)
+        for first, others in entries[:j]
+        if first == second
+        and inks != others
+        and abs(brightness(inks) - brightness(others)) < VISIBLE
     ]
 
 
@@ -187,23 +188,24 @@ def brightness(colours):
     )
 
 
-def test_without_colours_a_legend_still_tells_its_entries_apart(pictures):
-    """For a printer without colours, and for eyes that see few: dashes, widths, markers or
-    hatchings say it too."""
-    legends = {name: list(looks(svg)) for name, svg in pictures.items()}
+def test_entries_of_a_legend_differ_without_colours(pictures):
+    """They differ by dashes, widths, markers or hatchings, for readers without colours."""
+    legends = {name: list(legend_styles(svg)) for name, svg in pictures.items()}
     assert sum(len(entries) for found in legends.values() for entries in found) > 500
-    assert not {name: found for name, found in legends.items() if any(map(alike, found))}
+    assert not {
+        name: found for name, found in legends.items() if any(map(indistinguishable, found))
+    }
 
 
-def test_what_is_alike(tmp_path):
+def test_indistinguishable_entries(tmp_path):
     import matplotlib.pyplot as plt
 
-    for second, told in (("--", 0), ("-", 1)):
+    for line_style, pairs in (("--", 0), ("-", 1)):
         fig, ax = plt.subplots()
         ax.plot([0, 1], [0, 1], "-", color="#0072B2", label="one")
-        ax.plot([0, 1], [1, 0], second, color="#D55E00", label="two")
+        ax.plot([0, 1], [1, 0], line_style, color="#D55E00", label="two")
         ax.legend(loc="upper center")
         fig.savefig(tmp_path / "two.svg")
         plt.close(fig)
-        [entries] = looks((tmp_path / "two.svg").read_text(encoding="utf-8"))
-        assert len(entries) == 2 and len(alike(entries)) == told
+        [entries] = legend_styles((tmp_path / "two.svg").read_text(encoding="utf-8"))
+        assert len(entries) == 2 and len(indistinguishable(entries)) == pairs

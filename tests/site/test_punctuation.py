@@ -1,5 +1,4 @@
-"""Signs and the formulas that they follow, in a text that says the same thing twice; sentences and
-their capitals."""
+"""Punctuation stays with the formula before it; a sentence begins with a capital."""
 
 import sys
 from pathlib import Path
@@ -12,7 +11,7 @@ from workbook_site.problem_pages import BeginWithCapital
 from workbook_site.punctuation import KeepWithFormula
 
 
-def test_equal_texts_are_told_apart():
+def test_equal_texts_are_distinguished():
     document = new_document("page")
     a, b, c = (nodes.math("", letter) for letter in "abc")
     document += nodes.paragraph(

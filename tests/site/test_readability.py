@@ -1,11 +1,11 @@
-"""Pages as people see them: what scrolls on a phone, letters of pictures, on paper."""
+"""Readability on a phone and in print: scroll boxes, letters in pictures, folds, breaks."""
 
 import base64
 
 import pytest
 
-#: Grounds of all that may have to scroll; code, printed lines, formulas and tables.
-GROUNDS = """[...document.querySelectorAll('article :is(div.math, pre, .pst-scrollable-table-container)')].map(
+#: Backgrounds of all boxes that may scroll: code, printed lines, formulas and tables.
+BACKGROUNDS = """[...document.querySelectorAll('article :is(div.math, pre, .pst-scrollable-table-container)')].map(
     e => getComputedStyle(e).backgroundAttachment)"""
 
 
@@ -19,15 +19,15 @@ GROUNDS = """[...document.querySelectorAll('article :is(div.math, pre, .pst-scro
         "book/guides/grading.html",
     ],
 )
-def test_what_has_to_scroll_on_a_phone_shows_a_shadow(browser, addresses, page):
+def test_a_box_that_scrolls_on_a_phone_has_a_shadow(browser, addresses, page):
     browser.resize(390, 844, phone=True)
     browser.open(f"{addresses['http']}/{page}")
-    grounds = browser.run(GROUNDS)
-    assert grounds and all("local" in ground and "scroll" in ground for ground in grounds)
+    backgrounds = browser.run(BACKGROUNDS)
+    assert backgrounds and all("local" in each and "scroll" in each for each in backgrounds)
     browser.resize(1280, 900)
 
 
-#: Of each picture: how large it is beside what it was drawn for, and whether all of it can be seen.
+#: For each picture: its scale relative to its natural size, and whether all of it can be seen.
 PICTURES = """Promise.all([...document.querySelectorAll('article figure img')].map(e => e.decode().then(() => {
     const shown = e.getBoundingClientRect().width, box = e.closest('.panels') || e.closest('figure');
     return [e.alt, shown/e.naturalWidth, shown <= box.clientWidth || getComputedStyle(box).overflowX === 'auto'];
@@ -45,8 +45,8 @@ PICTURES = """Promise.all([...document.querySelectorAll('article figure img')].m
         "book/ch5.html",
     ],
 )
-def test_the_letters_of_a_picture_are_read_on_a_phone(browser, addresses, page):
-    """Two panels side by side would be a third of their size."""
+def test_the_letters_of_a_picture_are_legible_on_a_phone(browser, addresses, page):
+    """Two panels side by side must not be scaled to a third of their size."""
     browser.resize(390, 844, phone=True)
     browser.open(f"{addresses['http']}/{page}")
     browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
@@ -55,7 +55,7 @@ def test_the_letters_of_a_picture_are_read_on_a_phone(browser, addresses, page):
     assert pictures and not [alt for alt, size, whole in pictures if size < 0.5 or not whole]
 
 
-def test_the_glossary_is_read_on_a_phone_without_scrolling_sideways(browser, addresses):
+def test_the_glossary_fits_the_width_of_a_phone(browser, addresses):
     browser.resize(390, 844, phone=True)
     browser.open(f"{addresses['http']}/book/glossary.html")
     beyond = browser.run("""[...document.querySelectorAll('article td')].filter(
@@ -64,17 +64,16 @@ def test_the_glossary_is_read_on_a_phone_without_scrolling_sideways(browser, add
     browser.resize(1280, 900)
 
 
-def test_nothing_is_set_too_thin_to_read(browser, addresses):
-    """The theme sets captions in its thinnest letters."""
+def test_no_text_is_too_thin_to_read(browser, addresses):
+    """The theme alone would use its thinnest font for captions."""
     browser.open(f"{addresses['http']}/solutions/ch1/p09.html")
     thin = browser.run("""[...document.querySelectorAll('article :is(p, span, li, td, code, figcaption)')].filter(
         e => +getComputedStyle(e).fontWeight < 400).map(e => e.innerText.slice(0, 40))""")
     assert browser.run("document.querySelectorAll('article figcaption').length") > 1 and thin == []
 
 
-def test_on_paper_every_fold_is_open(browser, addresses, problem):
-    """Chromium prints for real; what was open at that moment is noted by a listener that comes
-    after ours."""
+def test_every_fold_is_open_in_print(browser, addresses, problem):
+    """Chromium prints to PDF; a listener after ours counts the closed folds."""
     browser.resize(1280, 900)
     browser.open(f"{addresses['http']}/{problem.page}")
     browser.driver.execute_script("""addEventListener('beforeprint', () => {
@@ -85,9 +84,8 @@ def test_on_paper_every_fold_is_open(browser, addresses, problem):
     assert browser.run("document.querySelectorAll('article details.solution[open]').length") == 0
 
 
-def test_on_paper_a_drawing_stands_without_its_code(browser, addresses):
-    """What draws the body of a statement is no part of the statement; the code of a solution is
-    printed."""
+def test_a_drawing_is_printed_without_its_code(browser, addresses):
+    """The code of a drawing is no part of the statement; the code of a solution is printed."""
     browser.open(f"{addresses['http']}/solutions/ch5/p40.html")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     browser.run("document.querySelectorAll('article details').forEach(fold => fold.open = true)")
@@ -101,8 +99,8 @@ def test_on_paper_a_drawing_stands_without_its_code(browser, addresses):
     assert drawn and set(drawn) == {0} and min(pictures) > 50 and min(computed) > 20
 
 
-def test_on_paper_no_line_of_code_is_broken(browser, addresses):
-    """What is as wide as a sheet of paper between its margins, in points of a screen."""
+def test_no_line_of_code_is_broken_in_print(browser, addresses):
+    """The window is as wide as a sheet of paper between its margins."""
     browser.resize(718, 1000)
     browser.open(f"{addresses['http']}/solutions/ch4/p18.html")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
@@ -114,8 +112,8 @@ def test_on_paper_no_line_of_code_is_broken(browser, addresses):
     assert broken and max(broken) <= 1
 
 
-def test_on_paper_a_fold_does_not_fade_in(browser, addresses, problem):
-    """What fades in as its fold opens is blank at the moment when the page is printed."""
+def test_a_fold_does_not_fade_in_in_print(browser, addresses, problem):
+    """An element that fades in as its fold opens is blank when the page is printed."""
     browser.open(f"{addresses['http']}/{problem.page}")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     fading = browser.run("""(() => {
@@ -127,9 +125,8 @@ def test_on_paper_a_fold_does_not_fade_in(browser, addresses, problem):
     assert fading == 0 and set(buttons) == {"none"}
 
 
-def test_on_paper_formulas_are_as_thin_as_words_and_tables_go_on_overleaf(browser, addresses):
-    """A line round each letter that a screen does not show makes formulas bold in a document; a
-    table that is kept together leaves the first page of a guide nearly blank."""
+def test_formulas_are_not_bold_and_tables_break_in_print(browser, addresses):
+    """A stroke around letters makes formulas bold; an unbreakable table leaves a page blank."""
     browser.open(f"{addresses['http']}/solutions/ch2/p24.html")
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
     strokes = browser.run("""[...document.querySelectorAll('article mjx-container svg :is(path, use)')].map(

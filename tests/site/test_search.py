@@ -1,4 +1,4 @@
-"""The index that the search looks into."""
+"""The index of the search."""
 
 import json
 import subprocess
@@ -17,18 +17,18 @@ def setup(app):
 
 
 def build(folder):
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-m", "sphinx", "-q", "-W", folder, folder / "_build"],
         capture_output=True,
         text=True,
         timeout=120,
     )
-    assert done.returncode == 0, done.stderr
+    assert process.returncode == 0, process.stderr
     text = (folder / "_build" / "searchindex.js").read_text(encoding="utf-8")
     return json.loads(text.removeprefix("Search.setIndex(").removesuffix(")"))["indexentries"]
 
 
-def test_entries_of_pages_that_are_not_written_again_are_kept(tmp_path):
+def test_index_entries_of_unchanged_pages_are_kept(tmp_path):
     (tmp_path / "conf.py").write_text(CONFIGURATION, encoding="utf-8")
     (tmp_path / "index.rst").write_text(
         "Start\n=====\n\n.. toctree::\n\n   one\n   two\n", encoding="utf-8"

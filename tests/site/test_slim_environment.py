@@ -1,5 +1,4 @@
-"""What Sphinx keeps between builds: little of each page, and the same numbers and titles come
-out."""
+"""Sphinx keeps little of each page between builds, and numbers and titles stay the same."""
 
 import pickle
 import re
@@ -16,17 +15,17 @@ extensions = ["sphinx_exercise", "sphinx_proof"]
 numfig = True
 
 def count_reading(app):
-    # a page that is counted is to be read from the disk no more
+    # note each page that is read from the disk
     from sphinx.environment import BuildEnvironment
     read = BuildEnvironment.get_doctree
-    def noted(env, page):
+    def read_and_note(env, page):
         with open(app.outdir / "read", "a") as file:
             file.write(page + " ")
         return read(env, page)
-    BuildEnvironment.get_doctree = noted
+    BuildEnvironment.get_doctree = read_and_note
 
 def setup(app):
-    if {{kept}}:
+    if {{slim}}:
         from workbook_site import slim_environment
         slim_environment.setup(app)
     app.connect("builder-inited", count_reading)
@@ -88,20 +87,20 @@ Two
 }
 
 
-def build(folder, kept):
-    (folder / "conf.py").write_text(CONFIGURATION.replace("{kept}", str(kept)), encoding="utf-8")
+def build(folder, slim):
+    (folder / "conf.py").write_text(CONFIGURATION.replace("{slim}", str(slim)), encoding="utf-8")
     (folder / "_build" / "read").unlink(missing_ok=True)
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-m", "sphinx", "-q", folder, folder / "_build"],
         capture_output=True,
         text=True,
         timeout=120,
     )
-    assert done.returncode == 0, done.stderr
+    assert process.returncode == 0, process.stderr
     pages = {
         name: (folder / "_build" / f"{name}.html").read_text(encoding="utf-8") for name in PAGES
     }
-    # of style sheets, once they are there
+    # digests of style sheets
     pages = {name: re.sub(r"\?v=\w+", "", page) for name, page in pages.items()}
     data = (folder / "_build" / ".doctrees" / "environment.pickle").read_bytes()
     return pages, data, (folder / "_build" / "read").read_text(encoding="utf-8").split()
@@ -130,7 +129,7 @@ def test_numbers_and_titles_are_those_of_sphinx(tmp_path):
     )
 
 
-def test_a_changed_page_asks_for_no_other(tmp_path):
+def test_a_changed_page_needs_no_other_page(tmp_path):
     folder = book(tmp_path / "a")
     build(folder, True)
     with open(folder / "three.rst", "a", encoding="utf-8") as file:

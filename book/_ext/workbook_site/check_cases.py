@@ -1,4 +1,4 @@
-"""The page of the checks: accepted and rejected answers, from the tables that are their tests."""
+"""The page of the checks: accepted and rejected answers, from their tables of tests."""
 
 import importlib.util
 import re

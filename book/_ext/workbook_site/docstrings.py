@@ -37,7 +37,7 @@ class PlainInliner:
 
 
 def parse(text, document):
-    """Return the nodes of reStructuredText whose words are plain; `document` is that of the page."""
+    """Return the nodes of reStructuredText whose words are plain text."""
     parsed = new_document(document["source"], document.settings)
     # The blocks of a docstring are words too: an unusual indentation in them is no fault of the book.
     parsed.reporter = Reporter(document["source"], report_level=Reporter.SEVERE_LEVEL, halt_level=5)

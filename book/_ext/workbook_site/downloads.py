@@ -1,4 +1,4 @@
-"""Downloads beside the pages: the students' notebooks, and the wheel of trajlib and workbook.
+"""Downloads: the students' notebooks, and the wheel of trajlib and workbook.
 
 A notebook has the same path as in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel
 into wheels/.
@@ -58,7 +58,7 @@ def _copy_notebooks(app, exception):
 
 
 def _served(source, base, solved):
-    """Return the text of a notebook, its links leading to this edition if the site has an address."""
+    """Return the text of a notebook with links to this edition, if the site has an address."""
     notebook = json.loads(source.read_text(encoding="utf-8"))
     if base:
         to_site = exercises.site_urls(base)

@@ -21,7 +21,7 @@ SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
 class CaptionFigures(SphinxPostTransform):
-    """Joins pictures and captions, after myst-nb has chosen the outputs and before it folds code."""
+    """Joins pictures and captions, after myst-nb chose the outputs and before it folds code."""
 
     default_priority = 150
     formats = ("html",)

@@ -1,4 +1,4 @@
-"""The pages of the library: a section for each public name of a module, by autodoc and numpydoc."""
+"""The pages of the library: a section for each public name, by autodoc and numpydoc."""
 
 import importlib
 import inspect
@@ -15,7 +15,7 @@ LETTER = re.compile(r"^( *)([A-Za-z]\.(?: |$))")
 
 
 class Library(SphinxDirective):
-    """Shows a module: its docstring, then its functions and classes with the pages that use them."""
+    """Shows a module: its docstring, its functions and classes, and the pages that use them."""
 
     required_arguments = 1
 

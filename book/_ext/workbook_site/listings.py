@@ -77,7 +77,7 @@ class ProblemList(Listing):
 
 
 class TopicIndex(Listing):
-    """Lists every topic with its problems, by first letter; the chips of the problem pages link here."""
+    """Lists every topic with its problems, by first letter; chips of problem pages link here."""
 
     def content_of(self, problems):
         topics = {}

@@ -2,7 +2,7 @@
 
 
 def _without_thebe(app):
-    """Undo what sphinx-thebe adds: Jupyter Book always loads it, and it links a CDN in every page."""
+    """Undo sphinx-thebe: Jupyter Book always loads it, and it links a CDN in every page."""
     for listeners in list(app.events.listeners.values()):
         for listener in list(listeners):
             if listener.handler.__module__ == "sphinx_thebe":

@@ -1,4 +1,4 @@
-"""A comma or a full stop stays with the formula before it, also where a browser breaks lines."""
+"""A comma or a full stop stays with the formula before it when a browser breaks lines."""
 
 import re
 
