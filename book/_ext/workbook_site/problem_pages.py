@@ -2,7 +2,7 @@
 
 The front matter of the master is shown as the page is read: the number with the title, a line of
 chips and the notebook under it, the answers asked for and the hints under the statement. The file
-itself is never changed.
+itself is never changed. For the search, the number becomes an index entry.
 """
 
 import json

@@ -1,4 +1,4 @@
-"""Texts of numbers and of values of symbols in messages."""
+"""Texts of numbers and of values of symbols in messages, such as counterexamples."""
 
 import math
 
