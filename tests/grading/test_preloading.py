@@ -51,6 +51,7 @@ def test_functions_of_ours_that_a_notebook_names():
         "trajlib.stability.hurwitz",
         "trajlib._arguments.matrices",
         "trajlib._arguments.symbols",
+        "trajlib._types",
     }, "with what it imports itself"
     assert not set(loaded(["1.15"], ["hurwitz_minors = 1"])) - set(loaded(["1.15"], [])), (
         "no theme is named"

@@ -258,7 +258,7 @@ def _from_floats(A):
     margin = float(-eigenvalues.real.max())
     scale = np.linalg.norm(A, 2)
     rounding = 10 * len(A) * np.finfo(float).eps * scale
-    # The smallest singular value of A - i w E is the distance to the matrices that have the
+    # The smallest singular value of A - i w I is the distance to the matrices that have the
     # eigenvalue i w.
     distance = min(
         np.linalg.svd(A - 1j * w * np.eye(len(A)), compute_uv=False)[-1]
