@@ -16,3 +16,11 @@ ArrayLike: TypeAlias = Any
 Scalar: TypeAlias = Any
 #: `sympy.Matrix` for exact arguments, `numpy.ndarray` otherwise.
 Matrix: TypeAlias = Any
+#: An expression or a number.
+ExprLike: TypeAlias = Any
+#: Several expressions: a list, a tuple or a matrix with one column.
+Expressions: TypeAlias = Any
+#: A polynomial: an expression, a Poly, or the coefficients with the highest power first.
+PolynomialLike: TypeAlias = Any
+#: One symbol or several.
+Symbols: TypeAlias = Any

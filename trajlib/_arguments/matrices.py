@@ -7,7 +7,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals
-from trajlib._types import Matrix
+from trajlib._typing import Matrix
 
 
 def is_float_array(matrix):

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_exact_matrix, read_observed
-from trajlib._types import MatrixLike
+from trajlib._typing import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure.decomposition import named_matrices
 from trajlib.structure.measurement_errors import with_measurement_error

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib._types import MatrixLike
+from trajlib._typing import MatrixLike
 from trajlib.structure.pbh import HiddenMode
 from trajlib.structure.rank_tests import controllability, observability
 from trajlib.typesetting import escape_markdown

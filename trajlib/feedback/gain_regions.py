@@ -9,7 +9,7 @@ coordinates is one with zeros.
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_exact_matrix, read_observed
-from trajlib._types import ExprLike, MatrixLike, Symbols
+from trajlib._typing import ExprLike, MatrixLike, Symbols
 from trajlib.stability.regions import StabilityConditions, stability_conditions
 
 

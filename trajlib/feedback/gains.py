@@ -18,7 +18,7 @@ import sympy as sp
 
 from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
-from trajlib._types import ExprLike, MatrixLike
+from trajlib._typing import ExprLike, MatrixLike
 from trajlib.feedback.fixed_spectrum import detectability, stabilisability
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact

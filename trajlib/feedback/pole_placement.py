@@ -6,8 +6,8 @@ more for n = 40. So it is computed with many digits, and again with twice as man
 to all those of a float; bad units cost nothing, since these numbers have no bounds on their
 exponents. The rounding of K to floats is all the error that is left. It can be too much by itself:
 to move thirty eigenvalues of a general matrix by one control takes a gain so large that its last
-digit moves them by more than their size. Then there is no good gain of floats, and `Placement` says
-so.
+digit moves them by more than their size. Then there is no good gain of floats, and `Placement`
+shows it.
 
 With several controls the gain is chosen for well-conditioned eigenvectors, by
 `scipy.signal.place_poles` (A. L. Tits and Y. Yang, Globally convergent algorithms for robust pole
@@ -30,7 +30,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajlib._arguments.matrices import read_controlled
-from trajlib._types import MatrixLike
+from trajlib._typing import MatrixLike
 from trajlib.structure.rank_tests import controllability
 from trajlib.structure.scaling import balanced
 

@@ -18,7 +18,7 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
-from trajlib._types import ExprLike, Matrix, MatrixLike
+from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter

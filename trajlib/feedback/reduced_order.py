@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
-from trajlib._types import ExprLike, MatrixLike
+from trajlib._typing import ExprLike, MatrixLike
 from trajlib.feedback.gains import GainFamily, observer
 from trajlib.structure import exact
 

@@ -25,7 +25,7 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
 from trajlib._real_symbols import as_real, restore_names, vanishes
-from trajlib._types import Expressions, Symbols
+from trajlib._typing import Expressions, Symbols
 from trajlib.stability.first_obstacle import first_level, short
 from trajlib.stability.inequalities import sign_of
 from trajlib.stability.lyapunov import (

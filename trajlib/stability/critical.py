@@ -23,7 +23,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
 from trajlib._real_symbols import as_real, restore_names
-from trajlib._types import MatrixLike
+from trajlib._typing import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors
 from trajlib.stability.inequalities import sign_of
 from trajlib.typesetting import escape_markdown
@@ -258,7 +258,7 @@ def _from_floats(A):
     margin = float(-eigenvalues.real.max())
     scale = np.linalg.norm(A, 2)
     rounding = 10 * len(A) * np.finfo(float).eps * scale
-    # The smallest singular value of A - i w E is the distance to the matrices that have the
+    # The smallest singular value of A - i w I is the distance to the matrices that have the
     # eigenvalue i w.
     distance = min(
         np.linalg.svd(A - 1j * w * np.eye(len(A)), compute_uv=False)[-1]

@@ -12,7 +12,7 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, join_names, read_field, read_symbols
 from trajlib._real_symbols import as_real
-from trajlib._types import Expressions, Symbols
+from trajlib._typing import Expressions, Symbols
 from trajlib.stability.inequalities import nonnegative, positive, tidied
 from trajlib.stability.real_solutions import solve_real
 

@@ -21,7 +21,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
 from trajlib._arguments.symbols import exact_decimals, join_names, read_expression, read_symbols
-from trajlib._types import ExprLike, Matrix, MatrixLike, PolynomialLike
+from trajlib._typing import ExprLike, Matrix, MatrixLike, PolynomialLike
 
 
 def characteristic_polynomial(A: MatrixLike, symbol: sp.Symbol) -> sp.Expr:

@@ -10,7 +10,7 @@ import sympy as sp
 
 from trajlib._arguments.symbols import join_names, read_expressions, read_field, read_symbols
 from trajlib._real_symbols import vanishes
-from trajlib._types import Expressions, Matrix, Symbols
+from trajlib._typing import Expressions, Matrix, Symbols
 
 
 def linearise(

@@ -10,7 +10,7 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field, read_symbols
 from trajlib._real_symbols import as_real, restore_names, vanishes
-from trajlib._types import Expressions, Symbols
+from trajlib._typing import Expressions, Symbols
 from trajlib.flows import lie_derivative
 from trajlib.stability.inequalities import positive, sign_of, tidied
 from trajlib.stability.real_solutions import solve_real

@@ -13,7 +13,7 @@ import sympy as sp
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
 from trajlib._real_symbols import as_real
-from trajlib._types import Expressions, ExprLike, MatrixLike, Symbols
+from trajlib._typing import Expressions, ExprLike, MatrixLike, Symbols
 from trajlib.stability.inequalities import equation, positive, sign_of, tidied
 from trajlib.stability.real_solutions import definedness
 from trajlib.stability.regions import latex_condition

@@ -11,7 +11,7 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field, read_symbols
 from trajlib._real_symbols import as_real, restore_names
-from trajlib._types import Expressions, ExprLike, Symbols
+from trajlib._typing import Expressions, ExprLike, Symbols
 from trajlib.stability.inequalities import sign_factors
 from trajlib.stability.real_solutions import solve_real
 from trajlib.stability.strict_inequalities import TooLarge, solution_point

@@ -23,7 +23,7 @@ from trajlib._arguments.symbols import (
     read_symbols,
 )
 from trajlib._real_symbols import as_real
-from trajlib._types import ExprLike, MatrixLike, PolynomialLike, Symbols
+from trajlib._typing import ExprLike, MatrixLike, PolynomialLike, Symbols
 from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors, read_coefficients
 from trajlib.stability.inequalities import conjunction, sign_of
 

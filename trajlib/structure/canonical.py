@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
-from trajlib._types import Matrix, MatrixLike
+from trajlib._typing import Matrix, MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
 from trajlib.structure.decomposition import holds_where, inverse, named_matrices

@@ -9,7 +9,7 @@ Then T A P is block upper triangular:
     y_1' = C_1 y_1 + A_12 y_2 + ... + e_1 u_1,    y_2' = C_2 y_2 + ... + e_1 u_2,    ...
 
 C_i has ones below the diagonal and coefficients in the last column, A_ij (i < j) is zero but for
-its last column. The last subsystem is controlled by u_s alone, whatever the others are; u_1 alone
+its last column. The last subsystem is controlled by u_s alone, for any others; u_1 alone
 controls the first one, the others being its disturbances. If b^j depends on the columns before it,
 its subsystem is empty (size 0), and u_j acts on the earlier ones.
 
@@ -51,7 +51,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
-from trajlib._types import MatrixLike
+from trajlib._typing import MatrixLike
 from trajlib.structure import exact
 from trajlib.structure.decomposition import holds_where, named_matrices
 

@@ -1,7 +1,7 @@
 r"""The distance to the nearest unobservable pair: a proved bracket, not only an upper bound.
 
 The distance of (A, H), in the 2-norm of a change of both, complex changes allowed, is the least
-value of sigma(lambda) = sigma_min(A - lambda E; H) over all complex lambda (R. Eising, Systems &
+value of sigma(lambda) = sigma_min(A - lambda I; H) over all complex lambda (R. Eising, Systems &
 Control Letters 4 (1984) 263-264). Every value of sigma is an upper bound; the lower one needs a
 proof. Here it comes from
 
@@ -12,7 +12,7 @@ so
 
     sigma^2 >= min of sigma^2 over the corners - side^2/2    in the whole square.
 
-A square that this does not settle is divided into four. As |(A - lambda E) v| >= |v*Av - lambda|
+A square that this does not settle is divided into four. As |(A - lambda I) v| >= |v*Av - lambda|
 for |v| = 1, values below U lie within U of the field of values of A, which the eigenvalues of the
 symmetric and of the skew part of A enclose in a rectangle; A is real, so that its upper half is
 enough.
@@ -28,7 +28,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib._arguments.matrices import read_controlled, read_observed
-from trajlib._types import MatrixLike
+from trajlib._typing import MatrixLike
 from trajlib.structure.floats import tolerance
 from trajlib.structure.nearest import descend, smallest
 
@@ -183,7 +183,7 @@ def _field_of_values(A, reach):
 
 
 def _not_less_than(A, H, points, side):
-    """Return lower bounds of sigma at many points, whatever the rounding.
+    """Return lower bounds of sigma at many points, rounding included.
 
     The eigenvalues of the square are fast but keep half of the digits, which is nothing beside a
     large `side`.

@@ -13,7 +13,7 @@ import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled
 from trajlib._arguments.symbols import read_expression
-from trajlib._types import ExprLike, Matrix, MatrixLike
+from trajlib._typing import ExprLike, Matrix, MatrixLike
 
 
 def controllability_gramian(

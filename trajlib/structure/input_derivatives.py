@@ -18,7 +18,7 @@ import sympy as sp
 
 from trajlib._arguments.matrices import read_exact_matrix, read_observed
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
-from trajlib._types import MatrixLike, PolynomialLike
+from trajlib._typing import MatrixLike, PolynomialLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact
 from trajlib.structure.canonical import controller_canonical_form

@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
-from trajlib._types import Matrix, MatrixLike
+from trajlib._typing import Matrix, MatrixLike
 
 
 def observability_matrix(A: MatrixLike, H: MatrixLike | None = None) -> Matrix:

@@ -25,7 +25,7 @@ from trajlib._arguments.matrices import (
     read_observed,
 )
 from trajlib._arguments.symbols import join_names, read_symbols
-from trajlib._types import Matrix, MatrixLike, Symbols
+from trajlib._typing import Matrix, MatrixLike, Symbols
 from trajlib.structure.parameters import RankConditions, rank_conditions
 
 

@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
-from trajlib._types import Matrix, MatrixLike
+from trajlib._typing import Matrix, MatrixLike
 from trajlib.structure import exact
 from trajlib.structure.pbh import LAMBDA, HiddenMode, hidden_modes
 from trajlib.structure.rank_tests import RankTest, float_test, rank_test

@@ -1,7 +1,7 @@
 """The nearest unobservable system: the PBH test in floating-point numbers.
 
 The distance from (A, H) to the pairs that are not observable is the least singular value of (A -
-lambda E; H) over all complex lambda (R. Eising, Systems & Control Letters 4 (1984) 263-264). It has
+lambda I; H) over all complex lambda (R. Eising, Systems & Control Letters 4 (1984) 263-264). It has
 many local minima. `nearest` descends from
 
 - the eigenvalues of A, and of the blocks of the staircase behind its smallest steps: a step taken

@@ -20,7 +20,7 @@ import sympy as sp
 from trajlib._arguments.matrices import read_controlled, read_observed
 from trajlib._arguments.symbols import join_names, read_symbols
 from trajlib._real_symbols import as_real, restore_names
-from trajlib._types import MatrixLike, Symbols
+from trajlib._typing import MatrixLike, Symbols
 from trajlib.stability.inequalities import equation
 from trajlib.stability.regions import latex_region
 from trajlib.structure import exact

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib._types import Matrix
+from trajlib._typing import Matrix
 from trajlib.structure.exact import simple_multiple
 
 # A stand-in, so that the user's own matrices may contain a symbol lambda.

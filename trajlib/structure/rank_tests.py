@@ -12,7 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
-from trajlib._types import MatrixLike
+from trajlib._typing import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers

@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
-from trajlib._types import Matrix, MatrixLike
+from trajlib._typing import Matrix, MatrixLike
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
 

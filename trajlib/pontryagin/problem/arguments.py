@@ -72,7 +72,3 @@ def read_duration(duration):
     if duration.is_positive is False or duration == sp.oo:
         raise ValueError(f"duration: expected a positive number, got {duration}")
     return duration
-
-
-def names_of(symbols):
-    return ", ".join(sorted(map(str, symbols)))

@@ -15,9 +15,8 @@ from typing import Any, Self
 
 import sympy as sp
 
-from trajlib._arguments.symbols import exact_decimals, read_expression
+from trajlib._arguments.symbols import exact_decimals, join_names, read_expression
 from trajlib.pontryagin.problem.arguments import (
-    names_of,
     read_bounds,
     read_duration,
     read_initial,
@@ -181,15 +180,15 @@ class Statement:
     def _check_symbols(self):
         states, controls = set(self.state), set(self.control)
         if states & controls:
-            raise ValueError(f"controls: {names_of(states & controls)} is a state already")
+            raise ValueError(f"controls: {join_names(states & controls)} is a state already")
         if set(self.initial) != states:
             missing, extra = states - set(self.initial), set(self.initial) - states
             if extra:
                 raise ValueError(
-                    f"initial: {names_of(extra)} is no state (states: {names_of(states)})"
+                    f"initial: {join_names(extra)} is no state (states: {join_names(states)})"
                 )
             raise ValueError(
-                f"initial: no value for {names_of(missing)}; write None for a state that is free "
+                f"initial: no value for {join_names(missing)}; write None for a state that is free "
                 "at t = 0"
             )
         for name, expressions in (("terminal", self.terminal), ("final", [self.final])):
