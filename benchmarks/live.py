@@ -1,15 +1,13 @@
-"""From the command to a cell that answers: `workbook live 1.15` against plain `jupyter lab` with
-the same imports; and the frames of the explorers.
+"""Start of `workbook live 1.15` against plain `jupyter lab`, and frames of the explorers.
 
-Both are driven as JupyterLab's page drives its server: the notebook is asked for, a kernel is
-started, the first cell is sent to it. Cold is the first run after the files of the environment have
-left the system's cache, which only root can see to; without it only warm runs are timed. The time
-that the browser takes to draw its page is in neither.
+Both servers are driven as JupyterLab's page drives them: the notebook is requested, a kernel is
+started, the first cell is sent to it. A cold start is the first one after the files of the
+environment have left the system's cache, which needs root; without it only warm starts are timed.
+The time that the browser takes to draw its page is not included.
 
-A frame is counted twice: in core-seconds of the kernel, so that a busy machine says the same as a
-quiet one, and as the browser gets it, pictures a second while a pointer moves all the time (needs
-Chromium; `--frames` times only this). The bar is 20 a second. The ways to send a frame are compared
-on one picture.
+A frame is measured in core-seconds of the kernel, which do not depend on the load of the machine,
+and as pictures a second in the browser while a pointer moves (needs Chromium; `--frames` times
+frames only). The bar is 20 a second. The formats of a frame are compared on one picture.
 """
 
 import json
@@ -41,36 +39,42 @@ IMPORTS = (
 )
 DATA = "k1, k2, s = sp.symbols('k1 k2 s', real=True)\na_poly = s**3 + k1*s**2 + k2*s + 1\na_poly\n"
 PICTURE = "plotting.region(sp.And(k1 > 0, k1*k2 > 1), [k1, k2], (-2, 4), (-2, 4))\n"
-JUDGED = "%check a_region = sp.And(k1 > 0, k1*k2 > 1)"
+CHECK = "%check a_region = sp.And(k1 > 0, k1*k2 > 1)"
 
 
 def main():
     if "--frames" not in sys.argv:
-        starts()
-    ways_to_send()
-    kernels_side()
-    browsers_side()
+        start_times()
+    frame_formats()
+    frames_in_kernel()
+    frames_in_browser()
 
 
-def starts():
-    ours, theirs = [], []
+def start_times():
+    workbook_runs, jupyter_runs = [], []
     for _ in range(RUNS):  # in turns, so that both meet the same machine
-        ours.append(timed(live))
-        theirs.append(timed(lab))
+        workbook_runs.append(time_lecture(live))
+        jupyter_runs.append(time_lecture(lab))
     for what in ("first cell", "first picture", "check"):
-        mine = median(run[what] for run in ours)
-        other = median(run[what] for run in theirs) if what in theirs[0] else None
-        print(
-            f"{what:14} workbook live {mine:6.2f} s"
-            + (f"   jupyter lab {other:6.2f} s   {other / mine:5.1f} times" if other else "")
+        workbook_time = median(run[what] for run in workbook_runs)
+        jupyter_time = (
+            median(run[what] for run in jupyter_runs) if what in jupyter_runs[0] else None
         )
-    if os.geteuid() == 0 and forget_files():
-        print(f"first cell, cold: workbook live {timed(live)['first cell']:6.2f} s")
-        forget_files()
-        print(f"first cell, cold: jupyter lab  {timed(lab)['first cell']:6.2f} s")
+        print(
+            f"{what:14} workbook live {workbook_time:6.2f} s"
+            + (
+                f"   jupyter lab {jupyter_time:6.2f} s   {jupyter_time / workbook_time:5.1f} times"
+                if jupyter_time
+                else ""
+            )
+        )
+    if os.geteuid() == 0 and drop_file_caches():
+        print(f"first cell, cold: workbook live {time_lecture(live)['first cell']:6.2f} s")
+        drop_file_caches()
+        print(f"first cell, cold: jupyter lab  {time_lecture(lab)['first cell']:6.2f} s")
 
 
-#: What is asked for, and the values that move.
+#: Explorers with the parameters that are moved.
 EXPLORERS = {
     "region_of_stability": "k1",
     "phase_portrait 1.4": "epsilon",
@@ -83,7 +87,7 @@ EXPLORERS = {
 FRAMES = 40
 
 
-def kernels_side():
+def frames_in_kernel():
     """Core-seconds of one frame, by a slider and by the pointer, and of opening the explorer."""
     from workbook.live.explorers import explore
 
@@ -91,37 +95,40 @@ def kernels_side():
         "\nexplorer                 opens       by slider   by pointer   (core-seconds in the "
         "kernel)"
     )
-    for words, moved in EXPLORERS.items():
+    for arguments, parameter in EXPLORERS.items():
         began = time.process_time()
-        explorer = explore(words)
+        explorer = explore(arguments)
         opened = time.process_time() - began
         by_slider = "-"
-        if moved:
-            control = explorer.controls[moved]
-            places = [
+        if parameter:
+            control = explorer.controls[parameter]
+            positions = [
                 type(control.value)(control.min + (control.max - control.min) * (k + 0.5) / FRAMES)
                 for k in range(FRAMES)
             ]
-            by_slider = f"{core_seconds(explorer, lambda place: setattr(control, 'value', place), places) * 1e3:.1f} ms"
+            seconds_of_frame = core_seconds(
+                explorer, lambda position: setattr(control, "value", position), positions
+            )
+            by_slider = f"{seconds_of_frame * 1e3:.1f} ms"
         by_pointer = "-"
         if explorer.follows_pointer:
-            places = [
+            positions = [
                 f"{k} {0.2 + 0.2 * k / FRAMES:.4f} {0.3 + 0.4 * k / FRAMES:.4f}"
                 for k in range(FRAMES)
             ]
             moves = core_seconds(
-                explorer, lambda place: setattr(explorer._pointer, "value", place), places
+                explorer, lambda position: setattr(explorer._pointer, "value", position), positions
             )
             by_pointer = f"{moves * 1e3:.1f} ms"
-        print(f"{words:22} {opened:6.2f} s {by_slider:>14} {by_pointer:>12}")
+        print(f"{arguments:22} {opened:6.2f} s {by_slider:>14} {by_pointer:>12}")
 
 
-def core_seconds(explorer, move, places):
+def core_seconds(explorer, move, positions):
     """Of a frame, or nan where the moves draw none."""
-    move(places[0])
+    move(positions[0])
     frames, began = explorer.frames, time.process_time()
-    for place in places[1:]:
-        move(place)
+    for position in positions[1:]:
+        move(position)
     return (
         (time.process_time() - began) / (explorer.frames - frames)
         if explorer.frames > frames
@@ -129,9 +136,8 @@ def core_seconds(explorer, move, places):
     )
 
 
-def ways_to_send():
-    """One picture of the plane and the roots, redrawn whole and in its moving parts, in the formats
-    a browser shows."""
+def frame_formats():
+    """Time the formats of one picture, drawn whole and by its moving parts."""
     import io
 
     from PIL import Image
@@ -144,15 +150,15 @@ def ways_to_send():
         "RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1
     )
 
-    def saved(form, **how):
-        told = io.BytesIO()
-        picture.convert("RGB").save(told, form, **how)
-        return len(told.getvalue())
+    def saved(form, **options):
+        file = io.BytesIO()
+        picture.convert("RGB").save(file, form, **options)
+        return len(file.getvalue())
 
     def whole(form):
-        told = io.BytesIO()
-        figure.savefig(told, format=form)
-        return len(told.getvalue())
+        file = io.BytesIO()
+        figure.savefig(file, format=form)
+        return len(file.getvalue())
 
     ways = {
         "moving parts, JPEG (ours)": lambda: len(explorer.figure.frame()),
@@ -173,9 +179,8 @@ def ways_to_send():
         )
 
 
-def browsers_side():
-    """Pictures that the page has loaded in a second while a pointer moves over it without a
-    rest."""
+def frames_in_browser():
+    """Count the frames that a page loads in a second while a pointer moves over it."""
     sys.path.insert(0, str(ROOT / "tests" / "browser"))
     from chromium import Browser
     from selenium.webdriver import ActionChains
@@ -189,7 +194,7 @@ def browsers_side():
             shutil.which("chromium"), shutil.which("chromedriver"), f"{folder}/profile"
         )
         try:
-            for words in EXPLORERS:
+            for arguments in EXPLORERS:
                 notebook = call(port, token, f"/api/contents/{path}")["content"]
                 notebook["cells"] = [
                     {
@@ -198,7 +203,7 @@ def browsers_side():
                         "execution_count": None,
                         "metadata": {},
                         "outputs": [],
-                        "source": f"%explore {words}",
+                        "source": f"%explore {arguments}",
                     }
                 ]
                 call(
@@ -225,7 +230,7 @@ def browsers_side():
                 )
                 browser.wait_for(idle, 60)
                 print(
-                    f"{words:22} {browser.driver.execute_async_script(PULLED):5.1f} frames a "
+                    f"{arguments:22} {browser.driver.execute_async_script(COUNT_FRAMES):5.1f} frames a "
                     "second in the browser"
                 )
         finally:
@@ -235,7 +240,7 @@ def browsers_side():
 
 #: Moves a pressed pointer over the layer for four seconds, or the slider where the pointer does
 #: nothing.
-PULLED = """
+COUNT_FRAMES = """
 const done = arguments[0], layer = document.querySelector('.workbook-layer');
 const image = document.querySelector('.workbook-figure img'), box = image.getBoundingClientRect();
 const handle = document.querySelector('.workbook-explorer .noUi-handle'), began = performance.now();
@@ -257,7 +262,7 @@ function step() {
 step();"""
 
 
-def forget_files():
+def drop_file_caches():
     try:
         os.sync()
         Path("/proc/sys/vm/drop_caches").write_text("3")
@@ -266,7 +271,7 @@ def forget_files():
     return True
 
 
-def timed(start):
+def time_lecture(start):
     with TemporaryDirectory() as folder:
         began = time.perf_counter()
         process, port, token, path = start(Path(folder))
@@ -277,17 +282,17 @@ def timed(start):
                 "/api/sessions",
                 {"path": path, "name": path, "type": "notebook", "kernel": {"name": "python3"}},
             )
-            place = f"ws://127.0.0.1:{port}/api/kernels/{session['kernel']['id']}/channels?token={token}"
-            kernel = websocket.create_connection(place, timeout=120)
+            address = f"ws://127.0.0.1:{port}/api/kernels/{session['kernel']['id']}/channels?token={token}"
+            kernel = websocket.create_connection(address, timeout=120)
             run(kernel, IMPORTS + DATA)
-            found = {"first cell": time.perf_counter() - began}
-            found["first picture"] = seconds(run, kernel, PICTURE)
+            times = {"first cell": time.perf_counter() - began}
+            times["first picture"] = seconds(run, kernel, PICTURE)
             if start is live:
-                found["check"] = seconds(run, kernel, JUDGED)
+                times["check"] = seconds(run, kernel, CHECK)
             kernel.close()
         finally:
             end(process)
-    return found
+    return times
 
 
 def end(process):
@@ -310,8 +315,8 @@ def live(folder):
         stdout=subprocess.PIPE,
         text=True,
     )
-    found = re.search(r"127\.0\.0\.1:(\d+)/\S*token=(\w+)", process.stdout.readline())
-    return process, found[1], found[2], "1.15.ipynb"
+    match = re.search(r"127\.0\.0\.1:(\d+)/\S*token=(\w+)", process.stdout.readline())
+    return process, match[1], match[2], "1.15.ipynb"
 
 
 def lab(folder):
@@ -359,12 +364,12 @@ def call(port, token, path, body=None, method=None):
 
 def run(kernel, source):
     """Run a cell to its end; what it said of an error ends the benchmark."""
-    asked = uuid.uuid4().hex
+    message_id = uuid.uuid4().hex
     kernel.send(
         json.dumps(
             {
                 "header": {
-                    "msg_id": asked,
+                    "msg_id": message_id,
                     "username": "",
                     "session": "benchmark",
                     "msg_type": "execute_request",
@@ -389,7 +394,7 @@ def run(kernel, source):
     left = {"execute_reply", "idle"}
     while left:
         message = json.loads(kernel.recv())
-        if message["parent_header"].get("msg_id") == asked:
+        if message["parent_header"].get("msg_id") == message_id:
             if message["msg_type"] == "error":
                 sys.exit("\n".join(message["content"]["traceback"]))
             left -= {message["msg_type"], message["content"].get("execution_state")}

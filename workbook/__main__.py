@@ -1,4 +1,4 @@
-"""Entry point of the command `workbook`; where an extra is missing, one line says what to install."""
+"""Entry point of the command `workbook`; one line says what to install where it is missing."""
 
 import sys
 from importlib.util import find_spec

@@ -1,4 +1,4 @@
-"""The command `workbook`; bad input ends in one line that says what and where, with exit code 2."""
+"""The command `workbook`; bad input ends in one line and exit code 2."""
 
 import gc
 import json
@@ -232,7 +232,7 @@ app.command()(grading.score)
 
 
 def main():
-    """Run the command; an error that the user can fix becomes one line on stderr and exit code 2."""
+    """Run the command; errors of the user end in one line on stderr and exit code 2."""
     try:
         app()
     except (UserError, exercises.UnknownExercise) as error:

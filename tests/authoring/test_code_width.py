@@ -1,5 +1,4 @@
-"""Code is read without scrolling: the site's column, a printed page and a notebook show 79
-characters."""
+"""Lines of code fit the site's column, a printed page and a notebook: 79 characters."""
 
 import re
 from pathlib import Path

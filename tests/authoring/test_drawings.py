@@ -1,5 +1,4 @@
-"""The drawings of the statements: nothing is cut off or printed over, and every symbol is one of
-the text."""
+"""The drawings of the statements: letters fit and do not overlap, symbols are in the text."""
 
 import functools
 import re
@@ -19,7 +18,7 @@ DRAWN = [
     for path in master_paths(ROOT / "solutions")
     if "\n:tags: [drawing" in path.read_text(encoding="utf-8")
 ]
-once = functools.cache(read)
+read_cached = functools.cache(read)
 
 
 def drawings(master):
@@ -42,37 +41,37 @@ def labels(drawing):
 
 @pytest.fixture(params=DRAWN, ids=lambda path: f"{path.parent.name[2:]}.{int(path.stem[1:])}")
 def master(request):
-    return once(request.param)
+    return read_cached(request.param)
 
 
-def test_letters_are_on_the_sheet_and_apart(master):
+def test_texts_are_on_the_sheet_and_do_not_overlap(master):
     for drawing in drawings(master):
-        found, sheet = labels(drawing), drawing._figure.bbox
-        assert found
-        for text, box in found:
+        texts, sheet = labels(drawing), drawing._figure.bbox
+        assert texts
+        for text, box in texts:
             assert box.x0 >= 0 and box.y0 >= 0 and box.x1 <= sheet.x1 and box.y1 <= sheet.y1, (
                 f"{text} is cut off"
             )
-        for (text, box), (other, its_box) in combinations(found, 2):
+        for (text, box), (other, its_box) in combinations(texts, 2):
             assert not box.overlaps(its_box), f"{text} is printed over {other}"
 
 
-def test_a_phone_shows_it_with_letters_that_can_be_read(master):
+def test_drawings_are_legible_on_a_phone(master):
     """On 390 px the column has 314: of 4.6 inches, 442 px, letters of 13 points keep 9."""
     for drawing in drawings(master):
         assert drawing._figure.get_figwidth() <= 4.6
 
 
-def test_every_symbol_stands_in_the_statement(master):
+def test_every_symbol_is_in_the_statement(master):
     statement = "\n".join(cell.source for cell in master.cells if not cell.role)
-    statement = squeezed(statement[: statement.index("{solution-start}")])
+    statement = without_spaces(statement[: statement.index("{solution-start}")])
     for drawing in drawings(master):
         for text, _ in labels(drawing):
             for formula in re.findall(r"\$(.+?)\$", text):
                 for symbol in re.split(r"[=,()]", formula):
-                    assert squeezed(symbol) in statement, f"{symbol} is not in the statement"
+                    assert without_spaces(symbol) in statement, f"{symbol} is not in the statement"
 
 
-def squeezed(text):
+def without_spaces(text):
     """Formulas without what does not change their meaning: spaces and braces."""
     return re.sub(r"\\[,;!]|[\s{}]", "", text)

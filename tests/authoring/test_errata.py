@@ -10,7 +10,7 @@ PAGES = sorted((BOOK / "errata").glob("ch*.md"))
 
 
 @pytest.mark.parametrize("path", PAGES, ids=lambda path: path.stem)
-def test_every_entry_is_of_its_chapter_and_complete(path):
+def test_entries_are_complete_and_in_their_chapter(path):
     entries = re.split(r"^\((err-[\w-]+)\)=\n### ", path.read_text(encoding="utf-8"), flags=re.M)
     assert len(entries) > 1 and "\n### " not in entries[0]
     for label, entry in zip(entries[1::2], entries[2::2]):
@@ -23,5 +23,5 @@ def test_every_entry_is_of_its_chapter_and_complete(path):
         assert "\n### " not in entry, label
 
 
-def test_the_first_page_holds_no_entry():
+def test_the_index_has_no_entry():
     assert PAGES and "(err-" not in (BOOK / "errata" / "index.md").read_text(encoding="utf-8")

@@ -1,5 +1,4 @@
-"""Formulas in answers, hints and the sentences on mistakes are set, between dollars, wherever a
-person reads them."""
+"""Formulas in answers, hints and sentences on mistakes stand between dollars."""
 
 import ast
 import re
@@ -30,16 +29,16 @@ WRITTEN_IN = re.compile(
 
 
 def texts(path):
-    about, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
-    return [text.partition(":")[2] for text in about["answers"].values()] + sum(
-        about["hints"].values(), []
+    front, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
+    return [text.partition(":")[2] for text in front["answers"].values()] + sum(
+        front["hints"].values(), []
     )
 
 
 @pytest.mark.parametrize(
     "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
 )
-def test_no_formula_is_left_as_typed(path):
+def test_formulas_of_the_front_matter_are_typeset(path):
     found = {text: typed[0] for text in texts(path) if (typed := TYPED.search(SET.sub("", text)))}
     assert not found, "put formulas between dollars, code between backticks"
 
@@ -47,17 +46,19 @@ def test_no_formula_is_left_as_typed(path):
 @pytest.mark.parametrize(
     "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
 )
-def test_no_formula_of_a_mistake_is_left_as_typed(path):
+def test_formulas_of_mistakes_are_typeset(path):
     master = read(path)
-    said = [trial.comment for trial in master.trials["wrong"] if mistake_sentence(master, trial)]
-    found = {text: typed[0] for text in said if (typed := TYPED.search(SET.sub("", text)))}
+    comments = [
+        trial.comment for trial in master.trials["wrong"] if mistake_sentence(master, trial)
+    ]
+    found = {text: typed[0] for text in comments if (typed := TYPED.search(SET.sub("", text)))}
     assert not found, "put formulas between dollars, code between backticks"
 
 
 @pytest.mark.parametrize(
     "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
 )
-def test_every_formula_can_be_read_where_nothing_is_set(path):
+def test_formulas_have_a_plain_form(path):
     for text in [*texts(path), *(trial.comment for trial in read(path).trials["wrong"])]:
         assert not re.search(r"[$\\`]|\b([dt]?frac(?![a-z])\w*|[lr]vert|mathrm)\b", plain(text)), (
             text
@@ -67,19 +68,19 @@ def test_every_formula_can_be_read_where_nothing_is_set(path):
 @pytest.mark.parametrize(
     "path", master_paths(SOLUTIONS), ids=lambda path: f"{path.parent.name}/{path.stem}"
 )
-def test_what_an_answer_is_written_in_has_that_name_in_code(path):
+def test_variables_of_an_answer_have_their_names_in_code(path):
     """A stub that asks for an answer in x0 has a symbol x0, and not x_0."""
     master = read(path)
     nodes = [node for cell in master.code("data") for node in ast.walk(ast.parse(cell))]
     names = {node.id for node in nodes if isinstance(node, ast.Name)}
-    about, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
-    asked = {
+    front, _ = read_front_matter(path, path.read_text(encoding="utf-8"))
+    variables = {
         plain(word)
-        for text in about["answers"].values()
+        for text in front["answers"].values()
         for listed in WRITTEN_IN.findall(text)
         for word in re.findall(r"\$[^$]+\$|`\w+`", listed)
     }
-    assert {word for word in asked if word.isidentifier()} <= names.union(about["answers"])
+    assert {word for word in variables if word.isidentifier()} <= names.union(front["answers"])
 
 
 @pytest.mark.parametrize(
@@ -94,7 +95,7 @@ def test_what_an_answer_is_written_in_has_that_name_in_code(path):
         ("for b > 0", ">"),
     ],
 )
-def test_what_is_taken_for_a_formula(typed, found):
+def test_plain_formulas_are_recognised(typed, found):
     assert TYPED.search(typed)[0].strip() in (found, typed.split("(")[0] + "(")
 
 
@@ -118,5 +119,5 @@ def test_what_is_taken_for_a_formula(typed, found):
         ("the basis of `a_unseen`", "the basis of a_unseen"),
     ],
 )
-def test_a_formula_as_typed(formula, typed):
+def test_plain_form_of_formulas(formula, typed):
     assert plain(formula) == typed

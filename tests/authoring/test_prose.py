@@ -8,7 +8,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PAGES = sorted([*ROOT.glob("solutions/ch*/p*.md"), *ROOT.glob("book/**/*.md")])
 #: Code, formulas, roles, addresses, and names with initials.
-LEFT_OUT = [
+EXCLUDED = [
     re.compile(pattern, re.M | re.S)
     for pattern in (
         r"^(`{3,})(?:\{code-\w+\}|\{math\}|\{live\}|\w*$).*?^\1`*[ \t]*$",
@@ -30,15 +30,15 @@ NAMES = {
 
 
 def letters(text):
-    for pattern in LEFT_OUT:
+    for pattern in EXCLUDED:
         text = pattern.sub("¤", text)
     return LETTER.findall(text)
 
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
-def test_a_letter_of_mathematics_is_set(page):
-    named = NAMES.get(page.relative_to(ROOT).as_posix(), set())
-    assert set(letters(page.read_text(encoding="utf-8"))) <= named
+def test_letters_of_mathematics_are_typeset(page):
+    allowed = NAMES.get(page.relative_to(ROOT).as_posix(), set())
+    assert set(letters(page.read_text(encoding="utf-8"))) <= allowed
 
 
 @pytest.mark.parametrize(
@@ -51,5 +51,5 @@ def test_a_letter_of_mathematics_is_set(page):
         ("It moves. A body falls; a vector I know", []),
     ],
 )
-def test_what_is_a_letter_of_mathematics(text, found):
+def test_letters_of_mathematics_are_recognised(text, found):
     assert letters(text) == found

@@ -1,4 +1,4 @@
-"""The reader holds a master to its contract, and says in which file and line it breaks and how."""
+"""Reading a master validates its contract; errors name file, line and what was expected."""
 
 from contextlib import nullcontext
 from pathlib import Path
@@ -14,7 +14,7 @@ TRIALS = (ROOT / "solutions" / "ch1" / "p15.trials.py").read_text(encoding="utf-
 
 
 @pytest.fixture
-def written(tmp_path):
+def write_master(tmp_path):
     """Writes 1.15 somewhere else, page and trials; returns where."""
 
     def write(page=GOOD, trials=TRIALS, name="ch1/p15.md"):
@@ -27,7 +27,7 @@ def written(tmp_path):
     return write
 
 
-def test_reads_everything():
+def test_a_master_is_read():
     master = read(ROOT / "solutions" / "ch1" / "p15.md")
     assert (master.number, master.section, master.level) == ("1.15", "§1.2", "core")
     assert list(master.answers) == ["a_region", "b_region", "c_region", "d_region", "e_region"]
@@ -41,16 +41,16 @@ def test_reads_everything():
     assert source == "a_region = sp.And(k1 > 0, k2 > 0)"
 
 
-def test_the_core_of_a_problem(written):
-    assert read(written(GOOD)).core == ()
-    assert read(written(GOOD.replace("level: core", "level: core\n  core: [a, d]"))).core == (
+def test_the_core_of_a_problem(write_master):
+    assert read(write_master(GOOD)).core == ()
+    assert read(write_master(GOOD.replace("level: core", "level: core\n  core: [a, d]"))).core == (
         "a",
         "d",
     )
 
 
 @pytest.mark.parametrize(
-    "level, asked, core, said",
+    "level, count, core, message",
     [
         ("core", 12, None, ""),
         ("core", 13, None, "advanced at least"),
@@ -59,8 +59,8 @@ def test_the_core_of_a_problem(written):
         ("advanced", 16, ["a"], ""),
     ],
 )
-def test_a_long_problem_names_its_core(level, asked, core, said):
-    names = [f"{'abcd'[k % 4]}_{k}" for k in range(asked)]
+def test_a_long_problem_names_its_core(level, count, core, message):
+    names = [f"{'abcd'[k % 4]}_{k}" for k in range(count)]
     front = {
         "number": "1.15",
         "title": "t",
@@ -71,7 +71,7 @@ def test_a_long_problem_names_its_core(level, asked, core, said):
         "hints": {name: ["Why?"] for name in names},
     }
     front |= {"core": core} if core else {}
-    expected = pytest.raises(MasterError, match=said) if said else nullcontext()
+    expected = pytest.raises(MasterError, match=message) if message else nullcontext()
     with expected:
         validate_front_matter(Path("ch1/p15.md"), front, {(): 1})
 
@@ -81,7 +81,7 @@ def line_of(text, part):
 
 
 @pytest.mark.parametrize(
-    "old, new, said",
+    "old, new, message",
     [
         ('number: "1.15"', "number: 1.15", "quoted"),
         ('number: "1.15"', 'number: "1.16"', "ch1/p16.md"),
@@ -128,15 +128,15 @@ def line_of(text, part):
         ("```{solution-start}", "## Item a\n\n```{solution-start}", "one heading, its title"),
     ],
 )
-def test_a_broken_contract_is_named(written, old, new, said):
+def test_a_broken_contract_is_an_error(write_master, old, new, message):
     assert old in GOOD
-    with pytest.raises(MasterError, match=said) as raised:
-        read(written(GOOD.replace(old, new, 1)))
+    with pytest.raises(MasterError, match=message) as raised:
+        read(write_master(GOOD.replace(old, new, 1)))
     assert "ch1/p15.md:" in str(raised.value) and "\n" not in str(raised.value)
 
 
 @pytest.mark.parametrize(
-    "old, new, said",
+    "old, new, message",
     [
         ("  title: Stability", "  title: Regions: stability", "mapping values are not allowed"),
         ("topics: [Hurwitz", "topics: [[Hurwitz", "expected"),
@@ -147,10 +147,10 @@ def test_a_broken_contract_is_named(written, old, new, said):
         ("---\njupytext", "---\n\x07jupytext", "not YAML"),
     ],
 )
-def test_a_slip_in_the_front_matter_is_one_line(written, old, new, said):
+def test_malformed_front_matter_is_an_error_of_one_line(write_master, old, new, message):
     assert old in GOOD
-    with pytest.raises(MasterError, match=said) as raised:
-        read(written(GOOD.replace(old, new, 1)))
+    with pytest.raises(MasterError, match=message) as raised:
+        read(write_master(GOOD.replace(old, new, 1)))
     assert "ch1/p15.md:" in str(raised.value) and "\n" not in str(raised.value)
 
 
@@ -165,7 +165,7 @@ d
 
 
 @pytest.mark.parametrize(
-    "place, below, said",
+    "fence, below, message",
     [
         ("```{exercise-end}", "*A sheet.*\n\n", ""),
         ("```{exercise-end}", "*A sheet\nof $x^*$.*\n\nThe text goes on.\n\n", ""),
@@ -175,20 +175,20 @@ d
         ("```{solution-end}", "*A sheet.*\n\n", "a drawing belongs to the statement"),
     ],
 )
-def test_a_drawing_stands_in_the_statement_with_its_caption(written, place, below, said):
-    page = GOOD.replace(place, DRAWING + below + place, 1)
-    if said:
+def test_a_drawing_stands_in_the_statement_with_its_caption(write_master, fence, below, message):
+    page = GOOD.replace(fence, DRAWING + below + fence, 1)
+    if message:
         with pytest.raises(
             MasterError,
-            match=rf"p15\.md:{line_of(page, 'from workbook.display import Drawing')}: {said}",
+            match=rf"p15\.md:{line_of(page, 'from workbook.display import Drawing')}: {message}",
         ):
-            read(written(page))
+            read(write_master(page))
     else:
-        assert len(read(written(page)).code("drawing")) == 1
+        assert len(read(write_master(page)).code("drawing")) == 1
 
 
 @pytest.mark.parametrize(
-    "old, new, at",
+    "old, new, expected",
     [
         ("  level: core", "  level: easy", "  level"),
         ("  title: Stability", "  title: Regions: stability", "  title"),
@@ -202,14 +202,14 @@ def test_a_drawing_stands_in_the_statement_with_its_caption(written, place, belo
         ("b_poly = s**3", "b_poly = = s**3", "b_poly = ="),
     ],
 )
-def test_the_line_is_named(written, old, new, at):
+def test_errors_name_the_line(write_master, old, new, expected):
     page = GOOD.replace(old, new, 1)
-    with pytest.raises(MasterError, match=rf"p15\.md:{line_of(page, at)}: "):
-        read(written(page))
+    with pytest.raises(MasterError, match=rf"p15\.md:{line_of(page, expected)}: "):
+        read(write_master(page))
 
 
-def test_there_is_a_page_and_there_are_trials(written):
-    path = written()
+def test_page_and_trials_are_required(write_master):
+    path = write_master()
     assert read(path).trials == read(ROOT / "solutions" / "ch1" / "p15.md").trials
     path.with_suffix(".trials.py").unlink()
     with pytest.raises(MasterError, match=r"p15\.trials\.py:1: "):

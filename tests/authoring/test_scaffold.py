@@ -26,15 +26,18 @@ def solutions(tmp_path):
         ("2.32", "ch2/p32.md", "§2.5"),
     ],
 )
-def test_the_reader_finds_no_fault(solutions, number, name, section):
+def test_a_scaffold_is_a_valid_master(solutions, number, name, section):
     page, trials = new_problem(solutions, number)
     master = read(page)
     assert page == solutions / name and trials == trials_file(page)
     assert (master.number, master.section) == (number, section)
-    assert {role: len(found) for role, found in master.trials.items()} == {"wrong": 1, "right": 1}
+    assert {role: len(trials_of_role) for role, trials_of_role in master.trials.items()} == {
+        "wrong": 1,
+        "right": 1,
+    }
 
 
-def test_nothing_is_written_over(solutions):
+def test_existing_files_are_not_overwritten(solutions):
     page, trials = new_problem(solutions, "2.30")
     page.unlink()
     trials.write_text("mine")
@@ -44,6 +47,6 @@ def test_nothing_is_written_over(solutions):
 
 
 @pytest.mark.parametrize("number", ["2", "2.x", "2.03", "two", "2.0", "../2.3", "2.3/4"])
-def test_what_is_no_number(solutions, number):
+def test_malformed_numbers_are_refused(solutions, number):
     with pytest.raises(ValueError, match="write it like 2.30"):
         new_problem(solutions, number)

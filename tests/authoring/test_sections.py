@@ -1,5 +1,4 @@
-"""Every problem stands in the section in which the problem book has it, and is referred to by one
-word."""
+"""Every problem has the section of the problem book; references to it have one form."""
 
 import re
 from pathlib import Path
@@ -16,30 +15,30 @@ FIRST = {
     5: (1, 14, 46, 63),
 }
 #: These stand in the text of the chapter, before its first section.
-IN_THE_TEXT = {"4.1", "4.2", "4.3", "4.4"}
+BEFORE_SECTIONS = {"4.1", "4.2", "4.3", "4.4"}
 
 
 def test_sections_are_those_of_the_book():
-    found = {}
+    wrong = {}
     for master in map(read, master_paths(SOLUTIONS)):
         chapter, number = map(int, master.number.split("."))
-        if chapter in FIRST and master.number not in IN_THE_TEXT:
+        if chapter in FIRST and master.number not in BEFORE_SECTIONS:
             section = f"§{chapter}.{sum(first <= number for first in FIRST[chapter])}"
             if master.section != section:
-                found[master.number] = (master.section, section)
-    assert not found
+                wrong[master.number] = (master.section, section)
+    assert not wrong
 
 
-def test_a_reference_says_only_once_that_it_leads_to_a_problem():
+def test_references_do_not_repeat_the_word_problem():
     """{problem}`5.57` is set as "problem 5.57"."""
     book = SOLUTIONS.parent / "book"
-    found = [
+    wrong = [
         f"{path.relative_to(book.parent)}: {line}"
         for root in (SOLUTIONS, book)
         for path in sorted(root.rglob("*.md"))
         for line in re.findall(r"[Pp]roblems? \{problem\}.*", path.read_text(encoding="utf-8"))
     ]
-    assert found == []
+    assert wrong == []
 
 
 def test_equations_are_numbered_by_letters():

@@ -1,5 +1,4 @@
-"""From MyST to a plain Jupyter notebook: what leaves, what stays, what becomes of directives and
-links."""
+"""The student notebook of a master: removed and kept cells, directives and links."""
 
 import json
 import re
@@ -57,32 +56,31 @@ def test_markdown(myst, plain, links):
     assert plain_markdown(myst, links, "1.15") == (plain.strip(), [])
 
 
-def test_places_of_the_book_are_named_and_known(links):
-    text, places = plain_markdown(
+def test_references_to_the_book_are_listed(links):
+    text, references = plain_markdown(
         "by {ref}`example 1 <exm-1-1>` and [Theorem 1.2](#thm-1-2), twice Theorem 1.2", links
     )
     assert text == "by example 1 and Theorem 1.2, twice Theorem 1.2"
-    assert places == [
+    assert references == [
         ("example 1", "book/ch1.html#exm-1-1"),
         ("Theorem 1.2", "book/ch1.html#thm-1-2"),
     ]
 
 
-def test_equations_of_a_chapter_are_found_from_the_notebook():
-    """Wherever a notebook names one, also in the comment of a stub, its first cell says in which
-    chapter it stands."""
-    for number, named in ("2.12", "(2.7)"), ("2.20", "(2.4)"), ("3.25", "(2.6)"):
+def test_the_first_cell_names_chapters_of_equations():
+    """The first cell names the chapter of each equation that the notebook refers to."""
+    for number, reference in ("2.12", "(2.7)"), ("2.20", "(2.4)"), ("3.25", "(2.6)"):
         first, *others = student_notebook(
             read(ROOT / "solutions" / master_file(number)), Links(ROOT)
         )["cells"]
-        assert any(named in cell["source"] for cell in others)
+        assert any(reference in cell["source"] for cell in others)
         assert re.search(
-            rf"numbers such as [^\n]*{re.escape(named)}[(), .\d]* name equations of chapter 2\.",
+            rf"numbers such as [^\n]*{re.escape(reference)}[(), .\d]* name equations of chapter 2\.",
             first["source"],
         )
-        assert [named, f"book/ch2.html#eq-{named[1:-1].replace('.', '-')}"] in first["metadata"][
-            "places"
-        ]
+        assert [reference, f"book/ch2.html#eq-{reference[1:-1].replace('.', '-')}"] in first[
+            "metadata"
+        ]["places"]
 
 
 def test_lines_of_code_fit_a_notebook():
@@ -96,44 +94,42 @@ def test_lines_of_code_fit_a_notebook():
     assert lines and max(map(len, lines)) <= WIDTH
 
 
-def test_a_notebook_links_to_the_site_only_where_that_has_an_address(links, tmp_path):
+def test_links_need_the_address_of_the_site(links, tmp_path):
     """`../../_build/html` is nowhere on a student's machine."""
     for base in ("", "https://example.org/course/"):
         for number in ("1.15", "2.5", "5.3"):
             master = read(ROOT / "solutions" / master_file(number))
             cells = student_notebook(master, Links(ROOT, base))["cells"]
-            found = [
+            matches = [
                 address
                 for cell in cells
                 for address in re.findall(r"\]\(([^)\s]+)\)", cell["source"])
                 # a drawing, which the notebook itself holds
                 if not address.startswith("attachment:")
             ]
-            assert all(address.startswith("https://example.org/course/") for address in found)
-            assert bool(found) == bool(base)
+            assert all(address.startswith("https://example.org/course/") for address in matches)
+            assert bool(matches) == bool(base)
             wheel = re.search(r'wheel = "(.*)trajlib-[\d.]+-py3-none-any\.whl', cells[1]["source"])
             assert wheel[1] == (f"trajlib[workbook] @ {base}wheels/" if base else "")
 
 
-def test_links_can_be_led_elsewhere():
-    """A homework's notebook leads to the site named for it, also when the checkout has an address
-    of its own."""
+def test_links_to_another_site():
+    """A homework's notebook links to the site named for it, not to that of the checkout."""
     master = read(ROOT / "solutions" / "ch2" / "p05.md")
-    plain, ours = (
+    plain, linked = (
         student_notebook(master, Links(ROOT)),
         student_notebook(master, Links(ROOT, "https://ours.example")),
     )
-    assert plain != ours
-    assert exercises.add_links(plain, exercises.site_urls("https://ours.example")) == ours
-    theirs = exercises.add_links(ours, exercises.site_urls("https://theirs.example/"))
-    assert "ours.example" not in str(theirs) and theirs == exercises.add_links(
+    assert plain != linked
+    assert exercises.add_links(plain, exercises.site_urls("https://ours.example")) == linked
+    relinked = exercises.add_links(linked, exercises.site_urls("https://theirs.example/"))
+    assert "ours.example" not in str(relinked) and relinked == exercises.add_links(
         plain, exercises.site_urls("https://theirs.example")
     )
 
 
-def test_without_the_library_one_line_says_how_to_get_it(tmp_path):
-    """In a kernel that finds no workbook, the first code cell fails with this line alone, and Run
-    All ends there."""
+def test_one_line_says_how_to_install_the_workbook(tmp_path):
+    """Without the workbook the first code cell fails with one line, and Run All ends there."""
     import nbformat
     from nbclient import NotebookClient
     from nbclient.exceptions import CellExecutionError
@@ -156,16 +152,17 @@ def test_without_the_library_one_line_says_how_to_get_it(tmp_path):
     opened = nbformat.from_dict(notebook)
     with pytest.raises(CellExecutionError):
         NotebookClient(opened, timeout=60, kernel_name="python3").execute()
-    [said] = [
+    [message] = [
         output for cell in opened.cells if cell.cell_type == "code" for output in cell.outputs
     ]
-    assert len(said.traceback) == 1
+    assert len(message.traceback) == 1
     assert (
-        '%pip install "trajlib[workbook] @ https://example.org/wheels/trajlib-' in said.traceback[0]
+        '%pip install "trajlib[workbook] @ https://example.org/wheels/trajlib-'
+        in message.traceback[0]
     )
 
 
-def test_the_students_copy():
+def test_cells_of_the_student_notebook():
     master = read(ROOT / "solutions" / "ch1" / "p15.md")
     notebook = student_notebook(master, Links(ROOT))
     roles = [
@@ -245,21 +242,20 @@ def test_a_drawing_becomes_its_picture(tmp_path):
     assert "drawings" not in str([cell["source"] for cell in cells])
 
 
-def test_the_words_for_a_picture_are_whole_sentences():
-    """Read aloud to whoever cannot see it: nothing cut off behind a semicolon, no code of
-    formulas."""
+def test_text_alternatives_are_whole_sentences():
+    """A text alternative is not cut off and has no code of formulas."""
     words = [
-        found
+        text
         for path in ROOT.glob("exercises/ch*/p*.ipynb")
         for cell in json.loads(path.read_text())["cells"]
-        for found in re.findall(r"!\[(.*)\]\(attachment:", "".join(cell["source"]))
+        for text in re.findall(r"!\[(.*)\]\(attachment:", "".join(cell["source"]))
     ]
     assert len(words) > 50 and not [
         text for text in words if len(text) < 15 or re.search(r"\\|[^.]$", text)
     ]
 
 
-def test_a_picture_is_drawn_anew_when_its_drawing_changes(tmp_path):
+def test_a_picture_is_drawn_again_only_when_its_code_changes(tmp_path):
     """And kept otherwise, as another Matplotlib would draw it with other bytes."""
     path = tmp_path / "solutions" / "ch1" / "p15.md"
     notebook = student_notebook(drawing_of(path, ROD), Links(ROOT))
@@ -283,7 +279,7 @@ def test_a_picture_is_drawn_anew_when_its_drawing_changes(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "cell, said",
+    "cell, message",
     [
         (
             ROD.replace("(0.2, 0.2)", "k1"),
@@ -293,13 +289,13 @@ def test_a_picture_is_drawn_anew_when_its_drawing_changes(tmp_path):
         ("d = 1\nd", "the last line of a drawing cell names its Drawing"),
     ],
 )
-def test_a_drawing_that_cannot_be_drawn_is_named(tmp_path, cell, said):
+def test_errors_of_drawings_name_the_line(tmp_path, cell, message):
     master = drawing_of(tmp_path / "solutions" / "ch1" / "p15.md", cell)
-    with pytest.raises(MasterError, match=rf"p15\.md:\d+: .*{said}"):
+    with pytest.raises(MasterError, match=rf"p15\.md:\d+: .*{message}"):
         student_notebook(master, Links(ROOT))
 
 
-def test_converting_is_deterministic():
+def test_conversion_is_deterministic():
     master = read(ROOT / "solutions" / "ch1" / "p15.md")
     assert student_notebook(master, Links(ROOT)) == student_notebook(master, Links(ROOT))
 
@@ -307,7 +303,7 @@ def test_converting_is_deterministic():
 #: What the notebooks' formulas are written with. KaTeX 0.16.9, as in VS Code, sets all of it; try
 #: it there, or on katex.org, before a command is added. MathJax, in Jupyter and on the site, sets
 #: more.
-SET_BY_KATEX = {
+KATEX_COMMANDS = {
     "Big",
     "Delta",
     "Omega",
@@ -392,19 +388,18 @@ SET_BY_KATEX = {
 }
 
 
-def test_vs_code_sets_every_formula():
-    """It shows what it does not know as an error in red, and a dollar beside a letter or a digit as
-    a dollar."""
-    odd = []
+def test_katex_sets_every_formula():
+    """KaTeX knows all commands; no dollar stands beside a letter or a digit."""
+    wrong = []
     for path in sorted((ROOT / "exercises").glob("*/*.ipynb")):
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
             if cell["cell_type"] == "markdown":
                 text = re.sub(r"`[^`]*`", "", cell["source"])
-                for found in re.finditer(r"(\w?)(\$\$.+?\$\$|\$[^$]+\$)(\w?)", text, re.S):
-                    unknown = set(re.findall(r"\\([A-Za-z]+)", found[2])) - SET_BY_KATEX
-                    if unknown or found[1] or found[3]:
-                        odd.append((path.name, found[0], unknown))
-    assert not odd
+                for match in re.finditer(r"(\w?)(\$\$.+?\$\$|\$[^$]+\$)(\w?)", text, re.S):
+                    unknown = set(re.findall(r"\\([A-Za-z]+)", match[2])) - KATEX_COMMANDS
+                    if unknown or match[1] or match[3]:
+                        wrong.append((path.name, match[0], unknown))
+    assert not wrong
 
 
 def test_third_derivatives_have_their_dots(links):
@@ -413,7 +408,7 @@ def test_third_derivatives_have_their_dots(links):
     )
 
 
-def test_what_to_answer_is_read_without_scrolling():
+def test_lines_of_stubs_fit_a_cell():
     """A line of a code cell goes on behind the edge, in Jupyter and VS Code."""
     for path in sorted((ROOT / "exercises").glob("*/*.ipynb")):
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:

@@ -1,5 +1,4 @@
-"""Topics lead from one problem to its kin: one topic has one name, or its problems stand in two
-lists."""
+"""Every topic has one name, so that its problems stand in one list."""
 
 import re
 from pathlib import Path
@@ -9,17 +8,19 @@ from workbook.authoring.front_matter import read_front_matter
 
 SOLUTIONS = Path(__file__).resolve().parents[2] / "solutions"
 ENDINGS = re.compile(r"('s|um|a|s)$")
-SMALL = {"a", "an", "by", "in", "of", "the", "with"}
+STOP_WORDS = {"a", "an", "by", "in", "of", "the", "with"}
 
 
 def stem(topic):
     """What a topic has in any number and order of its words."""
     return frozenset(
-        ENDINGS.sub("", word) for word in re.findall(r"[\w']+", topic.lower()) if word not in SMALL
+        ENDINGS.sub("", word)
+        for word in re.findall(r"[\w']+", topic.lower())
+        if word not in STOP_WORDS
     )
 
 
-def test_no_topic_stands_in_two_lists():
+def test_topics_have_one_name_each():
     topics = {
         topic
         for path in master_paths(SOLUTIONS)
@@ -31,7 +32,7 @@ def test_no_topic_stands_in_two_lists():
     assert len(topics) > 200 and not [same for same in names.values() if len(same) > 1]
 
 
-def test_what_is_the_same_topic():
+def test_stems_of_topics():
     assert stem("equilibria") == stem("equilibrium") and stem("moving ends") == stem("moving end")
     assert (
         stem("Kelley's condition") == stem("Kelley condition") != stem("condition on a parameter")

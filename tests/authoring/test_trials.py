@@ -1,4 +1,4 @@
-"""What stands in a trials file: where a trial begins and ends, and what is told of one that is none."""
+"""Reading trials: where they begin and end, and errors."""
 
 import pytest
 
@@ -8,14 +8,14 @@ from workbook.authoring.trials import Trial, read_trials
 NAMES = {"a_region": None, "b_points": None}
 
 
-def trials(tmp_path, text):
+def trials_of(tmp_path, text):
     path = tmp_path / "p15.trials.py"
     path.write_text(text, encoding="utf-8")
     return read_trials(path, NAMES)
 
 
 def test_comments_behind_and_above(tmp_path):
-    found = trials(
+    trials = trials_of(
         tmp_path,
         """\
 # %% wrong
@@ -36,7 +36,7 @@ b_points = {
 a_region = k > 1  # the other one
 """.replace("points = [0, 1]  # counted\n\n", ""),
     )
-    assert found == {
+    assert trials == {
         "wrong": [
             Trial("a_region", "a_region = k > 0", "one sign – of two"),
             Trial(
@@ -53,15 +53,15 @@ a_region = k > 1  # the other one
 
 
 def test_several_lines_above_are_one_comment(tmp_path):
-    found = trials(tmp_path, "# %% right\n# a line,\n# and another\na_region = True\n")
+    trials = trials_of(tmp_path, "# %% right\n# a line,\n# and another\na_region = True\n")
     assert (
-        found["right"] == [Trial("a_region", "a_region = True", "a line, and another")]
-        and found["wrong"] == []
+        trials["right"] == [Trial("a_region", "a_region = True", "a line, and another")]
+        and trials["wrong"] == []
     )
 
 
 @pytest.mark.parametrize(
-    "text, line, said",
+    "text, line, message",
     [
         ("a_region = k > 0  # why\n", 1, "stands under a line"),
         ("# %% wrong\na_region = k > 0\n", 2, "under a comment"),
@@ -75,6 +75,6 @@ def test_several_lines_above_are_one_comment(tmp_path):
         ("# %% wrong\na_region = (1  # why\n", 2, "no Python"),
     ],
 )
-def test_what_is_no_trial(tmp_path, text, line, said):
-    with pytest.raises(MasterError, match=rf"p15\.trials\.py:{line}: .*{said}"):
-        trials(tmp_path, text)
+def test_malformed_trials_are_errors(tmp_path, text, line, message):
+    with pytest.raises(MasterError, match=rf"p15\.trials\.py:{line}: .*{message}"):
+        trials_of(tmp_path, text)

@@ -91,7 +91,7 @@ def test_check(tmp_path):
     ]
 
 
-def test_check_finds_answers_wherever_they_are_and_survives_a_failing_cell(tmp_path):
+def test_check_finds_answers_in_any_cell_and_goes_on_after_errors(tmp_path):
     path = answered_notebook(tmp_path, "")
     notebook = json.loads(path.read_text())
     notebook["cells"] = [
@@ -152,7 +152,7 @@ def test_check_stops_an_endless_notebook(tmp_path):
     assert done.returncode == 2 and "still running after 8 s" in done.stderr
 
 
-def test_exercises_are_written_anew(tmp_path):
+def test_exercises_match_their_masters(tmp_path):
     done = workbook("exercises", "--json")
     assert done.returncode == 0 and json.loads(done.stdout) == {"changed": []}
 
@@ -170,9 +170,8 @@ def test_importing_trajlib_loads_nothing_heavy():
     )
 
 
-def test_notebooks_to_work_on(tmp_path):
-    """Also from a wheel, which holds them; a second call leaves what a student has written
-    alone."""
+def test_fresh_notebooks(tmp_path):
+    """Fresh notebooks are written; existing ones are not overwritten."""
     done = workbook("exercises", "1.15", "2.5", "--to", "mine", cwd=tmp_path)
     assert done.returncode == 0 and done.stdout.split() == [
         "mine/ch1/p15.ipynb",
@@ -189,7 +188,7 @@ def test_notebooks_to_work_on(tmp_path):
     assert (tmp_path / "mine/ch1/p15.ipynb").read_text() == "my work"
 
 
-def test_check_of_a_number_says_what_it_wants(tmp_path):
+def test_check_of_a_number_asks_for_a_file(tmp_path):
     done = workbook("check", "1.15", cwd=tmp_path)
     assert done.returncode == 2 and "a notebook of yours" in done.stderr and "--to" in done.stderr
     assert len(done.stderr.splitlines()) == 1

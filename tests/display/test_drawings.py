@@ -1,5 +1,4 @@
-"""The shapes of drawings: where they stand, which way they turn, and that nothing global
-changes."""
+"""The shapes of drawings: positions and directions; global settings stay unchanged."""
 
 import subprocess
 import sys
@@ -12,9 +11,8 @@ from workbook.display import Drawing, along
 SHEET = (-2, 2), (-1, 1)
 
 
-def inked(drawing):
-    """Where the sheet is not white: an array of booleans with its rows from below, 100 points an
-    inch."""
+def inked_pixels(drawing):
+    """Return where the sheet is not white, with rows from below, 100 points an inch."""
     from io import BytesIO
 
     from matplotlib.image import imread
@@ -22,12 +20,12 @@ def inked(drawing):
     return (imread(BytesIO(drawing.png(100)))[::-1, :, :3] < 0.97).any(axis=2)
 
 
-def at(picture, point):
+def has_ink(picture, point):
     """Whether there is ink at a point of the sheet, or beside it."""
-    return near(picture, point, 2).any()
+    return around(picture, point, 2).any()
 
 
-def near(picture, point, reach):
+def around(picture, point, reach):
     x, y = (round(100 * (c - low)) for c, (low, _) in zip(point, SHEET))
     return picture[y - reach : y + reach, x - reach : x + reach]
 
@@ -35,10 +33,10 @@ def near(picture, point, reach):
 def drawn(name, *arguments, **options):
     drawing = Drawing(*SHEET)
     getattr(drawing, name)(*arguments, **options)
-    return inked(drawing)
+    return inked_pixels(drawing)
 
 
-def test_neither_pyplot_nor_the_settings_are_touched():
+def test_pyplot_and_settings_stay_unchanged():
     code = (
         "import sys; from workbook.display import Drawing; assert 'matplotlib' not in "
         "sys.modules; import matplotlib; before = dict(matplotlib.rcParams); d = Drawing((0, 1), "
@@ -59,10 +57,10 @@ def test_the_same_drawing_is_the_same_file():
 
 
 def test_a_unit_is_an_inch():
-    assert inked(Drawing(*SHEET)).shape == (200, 400)
+    assert inked_pixels(Drawing(*SHEET)).shape == (200, 400)
 
 
-def test_along_counts_from_the_x_axis_counterclockwise():
+def test_along_measures_from_the_x_axis_counterclockwise():
     assert np.allclose(along((1, 2), 2, 90), (1, 4))
     assert np.allclose(along((0, 0), 2, -60), (1, -np.sqrt(3)))
 
@@ -98,10 +96,10 @@ def test_along_counts_from_the_x_axis_counterclockwise():
         ("dimension", [(-1, 0), (1, 0), "", 90, -0.4], [(0.5, -0.4), (1, -0.2)], [(0.5, 0.4)]),
     ],
 )
-def test_ink_is_where_the_shape_is(name, arguments, ink, white):
+def test_shapes_have_ink_where_expected(name, arguments, ink, white):
     picture = drawn(name, *arguments)
-    assert [point for point in ink if not at(picture, point)] == []
-    assert [point for point in white if at(picture, point)] == []
+    assert [point for point in ink if not has_ink(picture, point)] == []
+    assert [point for point in white if has_ink(picture, point)] == []
 
 
 @pytest.mark.parametrize("name", ["axis", "velocity", "acceleration", "force"])
@@ -113,32 +111,32 @@ def test_an_arrow_has_its_head_at_its_end(name):
 
 
 @pytest.mark.parametrize("start, end", [(0, 90), (90, 0), (-90, -30), (-30, -90)])
-def test_the_arrow_of_an_angle_points_where_it_is_counted_to(start, end):
+def test_the_arrow_of_an_angle_is_at_its_end(start, end):
     picture = drawn("angle", (0, 0), start, end, 0.7, "")
     inwards = np.sign(end - start) * 5  # the middle of the head
     head, tail = (
-        near(picture, along((0, 0), 0.7, turn), 5).sum()
+        around(picture, along((0, 0), 0.7, turn), 5).sum()
         for turn in (end - inwards, start + inwards)
     )
     assert head > 1.5 * tail > 0
-    assert at(picture, along((0, 0), 0.7, (start + end) / 2))
-    assert not at(picture, along((0, 0), 0.7, (start + end) / 2 + 180))
+    assert has_ink(picture, along((0, 0), 0.7, (start + end) / 2))
+    assert not has_ink(picture, along((0, 0), 0.7, (start + end) / 2 + 180))
 
 
 @pytest.mark.parametrize(
     "side, x, y", [(0, 1, 0), (90, 0, 1), (180, -1, 0), (-90, 0, -1), (45, 1, 1)]
 )
-def test_a_label_stands_on_its_side(side, x, y):
+def test_a_label_is_on_its_side(side, x, y):
     rows, columns = np.nonzero(drawn("label", (0, 0), "$M$", side))
     middle = columns.mean() - 200, rows.mean() - 100
     assert [0 if abs(c) < 4 else np.sign(c) for c in middle] == [x, y]
-    assert not at(drawn("label", (0, 0), "$M$", side), (0, 0))
+    assert not has_ink(drawn("label", (0, 0), "$M$", side), (0, 0))
 
 
-def test_what_comes_later_lies_above():
+def test_later_shapes_are_above_earlier_ones():
     drawing = Drawing(*SHEET)
     drawing.rod((-1, 0), (1, 0))
     drawing.box((0, 0), 1, 0.5)
     drawing.hinge((0, 0))
-    picture = inked(drawing)
+    picture = inked_pixels(drawing)
     assert picture[100, 120] and not picture[100, 200]

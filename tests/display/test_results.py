@@ -1,5 +1,4 @@
-"""Results in a notebook and in a terminal: what is set, what is typed, and what is broken into
-lines."""
+"""Results in a notebook and in a terminal: formulas, texts and line breaks."""
 
 import re
 import sys
@@ -23,39 +22,41 @@ k1, x, psi2 = sp.symbols("k1 x psi2")
 @pytest.fixture
 def shown(monkeypatch):
     """What a notebook shows of values, or of a table: its Markdown and its plain text."""
-    kept = []
+    displayed = []
     monkeypatch.setitem(
         sys.modules,
         "IPython",
         SimpleNamespace(get_ipython=lambda: SimpleNamespace(kernel=True), display=display),
     )
-    monkeypatch.setattr(display, "display", lambda data, raw: kept.append(data))
+    monkeypatch.setattr(display, "display", lambda data, raw: displayed.append(data))
 
     def of(*values, by=show):
         by(*values)
-        return SimpleNamespace(set=kept[-1]["text/markdown"], typed=kept[-1]["text/plain"])
+        return SimpleNamespace(
+            set=displayed[-1]["text/markdown"], typed=displayed[-1]["text/plain"]
+        )
 
     return of
 
 
-def test_a_terminal_is_printed_to(capsys):
+def test_results_in_a_terminal(capsys):
     show("on $k_1 = 0$:", x**2 / k1, [k1, 2], {k1: 1}, 0.5)
     assert capsys.readouterr().out == "on k1 = 0: x**2/k1, [k1, 2], {k1: 1}, 0.5\n"
 
 
 def test_a_table_in_a_notebook(shown):
-    said = shown(
+    expected = shown(
         [r"$|\lambda|$", "kind", "of it"],
         [["0.50", "x1 | x2", k1 / 2], [f"{-1e-9:.1f}", "-", 2]],
         by=table,
     )
-    assert said.set.splitlines() == [
+    assert expected.set.splitlines() == [
         r"| $\vert \lambda\vert $ | kind | of it |",
         "|---:|:---|:---|",
         r"| 0.50 | <i>x</i><sub>1</sub> \| <i>x</i><sub>2</sub> | $\frac{k_{1}}{2}$ |",
         "| 0.0 | - | $2$ |",
     ]
-    assert said.typed.splitlines() == [
+    assert expected.typed.splitlines() == [
         "|lambda|  kind     of it",
         "    0.50  x1 | x2  k1/2",
         "     0.0  -        2",
@@ -70,12 +71,14 @@ def test_a_table_has_a_head_for_each_column():
 
 
 def test_no_zero_has_a_sign(shown):
-    said = shown(f"at $T$: {-1e-9:.4f}, {-0.04:.2f}, {-1e-9:.1e}, 1-0.0")
-    assert said.typed == "at T: 0.0000, -0.04, -1.0e-09, 1-0.0" and "−0.0000" not in said.set
+    expected = shown(f"at $T$: {-1e-9:.4f}, {-0.04:.2f}, {-1e-9:.1e}, 1-0.0")
+    assert (
+        expected.typed == "at T: 0.0000, -0.04, -1.0e-09, 1-0.0" and "−0.0000" not in expected.set
+    )
 
 
 @pytest.mark.parametrize(
-    "value, said",
+    "value, expected",
     [
         (x**2 / k1, r"$\frac{x^{2}}{k_{1}}$"),
         ([k1, sp.Rational(1, 2)], r"$\left[ k_{1}, \  \frac{1}{2}\right]$"),
@@ -111,20 +114,20 @@ def test_no_zero_has_a_sign(shown):
         ("det = k1**2 - x/psi2", "det = <i>k</i><sub>1</sub><sup>2</sup> − <i>x</i>/ψ<sub>2</sub>"),
     ],
 )
-def test_a_notebook_sets_it(shown, value, said):
-    assert shown(value).set == said
-    assert "**" not in said
+def test_results_in_a_notebook(shown, value, expected):
+    assert shown(value).set == expected
+    assert "**" not in expected
 
 
-def test_results_side_by_side_do_not_read_as_a_product(shown):
+def test_commas_separate_results(shown):
     assert shown("both:", x, k1, "and", 2, ";", k1).set == "both: $x$, $k_{1}$ and $2$; $k_{1}$"
     wide = sp.expand((x + k1) ** 9)
     assert "$$\n\n $x$" in shown(wide, x).set and ",\n\n$$" not in shown(wide, x).set
 
 
-def test_what_the_library_returns_shows_itself(shown):
-    found = observability(sp.Matrix([[0, 1], [0, 0]]), sp.Matrix([[1, 0]]))
-    assert shown("seen:", found).set == f"seen: {found._repr_markdown_()}"
+def test_results_of_the_library_use_their_own_form(shown):
+    result = observability(sp.Matrix([[0, 1], [0, 0]]), sp.Matrix([[1, 0]]))
+    assert shown("seen:", result).set == f"seen: {result._repr_markdown_()}"
 
 
 def test_a_long_sum_is_broken_between_its_terms(shown):
@@ -146,7 +149,7 @@ def test_a_long_list_may_break_at_its_commas(shown):
 
 
 @given(st.text(alphabet="ab1k_*^'\"<>&()-= \\$|[]`", max_size=40))
-def test_nobodys_text_brings_tags_of_its_own(text):
+def test_html_in_texts_is_escaped(text):
     without = re.sub(r"</?(?:i|sub|sup|code)>|<code style='[a-z:; ]*'>", "", typeset(text))
     assert "<" not in without and ">" not in without
 
@@ -164,5 +167,5 @@ def test_nobodys_text_brings_tags_of_its_own(text):
         "sp.And(x.y)",
     ],
 )
-def test_words_stay_words(words):
+def test_words_are_no_formulas(words):
     assert typeset(words, escape=str) == words

@@ -1,5 +1,4 @@
-"""Lectures as a lecturer opens them: `workbook live` in a process of its own, of which nothing may
-be left."""
+"""Fixtures that run `workbook live` in a process of its own, which leaves nothing behind."""
 
 import os
 import re
@@ -37,8 +36,7 @@ class Lecture:
 
 @pytest.fixture
 def lecture(tmp_path):
-    """A context manager that opens a lecture without a browser; whatever happens, no process of it
-    stays."""
+    """Return a context manager that runs a lecture without a browser and leaves no process."""
     temporary = tmp_path / ("temporary" + 100 * "-")  # longer than the path of a socket may be
     temporary.mkdir()
 
@@ -62,27 +60,31 @@ def lecture(tmp_path):
             process.kill()
             process.wait()
             process.stdout.close()
-            assert gone(str(temporary)), f"still running: {processes_of(str(temporary))}"
+            assert wait_for_end(str(temporary)), f"still running: {processes_of(str(temporary))}"
 
     return opened
 
 
 def processes_of(folder):
     """Command lines of the processes that name a folder, or were started with it."""
-    found = []
-    for place in Path("/proc").glob("[0-9]*"):
+    processes = []
+    for folder_of_process in Path("/proc").glob("[0-9]*"):
         try:
-            said = (place / "cmdline").read_bytes() + (place / "environ").read_bytes()
-            state = (place / "stat").read_text().rpartition(")")[2].split()[0]
+            content = (folder_of_process / "cmdline").read_bytes() + (
+                folder_of_process / "environ"
+            ).read_bytes()
+            state = (folder_of_process / "stat").read_text().rpartition(")")[2].split()[0]
         except OSError:
             continue
-        if folder.encode() in said and state != "Z":
-            found.append((place / "cmdline").read_bytes().replace(b"\0", b" ").decode()[:150])
-    return found
+        if folder.encode() in content and state != "Z":
+            processes.append(
+                (folder_of_process / "cmdline").read_bytes().replace(b"\0", b" ").decode()[:150]
+            )
+    return processes
 
 
-def gone(folder, seconds=20):
+def wait_for_end(folder, seconds=20):
     end = time.monotonic() + seconds
-    while (left := processes_of(folder)) and time.monotonic() < end:
+    while (remaining := processes_of(folder)) and time.monotonic() < end:
         time.sleep(0.2)
-    return not left
+    return not remaining

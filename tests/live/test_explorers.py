@@ -1,5 +1,4 @@
-"""Explorers: that what moves is right, that a slider and a click change the picture, and what is
-said of bad input."""
+"""Explorers: the mathematics, sliders and clicks, and messages on bad input."""
 
 import numpy as np
 import pytest
@@ -24,7 +23,7 @@ from workbook.live.explorers.phase import PORTRAITS
 from workbook.live.worked_problem import WorkedProblem
 
 
-def words(explorer):
+def text(explorer):
     return explorer._text.value
 
 
@@ -35,29 +34,29 @@ def picture(explorer):
 def stroke(explorer, axes, points):
     """Pull the pointer over points of some axes, as the layer in the page tells it."""
     size = explorer.figure.figure.bbox.size
-    places = axes.transData.transform(points) / size
+    fractions = axes.transData.transform(points) / size
     explorer._pointer.value = " ".join(
-        [str(explorer.frames), *(f"{number:.5f}" for number in places.ravel())]
+        [str(explorer.frames), *(f"{number:.5f}" for number in fractions.ravel())]
     )
 
 
-def test_the_roots_follow_the_point_that_is_pulled():
+def test_roots_follow_the_parameters():
     explorer = region_of_stability("1.15", "a")
     before, frames = picture(explorer), explorer.frames
     stroke(explorer, explorer.figure.axes[0], [(0, 0), (2.5, 1.5)])
     # two sliders, one frame
     assert explorer.frames == frames + 1 and picture(explorer) != before
     assert [round(control.value, 2) for control in explorer.controls.values()] == [2.5, 1.5]
-    assert "3 of 3 roots lie left" in words(explorer)
+    assert "3 of 3 roots lie left" in text(explorer)
     explorer.set(k1=0.5, k2=1)  # below the hyperbola
-    assert "1 of 3 roots lie left" in words(explorer)
+    assert "1 of 3 roots lie left" in text(explorer)
     stroke(explorer, explorer.figure.axes[1], [(0, 0)])  # the roots cannot be pulled
     assert explorer.controls["k1"].value == 0.5
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("problem", PORTRAITS)
-def test_every_portrait_of_chapter_1_follows_its_parameters(problem):
+def test_every_portrait_follows_its_parameters(problem):
     for item, portrait in PORTRAITS[problem].items():
         explorer = phase_portrait(problem, item)
         for name, (low, high, _) in portrait.parameters.items():
@@ -65,15 +64,15 @@ def test_every_portrait_of_chapter_1_follows_its_parameters(problem):
             middle = picture(explorer)
             explorer.set(**{name: low + 0.9 * (high - low)})
             assert picture(explorer) != middle, f"{problem} {item} {name}"
-        assert "no picture" not in words(explorer)
+        assert "no picture" not in text(explorer)
 
 
-def test_every_problem_of_chapter_1_has_a_portrait_or_moves_in_no_plane():
+def test_every_planar_problem_of_chapter_1_has_a_portrait():
     others = {"1.5": "six dimensions", "1.15": "third order", "1.18": "third order"}
     assert set(PORTRAITS) | set(others) == {f"1.{k}" for k in range(1, 19)}
 
 
-def test_rest_points_are_those_that_the_library_finds():
+def test_equilibria_are_those_of_the_library():
     data = WorkedProblem("1.6").data
     field = data["b_field"]
     k, k1, Omega = (
@@ -95,12 +94,12 @@ def test_rest_points_are_those_that_the_library_finds():
             if -0.8 <= angle <= 3.6
         ]
         kinds = [str(stability.classify_planar(matrix)) for matrix in matrices]
-        said = words(explorer)
+        line = text(explorer)
         saddles, stable = (
             sum(kind.startswith(word) for kind in kinds) for word in ("saddle", "stable")
         )
-        assert f"{saddles} saddle" in said if saddles else "saddle" not in said
-        assert f"{stable} stable" in said if stable else "none" in said
+        assert f"{saddles} saddle" in line if saddles else "saddle" not in line
+        assert f"{stable} stable" in line if stable else "none" in line
 
 
 def test_a_click_draws_the_motion_through_it():
@@ -117,76 +116,73 @@ def test_a_click_draws_the_motion_through_it():
         )
 
 
-def test_modes_are_lost_where_problem_2_27_says():
+def test_uncontrollable_modes_of_problem_2_27():
     explorer = pole_zero_cancellation()
     explorer.set(alpha=0, beta=0)
     assert (
-        "mode −2: control has no hold of it" in words(explorer)
-        and words(explorer).count("no hold") == 1
+        "mode −2: control has no hold of it" in text(explorer)
+        and text(explorer).count("no hold") == 1
     )
     explorer.set(alpha=-1.5, beta=1)
     assert (
-        "mode −1: control has no hold of it" in words(explorer)
-        and words(explorer).count("no hold") == 1
+        "mode −1: control has no hold of it" in text(explorer)
+        and text(explorer).count("no hold") == 1
     )
     explorer.set(alpha=-1.02, beta=2)
-    assert "no hold" not in words(explorer)
+    assert "no hold" not in text(explorer)
 
 
-def test_the_distance_of_popov_vanishes_where_a_mode_is_lost():
+def test_distance_vanishes_for_an_unobservable_pair():
     explorer = distance_to_unobservable("2.5", "g")
     data = WorkedProblem("2.5").data
     from trajlib.structure import observability
 
     for alpha in (-1, 1):
         explorer.set(alpha=alpha)
-        lost = not observability(data["A_g"], data["H_g"].subs(data["alpha"], alpha)).holds
-        assert ("between 0 and" in words(explorer)) == lost
+        unobservable = not observability(data["A_g"], data["H_g"].subs(data["alpha"], alpha)).holds
+        assert ("between 0 and" in text(explorer)) == unobservable
 
 
 @pytest.mark.parametrize("R", [0.7, 1.6, 2.6])
-def test_the_circle_is_met_in_the_least_time_that_the_reachable_set_allows(R):
-    """The set reachable in the time T is convex: its support function says when it meets the disc,
-    or leaves it."""
-    starts = np.array(
+def test_times_to_the_circle_are_those_of_the_reachable_set(R):
+    """Compare times with those at which the reachable set meets or leaves the disc."""
+    initial_states = np.array(
         [0.2 + 0.1j, -0.3 - 0.35j, 0.5j * R, 0.8 * R, 1.5 * R + 0.5j, -2.5 - 2j, 4.1 + 0.3j]
     )
-    _paths, times = trajectories(starts, R)
+    _paths, times = trajectories(initial_states, R)
     angle = np.linspace(0, 2 * np.pi, 361)
     steps = np.linspace(0, 12, 2401)
     # psi at the end; before it the costate was turned on, and its second component drives
-    drives = np.abs(np.sin(angle[None, :] + steps[:, None]))
-    spread = np.vstack(
-        [np.zeros(361), np.cumsum((drives[1:] + drives[:-1]) / 2, axis=0) * steps[1]]
-    )
-    for start, time in zip(starts, times):
-        centre = np.real(start * np.exp(-1j * steps[:, None]) * np.exp(-1j * angle[None, :]))
-        there = (
+    drive = np.abs(np.sin(angle[None, :] + steps[:, None]))
+    spread = np.vstack([np.zeros(361), np.cumsum((drive[1:] + drive[:-1]) / 2, axis=0) * steps[1]])
+    for state, time in zip(initial_states, times):
+        centre = np.real(state * np.exp(-1j * steps[:, None]) * np.exp(-1j * angle[None, :]))
+        arrived = (
             (centre - spread).max(axis=1) <= R
-            if abs(start) > R
+            if abs(state) > R
             else (centre + spread).max(axis=1) >= R
         )
-        assert abs(steps[np.argmax(there)] - time) < 2 * STEP, start
+        assert abs(steps[np.argmax(arrived)] - time) < 2 * STEP, state
 
 
-def test_whoever_draws_the_best_arcs_has_the_best_energy():
+def test_drawing_the_optimal_control_gives_the_optimal_energy():
     explorer = manual_control()
     explorer.set(best_arcs=1)
     best = 24.5  # half of (3 + 2*2)**2: each half turn adds 2 to the amplitude
-    assert f"{best:.2f} is the best" in words(explorer)
+    assert f"{best:.2f} is the best" in text(explorer)
     axes = explorer.figure.axes[0]
     # beyond the bounds: held at them
     stroke(explorer, axes, [(0.01, -1.1), (3.13, -1.1), (3.15, 1.1), (6.28, 1.1)])
-    by_hand = float(words(explorer).split("at the end: ")[1].split()[0])
+    by_hand = float(text(explorer).split("at the end: ")[1].split()[0])
     assert best - 0.15 < by_hand <= best
     stroke(explorer, axes, [(0.01, 0.2), (6.28, 0.2)])
-    assert float(words(explorer).split("at the end: ")[1].split()[0]) < 10
+    assert float(text(explorer).split("at the end: ")[1].split()[0]) < 10
 
 
-def test_the_fastest_motion_ends_at_rest_and_switches_with_the_costate():
-    found = _synthesis("5.3", "a")
+def test_fastest_motion_ends_at_rest_and_switches_with_the_costate():
+    synthesis = _synthesis("5.3", "a")
     for x, v in ((1, 0), (-1.2, 0.7), (0.4, -1.3)):
-        motion = _extremal(found, np.array([x, v], dtype=float))
+        motion = _extremal(synthesis, np.array([x, v], dtype=float))
         times, (psi1, psi2, switching, control) = motion["times"], motion["functions"]
         first = -1 if x + v * abs(v) / 2 > 0 else 1
         assert times[-1] == pytest.approx(2 * np.sqrt(v * v / 2 - first * x) - first * v, abs=1e-6)
@@ -198,7 +194,7 @@ def test_the_fastest_motion_ends_at_rest_and_switches_with_the_costate():
 
 
 @pytest.mark.parametrize(
-    "said, message",
+    "line, message",
     [
         (
             "regoin_of_stability",
@@ -217,12 +213,12 @@ def test_the_fastest_motion_ends_at_rest_and_switches_with_the_costate():
         ("fastest_motion 5.3 b", "there is 5.3 a, 5.7 a"),
     ],
 )
-def test_what_is_not_understood_ends_in_one_line(said, message):
-    with pytest.raises(LiveError) as told:
-        explore(said)
-    assert message in str(told.value) and "\n" not in str(told.value)
+def test_bad_input_ends_in_one_line(line, message):
+    with pytest.raises(LiveError) as raised:
+        explore(line)
+    assert message in str(raised.value) and "\n" not in str(raised.value)
     # in a cell without a magic, too
-    assert told.value._render_traceback_() == [str(told.value)]
+    assert raised.value._render_traceback_() == [str(raised.value)]
 
 
 def test_the_list_names_every_explorer():
@@ -233,14 +229,14 @@ def test_circle_synthesis_follows_its_radius_and_the_pointer():
     explorer = explore("circle_synthesis R=2")
     before = picture(explorer)
     stroke(explorer, explorer.figure.axes[0], [(0.5, 0.2)])
-    assert picture(explorer) != before and "to the circle" in words(explorer)
+    assert picture(explorer) != before and "to the circle" in text(explorer)
 
 
 @pytest.mark.slow
 def test_fastest_motion_starts_from_a_click():
     explorer = fastest_motion()
     stroke(explorer, explorer.figure.axes[0], [(1, 0)])
-    assert "least time 2.000" in words(explorer)
+    assert "least time 2.000" in text(explorer)
     before = picture(explorer)
     explorer.set(frame=60)
-    assert picture(explorer) != before and "now <i>t</i> = 1.00" in words(explorer)
+    assert picture(explorer) != before and "now <i>t</i> = 1.00" in text(explorer)

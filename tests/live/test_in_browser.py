@@ -1,5 +1,4 @@
-"""A lecture in JupyterLab as the class sees it, in a browser that reaches nothing but this
-machine."""
+"""A lecture in JupyterLab as the class sees it, in a browser without a network."""
 
 import time
 from pathlib import Path
@@ -36,7 +35,7 @@ class Lab:
             ".innerText.match(/\\d+/)) || 0))"
         )
 
-    def go_on(self):
+    def run_next(self):
         """Run the chosen cell and go to the next one; what it shows."""
         before = self.ran()
         self.press(self._keys.SHIFT, self._keys.ENTER)
@@ -76,7 +75,7 @@ class Lab:
         )
 
 
-def an_explorer_follows(browser):
+def check_explorer(browser):
     """A slider changes the picture, and so does the pointer, which moves the sliders."""
     image = "document.querySelector('.workbook-figure img').src"
     assert browser.wait_for(
@@ -86,14 +85,15 @@ def an_explorer_follows(browser):
     slider = browser.find(".workbook-explorer .noUi-handle")
     slider.send_keys("\ue014")  # the right arrow
     assert browser.wait_for(f"{image} !== {before!r}", 20), "the slider moves nothing"
-    pulled = browser.run("document.querySelector('.workbook-explorer .widget-readout').innerText")
+    readout = browser.run("document.querySelector('.workbook-explorer .widget-readout').innerText")
     click(browser, ".workbook-layer", 0.2, 0.5)
     assert browser.wait_for(
-        f"document.querySelector('.workbook-explorer .widget-readout').innerText !== {pulled!r}", 20
+        f"document.querySelector('.workbook-explorer .widget-readout').innerText !== {readout!r}",
+        20,
     ), "the pointer moves nothing"
 
 
-def a_poll_is_answered(browser):
+def check_poll(browser):
     """Hands are counted by a button; nothing is told before the reveal."""
     text = "document.querySelector('.workbook-poll').innerText"
     assert browser.wait_for(
@@ -113,19 +113,19 @@ def a_poll_is_answered(browser):
     assert "Which minor was not looked at?" in browser.run(text)
 
 
-def a_click_starts_an_optimal_path(browser, lab):
+def check_fastest_motion(browser, lab):
     """Where one clicks the fastest motion starts, and the play button moves along it."""
-    said = "[...document.querySelectorAll('.workbook-text')].at(-1).innerText"
-    assert browser.wait_for(f"{said}.includes('least time')", 60)
-    before = browser.run(said)
+    text = "[...document.querySelectorAll('.workbook-text')].at(-1).innerText"
+    assert browser.wait_for(f"{text}.includes('least time')", 60)
+    before = browser.run(text)
     click(browser, ".workbook-layer", 0.15, 0.6, which=-1)
-    assert browser.wait_for(f"{said} !== {before!r} && {said}.includes('now t = 0.00')", 20), (
+    assert browser.wait_for(f"{text} !== {before!r} && {text}.includes('now t = 0.00')", 20), (
         "no new path"
     )
     browser.driver.execute_script(
         "[...document.querySelectorAll('.workbook-explorer .widget-play button')][0].click()"
     )
-    assert browser.wait_for(f"!{said}.includes('now t = 0.00')", 20), "it does not move"
+    assert browser.wait_for(f"!{text}.includes('now t = 0.00')", 20), "it does not move"
 
 
 def click(browser, selector, across, down, which=0):
@@ -141,7 +141,7 @@ def click(browser, selector, across, down, which=0):
 
 
 @pytest.mark.timeout(600)
-def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
+def test_a_lecture_runs_with_shift_enter(lecture, browser):
     master = MASTER.read_bytes()
     with lecture("1.15", "--discard") as live:
         browser.resize(1280, 900)
@@ -159,22 +159,22 @@ def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
         lab = Lab(browser)
         browser.find(".jp-NotebookPanel .jp-CodeCell .cm-content").click()
         time.sleep(1)
-        lab.go_on()  # the data
+        lab.run_next()  # the data
         assert lab.chosen() == "%answer a_region"
-        assert "The cubic, once for all items" in lab.go_on()
+        assert "The cubic, once for all items" in lab.run_next()
         for _ in range(3):  # what it puts below is the next cell
             assert lab.chosen() == "%answer a_region"
-            shown = lab.go_on()
+            shown = lab.run_next()
         assert "The region lies above" in shown
-        lab.go_on()
+        lab.run_next()
         assert "a_region = sp.And(k1 > 0, k1*k2 > 1)" in lab.chosen()
-        assert "leading minors" in lab.go_on()
-        lab.go_on()
-        lab.go_on()  # the picture
+        assert "leading minors" in lab.run_next()
+        lab.run_next()
+        lab.run_next()  # the picture
         assert browser.run(f"{CELLS}.some(cell => cell.querySelector('.jp-OutputArea img'))")
-        assert "Left: the region of item a" in lab.go_on()
+        assert "Left: the region of item a" in lab.run_next()
         assert lab.chosen() == "%check a_region"
-        assert "right" in lab.go_on()
+        assert "right" in lab.run_next()
         for magic in (
             "%mistake a_region",
             "%hint a_region",
@@ -186,9 +186,9 @@ def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
         ):
             lab.below(magic)
             lab.ran_all()
-        an_explorer_follows(browser)
-        a_poll_is_answered(browser)
-        a_click_starts_an_optimal_path(browser, lab)
+        check_explorer(browser)
+        check_poll(browser)
+        check_fastest_motion(browser, lab)
         shown = browser.run("document.querySelector('.jp-Notebook').innerText")
         assert (
             "there is no explorer nothing" in shown
@@ -204,7 +204,7 @@ def test_a_lecture_is_gone_through_with_one_key(lecture, browser):
 
 
 @pytest.mark.timeout(600)
-def test_a_lecture_is_shown_as_slides_and_runs_from_top_to_bottom(lecture, browser):
+def test_a_lecture_runs_as_slides_and_as_a_whole(lecture, browser):
     with lecture("stability-regions", "--discard") as live:
         browser.resize(1280, 900)
         browser.open(live.address.replace("/doc/tree/", "/rise/"))
@@ -212,7 +212,10 @@ def test_a_lecture_is_shown_as_slides_and_runs_from_top_to_bottom(lecture, brows
             "the slides do not open"
         )
         lab = Lab(browser)
-        there = "[...document.querySelectorAll('.present .jp-CodeCell .cm-content')].filter(e => e.offsetParent)"
+        cells_of_slide = (
+            "[...document.querySelectorAll('.present .jp-CodeCell .cm-content')]"
+            ".filter(cell => cell.offsetParent)"
+        )
         # the space bar goes on: title, question, and below it the first computation
         for _ in range(20):
             if browser.run("location.hash") == "#/slide-1-1":
@@ -220,7 +223,7 @@ def test_a_lecture_is_shown_as_slides_and_runs_from_top_to_bottom(lecture, brows
             lab.press(" ")
             time.sleep(1.5)
         assert browser.run("location.hash") == "#/slide-1-1"
-        browser.run(f"{there}.at(-1)").click()
+        browser.run(f"{cells_of_slide}.at(-1)").click()
         lab.press(lab._keys.SHIFT, lab._keys.ENTER)
         ran = "[...document.querySelectorAll('.jp-InputPrompt')].some(prompt => prompt.innerText.includes('[1]'))"
         assert browser.wait_for(ran, 60), "the cell did not run"
@@ -236,7 +239,7 @@ def test_a_lecture_is_shown_as_slides_and_runs_from_top_to_bottom(lecture, brows
         time.sleep(1)
         browser.run(f"{poll}.querySelector('.cm-content')").click()
         lab.press(lab._keys.SHIFT, lab._keys.ENTER)
-        a_poll_is_answered(browser)  # widgets load on slides too
+        check_poll(browser)  # widgets load on slides too
         assert browser.run(f"{poll}.classList.contains('present')"), "Shift+Enter left the slide"
         assert browser.foreign_requests() == []
 

@@ -1,5 +1,4 @@
-"""The lectures of book/lectures/: what the notebook shows, and that each runs from top to
-bottom."""
+"""The lectures of book/lectures/: the cells of their notebooks, which run without errors."""
 
 import nbformat
 import pytest
@@ -19,23 +18,23 @@ SLUGS = [lecture.name for lecture in lectures()]
 
 
 @pytest.mark.parametrize("slug", SLUGS)
-def test_a_lecture_becomes_slides_whose_magics_name_what_there_is(slug):
-    subject = find_presentation(slug)
-    notebook = nbformat.from_dict(lecture_notebook(subject))
+def test_a_lecture_becomes_slides_with_valid_magics(slug):
+    presentation = find_presentation(slug)
+    notebook = nbformat.from_dict(lecture_notebook(presentation))
     nbformat.validate(notebook)
     kinds = [cell.metadata.slideshow.slide_type for cell in notebook.cells]
     assert kinds[0] == "slide" and kinds.count("slide") >= 6
     assert all(
         cell.source.startswith("#") for cell, kind in zip(notebook.cells, kinds) if kind == "slide"
     )
-    asked = [cell.source.split() for cell in notebook.cells if is_lecture_magic(cell.source)]
-    assert {magic for magic, *_ in asked} >= {"%mistake", "%hint", "%answer"}
-    for magic, first, *rest in asked:
+    called = [cell.source.split() for cell in notebook.cells if is_lecture_magic(cell.source)]
+    assert {magic for magic, *_ in called} >= {"%mistake", "%hint", "%answer"}
+    for magic, first, *rest in called:
         if magic == "%explore":
             assert first in NAMES
         else:
             (name,) = rest
-            assert first in subject.problems and name in exercises.find(first).about["answers"]
+            assert first in presentation.problems and name in exercises.find(first).about["answers"]
     texts = "\n".join(cell.source for cell in notebook.cells if cell.cell_type == "markdown")
     assert "{live}" not in texts and "{problem}" not in texts and "```" not in texts
 
@@ -53,15 +52,15 @@ def test_a_lecture_runs_from_top_to_bottom(slug):
     assert ran["errors"] == []
 
 
-def test_the_polls_of_lectures_have_answers_to_choose():
-    asked = {
+def test_polls_of_lectures_have_options():
+    called = {
         tuple(cell["source"].split()[1:3])
         for slug in SLUGS
         for cell in lecture_notebook(find_presentation(slug))["cells"]
         if cell["source"].startswith("%poll")
     }
-    assert asked
-    for number, name in asked:
+    assert called
+    for number, name in called:
         assert len(options(WorkedProblem(number), name)) >= 3, (number, name)
 
 

@@ -23,10 +23,10 @@ class Kernel:
 
     def run(self, source):
         shown, pictures = [], []
-        asked = self._client.execute(source)
+        message_id = self._client.execute(source)
         while True:
             message = self._client.get_iopub_msg(timeout=60)
-            if message["parent_header"].get("msg_id") != asked:
+            if message["parent_header"].get("msg_id") != message_id:
                 continue
             kind, content = message["msg_type"], message["content"]
             if kind == "status" and content["execution_state"] == "idle":
@@ -40,11 +40,13 @@ class Kernel:
                 shown.append("\n".join(content["traceback"]))
         while (reply := self._client.get_shell_msg(timeout=60))["parent_header"].get(
             "msg_id"
-        ) != asked:
+        ) != message_id:
             pass
         reply = reply["content"]
         below = [
-            said["text"] for said in reply.get("payload", []) if said["source"] == "set_next_input"
+            message["text"]
+            for message in reply.get("payload", [])
+            if message["source"] == "set_next_input"
         ]
         return "\n".join(shown).strip(), (below or [""])[0], pictures
 
@@ -116,7 +118,7 @@ def test_check_judges_in_one_line(kernel):
     assert "? a_region: invalid" in kernel.run("%check a_region = lambda k: k")[0]
 
 
-def test_hints_come_one_by_one(kernel):
+def test_hints_appear_one_by_one(kernel):
     first, second, third = (kernel.run("%hint a_region")[0] for _ in range(3))
     assert "Hint 1" in first and "Hint 2" not in first
     assert "Hint 1" in second and "Hint 2" in second and third == second
@@ -136,7 +138,7 @@ def test_mistakes_have_a_counterexample(kernel):
 
 
 @pytest.mark.parametrize(
-    "line, said",
+    "line, message",
     [
         ("%answer a_regon", "there is no answer a_regon; there is a_region"),
         ("%hint", "name an answer; there is a_region"),
@@ -150,13 +152,13 @@ def test_mistakes_have_a_counterexample(kernel):
         ("%explore region_of_stability 1.15 a k1=99", "k1 = 99: it goes from -2 to 4 here"),
     ],
 )
-def test_what_is_not_understood_ends_in_one_line(kernel, line, said):
+def test_bad_input_ends_in_one_line(kernel, line, message):
     shown = kernel.run(line)[0]
-    assert said in shown and len(shown.splitlines()) == 1
+    assert message in shown and len(shown.splitlines()) == 1
 
 
 @pytest.mark.parametrize("kernel", ["1.15 1.16"], indirect=True)
-def test_of_several_problems_one_is_named(kernel):
+def test_with_several_problems_the_number_is_needed(kernel):
     shown = kernel.run("%hint a_region")[0]
     assert "a_region is an answer of 1.15 and of 1.16; say which: 1.15 a_region" in shown
     assert "Hint 1" in kernel.run("%hint 1.16 a_region")[0]
@@ -170,7 +172,7 @@ def test_catchup_with_a_name_works_up_to_it(kernel):
     assert "%catchup belongs into a cell" in kernel.run("%catchup")[0]
 
 
-def test_catchup_knows_the_cells_above_as_they_were_saved(tmp_path, monkeypatch):
+def test_catchup_reads_the_cells_above_from_the_saved_notebook(tmp_path, monkeypatch):
     cells = [
         ("a", "code", "x = 1"),
         ("b", "markdown", "words"),

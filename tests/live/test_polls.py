@@ -1,5 +1,4 @@
-"""Polls: what is offered, that nothing tells the right answer before the reveal, and what is said
-then."""
+"""Polls: the options, and the explanations, which appear at the reveal only."""
 
 import pytest
 
@@ -9,53 +8,55 @@ from workbook.live.worked_problem import WorkedProblem
 
 
 @pytest.fixture(scope="module")
-def worked():
+def problem():
     return WorkedProblem("1.15")
 
 
-def test_four_answers_one_of_them_right_in_an_order_that_stays(worked):
-    offered = options(worked, "a_region")
-    assert [option.right for option in offered].count(True) == 1 and len(offered) == 4
-    assert len({option.text for option in offered}) == 4 and all(
-        "$" in option.text for option in offered
+def test_four_options_one_of_them_right_in_a_fixed_order(problem):
+    shown = options(problem, "a_region")
+    assert [option.right for option in shown].count(True) == 1 and len(shown) == 4
+    assert len({option.text for option in shown}) == 4 and all(
+        "$" in option.text for option in shown
     )
-    assert offered == options(WorkedProblem("1.15"), "a_region")
-    assert [option.explanation for option in offered if not option.right] == [
-        option.explanation for option in offered if option.explanation
+    assert shown == options(WorkedProblem("1.15"), "a_region")
+    assert [option.explanation for option in shown if not option.right] == [
+        option.explanation for option in shown if option.explanation
     ]
-    assert any("Which minor was not looked at?" in option.explanation for option in offered)
+    assert any("Which minor was not looked at?" in option.explanation for option in shown)
 
 
-def test_the_right_answer_is_not_always_at_one_place(worked):
-    places = {
-        next(k for k, option in enumerate(options(worked, name)) if option.right)
-        for name in worked.exercise.about["answers"]
+def test_the_position_of_the_right_option_varies(problem):
+    positions = {
+        next(k for k, option in enumerate(options(problem, name)) if option.right)
+        for name in problem.exercise.about["answers"]
     }
-    assert len(places) > 1
+    assert len(positions) > 1
 
 
-def test_hands_are_counted_and_the_reveal_tells(worked):
-    found = poll(worked, "a_region", ["10", "20", "10", "0"])
-    assert [bar.value.count("50%") for bar in found._bars] == [0, 1, 0, 0]
-    button = found.children[2].children[1]
+def test_hands_are_counted_before_the_reveal(problem):
+    widget = poll(problem, "a_region", ["10", "20", "10", "0"])
+    assert [bar.value.count("50%") for bar in widget._bars] == [0, 1, 0, 0]
+    button = widget.children[2].children[1]
     button.click()
-    assert found.counts[0].value == 11
-    assert all(said.value == "" for said in found._explanations)  # nothing is told before
-    found._reveal.click()
-    told = [said.value for said in found._explanations]
-    right = next(k for k, option in enumerate(found.options) if option.right)
-    assert "right" in told[right] and all("✗" in said for k, said in enumerate(told) if k != right)
-    assert any("Which minor was not looked at?" in said for said in told)
+    assert widget.counts[0].value == 11
+    assert all(message.value == "" for message in widget._explanations)  # nothing is told before
+    widget._reveal.click()
+    explanations = [message.value for message in widget._explanations]
+    right = next(k for k, option in enumerate(widget.options) if option.right)
+    assert "right" in explanations[right] and all(
+        "✗" in message for k, message in enumerate(explanations) if k != right
+    )
+    assert any("Which minor was not looked at?" in message for message in explanations)
 
 
-def test_words_and_truth_values_are_answers_too():
-    offered = {option.text: option.right for option in options(WorkedProblem("1.13"), "c_kind")}
-    assert offered == {"stable": False, "unstable": False, "semistable": True}
+def test_choices_are_options_too():
+    shown = {option.text: option.right for option in options(WorkedProblem("1.13"), "c_kind")}
+    assert shown == {"stable": False, "unstable": False, "semistable": True}
 
 
 @pytest.mark.parametrize(
-    "counts, said", [(["3", "4"], "there are 4 answers here"), (["many"], "whole numbers")]
+    "counts, message", [(["3", "4"], "there are 4 answers here"), (["many"], "whole numbers")]
 )
-def test_counts_that_do_not_fit_end_in_one_line(worked, counts, said):
-    with pytest.raises(LiveError, match=said):
-        poll(worked, "a_region", counts)
+def test_bad_counts_end_in_one_line(problem, counts, message):
+    with pytest.raises(LiveError, match=message):
+        poll(problem, "a_region", counts)

@@ -1,5 +1,4 @@
-"""`workbook live` from the command to its end: the copy, the processes, and what is said where it
-cannot be."""
+"""`workbook live` from start to end: notebook, processes and messages."""
 
 import json
 import os
@@ -38,13 +37,13 @@ def one_line(done):
     return done.stderr
 
 
-def test_the_list_names_lectures_and_problems():
+def test_the_list_has_lectures_and_problems():
     done = workbook("live", COLUMNS="200")
     assert done.returncode == 0 and "1.15" in done.stdout and "Stability regions" in done.stdout
 
 
 @pytest.mark.parametrize(
-    "arguments, said",
+    "arguments, message",
     [
         (["9.99"], "no problem 9.99"),
         (["stabilty"], "there is no lecture stabilty"),
@@ -56,8 +55,8 @@ def test_the_list_names_lectures_and_problems():
         ),
     ],
 )
-def test_bad_input_ends_in_one_line(arguments, said):
-    assert said in one_line(workbook("live", *arguments))
+def test_bad_input_ends_in_one_line(arguments, message):
+    assert message in one_line(workbook("live", *arguments))
 
 
 def test_a_taken_port_ends_in_one_line():
@@ -81,7 +80,7 @@ def test_without_jupyterlab_one_line_says_how_to_get_it(monkeypatch):
         presenting.present(find_presentation("1.15"), browser=False)
 
 
-def test_the_copy_has_statement_and_data_and_no_solution():
+def test_a_problem_is_shown_without_its_solution():
     notebook = lecture_notebook(find_presentation("1.15"))
     text = json.dumps(notebook)
     sources = [cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
@@ -95,16 +94,16 @@ def test_the_copy_has_statement_and_data_and_no_solution():
     )
 
 
-def test_every_problem_has_a_copy_with_its_drawings():
+def test_every_problem_has_a_notebook_with_its_drawings():
     import nbformat
 
     for exercise in exercises.read_all():
         notebook = nbformat.from_dict(lecture_notebook(find_presentation(exercise.number)))
         nbformat.validate(notebook)
-        asked = [
+        checked = [
             cell.source.split()[-1] for cell in notebook.cells if cell.source.startswith("%check")
         ]
-        assert asked == list(exercise.about["answers"]) or set(asked) == set(
+        assert checked == list(exercise.about["answers"]) or set(checked) == set(
             exercise.about["answers"]
         )
         pictures = [cell for cell in notebook.cells if "attachment:" in cell.source]
@@ -137,7 +136,7 @@ def test_no_process_is_left_however_it_ends(lecture, number):
         live.end(number)
 
 
-def test_a_process_that_ended_before_it_read_is_put_away():
+def test_a_process_that_has_exited_is_reaped():
     process = subprocess.Popen(
         [sys.executable, "-c", ""], stdin=subprocess.PIPE, stdout=subprocess.PIPE
     )
@@ -147,19 +146,19 @@ def test_a_process_that_ended_before_it_read_is_put_away():
     assert process.returncode == 0
 
 
-def test_kernels_are_forked_however_long_the_path_is(lecture, tmp_path):
+def test_kernels_are_forked_with_a_long_path(lecture, tmp_path):
     with lecture("1.15", "--discard") as live:
         end = time.monotonic() + 30
         while (
-            not (found := list(tmp_path.glob("temporary*/workbook-live-*/kernels")))
+            not (sockets := list(tmp_path.glob("temporary*/workbook-live-*/kernels")))
             and time.monotonic() < end
         ):
             time.sleep(0.2)
-        assert found and found[0].is_socket()
+        assert sockets and sockets[0].is_socket()
         live.end()
 
 
-def test_what_is_saved_goes_to_the_copy_and_is_kept_where_asked(lecture, tmp_path):
+def test_saving_changes_the_copy_only_which_is_kept(lecture, tmp_path):
     before = {
         path: path.read_bytes()
         for path in (
@@ -182,7 +181,7 @@ def test_what_is_saved_goes_to_the_copy_and_is_kept_where_asked(lecture, tmp_pat
     assert not list(tmp_path.glob("temporary*/workbook-live-*"))
 
 
-def test_who_cannot_be_asked_loses_nothing(tmp_path, monkeypatch):
+def test_without_a_terminal_the_notebook_is_kept(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "stdin", open(os.devnull))
     copy = tmp_path / "copy.ipynb"
@@ -193,15 +192,15 @@ def test_who_cannot_be_asked_loses_nothing(tmp_path, monkeypatch):
     assert keep_notebook(copy, b"", "1.15", None, discard=False) == Path("live-1.15-2.ipynb")
 
 
-@pytest.mark.parametrize("said, kept", [("", None), ("monday", Path("monday.ipynb"))])
-def test_closing_asks_whether_to_keep(tmp_path, monkeypatch, said, kept):
+@pytest.mark.parametrize("message, kept", [("", None), ("monday", Path("monday.ipynb"))])
+def test_closing_asks_whether_to_keep(tmp_path, monkeypatch, message, kept):
     class Terminal:
         def isatty(self):
             return True
 
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(sys, "stdin", Terminal())
-    monkeypatch.setattr("builtins.input", lambda question: said)
+    monkeypatch.setattr("builtins.input", lambda question: message)
     copy = tmp_path / "copy.ipynb"
     copy.write_text("worked on")
     assert keep_notebook(copy, b"", "1.15", None, discard=False) == kept

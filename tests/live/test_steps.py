@@ -16,7 +16,7 @@ def masters():
     return read_all(ROOT / "solutions")
 
 
-def test_every_answer_begins_with_an_idea_and_every_cell_is_one_step(masters):
+def test_every_answer_begins_with_text_and_every_cell_is_one_step(masters):
     for master in masters:
         steps = solution_steps(master)
         assert set(steps) == set(master.answers), master.number
@@ -29,7 +29,7 @@ def test_every_answer_begins_with_an_idea_and_every_cell_is_one_step(masters):
             assert CODE in {step.kind for step in group}
 
 
-def test_no_formula_is_cut(masters):
+def test_no_formula_is_split(masters):
     for master in masters:
         for group in solution_steps(master).values():
             for step in group:

@@ -1,5 +1,4 @@
-"""A student's notebook in plain JupyterLab: answered wrongly, half and rightly, and what its
-reports then look like."""
+"""A student notebook in plain JupyterLab: the looks of its reports."""
 
 import os
 import shutil
@@ -23,7 +22,7 @@ BOTH = (
 )
 
 
-class Desk:
+class OpenNotebook:
     """The open notebook: what a student types and runs, and what stands below it then."""
 
     def __init__(self, browser):
@@ -33,8 +32,7 @@ class Desk:
         self._browser, self._keys, self._actions = browser, Keys, ActionChains
 
     def run(self, beginning, text=None):
-        """Run the first cell with a line that begins like this, rewritten if a text is given, and
-        wait for it."""
+        """Run the first cell with a line that begins so, after replacing its text, and wait."""
         at = (
             f"{CELLS}.findIndex(cell => ('\\n' + cell.querySelector('.cm-content').innerText)"
             f".includes('\\n' + {beginning!r}))"
@@ -56,8 +54,7 @@ class Desk:
         return cell
 
     def report(self, beginning, text=None):
-        """A check cell is run: (mark, verdict, colour, text) of each line, and the error below
-        them."""
+        """Run a check cell; return (mark, verdict, colour, text) of its lines, and its error."""
         cell = self.run(beginning, text)
         lines = self._browser.run(
             f"[...{cell}.querySelectorAll('.workbook-verdict')].map(line => "
@@ -75,14 +72,14 @@ class Desk:
 
 
 @pytest.fixture(scope="module")
-def desk(browser, tmp_path_factory):
+def notebook(browser, tmp_path_factory):
     """JupyterLab as a student starts it, with the notebook on the desk; ended whatever happens."""
     folder = tmp_path_factory.mktemp("student")
     shutil.copy(NOTEBOOK, folder)
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
-    own = {
+    folders = {
         name: str(folder / name.lower())
         for name in (
             "JUPYTER_CONFIG_DIR",
@@ -109,7 +106,7 @@ def desk(browser, tmp_path_factory):
             "--LabApp.extension_manager=readonly",
         ],
         cwd=folder,
-        env=os.environ | own,
+        env=os.environ | folders,
         stdin=subprocess.DEVNULL,
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
@@ -126,7 +123,7 @@ def desk(browser, tmp_path_factory):
         assert browser.wait_for(
             f"{CELLS}.some(cell => cell.querySelector('.cm-content')?.offsetParent)", 90
         )
-        yield Desk(browser)
+        yield OpenNotebook(browser)
         browser.open("about:blank")
     finally:
         server.terminate()
@@ -143,32 +140,32 @@ def line(verdict):
     return MARKS[verdict], verdict, f"rgb({red}, {green}, {blue})"
 
 
-def test_untouched_wrong_half_and_right(desk):
+def test_reports_of_missing_wrong_and_right_answers(notebook):
     check = 'checks.report("1.15",\n              a_region'
-    report, error = desk.report(check)  # no cell has run yet
+    report, error = notebook.report(check)  # no cell has run yet
     assert report == [] and "run the data cell" in error
-    desk.run("import sympy as sp")
-    report, error = desk.report(check)
+    notebook.run("import sympy as sp")
+    report, error = notebook.report(check)
     assert lines_of(report) == [line("missing")] and error.strip() == "Not yet: 0 of 1 right."
 
-    desk.run("a_region =", WRONG_A)
-    report, error = desk.report(check)
+    notebook.run("a_region =", WRONG_A)
+    report, error = notebook.report(check)
     assert lines_of(report) == [line("wrong")] and error.strip() == "Not yet: 0 of 1 right."
     # it fails somewhere, and the mistake is asked about
     assert "wrong" in report[0][3] and "?" in report[0][3]
 
-    desk.run("a_region =", RIGHT_A)
-    report, error = desk.report(check)
+    notebook.run("a_region =", RIGHT_A)
+    report, error = notebook.report(check)
     assert lines_of(report) == [line("right")] and error == ""
 
     # two lines of one report, each in its own colour: half of it is right
-    desk.run("b_region =", "b_region = k1 > 0")
-    report, error = desk.report('checks.report("1.15",\n              b_region', BOTH)
+    notebook.run("b_region =", "b_region = k1 > 0")
+    report, error = notebook.report('checks.report("1.15",\n              b_region', BOTH)
     assert (
         lines_of(report) == [line("right"), line("wrong")]
         and error.strip() == "Not yet: 1 of 2 right."
     )
 
-    desk.run("b_region =", RIGHT_B)
-    report, error = desk.report("checks.report(a_region")
+    notebook.run("b_region =", RIGHT_B)
+    report, error = notebook.report("checks.report(a_region")
     assert lines_of(report) == [line("right"), line("right")] and error == ""

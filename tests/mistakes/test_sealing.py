@@ -1,4 +1,4 @@
-"""Sentences open to who has the wrong answer, and to nobody who only reads."""
+"""Sealed sentences open with the wrong answer only."""
 
 import base64
 
@@ -7,7 +7,7 @@ from workbook.mistakes.sealing import find, seal
 SENTENCE = "Is this what comes out if friction is forgotten?\nHint 1: Write the second law down."
 
 
-def test_who_has_the_answer_can_open_the_sentence():
+def test_the_wrong_answer_opens_the_sentence():
     sealed = dict([seal(SENTENCE, "1.15 a_region", b"mine")])
     assert find(sealed, "1.15 a_region", [b"other", b"mine"]) == SENTENCE
     assert (
@@ -16,7 +16,7 @@ def test_who_has_the_answer_can_open_the_sentence():
     assert find(sealed, "1.16 a_region", [b"mine"]) == ""
 
 
-def test_neither_answer_nor_sentence_is_readable():
+def test_answers_and_sentences_are_not_readable():
     ((name, text),) = sealed = [seal(SENTENCE, "1.15 a_region", b"mine")]
     for shown in (name.encode(), text.encode(), base64.b64decode(text)):
         assert not any(word in shown for word in (b"mine", b"friction", b"Hint", b"Is this"))
@@ -28,7 +28,7 @@ def test_neither_answer_nor_sentence_is_readable():
     assert seal(SENTENCE, "1.15 a_region", b"mine") == sealed[0]
 
 
-def test_sentences_that_begin_alike_are_not_sealed_alike():
+def test_equal_sentences_are_sealed_differently():
     (_, one), (_, other) = (
         seal(SENTENCE, "1.15 a_region", b"mine"),
         seal(SENTENCE, "1.15 a_region", b"yours"),

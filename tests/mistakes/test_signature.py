@@ -1,5 +1,4 @@
-"""What answers are whatever their form: equal ones alike, others not, rounding and other kinds of
-answers included."""
+"""Signatures: equal for the forms of an answer, different for other answers."""
 
 import numpy as np
 import pytest
@@ -17,7 +16,7 @@ x, y, k, t = sp.symbols("x y k t", real=True)
 m = sp.Symbol("m", positive=True)
 PLANE = {"x": "", "y": ""}
 
-ALIKE = [
+EQUAL = [
     ("expression", (x + y) ** 2, sp.expand((x + y) ** 2)),
     ("expression", (x**2 - y**2) / (x - y), x + y),
     ("expression", x / 3, 0.3333333333333333 * x),
@@ -47,7 +46,7 @@ ALIKE = [
     ("choice", "stable focus", "Stable-Focus"),
     ("integer", 3, sp.Float(3.0)),
 ]
-UNLIKE = [
+DIFFERENT = [
     ("expression", x**2, x * sp.Abs(x)),
     ("expression", x + y, x - y),
     ("expression", x, x + sp.Rational(1, 1000)),
@@ -73,17 +72,17 @@ def of(value, kind, symbols=PLANE):
     return list(signatures(value, AnswerType(kind, symbols)))
 
 
-@pytest.mark.parametrize("kind, one, other", ALIKE)
-def test_forms_of_one_answer_are_alike(kind, one, other):
+@pytest.mark.parametrize("kind, one, other", EQUAL)
+def test_forms_of_an_answer_have_equal_signatures(kind, one, other):
     assert of(one, kind)[0] in of(other, kind) and of(other, kind)[0] in of(one, kind)
 
 
-@pytest.mark.parametrize("kind, one, other", UNLIKE)
-def test_other_answers_are_not(kind, one, other):
+@pytest.mark.parametrize("kind, one, other", DIFFERENT)
+def test_different_answers_have_different_signatures(kind, one, other):
     assert not set(of(one, kind)) & set(of(other, kind))
 
 
-def test_a_list_without_rows_may_be_a_row_or_a_column():
+def test_a_flat_list_is_a_row_or_a_column():
     flat = [set(of(written, "matrix")) for written in ([x, 1], (x, 1), np.array([2.0, 1.0]))]
     for matrix in (sp.Matrix([[x, 1]]), sp.Matrix([x, 1])):
         assert of(matrix, "matrix")[0] in flat[0] & flat[1]
@@ -91,15 +90,19 @@ def test_a_list_without_rows_may_be_a_row_or_a_column():
     assert of(sp.Matrix([[x, 1]]), "matrix")[0] not in of([[x], [1]], "matrix")
 
 
-def test_arcs_are_like_the_cases_that_say_the_same():
-    for arcs, said in (
+def test_arcs_have_the_signature_of_their_cases():
+    for arcs, cases_of_arcs in (
         ([[-1, 1], [x, 2]], sp.Piecewise((-1, t < 1), (x, True))),
         (np.array([[-1, x], [1, 3]]), sp.sign(t - x)),
         ([[4, sp.pi / 4]], 4),
     ):
-        assert of(said, "expression")[0] in of(arcs, "expression")
+        assert of(cases_of_arcs, "expression")[0] in of(arcs, "expression")
         (cases,) = arcs_as_piecewise(arcs, "expression")
-        assert of(cases, "expression")[0] == of(said, "expression")[0] != of(arcs, "expression")[0]
+        assert (
+            of(cases, "expression")[0]
+            == of(cases_of_arcs, "expression")[0]
+            != of(arcs, "expression")[0]
+        )
     assert (
         arcs_as_piecewise([[1, 2], [3, 4]], "matrix")
         == arcs_as_piecewise(x, "expression")
@@ -109,18 +112,18 @@ def test_arcs_are_like_the_cases_that_say_the_same():
     assert not set(of([[x, 1], [1, 2]], "expression")) & set(of([[x, 2], [1, 2]], "expression"))
 
 
-def test_three_digits_of_any_number_are_enough():
+def test_three_digits_are_enough():
     for number in np.geomspace(1e-3, 1e3, 400):
         assert of(float(number), "number")[0] in of(float(f"{number:.3g}"), "number"), number
 
 
-def test_rounding_makes_no_other_answer():
+def test_rounding_keeps_the_signature():
     for number in np.linspace(1, 2, 2000):
         moved = of(sp.Float(number) * (1 + sp.Float(1e-13)) * x, "expression")
         assert of(sp.Float(number) * x, "expression")[0] in moved, number
 
 
-def test_a_parameter_is_taken_positive_where_it_is():
+def test_assumptions_on_parameters_are_used():
     assert of(sp.Abs(m), "expression", {"m": "positive"}) == of(m, "expression", {"m": "positive"})
     assert of(sp.Abs(x), "expression") != of(x, "expression")
 
@@ -139,6 +142,6 @@ def test_a_parameter_is_taken_positive_where_it_is():
         ("expression", [x] * MAX_BYTES),
     ],
 )
-def test_what_has_no_values_is_unlike_everything(kind, value):
+def test_answers_without_values_have_no_signature(kind, value):
     with pytest.raises(NoSignature):
         of(value, kind)

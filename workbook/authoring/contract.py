@@ -162,7 +162,7 @@ def item_of(name):
 
 
 def validate_code(master, lines):
-    """Raise `MasterError` unless every answer is assigned once and checked once, by a known check."""
+    """Raise `MasterError` unless every answer is assigned once and checked once."""
     cells = {
         role: [cell for cell in master.cells if cell.role == role]
         for role in ("data", "answer", "check")

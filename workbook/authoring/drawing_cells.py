@@ -1,4 +1,4 @@
-"""Put the drawings of a master into the student notebook, as pictures shown before it is run.
+"""Put the drawings of a master into the student notebook, as pictures.
 
 Another release of Matplotlib draws the same picture with other bytes. So a picture carries a
 fingerprint of the code that draws it, and is kept as long as the fingerprint is the same.

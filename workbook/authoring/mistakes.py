@@ -1,7 +1,7 @@
-"""Seal the mistakes of a master for the student notebook: wrong trials with a sentence as comment.
+"""Seal the mistakes of a master for the student notebook.
 
-A trial is left out if its signature is that of a right answer, or of another mistake with another
-sentence.
+They are the wrong trials whose comment is a sentence to the student. A trial is left out if its
+signature is that of a right answer, or of another mistake with another sentence.
 """
 
 import hashlib
@@ -108,7 +108,7 @@ def seal_mistakes(master, reference, trials):
 
 
 def answer_type_of(master, name, values):
-    """Return the type of an answer with the symbols of its values, those of the first value first."""
+    """Return the type of an answer with the symbols of its values, in their order."""
     answer = master.answers[name]
     kind = answer.kind.partition("(")[0].replace(" exact", "").strip()
     basis = " basis" if kind in ("list of vector", "dict") and "basis" in answer.text else ""
@@ -162,7 +162,7 @@ def _run_and_seal(master):
 
 
 def trial_value(trial, names):
-    """Return the value of a trial, run with the data and worked answers `names`, as checks get it."""
+    """Return the value of a trial, run with data and worked answers, as checks receive it."""
     exec(trial.source, names)
     return as_received({trial.name: names[trial.name]})[trial.name]
 

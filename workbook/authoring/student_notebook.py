@@ -1,8 +1,9 @@
-"""Convert a master into the student notebook: plain Jupyter, no solutions, nbgrader's metadata.
+"""Convert a master into the student notebook.
 
-Data and check cells are copied and locked; an answer cell becomes a stub `name = ...`; a drawing
-becomes its picture; everything between `solution-start` and `solution-end` is removed. MyST
-directives become headings and paragraphs, so that the notebook reads well in any Jupyter.
+It is a plain Jupyter notebook without solutions, with nbgrader's metadata. Data and check cells are
+copied and locked; an answer cell becomes a stub `name = ...`; a drawing becomes its picture;
+everything between `solution-start` and `solution-end` is removed. MyST directives become headings
+and paragraphs, so that the notebook reads well in any Jupyter.
 """
 
 import json

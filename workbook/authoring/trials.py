@@ -1,4 +1,6 @@
-"""Read the trials of a master, `p15.trials.py` beside `p15.md`: answers its checks refuse or accept.
+"""Read the trials of a master: answers that its checks refuse or accept.
+
+They are in `p15.trials.py` beside `p15.md`:
 
     # %% wrong
     a_region = p > 0  # Is it enough that one of them is positive? (hint 1)

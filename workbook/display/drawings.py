@@ -1,4 +1,4 @@
-"""Drawings of bodies for the statements of problems: rods, masses, springs, carts, axes, forces.
+"""Drawings of bodies for the statements of problems: rods, masses, springs, axes, forces.
 
 The unit of a drawing is an inch, x to the right and y upwards; letters, hinges and arrows have the
 same size in all drawings. Each method adds one shape above the earlier ones. Points are pairs of

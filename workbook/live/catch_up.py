@@ -1,4 +1,4 @@
-"""Read the cells above the running one, for `%catchup`, from the notebook as it was last saved."""
+"""Read the cells above the running one, for `%catchup`, from the saved notebook."""
 
 import json
 import os

@@ -1,4 +1,4 @@
-"""Forkserver for kernels: imports once what lectures use, then forks a kernel for each request.
+"""Forkserver of kernels: imports once what lectures use, forks a kernel for each request.
 
     python -m workbook.live.kernel_forkserver SOCKET
 

@@ -1,4 +1,4 @@
-"""Make the notebook that a class sees: slides of a lecture, or a problem without its solution.
+"""Make the notebook that a class sees: slides of a lecture, or a problem without solution.
 
 A problem's notebook is made of the student notebook, which holds no solution: magics stand where
 the student would work. A lecture is a page of the book; what the site leaves out stands in it as

@@ -1,4 +1,6 @@
-"""The magics of a lecture: `%answer`, `%catchup`, `%hint`, `%check`, `%mistake`, `%poll`, `%explore`.
+"""The magics of a lecture, as an IPython extension.
+
+They are `%answer`, `%catchup`, `%hint`, `%check`, `%mistake`, `%poll` and `%explore`.
 
 All but the last are followed by the name of an answer, `a_region`, with its problem where several
 problems of the lecture have it, `1.16 a_region`. Bad input ends in one line.

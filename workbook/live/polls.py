@@ -1,4 +1,4 @@
-"""Polls: the right answer among those of named mistakes, for a show of hands before the reveal.
+"""Polls: the right answer among those of named mistakes, for a show of hands.
 
 The order of the answers is fixed by a hash and does not depend on which one is right. The lecturer
 counts hands, by typing or with the button beside each answer. Only the reveal shows which one is

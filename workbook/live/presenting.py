@@ -1,4 +1,4 @@
-"""Run a lecture: start JupyterLab and the kernel forkserver, open the page, stop both at the end."""
+"""Run a lecture: start JupyterLab and the kernel forkserver, open the page, stop both."""
 
 import json
 import os

@@ -32,10 +32,12 @@ class WorkedProblem:
 
     @cached_property
     def master(self):
+        """The master."""
         return read(exercises.CHECKOUT / "solutions" / master_file(self.number))
 
     @cached_property
     def exercise(self):
+        """The pristine exercise."""
         try:
             return exercises.find(self.number)
         except exercises.UnknownExercise as error:
@@ -43,6 +45,7 @@ class WorkedProblem:
 
     @cached_property
     def steps(self):
+        """The steps of the worked solution, by answer."""
         return solution_steps(self.master)
 
     @cached_property

@@ -1,6 +1,7 @@
-"""Evaluate expressions and conditions at fixed sample points, which depend on symbols' names only.
+"""Evaluate expressions and conditions at fixed sample points.
 
-The tree of an answer is evaluated with NumPy; nothing is simplified, compiled or run.
+The points depend on the names of the symbols only. The tree of an answer is evaluated with NumPy;
+nothing is simplified, compiled or run.
 """
 
 import functools

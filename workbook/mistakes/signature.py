@@ -156,6 +156,7 @@ class _Reader:
         self._points = law_points if answer_type.kind == "law" else expression_points
 
     def read(self, value, kind):
+        """Return the structure of an answer of a kind."""
         if kind == "yes/no":
             return str(coercion.as_yes_no(value))
         if kind == "integer":

@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def module_closure(source):
-    """Return our modules that code loads, directly or indirectly, with the hashes of their texts.
+    """Return our modules that code loads, directly or not, with the hashes of their texts.
 
     Imports are read from the syntax trees; nothing is run. Of packages with lazy names only the
     modules of the names used are included.
@@ -100,7 +100,7 @@ def _package(node, packages):
 
 
 def _imports(tree):
-    """Yield the import statements of a tree; expressions are skipped, which saves most of the time."""
+    """Yield the import statements of a tree; expressions are skipped to save time."""
     queue = [tree]
     while queue:
         node = queue.pop()

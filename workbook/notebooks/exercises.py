@@ -40,6 +40,7 @@ class Exercise:
 
     @property
     def number(self):
+        """Number of the problem, such as "1.15"."""
         return self.about["number"]
 
     def code(self, *roles):

@@ -1,4 +1,4 @@
-"""A Matplotlib figure of which only the moving artists are drawn anew in each frame (blitting).
+"""A Matplotlib figure whose moving artists alone are drawn anew in each frame (blitting).
 
 Axes, texts and regions are drawn once and kept as pixels. A frame consists of these, the moving
 artists on top, and a JPEG of the whole without chroma subsampling, which `ipywidgets.Image` shows.

@@ -185,7 +185,7 @@ PORTRAITS = {
 
 
 def phase_portrait(problem="1.4", item=""):
-    """Show a phase portrait with a slider for each parameter; a click draws the motion through it.
+    """Show a phase portrait with sliders for its parameters; a click draws a motion.
 
     Equilibria are marked: filled if stable, open if unstable, a cross for a saddle.
 
@@ -354,7 +354,7 @@ def _short_lines(field, initial_points, window):
 
 
 def _equilibria(field, jacobian, initial_points, numbers, window):
-    """Return [(point, "stable", "unstable" or "saddle")] by Newton's method from all points at once.
+    """Return [(point, "stable", "unstable" or "saddle")] by Newton's method from many points.
 
     Centres and points outside the window are left out.
     """

@@ -14,7 +14,7 @@ RANGE, REACH = (-2.0, 4.0), 3.0
 
 
 def region_of_stability(problem="1.15", item="a"):
-    """Show the stability region in the plane of two parameters, and the roots; click or use sliders.
+    """Show a stability region in the plane of two parameters, and the roots at a point of it.
 
     Parameters
     ----------

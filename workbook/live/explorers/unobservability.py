@@ -1,4 +1,4 @@
-"""The distance to the nearest unobservable pair by the PBH test, over a parameter of the output."""
+"""Distance to the nearest unobservable pair by the PBH test, over a parameter of the output."""
 
 import numpy as np
 import sympy as sp
