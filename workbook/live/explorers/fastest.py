@@ -117,10 +117,10 @@ def _synthesis(problem, item):
 
 def _extremal(synthesis, point):
     """Return times, states and functions of time of the fastest motion; empty if there is none."""
-    fastest = synthesis._field.polished(point[:, None])
+    fastest = synthesis._value_function.by_newton(point[:, None])
     if not np.isfinite(fastest.cost[0]):
         return {}
-    fan = synthesis._field.fans[fastest.fan[0]]
+    fan = synthesis._value_function.fans[fastest.fan[0]]
     remaining = np.linspace(fastest.time[0], 0, FRAMES)
     states, mode = fan.flow(np.full(FRAMES, fastest.s[0]), remaining)
     state, psi = states[:2], states[2:4]
