@@ -222,7 +222,7 @@ def changed_workbook(tmp_path, monkeypatch):
     """Exercises in a copy whose check cells `change(problem, old, new)` changes."""
     copy = tmp_path / "workbook"
     shutil.copytree(exercises.folder(), copy)
-    monkeypatch.setattr(exercises, "home", lambda: copy)
+    monkeypatch.setattr(exercises, "folder", lambda: copy)
 
     def change(problem, old, new):
         path = exercises.find(problem).path

@@ -305,7 +305,7 @@ def test_an_exercise_is_read_again_when_its_file_has_changed(tmp_path, monkeypat
     notebook_path = tmp_path / "ch1" / "p15.ipynb"
     notebook_path.parent.mkdir()
     text = exercises.find("1.15").path.read_text(encoding="utf-8")
-    monkeypatch.setattr(exercises, "home", lambda: tmp_path)
+    monkeypatch.setattr(exercises, "folder", lambda: tmp_path)
     notebook_path.write_text(text, encoding="utf-8")
     first = exercises.find("1.15")
     assert exercises.find("1.15") is first
