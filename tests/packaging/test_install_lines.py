@@ -82,7 +82,7 @@ def test_every_documented_line_is_tried():
         line
         for path in DOCUMENTS
         for line in re.findall(
-            r"pip install ((?:-e )?\"?[.\w-]+(?:\[\w+\])?\"?)", path.read_text(encoding="utf-8")
+            r"pip install ((?:-e )?\"?[.\w-]+(?:\[[\w,]+\])?\"?)", path.read_text(encoding="utf-8")
         )
         if "trajlib" in line or line.startswith("-e")
     }
