@@ -550,7 +550,7 @@ def test_without_dask_the_error_is_one_line(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(
         connection.ClusterError,
-        match="needs Dask, which is not installed here: pip install distributed",
+        match="needs Dask, which is not installed here: pip install 'trajlib.cluster.'",
     ):
         coordinator.Cluster("tls://host:8786").check()
 

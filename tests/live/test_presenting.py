@@ -1,5 +1,6 @@
 """`workbook live` from start to end: notebook, processes and messages."""
 
+import io
 import json
 import os
 import signal
@@ -183,7 +184,7 @@ def test_saving_changes_the_copy_only_which_is_kept(lecture, tmp_path):
 
 def test_without_a_terminal_the_notebook_is_kept(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(sys, "stdin", open(os.devnull))
+    monkeypatch.setattr(sys, "stdin", io.StringIO())
     copy = tmp_path / "copy.ipynb"
     copy.write_text("worked on")
     assert keep_notebook(copy, b"", "1.15", None, discard=True) is None

@@ -1,12 +1,15 @@
 """The import closure of code holds all modules that are loaded when it runs."""
 
 import ast
+import hashlib
 import importlib
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
+import workbook.checks.stability.regions as regions
 from workbook.notebooks import dependencies
 from workbook.notebooks.dependencies import module_closure
 
@@ -92,11 +95,7 @@ def test_unused_themes_are_left_out():
 
 
 def test_the_hash_is_that_of_the_text():
-    import hashlib
-
-    import workbook.checks.stability.regions as regions
-
-    text = open(regions.__file__, "rb").read()
+    text = Path(regions.__file__).read_bytes()
     assert (
         module_closure("from workbook import checks\nchecks.stability_region")[
             "workbook.checks.stability.regions"

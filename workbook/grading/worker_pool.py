@@ -136,7 +136,7 @@ class WorkerProcess:
     def start(self):
         """Fork the process and return this object."""
         # It inherits neither the grade store nor another worker's pipes.
-        (requests_end, requests), (results, results_end) = os.pipe(), os.pipe()
+        (requests_end, self._requests), (self._results, results_end) = os.pipe(), os.pipe()
         try:
             self._pid = self.forkserver.fork(
                 WORKER_PROCESS,
@@ -147,7 +147,6 @@ class WorkerProcess:
             os.close(requests_end)
             os.close(results_end)
             self._control.close()
-        self._requests, self._results = requests, results
         return self
 
     def fileno(self):
@@ -198,13 +197,15 @@ class WorkerProcess:
             return json.loads(framing.receive(self.fileno()))
 
     def stop(self):
-        """End the process and close its pipes."""
+        """End the process, if it has been started, and close its pipes."""
+        self._control.close()
         if self._requests is None:
             return
         # What it has started ends with it (`die_with_parent`) or with its sandbox forkserver.
         self.terminate()
         with suppress(ProcessStartError):
-            self._exit_code = self.forkserver.end(self._pid, within=5)
+            if self._pid is not None:
+                self._exit_code = self.forkserver.end(self._pid, within=5)
             self.forkserver.end(self._sandbox_forkserver)
         os.close(self._requests)
         os.close(self._results)

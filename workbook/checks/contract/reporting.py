@@ -74,6 +74,7 @@ def collecting():
 
     Examples
     --------
+    >>> from workbook.checks.contract.verdict import Verdict
     >>> with collecting() as verdicts:
     ...     deliver({"a": Verdict("missing", "not answered yet")})
     >>> verdicts["a"].status

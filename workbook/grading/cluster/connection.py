@@ -68,7 +68,8 @@ def _dask():
         import distributed  # only clusters need it, and its import takes long
     except ImportError:
         raise ClusterError(
-            "grading on a cluster needs Dask, which is not installed here: pip install distributed"
+            "grading on a cluster needs Dask, which is not installed here: "
+            "pip install 'trajlib[cluster]'"
         ) from None
     return distributed
 
