@@ -1,4 +1,7 @@
-"""The command `workbook`; bad input ends in one line and exit code 2."""
+"""The command `workbook`; bad input ends in one line and exit code 2.
+
+Each command imports what it needs, so that the others start without SymPy.
+"""
 
 import gc
 import json

@@ -84,6 +84,7 @@ class BasinEstimate:
         ValueError
             If the system is not planar, or if a parameter has no number.
         """
+        # Matplotlib, for a plot only
         from trajlib import plotting
 
         if len(self.state) != 2 or self.V.free_symbols - set(self.state):

@@ -201,6 +201,7 @@ class StabilityConditions:
         ValueError
             If there are not two parameters.
         """
+        # Matplotlib, for a plot only
         from trajlib import plotting
 
         if len(self.parameters) != 2:

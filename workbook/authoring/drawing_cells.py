@@ -34,6 +34,7 @@ class DrawingCells:
         )
 
     def _draw(self, drawing):
+        # for pages with a drawing only
         from workbook.display.drawings import Drawing
 
         names = {}

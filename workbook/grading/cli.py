@@ -1,4 +1,7 @@
-"""The commands of a course: grade, collect, score and assignment."""
+"""The commands of a course: grade, collect, score and assignment.
+
+Each command imports what it needs, so that the others start without SymPy.
+"""
 
 import json
 import sys

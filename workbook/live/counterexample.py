@@ -69,6 +69,7 @@ def _evaluate(condition, symbols, x, y):
 
 
 def _figure(claim, symbols, half_width, x, y, is_claimed):
+    # for a figure only: most verdicts have none
     import matplotlib.pyplot as plt
     import sympy as sp
 

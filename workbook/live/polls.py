@@ -80,6 +80,7 @@ def options(problem, name):
 
 def value_html(value, kind=""):
     """Return a value as HTML with formulas between dollars; `kind` is the type of the answer."""
+    # when the first answer is shown: a poll opens without SymPy
     import sympy as sp
 
     from trajlib.stability.regions import latex_condition

@@ -12,7 +12,9 @@ import sys
 import time
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
+from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.error_hints import hint_for
+from workbook.checks.contract.traversal import EncodingError
 
 #: Bytes of all encoded answers together: more than any honest notebook needs, within one message of
 #: the sandbox.
@@ -140,9 +142,6 @@ class _Notebook:
 
     def encoded(self):
         """Return encoded answers and messages on unreadable ones, by name; a stub is an answer."""
-        from workbook.checks.contract.encoding import encode
-        from workbook.checks.contract.traversal import EncodingError
-
         encoded, unreadable, remaining = {}, {}, MAX_ANSWER_BYTES
         for name in self.names:
             if name not in self._shell.user_ns:

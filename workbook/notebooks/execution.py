@@ -14,6 +14,8 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from types import GeneratorType
 
+from workbook.checks.contract.decoding import decode
+from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import UNCHECKED, Unusable, Verdict
 from workbook.notebooks.cells import run_cells
 
@@ -272,9 +274,6 @@ def decoded(encoded, unreadable, names):
 
 
 def _decode(text, unreadable):
-    from workbook.checks.contract.decoding import decode
-    from workbook.checks.contract.traversal import EncodingError
-
     if text is None:
         return ... if unreadable is None else Unusable(unreadable)
     try:

@@ -186,6 +186,7 @@ def _limits(count):
 
 def _import_checks():
     """Import what judging needs, for all its forked children."""
+    # before the fork, and not where only the settings are read
     import sympy  # noqa: F401
 
     from workbook import checks

@@ -101,6 +101,7 @@ def fastest_motion(problem="5.3", item="a"):
 
 @cache
 def _synthesis(problem, item):
+    # loads SymPy and the engine, when the first plant is chosen
     from trajlib.pontryagin import Problem, synthesis
 
     if (problem, item) not in PLANTS:

@@ -104,6 +104,7 @@ def _data(problem, item):
 
 
 def _region(polynomial, symbols, s, margin):
+    # loads SymPy, when the first region is asked for
     from trajlib.stability import stability_conditions
 
     return stability_conditions(polynomial, symbols, margin=margin, symbol=s).region
