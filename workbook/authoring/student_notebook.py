@@ -1,9 +1,10 @@
 """Convert a master into the student notebook.
 
 It is a plain Jupyter notebook without solutions, with nbgrader's metadata. Data and check cells are
-copied and locked; an answer cell becomes a stub `name = ...`; a drawing becomes its picture;
-everything between `solution-start` and `solution-end` is removed. MyST directives become headings
-and paragraphs, so that the notebook reads well in any Jupyter.
+copied and locked; an answer cell becomes a stub `name = ...` for each of its answers, each in a
+cell of its own, so that an error in one costs no other; a drawing becomes its picture; everything
+between `solution-start` and `solution-end` is removed. MyST directives become headings and
+paragraphs, so that the notebook reads well in any Jupyter.
 """
 
 import json
@@ -139,9 +140,6 @@ def student_notebook(master, links):
             **({"core": list(master.core)} if master.core else {}),
         },
     )
-    for k, cell in enumerate(cells):
-        if "nbgrader" in cell["metadata"]:
-            cell["metadata"]["nbgrader"]["grade_id"] = f"{cell['metadata']['tags'][0]}-{k:02d}"
     return (
         exercises.add_links(notebook, exercises.site_urls(links.base)) if links.base else notebook
     )
@@ -149,7 +147,7 @@ def student_notebook(master, links):
 
 def _cells(master, links):
     cells, in_solution = [_code(SETUP, "setup", [(WHEEL, f"wheels/{WHEEL}")])], False
-    drawings = DrawingCells(master)
+    drawings, data_cells = DrawingCells(master), 0
     for k, cell in enumerate(master.cells):
         if cell.role == "":
             text, in_solution = _outside_solutions(cell.source, in_solution)
@@ -159,10 +157,12 @@ def _cells(master, links):
         elif cell.role == "drawing":
             cells.append(drawings.cell(cell, caption_above(master.cells[k + 1].source)))
         elif cell.role == "answer":
-            if stub := _stub(master, cell.source):
-                cells.append(_code(stub, "answer"))
+            names = assigned_names(cell.source, master.answers)
+            cells += [_code(_stub(master.answers[name]), "answer") for name in names]
         elif cell.role == "data":
-            cells.append(_code(cell.source, "data", nbgrader={"grade": False, "locked": True}))
+            data_cells += 1
+            locked = {"grade": False, "locked": True, "grade_id": f"data-{data_cells}"}
+            cells.append(_code(cell.source, "data", nbgrader=locked))
         elif cell.role == "check":
             names = reported_names(cell.source)
             cells += _hints(master, names)
@@ -170,7 +170,12 @@ def _cells(master, links):
                 _code(
                     _check_source(cell.source, master.number),
                     "check",
-                    nbgrader={"grade": True, "locked": True, "points": len(names)},
+                    nbgrader={
+                        "grade": True,
+                        "locked": True,
+                        "points": len(names),
+                        "grade_id": f"check-{names[0]}",
+                    },
                 )
             )
     return cells
@@ -206,23 +211,13 @@ def _check_source(source, number):
     return f"{IMPORT}\n\n{numbered}"
 
 
-def _stub(master, source):
-    """Return a line `name = ...` for each answer of the cell, with its meaning as a comment.
-
-    The comments stand above the lines where they would be wider than a cell.
-    """
-    meanings = {
-        name: f"{plural_kind(master.answers[name].kind)}: {plain(master.answers[name].text)}"
-        for name in assigned_names(source, master.answers)
-    }
-    beside = [f"{name} = ...  # {meaning}" for name, meaning in meanings.items()]
-    if all(len(line) <= WIDTH for line in beside):
-        return "\n".join(beside)
-    return "\n\n".join(
-        "\n".join(
-            [*wrap(meaning, WIDTH, initial_indent="# ", subsequent_indent="# "), f"{name} = ..."]
-        )
-        for name, meaning in meanings.items()
+def _stub(answer):
+    """Return the line `name = ...`, with the answer's meaning as a comment beside or above it."""
+    meaning = f"{plural_kind(answer.kind)}: {plain(answer.text)}"
+    if len(line := f"{answer.name} = ...  # {meaning}") <= WIDTH:
+        return line
+    return "\n".join(
+        [*wrap(meaning, WIDTH, initial_indent="# ", subsequent_indent="# "), f"{answer.name} = ..."]
     )
 
 
