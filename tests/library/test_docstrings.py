@@ -5,9 +5,10 @@ import importlib
 import inspect
 
 import pytest
-from numpydoc.docscrape import NumpyDocString
 
 import trajlib
+
+NumpyDocString = pytest.importorskip("numpydoc.docscrape").NumpyDocString
 
 #: The longest first line of a docstring.
 LONGEST = 90

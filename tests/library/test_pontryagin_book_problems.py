@@ -948,6 +948,7 @@ def test_absolute_values_in_the_cost():
 
 def test_absolute_values_of_several_kinds():
     """Convex, so proved; with u^2 an arc may be interior; a control of one sign needs no split."""
+    pytest.importorskip("flint", reason="proofs need the extra `proof`")
     one = Problem(
         PLANE, ONE, {x1: 1, x2: 0}, [x1, x2], running=u**2 + sp.Abs(u), duration=3
     ).solve()

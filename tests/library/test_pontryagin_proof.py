@@ -13,6 +13,8 @@ from trajlib.pontryagin import Problem
 from trajlib.pontryagin.verification.proof import prove
 from trajlib.typesetting import typeset
 
+pytest.importorskip("flint", reason="proofs need the extra `proof`")
+
 R = sp.Rational
 x, x1, x2, x3, u, v = sp.symbols("x x1 x2 x3 u v")
 ONE, FREE = {u: (-1, 1)}, {u: None}
@@ -204,5 +206,5 @@ def test_reason_without_a_proof(problem, reason):
 
 def test_missing_ball_arithmetic_names_its_package(monkeypatch):
     monkeypatch.setitem(sys.modules, "flint", None)
-    with pytest.raises(ImportError, match="pip install python-flint"):
+    with pytest.raises(ImportError, match=r"pip install 'trajlib\[proof\]'"):
         prove(carriage(), [("u-", 0, 1), ("u+", 1, 2)], [1, 0], [-1, -1])

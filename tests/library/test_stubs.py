@@ -29,6 +29,7 @@ def test_no_module_has_the_name_of_an_export(package):
 
 @pytest.mark.slow
 def test_mypy_knows_the_lazy_names(tmp_path):
+    pytest.importorskip("mypy")
     program = tmp_path / "program.py"
     program.write_text(
         "import trajlib\n"

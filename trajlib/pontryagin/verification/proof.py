@@ -102,7 +102,7 @@ def prove(
         from flint import ctx
     except ImportError:
         raise ImportError(
-            "a proof needs ball arithmetic, which is not installed here: pip install python-flint"
+            "a proof needs ball arithmetic, which is not installed here: pip install 'trajlib[proof]'"
         ) from None
 
     theorem, reason = sufficiency_theorem(problem), ""
