@@ -67,18 +67,18 @@ def test_references_to_the_book_are_listed(links):
     ]
 
 
-def test_the_first_cell_names_chapters_of_equations():
-    """The first cell names the chapter of each equation that the notebook refers to."""
+def test_the_last_cell_names_chapters_of_equations():
+    """The last cell names the chapter of each equation that the notebook refers to."""
     for number, reference in ("2.12", "(2.7)"), ("2.20", "(2.4)"), ("3.25", "(2.6)"):
-        first, *others = student_notebook(
+        *others, last = student_notebook(
             read(ROOT / "solutions" / master_file(number)), Links(ROOT)
         )["cells"]
         assert any(reference in cell["source"] for cell in others)
         assert re.search(
             rf"numbers such as [^\n]*{re.escape(reference)}[(), .\d]* name equations of chapter 2\.",
-            first["source"],
+            last["source"],
         )
-        assert [reference, f"book/ch2.html#eq-{reference[1:-1].replace('.', '-')}"] in first[
+        assert [reference, f"book/ch2.html#eq-{reference[1:-1].replace('.', '-')}"] in last[
             "metadata"
         ]["places"]
 
@@ -109,7 +109,8 @@ def test_links_need_the_address_of_the_site(links, tmp_path):
             ]
             assert all(address.startswith("https://example.org/course/") for address in matches)
             assert bool(matches) == bool(base)
-            wheel = re.search(r'wheel = "(.*)trajlib-[\d.]+-py3-none-any\.whl', cells[1]["source"])
+            [setup] = (c["source"] for c in cells if c["metadata"].get("tags") == ["setup"])
+            wheel = re.search(r'wheel = "(.*)trajlib-[\d.]+-py3-none-any\.whl', setup)
             assert wheel[1] == (f"trajlib[workbook] @ {base}wheels/" if base else "")
 
 
@@ -139,7 +140,7 @@ def test_one_line_says_how_to_install_the_workbook(tmp_path):
     )
     hidden = "import sys; sys.modules['workbook'] = None"
     notebook["cells"].insert(
-        1,
+        0,
         {
             "cell_type": "code",
             "id": "hide",
@@ -195,10 +196,9 @@ def test_cells_of_the_student_notebook():
     assert len(set(ids)) == len(ids) and len({cell["id"] for cell in notebook["cells"]}) == len(
         notebook["cells"]
     )
-    assert (
-        "Moscow, 2012" in notebook["cells"][0]["source"]
-        and "pip install -e " in notebook["cells"][0]["source"]
-    )
+    first, *_, last = (cell["source"] for cell in notebook["cells"])
+    assert first.startswith(f"# Problem 1.15. {master.title}\n")
+    assert "Moscow, 2012" in last and "pip install -e " in last
     assert not re.search(r"pip install \W*trajlib\b(?![-\[])", str(notebook)), (
         "no index has it: only the wheel's file"
     )

@@ -36,7 +36,7 @@ RESEARCH = "the research chapters of the workbook"
 WHEEL = f"trajlib-{__version__}-py3-none-any.whl"
 #: Letters of a line that a code cell shows without scrolling, in Jupyter and VS Code.
 WIDTH = 79
-#: The first code cell: without the workbook it fails with one line that says how to install it.
+#: The code cell before all others: without the workbook it fails with one line that says how to install it.
 SETUP = f"""\
 try:
     import workbook.checks, z3
@@ -123,7 +123,12 @@ def student_notebook(master, links):
         If the code of a drawing cell fails or its last line is no `Drawing`.
     """
     cells = _cells(master, links)
-    cells.insert(0, _origin(master, _equations(cells, links)))
+    first_code = next(k for k, cell in enumerate(cells) if cell["cell_type"] == "code")
+    cells[first_code:first_code] = [
+        _instruction(master),
+        _code(SETUP, "setup", [(WHEEL, f"wheels/{WHEEL}")]),
+    ]
+    cells.append(_origin(master, _equations(cells, links)))
     notebook = new_notebook(
         cells,
         workbook={
@@ -146,7 +151,7 @@ def student_notebook(master, links):
 
 
 def _cells(master, links):
-    cells, in_solution = [_code(SETUP, "setup", [(WHEEL, f"wheels/{WHEEL}")])], False
+    cells, in_solution = [], False
     drawings, data_cells = DrawingCells(master), 0
     for k, cell in enumerate(master.cells):
         if cell.role == "":
@@ -247,24 +252,31 @@ def _equations(cells, links):
     return [(text, url) for text, url in urls if url]
 
 
+def _instruction(master):
+    time = study_time(master.level, master.answers, master.core)
+    core = f" {core_text(master.core)}" if master.core else ""
+    return new_markdown_cell(
+        f"*{time.capitalize()}. Replace each `...` by your answer and run the check cell below it: it "
+        f"says what holds and what does not, as often as you like.{core}*",
+        tags=["instruction"],
+    )
+
+
 def _origin(master, equations):
     chapter = master.number.split(".")[0]
     credit = f"{CREDIT}, problem {master.number}" if int(chapter) <= 5 else RESEARCH
     return _markdown(
         f"*The data of this problem come from* {credit}.\n\n"
-        'You need the workbook: from a checkout of it run `pip install -e ".[workbook]"`, or '
-        "install the wheel that the workbook's site offers. Replace each `...` by your answer and "
-        "run the check cell below it: it says what holds and what does not, as often as you like. "
-        f"The theory stands in chapter {chapter}"
+        'This notebook needs the workbook: from a checkout of it run `pip install -e ".[workbook]"`, '
+        "or install the wheel that the workbook's site offers. "
+        f"The theory is in chapter {chapter}"
         + (
             f"; numbers such as {', '.join(text for text, _ in equations)} name equations of "
             f"chapter {equations[0][0][1:].split('.')[0]}"
             if equations
             else ""
         )
-        + "."
-        + f"\n\nThis problem takes {study_time(master.level, master.answers, master.core)}, at a guess."
-        + (f" {core_text(master.core)}" if master.core else ""),
+        + ".",
         [
             ("wheel that the workbook's site offers", f"wheels/{WHEEL}"),
             (f"chapter {chapter}", f"book/ch{chapter}.html"),

@@ -24,7 +24,7 @@ README = """\
 
 ## How to work
 
-1. Install the workbook as the first cell of a notebook says, and open the notebooks in Jupyter.
+1. Install the workbook as the end of each notebook says, and open the notebooks in Jupyter.
 2. Replace each `...` by your answer; the comment beside it says what is asked. Keep the names of the variables: answers
    are found by name, in whatever cell they are assigned.
 3. Run the check cell as often as you like. It says what holds and what does not.

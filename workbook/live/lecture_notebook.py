@@ -36,8 +36,10 @@ def lecture_notebook(presentation):
 def _problem_cells(text):
     """Return the cells of a student notebook with magics for its stubs, without its hints."""
     cells = []
-    for cell in json.loads(text)["cells"][2:]:
+    for cell in json.loads(text)["cells"][:-1]:  # the last one names the source
         source, tags = "".join(cell["source"]), cell["metadata"].get("tags", [])
+        if "instruction" in tags or "setup" in tags:
+            continue
         if "answer" in tags:
             stub = re.search(r"^(\w+) = \.\.\.", source, re.MULTILINE)
             cells.append(new_code_cell(f"%answer {stub[1]}"))
