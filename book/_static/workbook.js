@@ -1,15 +1,19 @@
-/* On paper nothing is folded: folds open before printing, and close again after it those that were closed. */
+/* On paper nothing is folded and the theme is the light one; after printing all is as before. */
 addEventListener("beforeprint", () => {
   for (const fold of document.querySelectorAll("article details:not([open])")) {
     fold.open = true;
     fold.dataset.printed = "";
   }
+  const page = document.documentElement;
+  page.dataset.screenTheme = page.dataset.theme;
+  page.dataset.theme = "light";
 });
 addEventListener("afterprint", () => {
   for (const fold of document.querySelectorAll("details[data-printed]")) {
     fold.open = false;
     delete fold.dataset.printed;
   }
+  document.documentElement.dataset.theme = document.documentElement.dataset.screenTheme;
 });
 
 /* A picture leads to its file, which a browser shows as large as wished. */

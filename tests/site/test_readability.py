@@ -136,3 +136,26 @@ def test_formulas_are_not_bold_and_tables_break_in_print(browser, addresses):
     )
     browser.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
     assert set(strokes) == {"none"} and set(tables) == {"auto"}
+
+
+#: Colours, as [red, green, blue], of all text of the article, and of the page.
+INKS = """(() => {
+    const numbers = (e, property) => getComputedStyle(e)[property].match(/[\\d.]+/g).slice(0, 3).map(Number);
+    const text = document.querySelectorAll('article :is(p, h1, h2, li, pre)');
+    return [...[...text].map(e => numbers(e, 'color')), numbers(document.body, 'backgroundColor')];
+    })()"""
+
+
+@pytest.mark.parametrize("page", ["solutions/ch1/p15.html", "book/ch1.html", "book/index.html"])
+def test_the_dark_theme_is_printed_as_dark_ink_on_white(browser, addresses, page):
+    browser.resize(1280, 900)
+    browser.open(f"{addresses['http']}/{page}")
+    theme = browser.run("document.documentElement.dataset.theme")
+    browser.run("document.documentElement.dataset.theme = 'dark'")
+    browser.run(f"addEventListener('beforeprint', () => {{ window.inks = {INKS}; }})")
+    browser.driver.execute_cdp_cmd("Page.printToPDF", {})
+    *inks, ground = browser.run("window.inks")
+    after = browser.run("document.documentElement.dataset.theme")
+    browser.run(f"document.documentElement.dataset.theme = '{theme}'")
+    assert after == "dark" and len(inks) > 10 and min(ground) > 240
+    assert max(sum(ink) / 3 for ink in inks) < 140
