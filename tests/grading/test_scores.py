@@ -10,6 +10,7 @@ from classroom import an_assignment, graded
 
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading.scores import scores
+from workbook.grading.submissions import LeftAside
 
 TWO = ["a_region", "b_region"]  # the answers of problem 1.17
 HOMEWORK = 'problems = ["1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.17.a_region" = 3\n'
@@ -184,3 +185,46 @@ def test_students_are_sorted_and_separate(tmp_path, store):
     assert [score.student for score in class_scores] == sorted(
         ["žofie", "ann", "Ben", "=cmd"]
     ) and {score.points for score in class_scores} == {3}
+
+
+# What the system says, and what was left aside
+
+
+@pytest.mark.parametrize(
+    "timing, submitted, late, untimed",
+    [
+        ("known", DUE + 1, True, False),
+        ("known", DUE - 1, False, False),
+        ("late", DUE - 1, True, False),
+        ("in time", DUE + 1, False, False),
+        ("unknown", DUE + 1, False, True),
+    ],
+)
+def test_late_is_what_the_system_says(tmp_path, store, timing, submitted, late, untimed):
+    attempt = graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), content="x")
+    assert store.note_attempt("ann", "hw1", "1.17", "x", submitted, timing) == attempt
+    score = only(store, an_assignment(tmp_path, HOMEWORK))
+    assert (bool(score.late), bool(score.untimed)) == (late, untimed)
+    without_due = only(store, an_assignment(tmp_path, 'problems = ["1.17"]'))
+    assert (bool(without_due.late), without_due.untimed) == (timing == "late", ())
+
+
+@pytest.mark.parametrize(
+    "options, points_by_hand, waits",
+    [
+        ({}, False, True),
+        ({}, True, True),
+        ({"by_hand": True}, False, True),
+        ({"by_hand": True}, True, False),
+        ({"by_hand": True, "beside": True}, False, False),
+    ],
+)
+def test_what_is_no_notebook_waits_for_points_by_hand(
+    tmp_path, store, options, points_by_hand, waits
+):
+    graded(store, "ann", "1.17", statuses(RIGHT, WRONG))
+    if points_by_hand:
+        store.set_manual("ann", "hw1", "1.17", "b_region", 0.5, "on paper")
+    aside = [LeftAside("notes.pdf", "no notebook", "ann", "hw1", **options)]
+    (score,) = scores(store, an_assignment(tmp_path, HOMEWORK), (), aside)
+    assert score.needs_review == waits and score.aside == tuple(aside)

@@ -94,6 +94,10 @@ def _of_problem(problem, about, answers, score):
     parts = []
     if problem in score.late:
         parts.append("<p><em>Handed in after the due date.</em></p>")
+    if problem in score.untimed:
+        parts.append(
+            '<p class="soft">It is not known when you handed this in, so it is not late.</p>'
+        )
     if attempt is not None and score.tried[problem] > 1:
         parts.append(
             f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the '

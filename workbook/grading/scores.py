@@ -8,6 +8,7 @@ pages say. So does the score of a student if something that was left aside may b
 from dataclasses import dataclass, field
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, Verdict
+from workbook.grading.ledger import KNOWN, LATE, UNKNOWN
 from workbook.grading.store import Attempt
 
 NOT_SUBMITTED = Verdict(MISSING, "nothing was submitted for this problem")
@@ -75,6 +76,8 @@ class StudentScore:
         What was left aside of the student's work.
     unusable : dict
         By problem, the remarks on the newest attempt if it could not be read or gave no answer.
+    untimed : tuple of str
+        Problems with a due date of whose counted attempt nobody knows when it was handed in.
     """
 
     student: str
@@ -85,6 +88,7 @@ class StudentScore:
     to_review: tuple
     aside: tuple = ()
     unusable: dict = field(default_factory=dict)
+    untimed: tuple = ()
 
     @property
     def points(self):
@@ -105,9 +109,15 @@ class StudentScore:
     def aside_needs_review(self):
         """Whether something left aside may be missing work.
 
-        It is not, if it is for another problem and all problems asked for have an attempt.
+        It is not, if it is for another problem and all problems asked for have an attempt, or lies
+        beside a notebook. What only a lecturer can grade waits until there are points by hand.
         """
-        return any(not entry.problem or 0 in self.tried.values() for entry in self.aside)
+        has_points_by_hand = any(answer.manual is not None for answer in self.answers)
+        return any(
+            not (entry.beside or (entry.by_hand and has_points_by_hand))
+            and (not entry.problem or 0 in self.tried.values())
+            for entry in self.aside
+        )
 
     @property
     def handed_in(self):
@@ -215,14 +225,24 @@ def of_student(student, assignment, attempts, manual, aside=()):
         to_review += {
             answer.answer: answer for candidate in candidates for answer in candidate.unjudged
         }.values()
-    late = tuple(
-        problem
-        for problem, attempt in counted.items()
-        if assignment.due is not None and attempt.submitted > assignment.due.timestamp()
-    )
     return StudentScore(
-        student, tuple(answers), counted, late, tried, tuple(to_review), tuple(aside), unusable
+        student,
+        tuple(answers),
+        counted,
+        tuple(p for p, attempt in counted.items() if _is_late(attempt, assignment.due)),
+        tried,
+        tuple(to_review),
+        tuple(aside),
+        unusable,
+        tuple(p for p, attempt in counted.items() if assignment.due and attempt.timing == UNKNOWN),
     )
+
+
+def _is_late(attempt, due):
+    """Return whether an attempt is late: by its time, or because the system said so."""
+    if attempt.timing == KNOWN:
+        return due is not None and attempt.submitted > due.timestamp()
+    return attempt.timing == LATE
 
 
 #: In place of the attempt of a student who handed nothing in.
