@@ -481,6 +481,42 @@ def test_canvas_says_who_is_late(tmp_path, here):
     assert summary["late"] == {"hw1": {"2": ["1.15"]}} and summary["time unknown"] == {"hw1": {}}
 
 
+# What lateness costs
+
+
+def test_points_pages_and_tables_agree_on_lateness(course, here, capsys):
+    """Bob is a minute late, and has three of five answers right, of 2 points each."""
+    grade(course)
+    rule = '[late]\nper_day = 0.25\n[extensions]\n"cid" = 2026-10-09T12:00:00Z\n"bbo" = {}\n'
+    write_assignment(course, HOMEWORK + rule.format("2026-10-09T12:00:00Z"))
+    roster = course / "canvas.csv"
+    roster.write_text("Student,ID,SIS Login ID,Section\nBee,2,bob,A\n", encoding="utf-8")
+    summary = grade(course, roster=roster, quiet=False)
+    assert summary["assignments"]["hw1"] == {"ann": 10, "bob": 4.5, "cid": 0, "dan": 0}
+    assert {(c["student"], c["why"]) for c in summary["changes"]["hw1"]} == {
+        ("bob", "lateness counts otherwise")
+    }
+    output = capsys.readouterr().err
+    assert "extensions in assignment.toml for nobody here: bbo" in output
+    folder = course / "graded" / "hw1"
+    page = (folder / "feedback" / "bob.html").read_text(encoding="utf-8")
+    assert "<p>4.5 of 12 points.</p>" in page
+    assert "Handed in 1 day after the due date (a day begun counts): right answers have 75%" in page
+    assert "1.5 / 2" in page
+    assert "Due 2026-10-09" in (folder / "feedback" / "cid.html").read_text(encoding="utf-8")
+    rows = {row[0]: row for row in table(folder / "grades.csv")}
+    assert rows["bob"][3] == "4.50"
+    (moodle,) = (row for row in table(folder / "moodle.csv") if row[0] == "bob")
+    assert moodle[1] == "4.50" and "right, late: 75% of the points" in moodle[2]
+    (nbgrader,) = (row for row in table(folder / "nbgrader.csv") if row[3] == "bob")
+    assert nbgrader[7:10] == ["6.00", "1.50", "4.50"]
+    assert table(folder / "canvas.csv")[-1][-1] == "4.50"
+    write_assignment(course, HOMEWORK + "[late]\nper_day = 0.1\ncutoff_days = 0\n")
+    assert grade(course)["assignments"]["hw1"]["bob"] == 0
+    page = (folder / "feedback" / "bob.html").read_text(encoding="utf-8")
+    assert "more than 0 days after the due date: right answers have no points any more" in page
+
+
 # Messages and refusals
 
 

@@ -228,3 +228,72 @@ def test_what_is_no_notebook_waits_for_points_by_hand(
     aside = [LeftAside("notes.pdf", "no notebook", "ann", "hw1", **options)]
     (score,) = scores(store, an_assignment(tmp_path, HOMEWORK), (), aside)
     assert score.needs_review == waits and score.aside == tuple(aside)
+
+
+# What lateness costs
+
+DAY = 86400
+LATE_RULE = "[late]\nper_day = 0.2\nfloor = 0.5\ncutoff_days = 7\n"
+
+
+@pytest.mark.parametrize(
+    "seconds, share",
+    [
+        (-1, 1),
+        (0, 1),
+        (1, 0.8),
+        (DAY, 0.8),
+        (DAY + 1, 0.6),
+        (2 * DAY + 1, 0.5),
+        (7 * DAY, 0.5),
+        (7 * DAY + 1, 0),
+    ],
+)
+def test_each_day_begun_takes_its_share(tmp_path, store, seconds, share):
+    graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=DUE + seconds)
+    graded(store, "bob", "1.17", statuses(RIGHT, WRONG), submitted=DUE + seconds + 3 * DAY)
+    extension = '[extensions]\n"bob" = 2026-10-04T12:00:00Z\n'
+    for score in scores(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE + extension)):
+        assert score.points == pytest.approx(3 * share) and score.max_points == 4
+        assert [answer.lost for answer in score.answers] == pytest.approx([3 - 3 * share, 0])
+        assert bool(score.late) == (seconds > 0)
+
+
+@pytest.mark.parametrize("floor, share", [("", 0), ("floor = 0.3", 0.3)])
+def test_lateness_never_costs_more_than_all(tmp_path, store, floor, share):
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 99 * DAY)
+    rule = f"[late]\nper_day = 0.2\n{floor}\n"
+    assert only(store, an_assignment(tmp_path, HOMEWORK + rule)).points == pytest.approx(4 * share)
+
+
+@pytest.mark.parametrize("timing", ["late", "unknown", "in time"])
+def test_without_a_time_lateness_costs_nothing(tmp_path, store, timing):
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), content="x")
+    store.note_attempt("ann", "hw1", "1.17", "x", DUE + 99 * DAY, timing)
+    score = only(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE))
+    assert score.points == 4 and bool(score.untimed) == (timing != "in time")
+
+
+def test_the_best_attempt_is_so_after_lateness(tmp_path, store):
+    homework = an_assignment(tmp_path, HOMEWORK + LATE_RULE)
+    graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=DUE - 1)
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 2 * DAY)
+    assert only(store, homework).points == 3 and not only(store, homework).late
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 1)
+    assert only(store, homework).points == pytest.approx(3.2) and only(store, homework).late
+
+
+def test_what_was_not_judged_may_rise_by_what_lateness_leaves(tmp_path, store):
+    homework = an_assignment(tmp_path, HOMEWORK + LATE_RULE)
+    graded(store, "ann", "1.17", statuses(WRONG, RIGHT), submitted=DUE - 1)
+    graded(store, "ann", "1.17", statuses(UNCHECKED, WRONG), submitted=DUE + 8 * DAY)
+    assert not only(store, homework).needs_review
+    graded(store, "ann", "1.17", statuses(UNCHECKED, WRONG), submitted=DUE + 3 * DAY)
+    assert only(store, homework).needs_review
+
+
+def test_points_by_hand_are_as_they_were_given(tmp_path, store):
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 1)
+    store.set_manual("ann", "hw1", "1.17", "a_region", 2.5, "")
+    score = only(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE))
+    assert score.points == pytest.approx(2.5 + 0.8) and score.answers[0].lost == 0

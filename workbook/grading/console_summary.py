@@ -61,10 +61,15 @@ def print_summary(console, folder, assignment, graded, changes, file):
     )
     if absent := [score.student for score in graded if not score.handed_in]:
         print_line(f"  handed in nothing: {', '.join(absent)}")
+    if nobody := assignment.extensions.keys() - {score.student for score in graded}:
+        print_line(
+            f"  extensions in assignment.toml for nobody here: {', '.join(sorted(nobody))}",
+            style="yellow",
+        )
     if untimed := sum(bool(score.untimed) for score in graded):
         print_line(
-            f"  of {count(untimed, 'student')} it is not known when they handed in, and nobody is "
-            "late for that: workbook collect --worksheet reads it from Moodle",
+            f"  of {count(untimed, 'student')} it is not known when they handed in, which costs them "
+            "nothing: workbook collect --worksheet reads it from Moodle",
             style="yellow",
         )
     waiting, unusable = (

@@ -123,18 +123,24 @@ def nbgrader_csv(assignment, scores):
     rows = []
     for score in scores:
         times = [attempt.submitted for attempt in score.counted.values() if attempt.timing == KNOWN]
-        points = "" if score.needs_review else decimal(score.points)
+        lost = sum(answer.lost for answer in score.answers)
+        raw, points = (
+            ("", "")
+            if score.needs_review
+            else (decimal(score.points + lost), decimal(score.points))
+        )
+        due = assignment.due_of(score.student)
         rows.append(
             [
                 assignment.name,
-                _utc(assignment.due.timestamp()) if assignment.due else "",
+                _utc(due.timestamp()) if due else "",
                 _utc(max(times)) if times else "",
                 score.student,
                 "",
                 "",
                 "",
-                points,
-                "0.00",
+                raw,
+                decimal(lost),
                 points,
                 decimal(score.max_points),
             ]
@@ -215,6 +221,7 @@ def _feedback(score):
         f"{answer.problem} {answer.answer}: "
         + (
             answer.verdict.status
+            + (f", late: {answer.share:.0%} of the points" if answer.lost else "")
             if answer.manual is None
             else f"{decimal(answer.points)} by hand"
             + (f" ({answer.manual})" if answer.manual else "")

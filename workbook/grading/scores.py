@@ -35,6 +35,8 @@ class AnswerScore:
         The points then given, which count up to `max_points`, should that be less by now.
     hash : str
         Of the whole answer: the same for equal answers.
+    share : float
+        The share of its automatic points that lateness leaves.
     """
 
     problem: str
@@ -46,6 +48,13 @@ class AnswerScore:
     manual: str | None = None
     by_hand: float | None = None
     hash: str = ""
+    share: float = 1.0
+
+    @property
+    def lost(self):
+        """The points that lateness takes."""
+        is_right = self.verdict.status == RIGHT and self.by_hand is None
+        return self.max_points * (1 - self.share) if is_right else 0.0
 
     @property
     def is_capped(self):
@@ -77,7 +86,8 @@ class StudentScore:
     unusable : dict
         By problem, the remarks on the newest attempt if it could not be read or gave no answer.
     untimed : tuple of str
-        Problems with a due date of whose counted attempt nobody knows when it was handed in.
+        Problems with a due date of whose counted attempt nobody knows when it was handed in, or by
+        how much it is late where that matters.
     """
 
     student: str
@@ -200,11 +210,12 @@ def of_student(student, assignment, attempts, manual, aside=()):
     """
     answers, counted, tried, to_review, unusable = [], {}, {}, [], {}
     no_verdict = NOT_FOUND if aside else NOT_SUBMITTED
+    due = assignment.due_of(student)
     for problem, points in assignment.points.items():
         of_problem = [attempt for attempt in attempts if attempt.problem == problem]
         tried[problem] = len(of_problem)
         graded = [
-            _graded(attempt, problem, points, manual)
+            _graded(attempt, problem, points, manual, share=_share(attempt, due, assignment))
             for attempt in of_problem[: assignment.attempts]
             if attempt.verdicts
         ]
@@ -225,16 +236,17 @@ def of_student(student, assignment, attempts, manual, aside=()):
         to_review += {
             answer.answer: answer for candidate in candidates for answer in candidate.unjudged
         }.values()
+    undecided = {UNKNOWN, LATE} if assignment.late_rule else {UNKNOWN}
     return StudentScore(
         student,
         tuple(answers),
         counted,
-        tuple(p for p, attempt in counted.items() if _is_late(attempt, assignment.due)),
+        tuple(p for p, attempt in counted.items() if _is_late(attempt, due)),
         tried,
         tuple(to_review),
         tuple(aside),
         unusable,
-        tuple(p for p, attempt in counted.items() if assignment.due and attempt.timing == UNKNOWN),
+        tuple(p for p, attempt in counted.items() if due and attempt.timing in undecided),
     )
 
 
@@ -243,6 +255,13 @@ def _is_late(attempt, due):
     if attempt.timing == KNOWN:
         return due is not None and attempt.submitted > due.timestamp()
     return attempt.timing == LATE
+
+
+def _share(attempt, due, assignment):
+    """Return the share of its points that an attempt keeps; all, where no time is known."""
+    if assignment.late_rule is None or attempt.timing != KNOWN:
+        return 1.0
+    return assignment.late_rule.share(attempt.submitted - due.timestamp())
 
 
 #: In place of the attempt of a student who handed nothing in.
@@ -255,6 +274,7 @@ class _GradedAttempt:
 
     attempt: Attempt
     answers: tuple
+    share: float
 
     @property
     def unjudged(self):
@@ -273,15 +293,15 @@ class _GradedAttempt:
     @property
     def possible(self):
         """The points if all that was not judged is right."""
-        return self.sure + sum(answer.max_points for answer in self.unjudged)
+        return self.sure + sum(self.share * answer.max_points for answer in self.unjudged)
 
 
-def _graded(attempt, problem, points, manual, no_verdict=NOT_SUBMITTED):
+def _graded(attempt, problem, points, manual, no_verdict=NOT_SUBMITTED, share=1.0):
     scored = []
     for answer, worth in points.items():
         verdict = attempt.verdicts.get(answer, no_verdict)
         by_hand, comment = manual.get((problem, answer), (None, None))
-        automatic = worth if verdict.status == RIGHT else 0.0
+        automatic = worth * share if verdict.status == RIGHT else 0.0
         scored.append(
             AnswerScore(
                 problem,
@@ -293,9 +313,10 @@ def _graded(attempt, problem, points, manual, no_verdict=NOT_SUBMITTED):
                 comment,
                 by_hand,
                 attempt.hashes.get(answer, ""),
+                share,
             )
         )
-    return _GradedAttempt(attempt, tuple(scored))
+    return _GradedAttempt(attempt, tuple(scored), share)
 
 
 def _is_unusable(attempt):
