@@ -16,6 +16,7 @@ from classroom import notebook
 from workbook.cli import app
 from workbook.grading import ledger
 from workbook.grading.assignment import InputError
+from workbook.grading.canvas import Gradebook
 from workbook.grading.collecting import collect
 from workbook.grading.roster import Roster
 from workbook.grading.submissions import LeftAside, Submission, find, students
@@ -295,6 +296,11 @@ def test_a_name_that_can_be_read_in_two_ways_needs_the_roster(tmp_path, name, st
     files, aside = files_of(tmp_path, [name, "ceecid_102_9009_y.ipynb"])
     assert "500" not in files and student in aside[0][1] and "--roster" in aside[0][1]
     assert student in files_of(tmp_path, [name], ROSTER)[0]
+
+
+def test_points_in_a_gradebook_are_no_ids(tmp_path):
+    roster = Gradebook("Student,ID,Section,hw (1)\nX,77,A,500\nX_500,101,A,1\n")
+    assert files_of(tmp_path, ["x_500_101_9001_f.ipynb"], roster)[0] == {"101": ["f.ipynb"]}
 
 
 def test_a_name_that_fits_two_students_of_the_roster_is_left_aside(tmp_path):

@@ -1031,3 +1031,29 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         assert (tmp_path / "graded" / "hw1" / written).exists() and written in GUIDE.read_text(
             encoding="utf-8"
         )
+
+
+def test_the_five_commands_of_the_readme(tmp_path):
+    the_systems_give_archives(tmp_path)
+    readme = (GUIDE.parents[2] / "README.md").read_text(encoding="utf-8")
+    lines = readme.split("in five commands")[1].split("```")[1].strip().splitlines()
+    assert len(lines) == 5
+    environment = os.environ | {
+        "COLUMNS": "200",
+        "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
+    }
+    for line in lines:
+        done = subprocess.run(
+            ["bash", "-c", line],
+            cwd=tmp_path,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
+        assert done.returncode == 0, f"{line}: {done.stdout}{done.stderr}"
+    rows = {row[0]: row for row in table(tmp_path / "graded" / "hw1" / "moodle.csv")}
+    assert rows["Email address"] and rows["ann@uni.example"][1] == "0.50"
+    assert "handed in nothing: dan@uni.example" in done.stderr
+    # Bob's photos cannot be opened, and may be his work.
+    assert set(rows) == {"Email address", "ann@uni.example", "cid@uni.example"}

@@ -112,6 +112,10 @@ class Gradebook(Roster):
             for name in ("SIS User ID", "SIS Login ID", "ID")
         ]
 
+    def pairs(self):
+        """Return (name, ID) of each person."""
+        return zip(self.column("Student"), self.column("ID"))
+
     def column(self, name):
         """Return each student's cell in a column; "" if there is no such column."""
         return [row[self.header.index(name)] if name in self.header else "" for row in self.rows]
