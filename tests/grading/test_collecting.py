@@ -501,7 +501,9 @@ def test_a_zip_of_notebooks_is_opened_by_the_same_rules(tmp_path):
         (b"no archive", "it is no .zip archive that can be opened"),
         (a_zip({f"{k}.ipynb": "" for k in range(101)}), "it holds more than 100 notebooks"),
         (a_zip({"a.ipynb": "x" * 2000}), "MB of them"),
+        (a_zip(dict.fromkeys(map(str, range(10_001)), "")), "it holds more than 10000 files"),
     ],
+    ids=["no archive", "notebooks", "size", "files"],
 )
 def test_a_zip_that_cannot_be_opened_is_named(tmp_path, monkeypatch, content, why):
     monkeypatch.setattr("workbook.grading.archives.MAX_FILE", 1000)

@@ -28,9 +28,12 @@ DAMAGE = (
     zlib.error,
     lzma.LZMAError,
     struct.error,
+    MemoryError,
 )
-#: Notebooks in one archive that a student hands in.
-MAX_NOTEBOOKS = 100
+#: Notebooks, and entries of any kind, in one archive that a student hands in.
+MAX_NOTEBOOKS, MAX_ENTRIES = 100, 10_000
+#: What each entry begins with in the directory of an archive.
+ENTRY = b"PK\x01\x02"
 
 
 @dataclass(frozen=True)
@@ -80,6 +83,8 @@ def notebooks(content):
 
     Raises `UnreadableFileError` if it cannot be opened, or holds more than is read.
     """
+    if content.count(ENTRY) > MAX_ENTRIES:  # each takes a thousand bytes when it is opened
+        raise UnreadableFileError(f"it holds more than {MAX_ENTRIES} files")
     try:
         files = _files(zipfile.ZipFile(io.BytesIO(content)))
     except DAMAGE as error:
