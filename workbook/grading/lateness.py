@@ -1,4 +1,4 @@
-"""Lateness: the share of its points that a late attempt keeps."""
+"""Late rule: the share of its points that a late attempt keeps."""
 
 import math
 from dataclasses import dataclass

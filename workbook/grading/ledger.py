@@ -1,4 +1,4 @@
-"""Ledger: who handed in which file, and when, by the system that took it.
+"""Ledger of submissions: who handed in which file, and when, by the system that took it.
 
 It is the file `ledger.csv` beside the students' folders. `workbook collect` writes a line for each
 file, one for each that was left aside, and one for each participant who handed in nothing. For a
