@@ -14,6 +14,7 @@ from classroom import an_assignment, write_assignment
 from workbook.grading import assignment as assignments
 from workbook.grading import handing_out, submissions
 from workbook.grading.assignment import AssignmentError
+from workbook.grading.lateness import LateRule
 from workbook.notebooks import exercises
 
 FULL = """
@@ -52,6 +53,15 @@ def test_optional_fields(tmp_path):
     assert homework.points == assignments.of_problems("hw1", ["1.15"]).points
 
 
+def test_lateness_and_extensions(tmp_path):
+    homework = an_assignment(
+        tmp_path,
+        f'{DUE}[late]\nper_day = 0.1\n[extensions]\n"ann@uni.example" = 2026-10-08T12:00:00Z\n',
+    )
+    assert homework.late_rule == LateRule(0.1) and homework.due_of("bob") == homework.due
+    assert homework.due_of("ann@uni.example") - homework.due == datetime.timedelta(days=7)
+
+
 def test_points(tmp_path):
     homework = an_assignment(tmp_path, FULL)
     assert set(homework.points["1.15"].values()) == {2.0}, (
@@ -82,6 +92,7 @@ def test_the_name_is_that_of_the_folder(tmp_path, monkeypatch):
 
 
 ONE = 'problems = ["1.15"]\n'
+DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
 
 
 @pytest.mark.parametrize(
@@ -97,7 +108,8 @@ ONE = 'problems = ["1.15"]\n'
         ('problems = ["../ch1/p15"]', "there is no problem"),
         (
             ONE + "titel = 'x'",
-            "unknown field titel; there are attempt, attempts, due, points, problems, title",
+            "unknown field titel; there are attempt, attempts, due, extensions, late, points, problems, "
+            "title",
         ),
         (ONE + "title = 3", "title is one line of text"),
         (ONE + 'title = " "', "title is one line of text"),
@@ -129,6 +141,18 @@ ONE = 'problems = ["1.15"]\n'
             'problems = ["1.17"]\n[points]\n"1.17" = 9\n"1.17.a_region" = 2\n"1.17.b_region" = 3',
             "is 9, but its answers named below have 5",
         ),
+        (DUE + "late = 0.1", "late is a table"),
+        (DUE + "[late]\nfloor = 0.5", "late is a table: [late], and below it per_day"),
+        (DUE + "[late]\nper_day = 0.1\nper_week = 1", "late is a table"),
+        (DUE + "[late]\nper_day = 10", "late.per_day is a number from 0 to 1"),
+        (DUE + "[late]\nper_day = true", "late.per_day is a number from 0 to 1"),
+        (DUE + "[late]\nper_day = 0.1\nfloor = nan", "late.floor is a number from 0 to 1"),
+        (DUE + "[late]\nper_day = 0.1\ncutoff_days = -1", "late.cutoff_days is a number from 0"),
+        (ONE + "[late]\nper_day = 0.1", "late needs a due date"),
+        (DUE + 'extensions = "ann"', "extensions is a table"),
+        (DUE + "[extensions]\nann = 2026-10-08", 'extensions."ann" is a date with time and zone'),
+        (DUE + "[extensions]\nann = 2026-09-30T00:00:00Z", 'extensions."ann" is before the due'),
+        (ONE + "[extensions]\nann = 2026-09-30T00:00:00Z", 'extensions."ann" is before the due'),
         ("problems = [", "is not TOML in UTF-8"),
         (ONE + ONE, "Cannot overwrite a value"),
     ],

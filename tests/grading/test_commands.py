@@ -7,19 +7,21 @@ import os
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 from unicodedata import normalize
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, hand_in, write_assignment
+from classroom import RIGHT_1_15, hand_in, notebook, write_assignment
 from guide import like, steps
 
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe
 from workbook.grading import commands, grader, worker_pool
 from workbook.grading.assignment import InputError
+from workbook.grading.collecting import collect
 from workbook.grading.judging import Judgement
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
@@ -107,11 +109,21 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
         and "3/3" in done.stderr
     )
     assert table(course / "graded" / "hw1" / "grades.csv") == [
-        ["student", "1.15", "1.17", "total", "max", "late", "needs review"],
-        ["ann", "10.00", "0.00", "10.00", "12.00", "", "no"],
-        ["bob", "6.00", "0.00", "6.00", "12.00", "1.15", "no"],
-        ["cid", "0.00", "0.00", "0.00", "12.00", "", "no"],
-        ["dan", "0.00", "0.00", "0.00", "12.00", "", "no"],
+        [
+            "student",
+            "1.15",
+            "1.17",
+            "total",
+            "max",
+            "handed in",
+            "late",
+            "time unknown",
+            "needs review",
+        ],
+        ["ann", "10.00", "0.00", "10.00", "12.00", "yes", "", "", "no"],
+        ["bob", "6.00", "0.00", "6.00", "12.00", "yes", "1.15", "", "no"],
+        ["cid", "0.00", "0.00", "0.00", "12.00", "yes", "", "", "no"],
+        ["dan", "0.00", "0.00", "0.00", "12.00", "no", "", "", "no"],
     ]
     # Dan has no grade.
     assert [row[0] for row in table(course / "graded" / "hw1" / "moodle.csv")] == [
@@ -406,9 +418,103 @@ def test_different_points_possible_in_canvas_are_reported(course, here, capsys):
 
 def test_a_bad_roster_is_an_error_before_anything_is_graded(course, here):
     (course / "canvas.csv").write_text("name,grade\n", encoding="utf-8")
-    with pytest.raises(InputError, match="not a gradebook exported from Canvas"):
+    with pytest.raises(InputError, match="the roster is to have a line of headers"):
         grade(course, roster=course / "canvas.csv")
     assert here == [] and not (course / "graded").exists()
+
+
+def test_everybody_in_a_roster_is_named(course, here, capsys):
+    """Any table does; who has no folder has a line, and is not one who left all empty."""
+    (course / "roster.csv").write_text(
+        "\ufeffГруппа;Логин;Имя\n1;ann;Ann Able\n1;bob;Bob Bee\n2;eve;Eve Eve\n", encoding="utf-8"
+    )
+    summary = grade(course, roster=course / "roster.csv", quiet=False)
+    assert summary["handed in nothing"] == {"hw1": ["dan", "eve"]}
+    assert summary["not in the roster"] == {"hw1": ["cid", "dan"]}
+    output = capsys.readouterr().err
+    assert "  handed in nothing: dan, eve\n" in output and "not in the roster: cid, dan" in output
+    rows = {row[0]: row[5] for row in table(course / "graded" / "hw1" / "grades.csv")}
+    assert rows["cid"] == "yes" and rows["dan"] == rows["eve"] == "no"
+    page = (course / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
+    assert "Nothing was handed in by <bdi>dan</bdi>, <bdi>eve</bdi>." in page
+    assert not (course / "graded" / "hw1" / "canvas.csv").exists()
+
+
+def test_a_student_twice_in_the_roster_is_an_error_before_anything_is_graded(course, here):
+    (course / "roster.csv").write_text("name,login\nA,ann\nB,bob\nC,ann\n")
+    with pytest.raises(InputError, match="the roster has ann more than once"):
+        grade(course, roster=course / "roster.csv")
+    assert here == []
+
+
+# Collected from a learning platform
+
+
+def collected(folder, files):
+    with zipfile.ZipFile(folder / "all.zip", "w") as archive:
+        for name, answers in files.items():
+            archive.writestr(name, json.dumps(notebook("1.15", answers)))
+    collect(folder / "all.zip", "hw1", folder / "submitted")
+
+
+def test_a_file_name_takes_no_points_from_another_student(tmp_path, here, capsys):
+    """And nobody is late by the time of the download."""
+    write_assignment(tmp_path, HOMEWORK.replace("[points]", 'attempt = "last"\n[points]'))
+    evil = "Some Body_1000_assignsubmission_file_ch1-p15.ipynb"
+    files = {evil: RIGHT_1_15, f"Eve Evil_1777_assignsubmission_file_{evil}": WRONG}
+    collected(tmp_path, files)
+    summary = grade(tmp_path, quiet=False)
+    assert summary["assignments"]["hw1"] == {"Eve Evil_1777": 0, "Some Body_1000": 10}
+    assert summary["late"] == {"hw1": {}} and len(summary["time unknown"]["hw1"]) == 2
+    assert "of 2 students it is not known when they handed in" in capsys.readouterr().err
+    page = tmp_path / "graded" / "hw1" / "feedback" / "Some Body_1000.html"
+    assert "It is not known when you handed this in" in page.read_text(encoding="utf-8")
+    nbgrader = table(tmp_path / "graded" / "hw1" / "nbgrader.csv")
+    assert [row[2] for row in nbgrader] == ["timestamp", "", ""]
+
+
+def test_canvas_says_who_is_late(tmp_path, here):
+    write_assignment(tmp_path, HOMEWORK.replace("due = 2026-10-01T12:00:00Z\n", ""))
+    names = ("ableann_1_11_ch1-p15.ipynb", "beebob_LATE_2_12_ch1-p15.ipynb")
+    collected(tmp_path, dict.fromkeys(names, RIGHT_1_15))
+    summary = grade(tmp_path)
+    assert summary["late"] == {"hw1": {"2": ["1.15"]}} and summary["time unknown"] == {"hw1": {}}
+
+
+# What lateness costs
+
+
+def test_points_pages_and_tables_agree_on_lateness(course, here, capsys):
+    """Bob is a minute late, and has three of five answers right, of 2 points each."""
+    grade(course)
+    rule = '[late]\nper_day = 0.25\n[extensions]\n"cid" = 2026-10-09T12:00:00Z\n"bbo" = {}\n'
+    write_assignment(course, HOMEWORK + rule.format("2026-10-09T12:00:00Z"))
+    roster = course / "canvas.csv"
+    roster.write_text("Student,ID,SIS Login ID,Section\nBee,2,bob,A\n", encoding="utf-8")
+    summary = grade(course, roster=roster, quiet=False)
+    assert summary["assignments"]["hw1"] == {"ann": 10, "bob": 4.5, "cid": 0, "dan": 0}
+    assert {(c["student"], c["why"]) for c in summary["changes"]["hw1"]} == {
+        ("bob", "lateness counts otherwise")
+    }
+    output = capsys.readouterr().err
+    assert "extensions in assignment.toml for nobody here: bbo" in output
+    folder = course / "graded" / "hw1"
+    page = (folder / "feedback" / "bob.html").read_text(encoding="utf-8")
+    assert "<p>4.5 of 12 points.</p>" in page
+    assert "Handed in 1 day after the due date (a day begun counts): right answers have 75%" in page
+    assert "1.5 / 2" in page
+    assert "Due 2026-10-09" in (folder / "feedback" / "cid.html").read_text(encoding="utf-8")
+    rows = {row[0]: row for row in table(folder / "grades.csv")}
+    assert rows["bob"][3] == "4.50"
+    (moodle,) = (row for row in table(folder / "moodle.csv") if row[0] == "bob")
+    assert moodle[1] == "4.50" and "right, late: 75% of the points" in moodle[2]
+    (nbgrader,) = (row for row in table(folder / "nbgrader.csv") if row[3] == "bob")
+    assert nbgrader[7:10] == ["6.00", "1.50", "4.50"]
+    assert table(folder / "canvas.csv")[-1][-1] == "4.50"
+    write_assignment(course, HOMEWORK + "[late]\nper_day = 0.1\ncutoff_days = 0\n")
+    assert grade(course)["assignments"]["hw1"]["bob"] == 0
+    page = (folder / "feedback" / "bob.html").read_text(encoding="utf-8")
+    assert "more than 0 days after the due date: right answers have no points any more" in page
 
 
 # Messages and refusals
@@ -830,9 +936,41 @@ def canvas_exports_its_gradebook(folder):
     )
 
 
+def the_systems_give_archives(folder):
+    """As Canvas and a Russian Moodle write them; Bob's archive is encrypted."""
+    content = json.dumps(notebook("1.15", {}))
+    with zipfile.ZipFile(folder / "canvas-submissions.zip", "w") as archive:
+        for name in ("ableann_101_9001", "beebob_LATE_102_9002", "ceecid_103_9003"):
+            archive.writestr(f"{name}_ch1-p15.ipynb", content)
+    inner = io.BytesIO()
+    with zipfile.ZipFile(inner, "w") as archive:
+        archive.writestr("ch1-p15.ipynb", content)
+    with zipfile.ZipFile(folder / "moodle.zip", "w") as archive:
+        archive.writestr("Ann Able_1101_assignsubmission_file/ch1-p15.ipynb", content)
+        archive.writestr("Bob Bee_1102_assignsubmission_file/photos.zip", b"")
+        archive.writestr("Cid Cee_1103_assignsubmission_file/homework.zip", inner.getvalue())
+        archive.infolist()[1].flag_bits |= 1
+    when = '"вторник, 29 сентября 2026, 14:14"'
+    (folder / "worksheet.csv").write_text(
+        "\ufeffИдентификатор;Полное имя;Адрес электронной почты;Состояние;Оценка;Максимальная оценка;"
+        "Оценка может быть изменена;Последнее изменение (ответ);Последнее изменение (оценка)\n"
+        + "".join(
+            f"Участник{number};{name};{name.split()[0].lower()}@uni.example;;;5,00;Да;{time};-\n"
+            for number, name, time in (
+                (1101, "Ann Able", when),
+                (1102, "Bob Bee", when),
+                (1103, "Cid Cee", when),
+                (1104, "Dan Dee", "-"),
+            )
+        ),
+        encoding="utf-8",
+    )
+
+
 #: What people do between the commands, at the beginning of a section.
 MEANWHILE = {
     "Collect": the_class_hands_in,
+    "Collect from Canvas or Moodle": the_systems_give_archives,
     "When something changes": cid_hands_in_again,
     "Hand the grades on": canvas_exports_its_gradebook,
 }
@@ -893,3 +1031,29 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         assert (tmp_path / "graded" / "hw1" / written).exists() and written in GUIDE.read_text(
             encoding="utf-8"
         )
+
+
+def test_the_five_commands_of_the_readme(tmp_path):
+    the_systems_give_archives(tmp_path)
+    readme = (GUIDE.parents[2] / "README.md").read_text(encoding="utf-8")
+    lines = readme.split("in five commands")[1].split("```")[1].strip().splitlines()
+    assert len(lines) == 5
+    environment = os.environ | {
+        "COLUMNS": "200",
+        "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}",
+    }
+    for line in lines:
+        done = subprocess.run(
+            ["bash", "-c", line],
+            cwd=tmp_path,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=300,
+        )
+        assert done.returncode == 0, f"{line}: {done.stdout}{done.stderr}"
+    rows = {row[0]: row for row in table(tmp_path / "graded" / "hw1" / "moodle.csv")}
+    assert rows["Email address"] and rows["ann@uni.example"][1] == "0.50"
+    assert "handed in nothing: dan@uni.example" in done.stderr
+    # Bob's photos cannot be opened, and may be his work.
+    assert set(rows) == {"Email address", "ann@uni.example", "cid@uni.example"}

@@ -18,6 +18,7 @@ from workbook.grading import (
     fingerprint,
     forkserver,
     grader,
+    ledger,
     preloading,
     worker_pool,
 )
@@ -206,6 +207,37 @@ def test_copies_side_by_side(tmp_path, by_content, rule, points_, is_late):
     assert run(tmp_path) == (0, {"ann": points_}, {"ann": is_late})
 
 
+@pytest.mark.parametrize(
+    "first, second, expected",
+    [
+        ((-60, None), (-30, None), (5, False)),
+        ((-30, None), (-60, None), (0, False)),
+        ((-60, None), (30, None), (5, True)),
+        ((None, False), (None, True), (5, True)),
+        ((None, None), (None, None), (5, False)),
+    ],
+)
+def test_the_last_attempt_is_so_by_the_ledger(tmp_path, by_content, first, second, expected):
+    """Not by the times of the files, which are those of copying."""
+    write_assignment(tmp_path, LAST)
+    noted = ledger.Ledger(tmp_path / "submitted")
+    for k, (answer, (submitted, late)) in enumerate((("BAD", first), ("GOOD", second))):
+        name = f"ch1-p15 ({k}).ipynb"
+        hand_in(tmp_path, "ann", "1.15", {"a_region": f"'{answer}'"}, at=DUE + 90 - k, name=name)
+        when = None if submitted is None else DUE + submitted
+        noted.add(
+            ledger.Entry(
+                "hw1", "ann", file=name, submitted=when, late=late, source=name, collected=DUE + k
+            )
+        )
+    noted.write()
+    assert run(tmp_path)[1:] == ({"ann": expected[0]}, {"ann": expected[1]})
+    # A time that is put right counts by the next run, and nothing is graded again.
+    path = tmp_path / "submitted" / ledger.NAME
+    path.unlink()
+    assert run(tmp_path) == (0, {"ann": 0}, {"ann": True})
+
+
 def test_a_corrected_time_of_a_file(tmp_path, by_content):
     write_assignment(tmp_path, LAST)
     path = hand_in(tmp_path, "ann", "1.15", {"a_region": "'GOOD'"}, at=DUE + 5)
@@ -262,6 +294,7 @@ def test_a_store_of_an_older_version_is_read(tmp_path, by_content):
     run(tmp_path)
     with closing(sqlite3.connect(tmp_path / "grades.sqlite")) as database:
         database.execute("ALTER TABLE result DROP COLUMN hashes")
+        database.execute("ALTER TABLE attempt DROP COLUMN timing")
     assert run(tmp_path)[:2] == (0, {"ann": 5})
 
 

@@ -10,6 +10,7 @@ from classroom import an_assignment, graded
 
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading.scores import scores
+from workbook.grading.submissions import LeftAside
 
 TWO = ["a_region", "b_region"]  # the answers of problem 1.17
 HOMEWORK = 'problems = ["1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.17.a_region" = 3\n'
@@ -184,3 +185,115 @@ def test_students_are_sorted_and_separate(tmp_path, store):
     assert [score.student for score in class_scores] == sorted(
         ["žofie", "ann", "Ben", "=cmd"]
     ) and {score.points for score in class_scores} == {3}
+
+
+# What the system says, and what was left aside
+
+
+@pytest.mark.parametrize(
+    "timing, submitted, late, untimed",
+    [
+        ("known", DUE + 1, True, False),
+        ("known", DUE - 1, False, False),
+        ("late", DUE - 1, True, False),
+        ("in time", DUE + 1, False, False),
+        ("unknown", DUE + 1, False, True),
+    ],
+)
+def test_late_is_what_the_system_says(tmp_path, store, timing, submitted, late, untimed):
+    attempt = graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), content="x")
+    assert store.note_attempt("ann", "hw1", "1.17", "x", submitted, timing) == attempt
+    score = only(store, an_assignment(tmp_path, HOMEWORK))
+    assert (bool(score.late), bool(score.untimed)) == (late, untimed)
+    without_due = only(store, an_assignment(tmp_path, 'problems = ["1.17"]'))
+    assert (bool(without_due.late), without_due.untimed) == (timing == "late", ())
+
+
+@pytest.mark.parametrize(
+    "options, points_by_hand, waits",
+    [
+        ({}, False, True),
+        ({}, True, True),
+        ({"by_hand": True}, False, True),
+        ({"by_hand": True}, True, False),
+        ({"by_hand": True, "beside": True}, False, False),
+    ],
+)
+def test_what_is_no_notebook_waits_for_points_by_hand(
+    tmp_path, store, options, points_by_hand, waits
+):
+    graded(store, "ann", "1.17", statuses(RIGHT, WRONG))
+    if points_by_hand:
+        store.set_manual("ann", "hw1", "1.17", "b_region", 0.5, "on paper")
+    aside = [LeftAside("notes.pdf", "no notebook", "ann", "hw1", **options)]
+    (score,) = scores(store, an_assignment(tmp_path, HOMEWORK), (), aside)
+    assert score.needs_review == waits and score.aside == tuple(aside)
+
+
+# What lateness costs
+
+DAY = 86400
+LATE_RULE = "[late]\nper_day = 0.2\nfloor = 0.5\ncutoff_days = 7\n"
+
+
+@pytest.mark.parametrize(
+    "seconds, share",
+    [
+        (-1, 1),
+        (0, 1),
+        (1, 0.8),
+        (DAY, 0.8),
+        (DAY + 1, 0.6),
+        (2 * DAY + 1, 0.5),
+        (7 * DAY, 0.5),
+        (7 * DAY + 1, 0),
+    ],
+)
+def test_each_day_begun_takes_its_share(tmp_path, store, seconds, share):
+    graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=DUE + seconds)
+    graded(store, "bob", "1.17", statuses(RIGHT, WRONG), submitted=DUE + seconds + 3 * DAY)
+    extension = '[extensions]\n"bob" = 2026-10-04T12:00:00Z\n'
+    for score in scores(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE + extension)):
+        assert score.points == pytest.approx(3 * share) and score.max_points == 4
+        assert [answer.lost for answer in score.answers] == pytest.approx([3 - 3 * share, 0])
+        assert bool(score.late) == (seconds > 0)
+
+
+@pytest.mark.parametrize("floor, share", [("", 0), ("floor = 0.3", 0.3)])
+def test_lateness_never_costs_more_than_all(tmp_path, store, floor, share):
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 99 * DAY)
+    rule = f"[late]\nper_day = 0.2\n{floor}\n"
+    assert only(store, an_assignment(tmp_path, HOMEWORK + rule)).points == pytest.approx(4 * share)
+
+
+@pytest.mark.parametrize("timing", ["late", "unknown", "in time"])
+def test_without_a_time_lateness_costs_nothing(tmp_path, store, timing):
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), content="x")
+    store.note_attempt("ann", "hw1", "1.17", "x", DUE + 99 * DAY, timing)
+    score = only(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE))
+    assert score.points == 4 and bool(score.untimed) == (timing != "in time")
+
+
+def test_the_best_attempt_is_so_after_lateness(tmp_path, store):
+    homework = an_assignment(tmp_path, HOMEWORK + LATE_RULE)
+    graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=DUE - 1)
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 2 * DAY)
+    assert only(store, homework).points == 3 and not only(store, homework).late
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 1)
+    assert only(store, homework).points == pytest.approx(3.2) and only(store, homework).late
+
+
+def test_what_was_not_judged_may_rise_by_what_lateness_leaves(tmp_path, store):
+    homework = an_assignment(tmp_path, HOMEWORK + LATE_RULE)
+    graded(store, "ann", "1.17", statuses(WRONG, RIGHT), submitted=DUE - 1)
+    graded(store, "ann", "1.17", statuses(UNCHECKED, WRONG), submitted=DUE + 8 * DAY)
+    assert not only(store, homework).needs_review
+    graded(store, "ann", "1.17", statuses(UNCHECKED, WRONG), submitted=DUE + 3 * DAY)
+    assert only(store, homework).needs_review
+
+
+def test_points_by_hand_are_as_they_were_given(tmp_path, store):
+    graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 1)
+    store.set_manual("ann", "hw1", "1.17", "a_region", 2.5, "")
+    score = only(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE))
+    assert score.points == pytest.approx(2.5 + 0.8) and score.answers[0].lost == 0

@@ -37,7 +37,7 @@ def test_order_and_what_was_left_aside(tmp_path):
     }
     assert asides == {
         "cyd": "this is a symbolic link",
-        "dora/hw1": "there is no notebook in this folder",
+        "dora/hw1": "there is no notebook in this folder, only notes.pdf",
         "ellen/hw1": "this is a symbolic link",
     }
     read = [entry for entry in entries if isinstance(entry, Submission)]

@@ -12,14 +12,23 @@ It is one file, `assignment.toml`:
     "1.15" = 10                         # a problem: shared equally by its answers
     "1.4" = 10                          # with an answer named below: the others share what is left
     "1.4.a_matrix" = 2                  # one answer
+
+    [late]                              # optional; without it lateness is marked and costs nothing
+    per_day = 0.1                       # the share of the points that each day begun takes
+    floor = 0.5                         # optional: the share that is kept until the cut-off
+    cutoff_days = 7                     # optional: later work has no points
+
+    [extensions]                        # optional: due dates of single students
+    "ann@uni.example" = 2026-10-08T23:59:00+03:00
 """
 
 import datetime
 import re
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from workbook.grading.lateness import LateRule
 from workbook.grading.sanitising import normalise_name
 from workbook.notebooks import exercises
 
@@ -30,7 +39,7 @@ RESERVED_NAMES = {
     "grades.sqlite-shm",
     "grades.sqlite-journal",
 }
-FIELDS = {"title", "problems", "due", "attempt", "attempts", "points"}
+FIELDS = {"title", "problems", "due", "attempt", "attempts", "points", "late", "extensions"}
 
 
 class InputError(ValueError):
@@ -59,6 +68,10 @@ class Assignment:
         Which attempt counts: "best" or "last".
     attempts : int or None
         How many attempts at a problem count.
+    late_rule : LateRule or None
+        What lateness costs; None is nothing.
+    extensions : dict
+        The due dates of students who have their own.
     """
 
     name: str
@@ -68,6 +81,12 @@ class Assignment:
     due: datetime.datetime | None = None
     attempt: str = "best"
     attempts: int | None = None
+    late_rule: LateRule | None = None
+    extensions: dict = field(default_factory=dict)
+
+    def due_of(self, student):
+        """Return the due date of a student, or None."""
+        return self.extensions.get(student, self.due)
 
     @property
     def max_points(self):
@@ -128,12 +147,8 @@ def from_text(text, path):
     )
     _require(len(set(problems)) == len(problems), path, "problems names a problem twice")
     due = table.get("due")
-    _require(
-        due is None or (isinstance(due, datetime.datetime) and due.tzinfo is not None),
-        path,
-        "due is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00",
-    )
-    _require(due is None or can_be_due(due), path, "due is a date of our time, from 1971 to 9998")
+    if due is not None:
+        _require_date(due, path, "due")
     attempt = table.get("attempt", "best")
     _require(attempt in ("best", "last"), path, 'attempt is "best" or "last"')
     attempts = table.get("attempts")
@@ -150,6 +165,8 @@ def from_text(text, path):
         due,
         attempt,
         attempts,
+        _late_rule(path, due, table.get("late")),
+        _extensions(path, due, table.get("extensions", {})),
     )
 
 
@@ -216,6 +233,52 @@ def _points(path, problems, table):
             answers.update(dict.fromkeys(answers, max(left, 0.0) / max(others, 1)))
         answers.update(named)
     return points
+
+
+def _late_rule(path, due, table):
+    if table is None:
+        return None
+    _require(
+        isinstance(table, dict)
+        and "per_day" in table
+        and table.keys() <= {"per_day", "floor", "cutoff_days"},
+        path,
+        "late is a table: [late], and below it per_day = 0.1, and perhaps floor and cutoff_days",
+    )
+    for key, value in table.items():
+        greatest = 10_000 if key == "cutoff_days" else 1
+        _require(
+            type(value) in (int, float) and 0 <= value <= greatest,
+            path,
+            f"late.{key} is a number from 0 to {greatest}",
+        )
+    _require(due is not None, path, "late needs a due date")
+    return LateRule(**table)
+
+
+def _extensions(path, due, table):
+    _require(
+        isinstance(table, dict),
+        path,
+        'extensions is a table: [extensions], and below it "ann" = 2026-10-08T23:59:00+03:00',
+    )
+    for student, date in table.items():
+        _require_date(date, path, f'extensions."{student}"')
+        _require(
+            due is not None and date >= due,
+            path,
+            f'extensions."{student}" is before the due date, or there is none',
+        )
+    return {normalise_name(student): date for student, date in table.items()}
+
+
+def _require_date(date, path, name):
+    _require(
+        isinstance(date, datetime.datetime) and date.tzinfo is not None,
+        path,
+        f"{name} is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00",
+    )
+    _require(can_be_due(date), path, f"{name} is a date of our time, from 1971 to 9998")
 
 
 def _require(condition, path, message):

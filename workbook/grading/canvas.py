@@ -4,17 +4,15 @@ The points are written as they are, also where Canvas has other points possible 
 they agree with the student's page and every other table.
 """
 
-import csv
-import io
 import re
-from pathlib import Path
-from unicodedata import normalize
 
 from workbook.grading.assignment import InputError
-from workbook.grading.exporting import decimal, quoted
+from workbook.grading.csv_files import quoted, read_text
+from workbook.grading.exporting import decimal
+from workbook.grading.roster import Roster, normalise_cell
 
 
-def canvas_csv(assignment, scores, roster):
+def canvas_csv(assignment, scores, gradebook):
     """Fill one column of the gradebook exported from Canvas.
 
     Students are matched by whichever of "SIS User ID", "SIS Login ID" and "ID" fits most of them. A
@@ -27,41 +25,37 @@ def canvas_csv(assignment, scores, roster):
         The homework.
     scores : list of StudentScore
         The scores of the class.
-    roster : Roster
+    gradebook : Gradebook
         The gradebook.
 
     Returns
     -------
-    tuple
-        (text of the gradebook, students that it does not have).
+    str
+        The text of the gradebook.
     """
     score_of = {score.student: score for score in scores}
-    # In the normal form of students' names, which are those of folders.
-    keys = [
-        [normalize("NFC", identity) for identity in roster.column(name)]
-        for name in ("SIS User ID", "SIS Login ID", "ID")
-    ]
-    identities = max(keys, key=lambda column: sum(name in score_of for name in column))
-    column = _column(assignment, roster)
-    possible = roster.possible(column) or decimal(assignment.max_points)
-    rows = [["    Points Possible", *[""] * (roster.width - 1), possible]]
-    for identity, row, present in zip(identities, roster.rows, roster.column(column)):
+    column = _column(assignment, gradebook)
+    possible = gradebook.possible(column) or decimal(assignment.max_points)
+    rows = [["    Points Possible", *[""] * (gradebook.width - 1), possible]]
+    for identity, row, present in zip(
+        gradebook.identities(score_of), gradebook.rows, gradebook.column(column)
+    ):
         score = score_of.get(identity)
         rows.append(
             [
-                *row[: roster.width],
+                *row[: gradebook.width],
                 decimal(score.points)
                 if score and score.handed_in and not score.needs_review
                 else present,
             ]
         )
-    text = quoted([[*roster.header[: roster.width], column], *rows], roster.delimiter)
-    return text, [score.student for score in scores if score.student not in set(identities)]
+    header = [*gradebook.header[: gradebook.width], column]
+    return quoted([header, *rows], gradebook.delimiter)
 
 
-def different_points(assignment, roster):
+def different_points(assignment, gradebook):
     """Return the gradebook's points possible as text if the assignment's differ, else ""."""
-    possible = roster.possible(_column(assignment, roster))
+    possible = gradebook.possible(_column(assignment, gradebook))
     try:
         same = abs(float(possible.replace(",", ".")) - assignment.max_points) < 0.005
     except ValueError:
@@ -69,11 +63,11 @@ def different_points(assignment, roster):
     return "" if same else possible
 
 
-def _column(assignment, roster):
+def _column(assignment, gradebook):
     return next(
         (
             name
-            for name in roster.header
+            for name in gradebook.header
             if re.fullmatch(rf"{re.escape(assignment.title)} \(\d+\)", name)
         ),
         assignment.title,
@@ -81,41 +75,46 @@ def _column(assignment, roster):
 
 
 def read_roster(path):
-    """Return the `Roster` in a file; raises `InputError`."""
+    """Return the `Gradebook` in a file, or the `Roster` if it is another; raises `InputError`."""
+    text = read_text(path)
     try:
-        return Roster(Path(path).read_bytes().decode("utf-8"))
-    except OSError as error:
-        raise InputError(f"{path}: {error.strerror}") from None
-    except (UnicodeDecodeError, csv.Error) as error:
-        raise InputError(f"{path} is not CSV in UTF-8: {error}") from None
+        return (Gradebook if Gradebook.is_one(text) else Roster)(text)
+    except InputError as error:
+        raise InputError(f"{path}: {error}") from None
 
 
-class Roster:
+class Gradebook(Roster):
     """A gradebook exported from Canvas.
 
     It has the `header`, the `rows` of students, and as `width` the number of columns about them, up
-    to Section. Raises `InputError` if the text is no such export.
+    to Section.
     """
 
     def __init__(self, text):
-        text = text.lstrip("\ufeff")
-        first = text.partition("\n")[0]
-        self.delimiter = ";" if first.count(";") > first.count(",") else ","
-        lines = list(csv.reader(io.StringIO(text, newline=""), delimiter=self.delimiter))
-        self.header = lines[0] if lines else []
-        if self.header[:2] != ["Student", "ID"] or "Section" not in self.header:
-            raise InputError(
-                "the roster is not a gradebook exported from Canvas: its columns are to be "
-                "Student, ID, ..., Section, ..."
-            )
+        super().__init__(text)
         self.width = self.header.index("Section") + 1
-        lines = [(line + [""] * len(self.header))[: len(self.header)] for line in lines[1:]]
         self._possible = next(
-            (line for line in lines if line[0].strip() == "Points Possible"),
+            (row for row in self.rows if row[0].strip() == "Points Possible"),
             [""] * len(self.header),
         )
         # Other lines without an ID are about columns ("Manual Posting"), not about a student.
-        self.rows = [line for line in lines if line[1].strip() and line is not self._possible]
+        self.rows = [row for row in self.rows if row[1].strip() and row is not self._possible]
+
+    @staticmethod
+    def is_one(text):
+        """Return whether a text is such an export."""
+        header = Roster(text).header
+        return header[:2] == ["Student", "ID"] and "Section" in header
+
+    def _identity_columns(self):
+        return [
+            [normalise_cell(cell) for cell in self.column(name)]
+            for name in ("SIS User ID", "SIS Login ID", "ID")
+        ]
+
+    def pairs(self):
+        """Return (name, ID) of each person."""
+        return zip(self.column("Student"), self.column("ID"))
 
     def column(self, name):
         """Return each student's cell in a column; "" if there is no such column."""

@@ -36,7 +36,11 @@ def grade(
         ),
     ] = None,
     roster: Annotated[
-        Path | None, typer.Option(help="Gradebook exported from Canvas; one column is filled in.")
+        Path | None,
+        typer.Option(
+            help="Table (.csv) of all students; in a gradebook exported from Canvas one column is "
+            "filled in."
+        ),
     ] = None,
     site: Site = "",
     processes: Annotated[
@@ -135,21 +139,40 @@ def collect(
     homework: Homework,
     into: Annotated[Path, typer.Option(help="Folder of all submissions.")] = Path("submitted"),
     worksheet: Annotated[
-        Path | None, typer.Option(help="Moodle's grading worksheet, for addresses.")
+        Path | None,
+        typer.Option(help="Moodle's grading worksheet, for addresses and times."),
+    ] = None,
+    roster: Annotated[
+        Path | None,
+        typer.Option(
+            help="Gradebook exported from Canvas, for names that can be read in two ways."
+        ),
     ] = None,
 ):
     """Put a download from Moodle or Canvas into folders submitted/STUDENT/ASSIGNMENT."""
+    from workbook.grading.canvas import read_roster
     from workbook.grading.collecting import collect
+    from workbook.grading.pages import count
 
-    collected, aside = collect(download, homework, into, worksheet)
-    for path, reason in aside:
-        console.print(f"left aside: {path}: {reason}", markup=False, style="yellow")
-    files, students = sum(map(len, collected.values())), len(collected)
-    console.print(
-        f"{into}: {files} file{'s' * (files != 1)} of {students} student{'s' * (students != 1)} "
-        f"for {homework}",
-        markup=False,
+    collected = collect(
+        download, homework, into, worksheet, read_roster(roster) if roster is not None else None
     )
+
+    def say(line, **style):
+        console.print(line, markup=False, **style)
+
+    for path, reason in collected.aside:
+        say(f"left aside: {path}: {reason}", style="yellow")
+    files, students = sum(map(len, collected.files.values())), len(collected.files)
+    say(f"{into}: {count(files, 'file')} of {count(students, 'student')} for {homework}")
+    if collected.absent:
+        say(f"handed in nothing: {', '.join(collected.absent)}")
+    if collected.untimed:
+        say(
+            f"of {count(collected.untimed, 'file')} the download does not say when it was handed in, "
+            "so none of them will be late; with Moodle, --worksheet says it",
+            style="yellow",
+        )
 
 
 def score(

@@ -51,7 +51,7 @@ def grade_course(
     quiet : bool
         Whether nothing is printed.
     roster : path, optional
-        A gradebook exported from Canvas.
+        The students of the class: a gradebook exported from Canvas, or any other table of them.
     site : str
         Address of the student edition of the site.
     cluster : dict, optional
@@ -76,6 +76,7 @@ def grade_course(
     )
     # A roster or folder that cannot be used is an error before an hour of grading, not after it.
     roster = canvas.read_roster(roster) if roster is not None else None
+    expected = _expected(roster, submitted)
     assignment_folder = _assignments(assignment_folder)
     cluster = _cluster(cluster, console) if cluster is not None else None
     homeworks, plan, failures = _grade_with_progress_bar(
@@ -107,13 +108,21 @@ def grade_course(
         "to review": {},
         "changes": {},
         "not in the roster": {},
+        "handed in nothing": {},
+        "time unknown": {},
     }
     now = datetime.now().astimezone().isoformat(timespec="seconds")
     files = assignments.files(assignment_folder)
     with Store(out / "grades.sqlite") as store:
         for name, assignment in homeworks.items():
-            graded = scores(store, assignment, submissions.students(submitted), plan.aside)
-            changes, unknown = write(out / name, assignment, graded, now, roster, site)
+            students = [*expected, *submissions.students(submitted)]
+            graded = scores(store, assignment, students, plan.aside)
+            changes = write(out / name, assignment, graded, now, roster, site)
+            unknown = [
+                score.student
+                for score in graded
+                if roster is not None and score.student not in expected
+            ]
             result["assignments"][name] = {
                 score.student: round(score.points, 4) for score in graded
             }
@@ -127,6 +136,12 @@ def grade_course(
             }
             result["changes"][name] = [vars(change) for change in changes]
             result["not in the roster"][name] = unknown
+            result["handed in nothing"][name] = [
+                score.student for score in graded if not score.handed_in
+            ]
+            result["time unknown"][name] = {
+                score.student: list(score.untimed) for score in graded if score.untimed
+            }
             console_summary.print_summary(
                 console, out / name, assignment, graded, changes, files.get(name)
             )
@@ -195,10 +210,7 @@ def score_by_hand(graded, student, assignment, problem, answer, points, comment=
 
 
 def write(folder, assignment, graded, now, roster=None, site=""):
-    """Write tables and pages of a homework into a folder.
-
-    Returns (changes since the last time, students that the roster does not have).
-    """
+    """Write tables and pages of a homework into a folder; return the changes since last time."""
     changes, all_changes, written = record.compared(folder / "grades.json", assignment, graded, now)
     files = {
         "grades.csv": exporting.grades_csv(assignment, graded),
@@ -211,12 +223,11 @@ def write(folder, assignment, graded, now, roster=None, site=""):
         f"feedback/{page_name(score.student)}": feedback(assignment, score, site)
         for score in graded
     }
-    unknown = []
-    if roster is not None:
-        files["canvas.csv"], unknown = canvas.canvas_csv(assignment, graded, roster)
+    if isinstance(roster, canvas.Gradebook):
+        files["canvas.csv"] = canvas.canvas_csv(assignment, graded, roster)
     for name, text in (files | {"grades.json": written}).items():  # grades.json last
         record.put(folder / name, text)
-    return changes, unknown
+    return changes
 
 
 def page_name(student):
@@ -224,6 +235,13 @@ def page_name(student):
     if len(student.encode()) <= 240:
         return f"{student}.html"
     return f"{student.encode()[:200].decode(errors='ignore')}-{hashlib.sha256(student.encode()).hexdigest()[:16]}.html"
+
+
+def _expected(roster, submitted):
+    """Return the students in the roster, by the names of their folders."""
+    if roster is None:
+        return set()
+    return set(roster.identities(submissions.students(submitted))) - {""}
 
 
 def _cluster(options, console):

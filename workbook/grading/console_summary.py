@@ -3,7 +3,7 @@
 Everything else is in the files.
 """
 
-from workbook.grading.canvas import different_points
+from workbook.grading.canvas import Gradebook, different_points
 from workbook.grading.handing_out import due_text
 from workbook.grading.pages import count
 
@@ -59,6 +59,19 @@ def print_summary(console, folder, assignment, graded, changes, file):
         f"  {handed_in} of {len(graded)} students handed something in, {late} late; tables and "
         f"pages in {folder}"
     )
+    if absent := [score.student for score in graded if not score.handed_in]:
+        print_line(f"  handed in nothing: {', '.join(absent)}")
+    if nobody := assignment.extensions.keys() - {score.student for score in graded}:
+        print_line(
+            f"  extensions in assignment.toml for nobody here: {', '.join(sorted(nobody))}",
+            style="yellow",
+        )
+    if untimed := sum(bool(score.untimed) for score in graded):
+        print_line(
+            f"  of {count(untimed, 'student')} it is not known when they handed in, which costs them "
+            "nothing: workbook collect --worksheet reads it from Moodle",
+            style="yellow",
+        )
     waiting, unusable = (
         sum(score.needs_review for score in graded),
         sum(len(score.unusable) for score in graded),
@@ -101,10 +114,10 @@ def print_summary(console, folder, assignment, graded, changes, file):
 
 
 def print_roster_differences(console, assignment, roster, unknown):
-    """Print how the grades differ from Canvas's gradebook: students `unknown` there, and points."""
+    """Print how the grades differ from the roster: students `unknown` there, and points."""
     if unknown:
         console.print(f"  not in the roster: {', '.join(unknown)}", markup=False, style="yellow")
-    if possible := different_points(assignment, roster):
+    if isinstance(roster, Gradebook) and (possible := different_points(assignment, roster)):
         console.print(
             f"  Canvas has {possible} points possible for {assignment.title}, the homework has "
             f"{assignment.max_points:g}: "

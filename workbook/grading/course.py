@@ -214,10 +214,13 @@ def _plan(copies, aside, homeworks, store, limits):
             fingerprints[problem] = fingerprint(exercises.find(problem))
         # One file of several with the same content: the earliest, or where the last attempt counts
         # the latest.
-        when = (max if homeworks[name].attempt == "last" else min)(
-            submission.submitted for submission in same
+        counting = (max if homeworks[name].attempt == "last" else min)(
+            same, key=lambda submission: submission.submitted
         )
-        noted[store.note_attempt(student, name, problem, content, when)] = problem, same[0]
+        attempt = store.note_attempt(
+            student, name, problem, content, counting.submitted, counting.timing
+        )
+        noted[attempt] = problem, counting
     surplus = {
         attempt
         for name in homeworks

@@ -6,23 +6,32 @@ system reads, an identifier is unchanged. A grade that still needs a lecturer's 
 to Moodle, Canvas or nbgrader: it is neither right nor wrong yet.
 """
 
-import csv
-import io
 import json
 import re
 from datetime import UTC, datetime
 
 from workbook.checks.contract.verdict import RIGHT, UNCHECKED
+from workbook.grading.csv_files import BOM, quoted
+from workbook.grading.ledger import KNOWN
 
 # For people
 
-#: The byte order mark, without which spreadsheets take UTF-8 for an older encoding.
-BOM = "\ufeff"
-
 
 def grades_csv(assignment, scores):
-    """Return a row for each student: points by problem, total, late problems, needs review."""
-    header = ["student", *assignment.problems, "total", "max", "late", "needs review"]
+    """Return a row for each student: points by problem, total, what is late, what is to be done.
+
+    A student who handed in nothing has no points as one who left all empty, but is another.
+    """
+    header = [
+        "student",
+        *assignment.problems,
+        "total",
+        "max",
+        "handed in",
+        "late",
+        "time unknown",
+        "needs review",
+    ]
     rows = [
         [
             score.student,
@@ -32,7 +41,9 @@ def grades_csv(assignment, scores):
             ),
             decimal(score.points),
             decimal(score.max_points),
+            "yes" if score.handed_in else "no",
             " ".join(score.late),
+            " ".join(score.untimed),
             "yes" if score.needs_review else "no",
         ]
         for score in scores
@@ -111,19 +122,25 @@ def nbgrader_csv(assignment, scores):
     ]
     rows = []
     for score in scores:
-        times = [attempt.submitted for attempt in score.counted.values()]
-        points = "" if score.needs_review else decimal(score.points)
+        times = [attempt.submitted for attempt in score.counted.values() if attempt.timing == KNOWN]
+        lost = sum(answer.lost for answer in score.answers)
+        raw, points = (
+            ("", "")
+            if score.needs_review
+            else (decimal(score.points + lost), decimal(score.points))
+        )
+        due = assignment.due_of(score.student)
         rows.append(
             [
                 assignment.name,
-                _utc(assignment.due.timestamp()) if assignment.due else "",
+                _utc(due.timestamp()) if due else "",
                 _utc(max(times)) if times else "",
                 score.student,
                 "",
                 "",
                 "",
-                points,
-                "0.00",
+                raw,
+                decimal(lost),
                 points,
                 decimal(score.max_points),
             ]
@@ -204,6 +221,7 @@ def _feedback(score):
         f"{answer.problem} {answer.answer}: "
         + (
             answer.verdict.status
+            + (f", late: {answer.share:.0%} of the points" if answer.lost else "")
             if answer.manual is None
             else f"{decimal(answer.points)} by hand"
             + (f" ({answer.manual})" if answer.manual else "")
@@ -219,12 +237,3 @@ def _utc(seconds):
 def decimal(value):
     """Return a number with two decimals."""
     return f"{value:.2f}"
-
-
-def quoted(rows, delimiter=","):
-    """Return rows as CSV with every cell quoted."""
-    text = io.StringIO()
-    csv.writer(text, quoting=csv.QUOTE_ALL, delimiter=delimiter, lineterminator="\r\n").writerows(
-        rows
-    )
-    return text.getvalue()

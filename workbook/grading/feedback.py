@@ -10,6 +10,8 @@ from trajlib.typesetting import plain
 from workbook.checks.contract.reporting import MARKS
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading.handing_out import due_text
+from workbook.grading.lateness import days_begun
+from workbook.grading.ledger import KNOWN
 from workbook.grading.pages import count, page, points
 from workbook.notebooks import exercises
 
@@ -45,8 +47,8 @@ def feedback(assignment, score, site=""):
         else ""
     )
     parts = [f"<p>{points(score.points)} of {points(score.max_points)} points{waiting}.</p>"]
-    if assignment.due:
-        parts.append(f'<p class="soft">Due {due_text(assignment.due)}.</p>')
+    if due := assignment.due_of(score.student):
+        parts.append(f'<p class="soft">Due {due_text(due)}.</p>')
     if score.aside:
         entries = "".join(
             f"<li><code>{escape(Path(entry.path).name)}</code>: {escape(entry.why)}</li>"
@@ -61,7 +63,7 @@ def feedback(assignment, score, site=""):
             f"<h2><span>{escape(problem)} {escape(about['title'])}</span><span "
             f'class="points">{earned}</span></h2>'
         )
-        parts += _of_problem(problem, about, answers, score)
+        parts += _of_problem(problem, about, answers, score, assignment)
         parts.append(f"<p>{_theory(problem, site)}</p>")
     legend = "".join(
         f'<li class="{status}">{_mark(status)}: {meaning}</li>'
@@ -83,7 +85,7 @@ def hints(answer, about):
     )
 
 
-def _of_problem(problem, about, answers, score):
+def _of_problem(problem, about, answers, score, assignment):
     attempt = score.counted.get(problem)
     if attempt is None and all(answer.manual is None for answer in answers):
         return [
@@ -93,7 +95,11 @@ def _of_problem(problem, about, answers, score):
         ]
     parts = []
     if problem in score.late:
-        parts.append("<p><em>Handed in after the due date.</em></p>")
+        parts.append(f"<p><em>{_lateness(attempt, assignment, score.student)}</em></p>")
+    elif problem in score.untimed:
+        parts.append(
+            '<p class="soft">It is not known when you handed this in, so it is not late.</p>'
+        )
     if attempt is not None and score.tried[problem] > 1:
         parts.append(
             f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the '
@@ -104,6 +110,23 @@ def _of_problem(problem, about, answers, score):
             f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>'
         )
     return parts + [_answer(answer, about, hints(answer, about)) for answer in answers]
+
+
+def _lateness(attempt, assignment, student):
+    """Say how late an attempt is, and what that costs."""
+    rule, due = assignment.late_rule, assignment.due_of(student)
+    if rule is None or attempt.timing != KNOWN:
+        return "Handed in after the due date."
+    seconds = attempt.submitted - due.timestamp()
+    if rule.is_cut_off(seconds):
+        return (
+            f"Handed in more than {rule.cutoff_days:g} days after the due date: right answers have no "
+            "points any more."
+        )
+    return (
+        f"Handed in {count(days_begun(seconds), 'day')} after the due date (a day begun counts): "
+        f"right answers have {rule.share(seconds):.0%} of their points."
+    )
 
 
 def _answer(answer, about, hint_texts):

@@ -166,7 +166,13 @@ def _toml(title, problems, due):
         "ones do not count\n\n"
         f"# A problem's points are shared equally by its answers; "
         f"{_text(problems[0] + '.' + assignments.answers_of(problems[0])[0])} = 2 "
-        f"would set one answer's.\n[points]\n{points}\n"
+        f"would set one answer's.\n[points]\n{points}\n\n"
+        "# Without this lateness is marked and costs nothing.\n# [late]\n"
+        "# per_day = 0.1  # the share of the points that each day begun takes\n"
+        "# floor = 0.5  # the share that is kept until the cut-off\n"
+        "# cutoff_days = 7  # later work has no points\n\n"
+        "# [extensions]\n"
+        '# "ann" = 2026-10-08T23:59:00+03:00  # a due date of her own\n'
     )
 
 

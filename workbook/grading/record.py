@@ -31,6 +31,7 @@ class Change:
 
 #: Reasons for more than one kind of change.
 POINTS_CHANGED = "the assignment's points changed"
+LATENESS_CHANGED = "lateness counts otherwise"
 NOT_ASKED, ASKED_AGAIN = "the homework asks for it no longer", "the homework asks for it again"
 #: In the place of a verdict.
 NO_VERDICT = "not asked for"
@@ -145,6 +146,7 @@ def _answer(score, answer):
         "max points": answer.max_points,
         "by hand": answer.manual,
         "points by hand": answer.by_hand,
+        "share": answer.share,
         # Hashes: of the notebook that counts, and of the problem and checks that it was judged by.
         "notebook": attempt.content if attempt else None,
         "judged by": attempt.exercise if attempt else None,
@@ -229,6 +231,8 @@ def _why(was, now):
         return "the problem or its checks changed"
     if was["max points"] != now["max points"]:
         return POINTS_CHANGED
+    if was.get("share", 1.0) != now["share"]:
+        return LATENESS_CHANGED
     return "graded again"
 
 

@@ -8,6 +8,7 @@ pages say. So does the score of a student if something that was left aside may b
 from dataclasses import dataclass, field
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, Verdict
+from workbook.grading.ledger import KNOWN, LATE, UNKNOWN
 from workbook.grading.store import Attempt
 
 NOT_SUBMITTED = Verdict(MISSING, "nothing was submitted for this problem")
@@ -34,6 +35,8 @@ class AnswerScore:
         The points then given, which count up to `max_points`, should that be less by now.
     hash : str
         Of the whole answer: the same for equal answers.
+    share : float
+        The share of its automatic points that lateness leaves.
     """
 
     problem: str
@@ -45,6 +48,13 @@ class AnswerScore:
     manual: str | None = None
     by_hand: float | None = None
     hash: str = ""
+    share: float = 1.0
+
+    @property
+    def lost(self):
+        """The points that lateness takes."""
+        is_right = self.verdict.status == RIGHT and self.by_hand is None
+        return self.max_points * (1 - self.share) if is_right else 0.0
 
     @property
     def is_capped(self):
@@ -75,6 +85,9 @@ class StudentScore:
         What was left aside of the student's work.
     unusable : dict
         By problem, the remarks on the newest attempt if it could not be read or gave no answer.
+    untimed : tuple of str
+        Problems with a due date of whose counted attempt nobody knows when it was handed in, or by
+        how much it is late where that matters.
     """
 
     student: str
@@ -85,6 +98,7 @@ class StudentScore:
     to_review: tuple
     aside: tuple = ()
     unusable: dict = field(default_factory=dict)
+    untimed: tuple = ()
 
     @property
     def points(self):
@@ -105,9 +119,15 @@ class StudentScore:
     def aside_needs_review(self):
         """Whether something left aside may be missing work.
 
-        It is not, if it is for another problem and all problems asked for have an attempt.
+        It is not, if it is for another problem and all problems asked for have an attempt, or lies
+        beside a notebook. What only a lecturer can grade waits until there are points by hand.
         """
-        return any(not entry.problem or 0 in self.tried.values() for entry in self.aside)
+        has_points_by_hand = any(answer.manual is not None for answer in self.answers)
+        return any(
+            not (entry.beside or (entry.by_hand and has_points_by_hand))
+            and (not entry.problem or 0 in self.tried.values())
+            for entry in self.aside
+        )
 
     @property
     def handed_in(self):
@@ -190,11 +210,12 @@ def of_student(student, assignment, attempts, manual, aside=()):
     """
     answers, counted, tried, to_review, unusable = [], {}, {}, [], {}
     no_verdict = NOT_FOUND if aside else NOT_SUBMITTED
+    due = assignment.due_of(student)
     for problem, points in assignment.points.items():
         of_problem = [attempt for attempt in attempts if attempt.problem == problem]
         tried[problem] = len(of_problem)
         graded = [
-            _graded(attempt, problem, points, manual)
+            _graded(attempt, problem, points, manual, share=_share(attempt, due, assignment))
             for attempt in of_problem[: assignment.attempts]
             if attempt.verdicts
         ]
@@ -215,14 +236,32 @@ def of_student(student, assignment, attempts, manual, aside=()):
         to_review += {
             answer.answer: answer for candidate in candidates for answer in candidate.unjudged
         }.values()
-    late = tuple(
-        problem
-        for problem, attempt in counted.items()
-        if assignment.due is not None and attempt.submitted > assignment.due.timestamp()
-    )
+    undecided = {UNKNOWN, LATE} if assignment.late_rule else {UNKNOWN}
     return StudentScore(
-        student, tuple(answers), counted, late, tried, tuple(to_review), tuple(aside), unusable
+        student,
+        tuple(answers),
+        counted,
+        tuple(p for p, attempt in counted.items() if _is_late(attempt, due)),
+        tried,
+        tuple(to_review),
+        tuple(aside),
+        unusable,
+        tuple(p for p, attempt in counted.items() if due and attempt.timing in undecided),
     )
+
+
+def _is_late(attempt, due):
+    """Return whether an attempt is late: by its time, or because the system said so."""
+    if attempt.timing == KNOWN:
+        return due is not None and attempt.submitted > due.timestamp()
+    return attempt.timing == LATE
+
+
+def _share(attempt, due, assignment):
+    """Return the share of its points that an attempt keeps; all, where no time is known."""
+    if assignment.late_rule is None or attempt.timing != KNOWN:
+        return 1.0
+    return assignment.late_rule.share(attempt.submitted - due.timestamp())
 
 
 #: In place of the attempt of a student who handed nothing in.
@@ -235,6 +274,7 @@ class _GradedAttempt:
 
     attempt: Attempt
     answers: tuple
+    share: float
 
     @property
     def unjudged(self):
@@ -253,15 +293,15 @@ class _GradedAttempt:
     @property
     def possible(self):
         """The points if all that was not judged is right."""
-        return self.sure + sum(answer.max_points for answer in self.unjudged)
+        return self.sure + sum(self.share * answer.max_points for answer in self.unjudged)
 
 
-def _graded(attempt, problem, points, manual, no_verdict=NOT_SUBMITTED):
+def _graded(attempt, problem, points, manual, no_verdict=NOT_SUBMITTED, share=1.0):
     scored = []
     for answer, worth in points.items():
         verdict = attempt.verdicts.get(answer, no_verdict)
         by_hand, comment = manual.get((problem, answer), (None, None))
-        automatic = worth if verdict.status == RIGHT else 0.0
+        automatic = worth * share if verdict.status == RIGHT else 0.0
         scored.append(
             AnswerScore(
                 problem,
@@ -273,9 +313,10 @@ def _graded(attempt, problem, points, manual, no_verdict=NOT_SUBMITTED):
                 comment,
                 by_hand,
                 attempt.hashes.get(answer, ""),
+                share,
             )
         )
-    return _GradedAttempt(attempt, tuple(scored))
+    return _GradedAttempt(attempt, tuple(scored), share)
 
 
 def _is_unusable(attempt):

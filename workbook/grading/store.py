@@ -12,13 +12,15 @@ from pathlib import Path
 
 from workbook.checks.contract.verdict import Verdict
 from workbook.grading.assignment import InputError
+from workbook.grading.ledger import KNOWN
 
 SCHEMA = """
 CREATE TABLE IF NOT EXISTS attempt (
   id INTEGER PRIMARY KEY,
   student TEXT NOT NULL, assignment TEXT NOT NULL, problem TEXT NOT NULL,
   content TEXT NOT NULL,            -- SHA-256 of the notebook's bytes
-  submitted REAL NOT NULL,          -- the time of its file when it was last there, seconds since 1970
+  submitted REAL NOT NULL,          -- its time when it was last there, seconds since 1970
+  timing TEXT NOT NULL DEFAULT 'known', -- what is known of that time, as in the ledger
   UNIQUE (student, assignment, problem, content)
 );
 CREATE TABLE IF NOT EXISTS result (
@@ -50,13 +52,15 @@ class Attempt:
     content : str
         SHA-256 of the notebook.
     submitted : float
-        Time in seconds since 1970.
+        Time in seconds since 1970, or what orders it if the time is not known.
     exercise : str or None
         The version of the exercise that the result is by; None without a result.
     verdicts, answers, hashes : dict
         Verdict, short text and SHA-256 by answer.
     remarks : tuple of str
         On the notebook.
+    timing : str
+        What is known of the time: one of those in `ledger`.
     """
 
     id: int
@@ -70,6 +74,7 @@ class Attempt:
     answers: dict
     remarks: tuple
     hashes: dict = field(default_factory=dict)
+    timing: str = KNOWN
 
 
 class StoreError(InputError):
@@ -99,14 +104,17 @@ class Store:
             self._database.execute("PRAGMA foreign_keys=ON")
             self._database.executescript(SCHEMA)
             # The file may be of an older version.
-            if "hashes" not in {
-                row[1] for row in self._database.execute("PRAGMA table_info(result)")
-            }:
-                self._database.execute(
-                    "ALTER TABLE result ADD COLUMN hashes TEXT NOT NULL DEFAULT '{}'"
-                )
+            self._add_column("result", "hashes", "'{}'")
+            self._add_column("attempt", "timing", "'known'")
         except sqlite3.Error as error:
             raise self._error(error) from error
+
+    def _add_column(self, table, name, default):
+        columns = self._database.execute(f"PRAGMA table_info({table})")
+        if name not in {row[1] for row in columns}:
+            self._database.execute(
+                f"ALTER TABLE {table} ADD COLUMN {name} TEXT NOT NULL DEFAULT {default}"
+            )
 
     def __enter__(self):
         return self
@@ -130,17 +138,17 @@ class Store:
         with self._database:
             yield
 
-    def note_attempt(self, student, assignment, problem, content, submitted):
+    def note_attempt(self, student, assignment, problem, content, submitted, timing=KNOWN):
         """Return the id of an attempt, new or known.
 
         The same notebook handed in twice is one attempt, at the time that it has now.
         """
         key = (student, assignment, problem, content)
         self._database.execute(
-            "INSERT INTO attempt (student, assignment, problem, content, submitted) VALUES (?, "
-            "?, ?, ?, ?) ON CONFLICT DO UPDATE SET submitted = excluded.submitted WHERE "
-            "submitted != excluded.submitted",
-            (*key, submitted),
+            "INSERT INTO attempt (student, assignment, problem, content, submitted, timing) VALUES "
+            "(?, ?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET submitted = excluded.submitted, timing = "
+            "excluded.timing WHERE submitted != excluded.submitted OR timing != excluded.timing",
+            (*key, submitted, timing),
         )
         (attempt,) = self._database.execute(
             "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND "
@@ -210,7 +218,7 @@ class Store:
         rows = self._database.execute(
             """
             SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers,
-                   r.remarks, r.hashes
+                   r.remarks, r.hashes, a.timing
             FROM attempt a LEFT JOIN result r ON r.attempt = a.id
               AND r.rowid = (SELECT max(rowid) FROM result WHERE attempt = a.id)
             WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""",
@@ -223,6 +231,7 @@ class Store:
                 json.loads(row[8] or "{}"),
                 tuple(json.loads(row[9] or "[]")),
                 json.loads(row[10] or "{}"),
+                row[11],
             )
             for row in rows
         ]

@@ -7,11 +7,14 @@ reason why it earns nothing.
 
 import hashlib
 import os
-from dataclasses import dataclass
+import re
+from dataclasses import dataclass, replace
+from datetime import UTC, datetime
 from pathlib import Path
 
-from workbook.grading import submitted_file
+from workbook.grading import ledger, submitted_file
 from workbook.grading.assignment import RESERVED_NAMES
+from workbook.grading.ledger import KNOWN, UNKNOWN
 from workbook.grading.sanitising import normalise_name, sanitise_name
 
 #: Folders that operating systems make, besides hidden ones.
@@ -19,6 +22,10 @@ SYSTEM_FOLDERS = {"__MACOSX", "@eaDir", "System Volume Information", "$RECYCLE.B
 #: Later times of files, as archives may have them, become this one: in 9999, the last year of
 #: `datetime`.
 MAX_TIME = 253370764800.0
+#: The file in which nbgrader notes the time of a submission, such as 2026-09-30 12:00:00.000000 UTC.
+TIMESTAMP = "timestamp.txt"
+#: Names of other files that are listed one by one.
+MAX_LISTED = 5
 
 
 @dataclass(frozen=True)
@@ -32,13 +39,15 @@ class Submission:
     content : str
         SHA-256 of the file.
     submitted : float
-        The file's time, in seconds since 1970.
+        When it was handed in, in seconds since 1970; where that is not known, what orders it.
     problem : str or None
         The problem that it names.
     cells : tuple of str
         The sources of its code cells; empty if it cannot be read.
     trouble : str
         Why it cannot be read; else empty.
+    timing : str
+        What is known of the time: one of those in `ledger`.
     """
 
     student: str
@@ -49,6 +58,7 @@ class Submission:
     problem: str | None
     cells: tuple
     trouble: str = ""
+    timing: str = KNOWN
 
 
 @dataclass(frozen=True)
@@ -65,6 +75,10 @@ class LeftAside:
         Whose work it may be, and for what, as far as known; else empty.
     problem : str
         That of a notebook for a problem of the workbook that the homework does not ask for.
+    by_hand : bool
+        Whether points by hand settle it: it is no notebook, or cannot be read.
+    beside : bool
+        Whether it lies beside a notebook of the homework, so that nothing waits for it.
     """
 
     path: str
@@ -72,40 +86,78 @@ class LeftAside:
     student: str = ""
     assignment: str = ""
     problem: str = ""
+    by_hand: bool = False
+    beside: bool = False
 
 
 def students(root):
-    """Return the names of all students with a folder, even an empty one."""
-    return list(
-        dict.fromkeys(
-            normalise_name(entry.name)
-            for entry in _listed(Path(root))
-            if entry.is_dir() and not entry.is_symlink() and not _is_system_file(entry)
-        )
-    )
+    """Return the names of all students with a folder, even an empty one, or in the ledger."""
+    folders = [
+        normalise_name(entry.name)
+        for entry in _listed(Path(root))
+        if entry.is_dir() and not entry.is_symlink() and not _is_system_file(entry)
+    ]
+    return list(dict.fromkeys(folders + [entry.student for entry in ledger.read(root)]))
 
 
 def find(root):
-    """Yield each `Submission` and `LeftAside` below `root`, by student, assignment and file."""
+    """Yield each `Submission` and `LeftAside` below `root`, by student, assignment and file.
+
+    A notebook that the ledger has at several times is yielded once for each.
+    """
+    entries, times = ledger.read(root), {}
+    for entry in entries:
+        if entry.file:
+            key = (entry.student, entry.assignment, entry.file)
+            times.setdefault(key, []).append((entry.when, entry.timing))
+    yield from _left_aside(entries)
     for student in _folders(Path(root)):
         if isinstance(student, LeftAside):
             yield student
             continue
         try:
-            yield from _of_student(student, normalise_name(student.name))
+            yield from _of_student(student, normalise_name(student.name), times)
         except (FileNotFoundError, NotADirectoryError):
             yield _gone(student, normalise_name(student.name))
+    for student, assignment, file in times:  # what no folder has
+        yield LeftAside(
+            f"{student}/{assignment}/{file}",
+            f"{ledger.NAME} has it, but it is not there: move it back, or correct the ledger",
+            student,
+            assignment,
+            by_hand=True,
+        )
 
 
-def _of_student(folder, student):
+def _left_aside(entries):
+    """Yield a `LeftAside` for each line of the ledger on what was not copied."""
+    with_notebook = {
+        (entry.student, entry.assignment)
+        for entry in entries
+        if entry.file.lower().endswith(".ipynb")
+    }
+    for entry in entries:
+        if entry.trouble:
+            may_be_notebook = entry.source.lower().rstrip("/").endswith((".ipynb", ".zip"))
+            owner = entry.student, entry.assignment
+            yield LeftAside(
+                f"{entry.archive}/{entry.source}",
+                entry.trouble,
+                *owner,
+                by_hand=True,
+                beside=owner in with_notebook and not may_be_notebook,
+            )
+
+
+def _of_student(folder, student, times):
     for assignment in _folders(folder, student):
         if isinstance(assignment, LeftAside):
             yield assignment
         else:
-            yield from _of_homework(assignment, student, normalise_name(assignment.name))
+            yield from _of_homework(assignment, student, normalise_name(assignment.name), times)
 
 
-def _of_homework(folder, student, assignment):
+def _of_homework(folder, student, assignment, times):
     if assignment in RESERVED_NAMES or len(assignment.encode()) > 255:
         why = (
             "the folder of results needs this name for itself"
@@ -114,8 +166,21 @@ def _of_homework(folder, student, assignment):
         )
         yield LeftAside(sanitise_name(folder), f"{why}: no homework can be called so", student)
         return
-    notebooks = [path for path in _listed(folder) if _is_notebook(path)]
-    yield from (_read(student, assignment, path) for path in notebooks)
+    known = {
+        path: times.pop((student, assignment, sanitise_name(path.name)), None)
+        for path in _listed(folder)
+    }
+    notebooks = [path for path in known if _is_notebook(path)]
+    stamped = not known.get(folder / TIMESTAMP)  # else a student handed that in
+    for path in notebooks:
+        notebook = _read(student, assignment, path)
+        if isinstance(notebook, LeftAside):
+            yield notebook
+            continue
+        by_file = (notebook.submitted, KNOWN)
+        times_of_file = known[path] or [_nbgrader_time(folder, *by_file) if stamped else by_file]
+        for when, timing in times_of_file:
+            yield replace(notebook, submitted=when, timing=timing)
     below = [
         path
         for inner in _folders(folder, student, assignment)
@@ -124,14 +189,42 @@ def _of_homework(folder, student, assignment):
         if _is_notebook(path)
     ]
     yield from (_misplaced(path, student, assignment) for path in below)
+    others = [
+        sanitise_name(path.name)
+        for path in known
+        if not _is_system_file(path)
+        and path not in notebooks
+        and not (stamped and path.name == TIMESTAMP)
+        and not path.is_symlink()
+        and path.is_file()
+    ]
+    if len(others) > MAX_LISTED:
+        others[MAX_LISTED:] = [f"and {len(others) - MAX_LISTED} more"]
     if not notebooks and not below:
         # Other files in it are a student's work, though no notebook.
-        owner = (
-            (student, assignment)
-            if any(not _is_system_file(path) for path in _listed(folder))
-            else ()
+        owner = (student, assignment) if any(not _is_system_file(path) for path in known) else ()
+        why = "there is no notebook in this folder" + ", only " * bool(others) + ", ".join(others)
+        yield LeftAside(sanitise_name(folder), why, *owner, by_hand=True)
+    elif others:
+        why = (
+            f"beside the notebooks there is also {', '.join(others)}: only a lecturer can grade it"
         )
-        yield LeftAside(sanitise_name(folder), "there is no notebook in this folder", *owner)
+        yield LeftAside(sanitise_name(folder), why, student, assignment, by_hand=True, beside=True)
+
+
+def _nbgrader_time(folder, of_file, timing):
+    """Return (time, what is known of it) by nbgrader's note, or by the file if there is none."""
+    note = folder / TIMESTAMP
+    if note.is_symlink() or not note.is_file():
+        return of_file, timing
+    try:
+        with open(note, encoding="utf-8") as file:
+            text = re.sub(r"\s*UTC\Z", "+00:00", file.read(100).strip())
+        when = datetime.fromisoformat(text)
+        when = when if when.tzinfo else when.replace(tzinfo=UTC)
+        return min(max(when.timestamp(), 0.0), MAX_TIME), KNOWN
+    except (OSError, ValueError, OverflowError):
+        return of_file, UNKNOWN
 
 
 def _folders(path, student="", assignment=""):

@@ -47,6 +47,8 @@ def _overview(assignment, scores, handed_in):
         f"{sum(bool(s.late) for s in scores)} were late",
         f"{sum(s.needs_review for s in scores)} need a lecturer’s look",
     ]
+    if untimed := sum(bool(s.untimed) for s in scores):
+        sentences.insert(2, f"of {untimed} it is not known when")
     if handed_in:
         reached = [score.points for score in handed_in]
         sentences.append(
@@ -54,7 +56,10 @@ def _overview(assignment, scores, handed_in):
             f"{points(assignment.max_points)} points, the mean is "
             f"{points(statistics.mean(reached))}"
         )
-    return f"<p>{'; '.join(sentences)}.</p>"
+    absent = [person(score.student) for score in scores if not score.handed_in]
+    return f"<p>{'; '.join(sentences)}.</p>" + (
+        f"<p>Nothing was handed in by {', '.join(absent)}.</p>" if absent else ""
+    )
 
 
 def _to_review(assignment, scores):
@@ -85,8 +90,8 @@ def _aside(scores):
     ]
     return (
         "<p>This may be work that is missing. Name it, or move it, as it should be, or take it "
-        "away; then grade "
-        "again.</p>" + table(("student", "what", "why"), rows)
+        "away; then grade again. What is no notebook, or is damaged, is settled by points that you "
+        "give by hand.</p>" + table(("student", "what", "why"), rows)
     )
 
 

@@ -48,7 +48,9 @@ def main(root=Path("/autograder")):
     # counts.
     score = of_student(
         "student",
-        dataclasses.replace(homework, attempt="best", attempts=None, due=None),
+        dataclasses.replace(
+            homework, attempt="best", attempts=None, due=None, late_rule=None, extensions={}
+        ),
         attempts,
         {},
         aside,
