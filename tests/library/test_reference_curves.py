@@ -330,9 +330,9 @@ GOOD = {"f": oscillation, "t_nodes": [0, 1, 2], "state_nodes": [[0, 1], [0, 1]]}
 @pytest.mark.parametrize(
     "change, words",
     [
-        ({"t_nodes": [0, 2, 1]}, "t_nodes: expected increasing"),
-        ({"t_nodes": [0, 1, 1]}, "t_nodes: 1 and 1 coincide"),
-        ({"t_nodes": [0, np.nan]}, "t_nodes: entry 1 is not finite"),
+        ({"t_nodes": [0, 2, 1]}, "t_nodes: the times must increase"),
+        ({"t_nodes": [0, 1, 1]}, "t_nodes: the time 1 is repeated"),
+        ({"t_nodes": [0, np.nan]}, "t_nodes: .* entry 1 is not finite"),
         ({"t_nodes": []}, "t_nodes: expected a list"),
         ({"state_nodes": [[0, 1], [3, 3]]}, r"state_nodes\[1\]: 3 and 3 coincide"),
         ({"state_nodes": [0, 1]}, "a single axis is"),

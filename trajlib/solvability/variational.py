@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib._arguments.numbers import read_names, read_times
+from trajlib._arguments.numbers import read_names, read_number, read_seconds, read_times
 from trajlib._typing import ArrayLike
 from trajlib.solvability.transitions import stack
 
@@ -90,7 +90,7 @@ def linearise(
     state : array_like, shape (m,)
         State of the motion at the time `reference`.
     times : array_like, shape (k,)
-        Increasing times of the measurements.
+        Increasing times of the measurements; dates become seconds since the first of them.
     reference : float, optional
         Reference time, the first of the times if left out.
     breaks : array_like
@@ -118,12 +118,10 @@ def linearise(
     ([[6.0, 0.0], [8.0, 8.0], [10.0, 20.0]], [9.0, 16.0, 25.0])
     """
     times = read_times(times)
-    reference = float(times[0] if reference is None else reference)
+    reference = float(times[0]) if reference is None else read_number(reference, "reference")
     state = np.asarray(state, dtype=float)
     if state.ndim != 1 or state.size == 0 or not np.isfinite(state).all():
         raise ValueError(f"state: expected a list of finite numbers, got {state}")
-    if not np.isfinite(reference):
-        raise ValueError(f"reference: expected a finite time, got {reference}")
     if not 0 < rtol < 1:
         raise ValueError(f"rtol: expected a relative tolerance such as 1e-10, got {rtol}")
     m = state.size
@@ -136,7 +134,7 @@ def linearise(
             f"{state.tolist()}; does the motion begin outside the domain of f? (Functions of "
             "Python's module `math` make nan of CasADi symbols: use those of NumPy or CasADi)"
         )
-    breaks = np.unique(np.asarray(breaks, dtype=float))
+    breaks = np.unique(read_seconds(breaks, "breaks"))
 
     def run(tolerance, absolute):
         return _integrated(rates, start, reference, times, breaks, max(tolerance, 3e-14), absolute)
