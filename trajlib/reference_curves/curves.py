@@ -49,6 +49,11 @@ class ReferenceCurves:
         domain(t, x, p) is true where f is defined.
     rtol : float
         Relative tolerance of the integration.
+    method : {"DOP853", "Radau"}
+        Explicit or implicit method of integration. For stiff systems, whose fast motions die out
+        long before the slow ones, the implicit one.
+    max_evaluations : int
+        Evaluations of f after which an integration is given up.
 
     Attributes
     ----------
@@ -60,7 +65,7 @@ class ReferenceCurves:
     Raises
     ------
     ArithmeticError
-        If a curve leaves the domain or escapes to infinity.
+        If a curve leaves the domain or escapes to infinity, or max_evaluations are not enough.
     ValueError
         If arguments do not fit or the nodes amplify `rtol` to a thousandth.
 
@@ -87,6 +92,8 @@ class ReferenceCurves:
         box: Sequence | None = None,
         domain: Callable | None = None,
         rtol: float = 1e-10,
+        method: str = "DOP853",
+        max_evaluations: int = 50_000,
     ) -> None:
         lists = [
             (read_times(t_nodes, "t_nodes", repeated=_APART), "t_nodes", "t"),
@@ -106,7 +113,9 @@ class ReferenceCurves:
                 f"rtol: expected a relative tolerance between {SHARPEST:g} and 1, got {rtol}"
             )
         self._output = output
-        self._flow = Flow(f, domain, self.n, self.parameters, self.box[0][0], rtol)
+        self._flow = Flow(
+            f, domain, self.n, self.parameters, self.box[0][0], rtol, method, max_evaluations
+        )
         constants = [lebesgue_constant(nodes, *ends) for nodes, ends in zip(self.nodes, self.box)]
         #: Lebesgue constant of the whole: the product of those of the axes.
         self.lebesgue = float(np.prod(constants))
