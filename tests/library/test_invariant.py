@@ -316,9 +316,81 @@ def test_times_far_from_zero():
         estimator = InvariantEstimator(start + here, [1, T, T**2], [sp.sin(0.64 * (T - start))])
         slopes.append(estimator.estimate(here**2, derivative(start + 10)).value)
     assert slopes == pytest.approx([20, 20, 20], abs=1e-4)
-    # powers of it are one in doubles
-    with pytest.raises(ValueError, match="count the time from the record"):
-        InvariantEstimator(1e9 + here, [1, T, T**2], [sp.cos(T)]).weights(derivative(1e9 + 10))
+
+
+FAR, HERE = 1.7e9, np.arange(101.0)
+PARABOLA = [
+    [1, T, T**2],
+    [1, Polynomial([0, 1]), Polynomial([0, 0, 1])],
+    [Legendre.basis(k, domain=[FAR, FAR + 100]) for k in range(3)],
+    [T**2 - 2 * T, T + 3, 7],
+    [1, T, (T - FAR) ** 2],
+]
+
+
+@pytest.mark.parametrize("basis", PARABOLA)
+def test_powers_of_far_times_are_told_apart(basis):
+    """Their samples are one function in floats; the answer is that for times from zero."""
+    h = 5 + 2 * HERE - 0.3 * HERE**2
+    far = InvariantEstimator(FAR + HERE, basis, [sp.sin(T - FAR)], 0.25)
+    near = InvariantEstimator(HERE, [1, T, T**2], [sp.sin(T)], 0.25)
+    for functional in (value, derivative, lambda t: derivative(t, 2), lambda t: integral(t - 9, t)):
+        result, expected = far.estimate(h, functional(FAR + 50)), near.estimate(h, functional(50))
+        assert result.value == pytest.approx(expected.value, rel=1e-9)
+        assert result.std == pytest.approx(expected.std, rel=1e-9)
+    assert far.estimate(h, value(FAR + 50)).value == pytest.approx(-645, rel=1e-9)
+
+
+def test_degree_four_three_hours_after_midnight():
+    times, x = 10800 + np.arange(21.0), np.arange(21.0) - 10
+    estimator = InvariantEstimator(times, [T**k for k in range(5)])
+    h = 1 + x - 0.2 * x**2 + 0.01 * x**3 - 0.002 * x**4
+    assert estimator.estimate(h, value(10805)).value == pytest.approx(-11.5, rel=1e-9)
+    assert estimator.estimate(h, derivative(10805, 3)).value == pytest.approx(0.3, rel=1e-9)
+
+
+def test_signal_is_reduced_by_a_nuisance_of_powers():
+    """t^2 under an unknown straight line, far from zero: only the curvature is left of it."""
+    far = InvariantEstimator(FAR + HERE, [T**2], [1, T])
+    near = InvariantEstimator(HERE, [T**2], [1, T])
+    for h in (HERE**2, np.cos(HERE)):
+        result, expected = (part.estimate(h, derivative(5, 2)) for part in (far, near))
+        assert [*result] == pytest.approx([*expected], rel=1e-9, abs=1e-12)
+
+
+def test_rank_lost_to_rounding_is_an_error():
+    """Python functions are known in floats only, and the sine differs from t by 1e-17 of it."""
+    lost = "differ by less than the rounding of floats"
+    powers = [lambda t: 1 + 0 * t, lambda t: t, lambda t: t * t]
+    with pytest.raises(ValueError, match=lost):
+        InvariantEstimator(FAR + HERE, powers).estimate(HERE, value(FAR + 50))
+    small = sp.sin(T / 10**9)
+    for basis, nuisance in (([1, T, small], []), ([1, T], [small])):
+        with pytest.raises(ValueError, match=lost):
+            InvariantEstimator(HERE, basis, nuisance).estimate(HERE, value(50))
+    # equal functions are dependent exactly, which is allowed
+    twice = InvariantEstimator(HERE, [1, sp.sin(T), 2 * sp.sin(T)])
+    assert twice.estimate(1 + 3 * np.sin(HERE), value(50)).value == pytest.approx(
+        1 + 3 * np.sin(50)
+    )
+
+
+def test_windows_of_a_long_record_are_centred_anew():
+    times = FAR + np.arange(4000.0)
+    windows = InvariantEstimator(times, [T**k for k in range(4)], [sp.sin(T)]).sliding(21)
+    x = windows.centres[::200] - FAR
+    h = (np.arange(4000.0) / 1000) ** 3
+    result = windows.estimate(h, derivative)
+    assert result.value[::200] == pytest.approx(3e-9 * x**2, rel=1e-6, abs=1e-12)
+
+
+def test_dates_are_seconds_since_the_first():
+    dates = np.datetime64("2026-11-27T03:00", "ms") + np.arange(101) * np.timedelta64(500, "ms")
+    line = InvariantEstimator(dates, [1, T])
+    assert line.times[-1] == 50
+    assert line.estimate(5 + HERE, value(25)).value == pytest.approx(55)
+    with pytest.raises(TypeError, match="t: expected times as numbers"):
+        value(dates[3])
 
 
 # --- windows

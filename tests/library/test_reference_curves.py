@@ -330,9 +330,9 @@ GOOD = {"f": oscillation, "t_nodes": [0, 1, 2], "state_nodes": [[0, 1], [0, 1]]}
 @pytest.mark.parametrize(
     "change, words",
     [
-        ({"t_nodes": [0, 2, 1]}, "t_nodes: expected increasing"),
-        ({"t_nodes": [0, 1, 1]}, "t_nodes: 1 and 1 coincide"),
-        ({"t_nodes": [0, np.nan]}, "t_nodes: entry 1 is not finite"),
+        ({"t_nodes": [0, 2, 1]}, "t_nodes: the times must increase"),
+        ({"t_nodes": [0, 1, 1]}, "t_nodes: the time 1 is repeated"),
+        ({"t_nodes": [0, np.nan]}, "t_nodes: .* entry 1 is not finite"),
         ({"t_nodes": []}, "t_nodes: expected a list"),
         ({"state_nodes": [[0, 1], [3, 3]]}, r"state_nodes\[1\]: 3 and 3 coincide"),
         ({"state_nodes": [0, 1]}, "a single axis is"),
@@ -472,3 +472,54 @@ def test_representations(curves, residuals):
     )
     ax = curves.plot(1)
     assert len(ax.lines) == 240 and ax.lines[0].get_ydata()[0] == pytest.approx(100)
+
+
+# --- stiff systems
+
+
+def fast_and_slow(t, x, p):
+    return [-p[0] * (x[0] - np.cos(t)), x[0] - x[1]]
+
+
+def test_stiff_curves_need_the_implicit_method():
+    nodes = chebyshev_nodes(0, 2, 9)
+    curves = ReferenceCurves(
+        fast_and_slow,
+        nodes,
+        [[1], [0, 1]],
+        [[1e5, 1e6]],
+        box=[(0, 2), (1, 1), (0, 1), (1e5, 1e6)],
+        method="Radau",
+    )
+    times, fast = np.array([0.5, 2.0]), 1e6
+    followed = (fast**2 * np.cos(times) + fast * np.sin(times)) / (1 + fast**2)
+    assert curves.integrated(times, [1, 0.5], [fast])[0] == pytest.approx(followed, abs=1e-9)
+    with pytest.raises(ArithmeticError, match=r'f: 3000 evaluations .* take method="Radau"'):
+        ReferenceCurves(fast_and_slow, nodes, [[1], [0]], [[1e6]], max_evaluations=3000)
+    with pytest.raises(ArithmeticError, match="f: 9 evaluations .* only; end earlier"):
+        ReferenceCurves(
+            fast_and_slow, nodes, [[1], [0]], [[1e6]], max_evaluations=9, method="Radau"
+        )
+
+
+def test_both_methods_agree_where_nothing_is_stiff():
+    explicit, implicit = (
+        ReferenceCurves(oscillation, np.linspace(0, 3, 7), [[0, 1], [0, 1]], method=method)
+        for method in ("DOP853", "Radau")
+    )
+    assert implicit.table == pytest.approx(explicit.table, abs=1e-9)
+
+
+def test_implicit_curves_that_cannot_be_continued_are_named():
+    for f, at in (
+        (lambda t, x: [-1 / np.sqrt(x[0])], "0.2357"),
+        (lambda t, x: [-1 / x[0]], "0.125"),
+    ):
+        with pytest.raises(ArithmeticError, match=rf"x0\[0\] = 0.5 .* at t = {at}"):
+            ReferenceCurves(f, np.linspace(0, 2, 5), [[0.5, 1.0]], method="Radau")
+
+
+@pytest.mark.parametrize("make", [{"method": "Euler"}, {"max_evaluations": 0}])
+def test_bad_options_of_the_integration_are_named(make):
+    with pytest.raises(ValueError, match=f"{next(iter(make))}: expected"):
+        ReferenceCurves(oscillation, [0, 1], [[0, 1], [0, 1]], **make)

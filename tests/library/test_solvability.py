@@ -769,3 +769,102 @@ def test_importing_costs_neither_casadi_nor_scipy():
         "set(sys.modules), sys.modules.keys()"
     )
     subprocess.run([sys.executable, "-c", code], check=True, timeout=120)
+
+
+# --- stiff systems, poles, full covariances
+
+
+def fast_and_slow(t, x):
+    return [-1e6 * (x[0] - np.cos(t)), x[0] - x[1]]
+
+
+def test_stiff_motion_needs_the_implicit_method():
+    """The fast component follows (lambda^2 cos t + lambda sin t)/(1 + lambda^2) after microseconds."""
+    times = np.array([0, 0.5, 2.0])
+    line = linearise(fast_and_slow, lambda t, x: [x[0], x[1]], [1.0, 0.5], times, method="Radau")
+    followed = (1e12 * np.cos(times) + 1e6 * np.sin(times)) / (1e12 + 1)
+    assert line.predicted[1:, 0] == pytest.approx(followed[1:], abs=1e-9)
+    assert line.Phi[:, 1, 1] == pytest.approx(np.exp(-times), rel=1e-9)
+    assert line.Phi[1:, 1, 0] == pytest.approx(np.exp(-times[1:]) / (1e6 - 1), rel=1e-6)
+    with pytest.raises(ArithmeticError, match=r'f: 3000 evaluations .* take method="Radau"'):
+        linearise(fast_and_slow, fast_and_slow, [1.0, 0.5], times, max_evaluations=3000)
+    with pytest.raises(ArithmeticError, match="f: 9 evaluations .* only; end earlier"):
+        linearise(fast_and_slow, fast_and_slow, [1, 1], times, max_evaluations=9, method="Radau")
+
+
+def test_both_methods_agree_where_nothing_is_stiff():
+    explicit, implicit = (
+        linearise(
+            lambda t, x: [x[1], -np.sin(x[0])],
+            lambda t, x: [x[0]],
+            [1.0, 0.0],
+            [-1.0, 0.0, 0.7, 2.0],
+            reference=0.0,
+            breaks=[0.5],
+            rtol=1e-8,
+            method=method,
+        )
+        for method in ("DOP853", "Radau")
+    )
+    assert np.abs(explicit.matrix - implicit.matrix).max() < 1e-9
+    assert implicit.error.max() < 1e-7
+
+
+P, Q = sp.symbols("p q")
+
+
+@pytest.mark.parametrize(
+    "entry, box, near",
+    [
+        (1 / P, {P: (-1, 1)}, {"p": 0}),
+        (1 / (P - sp.sqrt(2) / 2), {P: (0, 1)}, {"p": 0.70710678}),
+        (sp.sqrt(P) + 1, {P: (-1, 2)}, {"p": -0.25}),
+        (sp.log(P) + 9, {P: (-0.1, 2)}, {"p": -0.034375}),
+        (1 / (P - Q / 3), {P: (0, 1), Q: (0, 1)}, None),
+    ],
+)
+def test_a_pole_and_a_negative_root_are_named(entry, box, near):
+    bounds = guarantee(sp.Matrix([[1, 0], [0, entry]]), box, scaling=[1, 1], cells=3000)
+    assert not bounds.proved and "matrix or its derivative is not finite" in repr(bounds)
+    if near:
+        assert bounds.undefined == pytest.approx(near, abs=1e-6)
+    else:
+        assert bounds.undefined["p"] == pytest.approx(bounds.undefined["q"] / 3, abs=1e-2)
+    assert "near p = 0 the" in repr(guarantee(sp.Matrix([[1 / P]]), {P: (-1, 1)}))
+
+
+def test_a_singular_matrix_is_no_pole():
+    bounds = guarantee(sp.Matrix([[1, 0], [0, P]]), {P: (-1, 3)}, scaling=[1, 1])
+    assert (
+        bounds.undefined is None
+        and bounds.upper == 0
+        and "singular value found is 0" in repr(bounds)
+    )
+
+
+def test_full_covariance_is_factorised_once(monkeypatch):
+    """An exact matrix needs neither the spectrum of W nor an inverse: 55 s became 3 for n = 3000."""
+    t = np.linspace(0, 10, 300)
+    H, gaps = np.stack([np.ones(300), t, np.sin(t)], axis=1), np.abs(np.subtract.outer(t, t))
+    W = np.exp(-gaps) + 0.1 * np.eye(300)
+    expected = np.linalg.inv(H.T @ np.linalg.inv(W) @ H)
+    bounded = np.abs(np.linalg.inv(np.linalg.cholesky(W))) @ np.abs(1e-9 * H)
+
+    def refuse(*_, **__):
+        raise AssertionError("spectrum or inverse of a matrix")
+
+    for name in ("eigvalsh", "eigh", "inv", "solve"):
+        monkeypatch.setattr(np.linalg, name, refuse)
+    result = analyse(H, W)
+    assert result.standard_deviations**2 == pytest.approx(np.diag(expected), rel=1e-9)
+    estimate = solve(H, H @ [1.0, 2.0, 3.0], W)
+    assert estimate.x == pytest.approx([1, 2, 3], rel=1e-9)
+    inexact = analyse(H, W, matrix_error=1e-9 * np.abs(H))
+    assert inexact.matrix_error == pytest.approx(np.linalg.norm(bounded / inexact.scaling))
+
+
+def test_a_singular_full_covariance_is_refused():
+    H = np.ones((60, 1))
+    for W in (np.ones((60, 60)), np.diag([1.0] * 59 + [-1e-3])):
+        with pytest.raises(ValueError, match="W is not positive definite"):
+            analyse(H, W)

@@ -1,19 +1,24 @@
 """Reading of numbers, times, names and arrays of floats, without SymPy."""
 
+import contextlib
 import operator
+from datetime import date
 
 import numpy as np
 
 
 def read_number(value, name):
     """Return a finite float."""
-    try:
-        value = float(value)
-    except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected a number, got {value!r}") from None
-    if not np.isfinite(value):
-        raise ValueError(f"{name}: expected a finite number, got {value}")
-    return value
+    number = None
+    # The float of a date is its count of a unit that nobody sees.
+    if not isinstance(value, np.datetime64 | np.timedelta64):
+        with contextlib.suppress(TypeError, ValueError):
+            number = float(value)
+    if number is None:
+        raise TypeError(f"{name}: expected a number, got {value!r}")
+    if not np.isfinite(number):
+        raise ValueError(f"{name}: expected a finite number, got {number}")
+    return number
 
 
 def read_positive(value, name, unit):
@@ -56,9 +61,24 @@ def read_points(value, name, length=2):
 def read_array(value, name, expected):
     """Return an array of floats of any shape; `expected` says in the message what was expected."""
     try:
-        return np.asarray(value, dtype=float)
+        # As floats, dates of NumPy would be counts of a unit that nobody sees.
+        if np.asarray(value).dtype.kind not in "mM":
+            return np.asarray(value, dtype=float)
     except (TypeError, ValueError):
-        raise TypeError(f"{name}: expected {expected}, got {value!r}") from None
+        pass
+    raise TypeError(f"{name}: expected {expected}, got {value!r}")
+
+
+def read_seconds(value, name):
+    """Return an array of finite times that belong to a record read by `read_times`.
+
+    Dates are refused: what they count from is the first time of the record, which is not known
+    here.
+    """
+    value = read_array(value, name, "times as numbers (of dates: seconds since the first of them)")
+    if not np.isfinite(value).all():
+        raise ValueError(f"{name}: expected a finite time, or an array of them")
+    return value
 
 
 def read_times(
@@ -69,9 +89,10 @@ def read_times(
 ):
     """Return `least` or more (one or two) finite times in order as a flat array.
 
+    Dates (datetime64, datetime, pandas.Timestamp) become seconds since the first of them.
     `repeated` is the advice where two times are equal; None if that is allowed.
     """
-    times = np.asarray(times, dtype=float)
+    times = _numbers(times, name)
     if times.ndim != 1 or times.size < least:
         got = times.size if times.ndim == 1 and times.size else f"shape {times.shape}"
         raise ValueError(
@@ -94,6 +115,26 @@ def read_times(
         f"{name}: the times must {order}, but {times[k]:g} is followed by {times[k + 1]:g} "
         f"(entries {k} and {k + 1}); sort them, with their measurements"
     )
+
+
+def _numbers(times, name):
+    """Return times as floats, dates as seconds since the first of them."""
+    try:
+        array = np.asarray(times)
+    except ValueError:
+        raise TypeError(f"{name}: expected a list of times, got {times!r}") from None
+    if array.dtype.kind == "M":
+        # Years and months have no length in seconds, their first days do.
+        unit = np.datetime_data(array.dtype)[0]
+        days = array.astype("datetime64[D]") if unit in ("Y", "M") else array
+        return (days - days.reshape(-1)[:1]) / np.timedelta64(1, "s")
+    if array.dtype.kind == "O" and array.size and all(isinstance(t, date) for t in array.flat):
+        try:
+            since = [(t - array.flat[0]).total_seconds() for t in array.flat]
+        except TypeError as reason:
+            raise TypeError(f"{name}: dates of different kinds ({reason})") from None
+        return np.array(since).reshape(array.shape)
+    return read_array(times, name, "a list of times, numbers or dates")
 
 
 def read_numeric_matrix(matrix, name, dtype=float):

@@ -19,6 +19,7 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
+from trajlib._arguments.numbers import read_times
 from trajlib._arguments.symbols import exact_decimals
 from trajlib._real_symbols import as_real
 from trajlib._typing import ArrayLike, Matrix, MatrixLike, ScalarLike
@@ -173,7 +174,7 @@ class ContinuousFilter:
         if not isinstance(self.A, np.ndarray):
             raise ValueError("A: expected arrays; a record is filtered in floats")
         n, m = len(self.A), len(self.H)
-        times = read_vector(np.asarray(times, dtype=float), "times", None, True)
+        times = read_times(times, repeated="a step takes time")
         steps = np.diff(times)
         z = np.asarray(averages, dtype=float)
         z = z[:, None] if z.ndim == 1 and m == 1 else z
@@ -182,8 +183,6 @@ class ContinuousFilter:
                 f"averages: expected finite numbers, a row for each step, of the shape "
                 f"{(len(steps), m)}, got the shape {z.shape}"
             )
-        if not (steps > 0).all():
-            raise ValueError("times: expected rising numbers")
         return _filter_record(
             self, z, times, read_vector(start.mean, "mean", n, True), self._read(start.covariance)
         )

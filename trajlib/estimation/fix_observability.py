@@ -6,6 +6,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
+from trajlib._numerical_rank import zero_level
 from trajlib._typing import Matrix, MatrixLike
 from trajlib.structure import exact
 from trajlib.typesetting import escape_markdown
@@ -144,7 +145,7 @@ def _fix_test(rows, unobservable_reason, observable_reason):
     if isinstance(rows, np.ndarray):
         lengths = np.linalg.norm(rows, axis=1)
         _, values, Vt = np.linalg.svd(rows / np.where(lengths > 0, lengths, 1)[:, None])
-        rank = int((values > max(rows.shape) * np.finfo(float).eps * values[0]).sum())
+        rank = int((values > zero_level(*rows.shape) * values[0]).sum())
         unobservable = Vt[rank:].T
     else:
         unobservable = exact.null_columns(rows)

@@ -12,6 +12,7 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_vector
+from trajlib._arguments.numbers import read_seconds
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import ArrayLike, Matrix, MatrixLike, Scalar, ScalarLike
 from trajlib.estimation.exact_or_float import latex, solve
@@ -162,8 +163,8 @@ def _noise_covariance(noise, count, floats):
 
 
 def _float_weights(correlation, tau, times, t, noise):
-    times = read_vector(np.asarray(times, dtype=float), "times", None, True)
-    t = np.asarray(t, dtype=float)
+    times = read_vector(read_seconds(times, "times"), "times", None, True)
+    t = read_seconds(t, "t")
     function = sp.lambdify(tau, correlation, "numpy")
 
     def correlation_at(gaps):

@@ -17,6 +17,7 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_measurement
 from trajlib._arguments.matrices import any_floats
+from trajlib._numerical_rank import zero_level
 from trajlib._typing import Matrix, MatrixLike, Scalar
 from trajlib.estimation.correction import corrected
 from trajlib.estimation.covariances import Moments
@@ -163,7 +164,7 @@ def _fit_floats(H, z, R):
     scale = np.where(lengths > 0, lengths, 1)
     U, s, Vt = np.linalg.svd(whitened[:, :-1] / scale, full_matrices=False)
     n = H.shape[1]
-    if len(s) < n or s[-1] <= max(H.shape) * np.finfo(float).eps * s[0]:
+    if len(s) < n or s[-1] <= zero_level(*H.shape) * s[0]:
         direction = np.linalg.svd(whitened[:, :-1] / scale)[2][-1] / scale
         raise ValueError(_not_determined(np.round(direction / np.abs(direction).max(), 6).tolist()))
     back = Vt.T / s / scale[:, None]

@@ -16,6 +16,7 @@ import sympy as sp
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import read_vector
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
+from trajlib._numerical_rank import zero_level
 from trajlib._typing import ArrayLike
 
 #: How often a step is shortened before the misfit counts as no longer falling.
@@ -226,7 +227,7 @@ def _dependent(H):
     if not np.isfinite(H).all() or not (lengths > 0).all() or H.shape[0] < H.shape[1]:
         return True
     values = np.linalg.svd(H / lengths, compute_uv=False)
-    return values[-1] <= max(H.shape) * np.finfo(float).eps * values[0]
+    return values[-1] <= zero_level(*H.shape) * values[0]
 
 
 def _result(problem, x, residuals, steps, reason):

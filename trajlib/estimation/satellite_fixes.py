@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
+from trajlib._numerical_rank import zero_level
 from trajlib._typing import ArrayLike, Matrix, MatrixLike
 from trajlib.estimation.exact_or_float import latex, tidy
 from trajlib.estimation.fix_observability import row_differences
@@ -165,7 +166,7 @@ def satellite_fix(satellites: MatrixLike, squared_ranges: MatrixLike) -> Satelli
 def _is_coplanar(points):
     if isinstance(points, np.ndarray):
         values = np.linalg.svd(points / np.linalg.norm(points, axis=1).max(), compute_uv=False)
-        return len(points) < 3 or values[-1] <= len(points) * np.finfo(float).eps * values[0]
+        return len(points) < 3 or values[-1] <= zero_level(*points.shape) * values[0]
     return exact.rank(points) < 3
 
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import read_matrix, read_square, read_vector
+from trajlib._arguments.numbers import read_times
 from trajlib._typing import ArrayLike
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.discrete_filter import FilterRun
@@ -153,9 +154,7 @@ def simulate_continuous(
     """
     A = read_square(np.asarray(A, dtype=float), "A", True)
     Q = read_covariance(np.asarray(Q, dtype=float), "Q", len(A), True)
-    times = read_vector(np.asarray(times, dtype=float), "times", None, True)
-    if (np.diff(times) < 0).any():
-        raise ValueError("times: expected rising numbers")
+    times = read_times(times, repeated=None)
     steps = equal_steps(times)
     models = {step: discretise(A, Q, step) for step in np.unique(steps)}
     roots = {step: _square_root(model.Q) for step, model in models.items()}

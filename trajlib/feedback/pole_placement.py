@@ -30,6 +30,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajlib._arguments.matrices import read_controlled
+from trajlib._numerical_rank import zero_level
 from trajlib._typing import MatrixLike
 from trajlib.structure.rank_tests import controllability
 from trajlib.structure.scaling import balanced
@@ -271,7 +272,7 @@ def _by_chains(A, B, wanted):
     from scipy.linalg import solve_sylvester
 
     n, s = B.shape
-    jordan = _jordan(wanted, np.linalg.matrix_rank(B))
+    jordan = _jordan(wanted, np.linalg.matrix_rank(B, rtol=zero_level(*B.shape)))
     random, best = np.random.default_rng(3), (np.inf, None)
     for _ in range(TRIED):
         # A first gain parts the spectra, without which the equation may have no solution.

@@ -32,7 +32,7 @@ class ConstantSpeedInformationSet(Sections):
     k : float
         Largest lateral acceleration.
     dt : float
-        Step of time.
+        Longest step of time; as published, the step.
     headings : int
         Nodes on the circle; as published, sections are merged within 2 pi/headings.
     heading_range : float or tuple, optional
@@ -90,18 +90,16 @@ class ConstantSpeedInformationSet(Sections):
             read_region(region, self.normals).values,
             arguments.read_arc(heading_range, "heading_range"),
         )
-        self._steps = 0
+        self.time = 0.0
         if mode == "published":
-            self._grid = FloatingHeadings(
-                section, self.speed, self.k, self.dt, headings, arc, wrapped
-            )
+            self._grid = FloatingHeadings(section, self.speed, self.k, headings, arc, wrapped)
         else:
             self._grid = Cells(
                 section,
                 self.k,
                 (0.0, 0.0),
                 (self.speed, self.speed),
-                self.dt,
+                0.0,
                 headings,
                 arc,
                 wrapped,
@@ -150,22 +148,20 @@ class ConstantSpeedInformationSet(Sections):
 class FloatingHeadings:
     """Sections at headings of any value, as published."""
 
-    def __init__(self, section, speed, k, dt, headings, arc, wrapped):
-        self.speed, self.k, self.dt, self.wrapped, self.m = speed, k, dt, wrapped, len(section)
+    def __init__(self, section, speed, k, headings, arc, wrapped):
+        self.speed, self.k, self.wrapped, self.m = speed, k, wrapped, len(section)
         self.width = FULL / headings
         count = max(int(np.rint(arc[1] / self.width)), 1)
         self.headings = arc[0] + self.width * np.arange(count) if arc[1] else np.array([arc[0]])
         self.values = np.tile(section, (count, 1))
 
-    def advance(self):
-        turn, n = self.k * self.dt / self.speed, unit_normals(self.m)
+    def advance(self, step, elapsed):
+        """Advance by a step."""
+        turn, n = self.k * step / self.speed, unit_normals(self.m)
         psi = self.headings
         headings, values = (
             [psi],
-            [
-                self.values
-                + self.dt * self.speed * np.stack([np.sin(psi), np.cos(psi)], axis=-1) @ n.T
-            ],
+            [self.values + step * self.speed * np.stack([np.sin(psi), np.cos(psi)], axis=-1) @ n.T],
         )
         for u in (-1, 1):
             after = psi + u * turn
@@ -195,6 +191,11 @@ class FloatingHeadings:
         sizes = np.diff(np.append(starts, len(headings)))
         self.headings = np.add.reduceat(headings, starts) / sizes
         self.values = np.maximum.reduceat(values, starts, axis=0)
+
+    def possible(self, arc, speeds):
+        """Return whether headings lie within the width of an arc, shape (count,)."""
+        apart = angle_between(self.headings - arc[0] - arc[1] / 2) - arc[1] / 2
+        return (apart <= self.width) & (speeds[0] <= self.speed <= speeds[1])
 
     def trim(self):
         """Drop the empty sections."""

@@ -3,7 +3,9 @@
 Sections move by D V (sin psi, cos psi) and are copied to the nodes of nine controls. In heading
 (|u| <= 1) the copies go [D k/(V dpsi)] + 1 nodes away, in speed [D |mu|/dV] + 1 nodes, [.] the
 integer part (4.1), (4.2); where several meet, their hull is taken. Since dV is large, speeds are
-moved only every q-th step, q the largest number with [q D |mu|/dV] = [D |mu|/dV] (4.3). Between
+moved only every q-th step, q the largest number with [q D |mu|/dV] = [D |mu|/dV] (4.3). Steps are
+counted from the start, or from each measurement: the paper divides the interval between two
+measurements anew (section 3) and does not say which steps it counts. Between
 [(N_V + 1)/2] and N_V nodes of speed are kept (section 4.3): too many are thinned by deleting every
 second one, too few are doubled by unions of neighbours.
 
@@ -15,13 +17,15 @@ import numpy as np
 
 from trajlib.infosets.polygons import normals
 from trajlib.infosets.sections import FULL, covering_arc
+from trajlib.infosets.turning import angle_between
 
 
 class Nodes:
     """Sections over nodes of headings and speeds, as published."""
 
-    def __init__(self, section, k, mu, speeds, dt, headings, arc, max_speeds):
+    def __init__(self, section, k, mu, speeds, dt, headings, arc, max_speeds, counted_from):
         self.k, self.mu, self.dt, self.max_speeds, self.m = k, mu, dt, max_speeds, len(section)
+        self.counted_from = counted_from
         self.min_speeds = (max_speeds + 1) // 2
         self.heading_step = FULL / headings
         self.headings = self.heading_step * np.arange(headings)
@@ -44,7 +48,8 @@ class Nodes:
         """Nodes of speed."""
         return self.first + self.speed_step * np.arange(len(self.values))
 
-    def advance(self):
+    def advance(self, step, elapsed):
+        """Advance by a step, which has the length dt."""
         speeds = self.speeds
         if speeds[0] <= 0:
             raise ValueError(
@@ -90,8 +95,17 @@ class Nodes:
         while len(self.values) > self.max_speeds:
             self.values, self.speed_step = self.values[::2], 2 * self.speed_step
 
+    def possible(self, arc, speeds):
+        """Return whether nodes are the nearest to a heading and a speed, shape (rows, columns)."""
+        half = self.speed_step / 2
+        rows = (self.speeds + half >= speeds[0]) & (self.speeds - half <= speeds[1])
+        apart = angle_between(self.headings - arc[0] - arc[1] / 2) - arc[1] / 2
+        return rows[:, None] & (apart <= self.heading_step / 2 * (1 + 1e-9))
+
     def trim(self):
         """Drop empty rows at the ends; add nodes of speed where too few are left."""
+        if self.counted_from == "measurement":
+            self._steps = 0
         rows = np.flatnonzero(~np.isneginf(self.values[..., 0]).all(axis=1))
         self.values, self.first = (
             self.values[rows[0] : rows[-1] + 1],

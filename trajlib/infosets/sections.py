@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any, Self
 
 import numpy as np
 
-from trajlib._arguments.numbers import read_count, read_points
+from trajlib._arguments.numbers import read_count, read_interval, read_number, read_points
 from trajlib._typing import ArrayLike
+from trajlib.infosets.arguments import read_arc
 from trajlib.infosets.errors import EmptyInformationSet
 from trajlib.infosets.polygons import SupportPolygons
 from trajlib.infosets.regions import Region, read_region
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
 
 FULL = 2 * np.pi
+#: Share of a step by which a time may miss a whole number of steps.
+TOGETHER = 1e-9
 
 
 @dataclass(frozen=True)
@@ -60,29 +63,68 @@ class Sections:
 
     _grid: Any
     _state: int
-    _steps: int
     dt: float
+    mode: str
     normals: int
+    #: Time since the start.
+    time: float
 
-    def advance(self, steps: int = 1) -> Self:
-        """Advance the set by prediction over some steps of length dt.
+    def advance(self, steps: int | None = None, *, to: float | None = None) -> Self:
+        """Advance the set by prediction.
 
         Parameters
         ----------
-        steps : int
-            Number of steps.
+        steps : int, optional
+            Number of steps of length dt; 1 if neither it nor `to` is given.
+        to : float, optional
+            Time to which to advance instead, from the start: in the fewest equal steps that are not
+            longer than dt. As published, a whole number of steps dt.
 
         Returns
         -------
         Self
             The set itself, which is changed.
+
+        Raises
+        ------
+        ValueError
+            If the time is past, or the model ends: no speed is left above zero, or a step may turn
+            the vehicle by half a circle.
         """
-        for _ in range(read_count(steps, "steps", 0)):
-            self._grid.advance()
-            self._steps += 1
+        if steps is not None and to is not None:
+            raise ValueError("to: give either the number of steps or the time, and not both")
+        if to is None:
+            count, step = read_count(1 if steps is None else steps, "steps", 0), self.dt
+        else:
+            count, step = self._steps_until(read_number(to, "to"))
+        begin = self.time
+        for k in range(1, count + 1):
+            time = float(to) if to is not None and k == count else begin + k * step
+            self._grid.advance(step, time)
+            self.time = time
         return self
 
-    def measure(self, *regions: Region | SupportPolygons | ArrayLike) -> Self:
+    def _steps_until(self, to):
+        """Return number and length of the steps to a time."""
+        duration = to - self.time
+        if duration < 0:
+            raise ValueError(f"to: the time {to:g} is past, the set is at {self.time:g}")
+        count = int(np.ceil(duration / self.dt - TOGETHER))
+        if self.mode == "published":
+            if abs(duration - count * self.dt) > TOGETHER * self.dt:
+                raise ValueError(
+                    f"to: {to:g} is no whole number of steps dt = {self.dt:g} from {self.time:g}, "
+                    "and the published step has this length; the guaranteed one has any"
+                )
+            return count, self.dt
+        return (count, duration / count) if count else (int(duration > 0), duration)
+
+    def measure(
+        self,
+        *regions: Region | SupportPolygons | ArrayLike,
+        heading: float | tuple | None = None,
+        speed: tuple | None = None,
+    ) -> Self:
         """Keep the states that are compatible with a measurement at this time.
 
         Parameters
@@ -90,6 +132,10 @@ class Sections:
         *regions : Region, SupportPolygons or array_like
             Sets that contain (x, y): `Region`, points of a convex polygon, or one of
             SupportPolygons.
+        heading : float or tuple, optional
+            Arc (low, high) that contains the heading, radians, or the heading itself.
+        speed : tuple, optional
+            Interval (low, high) that contains the speed.
 
         Returns
         -------
@@ -100,27 +146,33 @@ class Sections:
         ------
         EmptyInformationSet
             If no state is left; the set is then unchanged.
+
+        Notes
+        -----
+        Headings and speeds are told apart up to a cell of the grid (as published, a node).
         """
-        if not regions:
+        if not regions and heading is None and speed is None:
             raise ValueError(
-                "regions: expected one or more; without a measurement there is nothing to do"
+                "regions: expected one or more, or heading or speed; without a measurement there is "
+                "nothing to do"
             )
         polygons = [
             read_region(region, self.normals, f"region {k}" if len(regions) > 1 else "region")
             for k, region in enumerate(regions)
         ]
-        values = np.minimum.reduce([region.values for region in polygons])
-        remaining = self.sections.intersect(SupportPolygons(values))
-        if remaining.empty.all():
+        arc = read_arc(heading, "heading")
+        interval = (0.0, np.inf) if speed is None else read_interval(speed, "speed")
+        remaining = self.sections
+        if polygons:
+            values = np.minimum.reduce([region.values for region in polygons])
+            remaining = remaining.intersect(SupportPolygons(values))
+        possible = self._grid.possible(arc, interval)
+        values = np.where(possible[..., None], remaining.values, -np.inf)
+        if np.isneginf(values).all():
             raise EmptyInformationSet(self.time)
-        self._grid.values = remaining.values
+        self._grid.values = values
         self._grid.trim()
         return self
-
-    @property
-    def time(self) -> float:
-        """Time since the start."""
-        return self._steps * self.dt
 
     @property
     def sections(self) -> SupportPolygons:

@@ -26,7 +26,7 @@ class InformationSet(Sections):
     speeds : tuple of float
         Initial speeds (low, high), low > 0.
     dt : float
-        Step of time D.
+        Longest step of time D; as published, the step.
     headings : int
         Nodes on the circle.
     heading_range : float or tuple, optional
@@ -35,8 +35,17 @@ class InformationSet(Sections):
         Number m of normals of the polygons.
     mode : {"guaranteed", "published"}
         See the notes.
+    speed_step : float, optional
+        Width dV of a cell of speeds in the guaranteed mode, dt (mu2 - mu1)/2 if left out. The cost
+        of a step grows like 1/dV.
+    speed_limits : tuple of float, optional
+        Interval (low, high) that the speed never leaves, in the guaranteed mode.
     max_speeds : int, optional
         Largest number N_V of nodes of speed of the published mode, 20 if left out.
+    counted_from : {"start", "measurement"}, optional
+        From when the published mode counts the steps of which every q-th shifts the speeds (4.3):
+        from the start, if left out, or anew from each measurement. The paper divides each interval
+        between measurements anew and does not say which steps it counts.
 
     Raises
     ------
@@ -48,7 +57,8 @@ class InformationSet(Sections):
     "guaranteed" encloses all motions of the model, with u(t) and w(t) of any kind within their
     bounds. A node represents a cell around it; in a step a section grows by a bound on the
     displacement from its whole cell and is given to all cells that can be reached, so that each
-    true state stays in a section of its cell (the proof: `trajlib.infosets.cells`). "published" is
+    true state stays in a section of its cell (the proof: `trajlib.infosets.cells`). Steps may be of
+    any length, so measurements may come at any times (`advance(to=...)`). "published" is
     the algorithm of the paper, sections 3 and 4. It is faster and may lose the true state.
 
     Examples
@@ -76,7 +86,10 @@ class InformationSet(Sections):
         heading_range: float | tuple | None = None,
         normals: int = 12,
         mode: str = "guaranteed",
+        speed_step: float | None = None,
+        speed_limits: tuple | None = None,
         max_speeds: int | None = None,
+        counted_from: str | None = None,
     ) -> None:
         self.mode, self.k = (
             arguments.read_mode(mode),
@@ -98,19 +111,39 @@ class InformationSet(Sections):
             read_region(region, self.normals).values,
             arguments.read_arc(heading_range, "heading_range"),
         )
-        self._steps = 0
-        common = section, self.k, self.mu, speeds, self.dt, headings, arc
+        self.time = 0.0
+        foreign = (
+            {"speed_step": speed_step, "speed_limits": speed_limits}
+            if mode == "published"
+            else {"max_speeds": max_speeds, "counted_from": counted_from}
+        )
+        for name in (name for name, value in foreign.items() if value is not None):
+            owner = "published" if mode == "guaranteed" else "guaranteed"
+            raise ValueError(f"{name}: it belongs to the {owner} mode")
         if mode == "published":
+            counted_from = "start" if counted_from is None else counted_from
+            if counted_from not in ("start", "measurement"):
+                raise ValueError(
+                    f'counted_from: expected "start" or "measurement", got {counted_from!r}'
+                )
+            count = read_count(20 if max_speeds is None else max_speeds, "max_speeds", 4)
             self._grid = Nodes(
-                *common,
-                read_count(20 if max_speeds is None else max_speeds, "max_speeds", 4),
+                section, self.k, self.mu, speeds, self.dt, headings, arc, count, counted_from
             )
-        elif max_speeds is not None:
-            raise ValueError(
-                "max_speeds: it belongs to the published mode; the guaranteed one keeps all speeds"
-            )
-        else:
-            self._grid = Cells(*common)
+            return
+        width = self.dt * (self.mu[1] - self.mu[0]) / 2
+        if speed_step is not None:
+            width = read_positive(speed_step, "speed_step", "length/time")
+        limits = (0.0, np.inf)
+        if speed_limits is not None:
+            limits = read_interval(speed_limits, "speed_limits")
+            speeds = max(speeds[0], limits[0]), min(speeds[1], limits[1])
+            if limits[0] < 0 or speeds[0] > speeds[1]:
+                raise ValueError(
+                    f"speed_limits: expected positive speeds with some of the initial ones, got "
+                    f"{speed_limits!r}"
+                )
+        self._grid = Cells(section, self.k, self.mu, speeds, width, headings, arc, limits=limits)
 
     @property
     def speed_nodes(self) -> np.ndarray:

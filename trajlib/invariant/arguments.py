@@ -1,12 +1,12 @@
-"""Reading of times, samples, functions of time and covariances."""
+"""Reading of samples, functions of time and covariances."""
 
 from functools import lru_cache
 from numbers import Real
 
 import numpy as np
 
-#: Singular values below this many roundings are zero.
-ROUNDINGS = 10
+from trajlib._arguments.numbers import read_seconds
+from trajlib._numerical_rank import zero_level
 
 
 def derivative_of(y, r):
@@ -59,20 +59,6 @@ def sample_functions(functions, times, name):
     return np.array(rows).reshape(len(rows), times.size)
 
 
-def read_times(times):
-    """Return finite times that do not decrease."""
-    times = np.asarray(times, dtype=float)
-    if times.ndim != 1 or times.size == 0 or not np.isfinite(times).all():
-        raise ValueError(f"times: expected a list of finite numbers, got shape {times.shape}")
-    if (np.diff(times) < 0).any():
-        k = int(np.flatnonzero(np.diff(times) < 0)[0])
-        raise ValueError(
-            f"times: they must not decrease, but {times[k]:g} is followed by {times[k + 1]:g}; "
-            "sort them, with their samples"
-        )
-    return times
-
-
 def read_samples(h, size):
     """Return finite samples, shape (N,) or (N, records)."""
     h = np.asarray(h, dtype=float)
@@ -105,7 +91,7 @@ def read_covariance(covariance, size):
     if np.abs(K - K.T).max() > 1e-10 * np.abs(K).max():
         raise ValueError("covariance: the matrix must be symmetric")
     lowest = np.linalg.eigvalsh(K)
-    if lowest[0] <= ROUNDINGS * size * np.finfo(float).eps * lowest[-1]:
+    if lowest[0] <= zero_level(size) * lowest[-1]:
         raise ValueError(
             f"covariance: the matrix must be positive definite, its smallest eigenvalue is "
             f"{lowest[0]:.3g}: some combination of the samples would have no error"
@@ -115,7 +101,7 @@ def read_covariance(covariance, size):
 
 def read_finite(t, name):
     """Return a finite number or an array of them."""
-    t = np.asarray(t, dtype=float)
-    if t.ndim > 1 or not np.isfinite(t).all():
-        raise ValueError(f"{name}: expected a finite number or a list of them, got {t.tolist()}")
+    t = read_seconds(t, name)
+    if t.ndim > 1:
+        raise ValueError(f"{name}: expected a number or a list of them, got shape {t.shape}")
     return t

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from trajlib import plotting
+from trajlib._arguments.numbers import read_times
 from trajlib._typing import ArrayLike
-from trajlib.invariant.arguments import read_covariance, read_samples, read_times, sample_functions
-from trajlib.invariant.functionals import on_basis, value
-from trajlib.invariant.weights import WeightSolver
+from trajlib.invariant.arguments import read_covariance, read_samples, sample_functions
+from trajlib.invariant.functionals import value
+from trajlib.invariant.weights import Sampled, WeightSolver
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -26,12 +27,12 @@ class InvariantEstimator:
     Parameters
     ----------
     times : array_like, shape (N,)
-        Times that do not decrease. Count them from the record: powers of large times are nearly
-        dependent in floats.
+        Times that do not decrease; dates become seconds since the first of them.
     basis : iterable
         Functions psi_k of time that span the signal: SymPy expressions in one symbol, polynomials
         of `numpy.polynomial`, splines of SciPy, numbers, or Python functions (which have no
-        derivatives).
+        derivatives). Polynomials are taken in centred and scaled time, however far the record is
+        from zero; a functional may get them in another form of the same kind.
     nuisance : iterable
         Functions theta_p of time that span the nuisance, of the same kinds.
     covariance : array_like
@@ -47,7 +48,8 @@ class InvariantEstimator:
     Raises
     ------
     ValueError
-        If there are fewer samples than functions, or arguments do not fit.
+        If there are fewer samples than functions, or arguments do not fit; if an estimate is asked
+        for and the rank of the samples is lost to rounding.
 
     Notes
     -----
@@ -74,7 +76,7 @@ class InvariantEstimator:
         nuisance: Iterable = (),
         covariance: ArrayLike = 1.0,
     ) -> None:
-        self.times = read_times(times)
+        self.times = read_times(times, repeated=None)
         self.basis, self.nuisance = list(basis), list(nuisance)
         if not self.basis:
             raise ValueError("basis: expected one or more functions of which the signal is made")
@@ -82,7 +84,8 @@ class InvariantEstimator:
         self.Psi = sample_functions(self.basis, self.times, "basis")
         self.Theta = sample_functions(self.nuisance, self.times, "nuisance")
         self._covariance = read_covariance(covariance, self.times.size)
-        self._window = WeightSolver(self.Psi, self.Theta, self._covariance)
+        self._sampled = Sampled.on(self.times, self.basis, self.nuisance)
+        self._solver = WeightSolver(self._sampled, self._covariance)
 
     def weights(self, functional: Callable) -> np.ndarray:
         """Return the weights P of a functional.
@@ -102,7 +105,7 @@ class InvariantEstimator:
         ValueError
             If the samples do not determine the functional.
         """
-        return self._window.solve(on_basis(functional, self.basis))[0]
+        return self._solver.solve(functional)[0]
 
     def estimate(self, h: ArrayLike, functional: Callable) -> Estimate:
         """Return P^T h with its standard deviation and gain.
@@ -123,7 +126,7 @@ class InvariantEstimator:
         ValueError
             If the samples do not determine the functional.
         """
-        P, std, gain = self._window.solve(on_basis(functional, self.basis))
+        P, std, gain = self._solver.solve(functional)
         return Estimate(P.T @ read_samples(h, self.times.size), std, gain)
 
     def methodical_error(self, y: Any, functional: Callable) -> float | np.ndarray:
@@ -261,13 +264,11 @@ class SlidingWindow:
         for t, (_, low, high) in zip(self.centres, self._spans):
             samples = slice(low, high)
             K = estimator._covariance
-            window = WeightSolver(
-                estimator.Psi[:, samples],
-                estimator.Theta[:, samples],
-                K[samples] if K.ndim == 1 else K[samples, samples],
+            window = estimator._sampled.solver(
+                samples, K[samples] if K.ndim == 1 else K[samples, samples]
             )
             try:
-                yield *window.solve(on_basis(functional(t), estimator.basis)), low, high
+                yield *window.solve(functional(t)), low, high
             except ValueError as reason:
                 raise ValueError(f"{reason} (window around t = {t:g})") from None
 

@@ -92,11 +92,22 @@ def integral(a: ArrayLike, b: ArrayLike) -> Callable:
             primitive = y.antiderivative()
         elif hasattr(y, "integ"):
             primitive = y.integ()
+        elif hasattr(y, "free_symbols") and len(y.free_symbols) == 1 and y.is_polynomial():
+            primitive = _exact_primitive(y)
         else:
             return _quadrature(derivative_of(y, 0), a, b)
-        return primitive(b) - primitive(a)
+        return np.asarray(primitive(b) - primitive(a), dtype=float)[()]
 
     return omega
+
+
+def _exact_primitive(polynomial):
+    """Return the primitive in rational arithmetic: far from zero its values would cancel."""
+    import sympy as sp
+
+    (t,) = polynomial.free_symbols
+    primitive = sp.Poly(polynomial, t).integrate()
+    return np.vectorize(lambda time: primitive.eval(sp.Rational(float(time))), otypes=[object])
 
 
 def _quadrature(function, a, b):

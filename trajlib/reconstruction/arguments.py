@@ -2,32 +2,14 @@
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_times
 
-def read_times(t):
+
+def read_record_times(t):
     """Return two or more increasing finite times."""
-    t = np.asarray(t, dtype=float)
-    if t.ndim != 1 or t.size < 2:
-        raise ValueError(
-            f"t: expected a list of two or more times, got "
-            f"{'shape ' + str(t.shape) if t.ndim != 1 else t.size}"
-        )
-    if not np.isfinite(t).all():
-        raise ValueError(
-            f"t: the times must be finite, t[{np.flatnonzero(~np.isfinite(t))[0]}] is not"
-        )
-    not_increasing = np.flatnonzero(np.diff(t) <= 0)
-    if not_increasing.size:
-        k = not_increasing[0]
-        if t[k] == t[k + 1]:
-            raise ValueError(
-                f"t: the time {t[k]:g} is repeated (t[{k}] and t[{k + 1}]); replace samples at one "
-                "time by their weighted mean"
-            )
-        raise ValueError(
-            f"t: the times must increase, t[{k + 1}] = {t[k + 1]:g} follows t[{k}] = {t[k]:g}; "
-            "sort times and samples together"
-        )
-    return t
+    return read_times(
+        t, "t", least=2, repeated="replace samples at one time by their weighted mean"
+    )
 
 
 def read_weights(sigma, size):

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajlib import plotting
+from trajlib._arguments.numbers import read_seconds
 from trajlib._typing import ArrayLike
-from trajlib.reconstruction.arguments import read_samples, read_times, read_weights
+from trajlib.reconstruction.arguments import read_record_times, read_samples, read_weights
 from trajlib.reconstruction.direct import bounded_fit
 from trajlib.reconstruction.splines import cubic_spline, join_splines
 from trajlib.reconstruction.sweep import SweepGains
@@ -107,9 +108,7 @@ class Reconstruction:
         return np.where(beyond == 0, self._spline(inside, 2), 0.0)
 
     def _inside(self, t):
-        t = np.asarray(t, dtype=float)
-        if not np.isfinite(t).all():
-            raise ValueError("t: the times asked for must be finite")
+        t = read_seconds(t, "t")
         inside = np.clip(t, self.t[0], self.t[-1])
         return inside, (t - inside).reshape(t.shape + (1,) * (self.h.ndim - 1))
 
@@ -180,7 +179,7 @@ def reconstruct(
     Parameters
     ----------
     t : array_like, shape (N + 1,)
-        Increasing times.
+        Increasing times; dates become seconds since the first of them.
     h : array_like, shape (N + 1, ...)
         Samples, a column for each coordinate or record; nan is allowed where nothing was measured.
     sigma : array_like
@@ -220,7 +219,7 @@ def reconstruct(
     >>> motion.active, round(motion.max_acceleration, 9), round(float(motion.position(4.0)), 3)
     (True, 0.5, 1.033)
     """
-    t = read_times(t)
+    t = read_record_times(t)
     rho = read_weights(sigma, t.size)
     h = read_samples(h, rho)
     if method not in ("sweep", "direct"):

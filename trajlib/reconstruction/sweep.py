@@ -22,7 +22,7 @@ only: nothing cancels, however small M is.
 import numpy as np
 
 from trajlib._typing import ArrayLike
-from trajlib.reconstruction.arguments import read_samples, read_times, read_weights
+from trajlib.reconstruction.arguments import read_record_times, read_samples, read_weights
 from trajlib.reconstruction.splines import straight_line
 
 
@@ -64,7 +64,7 @@ class SweepGains:
     """
 
     def __init__(self, t: ArrayLike, sigma: ArrayLike, M: float) -> None:
-        self.t = read_times(t)
+        self.t = read_record_times(t)
         self.rho = read_weights(sigma, self.t.size)
         is_scalar: bool = np.isscalar(M)
         if not (is_scalar and np.isfinite(M) and M > 0):

@@ -2,12 +2,14 @@
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_array
+
 
 def read_axes(lists, name, short):
     """Return (nodes, name, short name) for each axis."""
     try:
-        lists = [np.asarray(nodes, dtype=float) for nodes in lists]
-    except (TypeError, ValueError):
+        lists = [read_array(nodes, name, "a list of numbers for each axis") for nodes in lists]
+    except TypeError:
         raise TypeError(
             f"{name}: expected a list of lists of numbers, one for each axis, got {lists!r}"
         ) from None
@@ -20,7 +22,7 @@ def read_axes(lists, name, short):
 
 def read_nodes(nodes, name):
     """Return distinct increasing finite numbers."""
-    nodes = np.asarray(nodes, dtype=float)
+    nodes = read_array(nodes, name, "a list of numbers")
     if nodes.ndim != 1 or nodes.size == 0:
         raise ValueError(f"{name}: expected a list of numbers, got shape {nodes.shape}")
     if not np.isfinite(nodes).all():

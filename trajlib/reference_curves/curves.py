@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajlib import plotting
+from trajlib._arguments.numbers import read_array, read_seconds, read_times
 from trajlib._typing import ArrayLike
 from trajlib.reference_curves.arguments import read_axes, read_box, read_nodes
 from trajlib.reference_curves.integration import SHARPEST, Flow
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+#: Advice where two times are equal.
+_APART = "nodes have to be different"
 #: Share of the curves' size that errors of the table may reach between the nodes.
 SPOILED = 1e-3
 
@@ -31,7 +34,7 @@ class ReferenceCurves:
         f(t, x, p), without parameters f(t, x), returns the n derivatives as a list; x and p are
         lists of arrays, one entry a curve, so f uses NumPy's functions.
     t_nodes : array_like
-        K increasing times.
+        K increasing times; dates become seconds since the first of them.
     state_nodes : sequence of array_like
         Nodes for each of the n components of x_0; a single node is allowed.
     param_nodes : sequence of array_like
@@ -46,6 +49,11 @@ class ReferenceCurves:
         domain(t, x, p) is true where f is defined.
     rtol : float
         Relative tolerance of the integration.
+    method : {"DOP853", "Radau"}
+        Explicit or implicit method of integration. For stiff systems, whose fast motions die out
+        long before the slow ones, the implicit one.
+    max_evaluations : int
+        Evaluations of f after which an integration is given up.
 
     Attributes
     ----------
@@ -57,7 +65,7 @@ class ReferenceCurves:
     Raises
     ------
     ArithmeticError
-        If a curve leaves the domain or escapes to infinity.
+        If a curve leaves the domain or escapes to infinity, or max_evaluations are not enough.
     ValueError
         If arguments do not fit or the nodes amplify `rtol` to a thousandth.
 
@@ -84,9 +92,11 @@ class ReferenceCurves:
         box: Sequence | None = None,
         domain: Callable | None = None,
         rtol: float = 1e-10,
+        method: str = "DOP853",
+        max_evaluations: int = 50_000,
     ) -> None:
         lists = [
-            (t_nodes, "t_nodes", "t"),
+            (read_times(t_nodes, "t_nodes", repeated=_APART), "t_nodes", "t"),
             *read_axes(state_nodes, "state_nodes", "x0"),
             *read_axes(param_nodes, "param_nodes", "p"),
         ]
@@ -103,7 +113,9 @@ class ReferenceCurves:
                 f"rtol: expected a relative tolerance between {SHARPEST:g} and 1, got {rtol}"
             )
         self._output = output
-        self._flow = Flow(f, domain, self.n, self.parameters, self.box[0][0], rtol)
+        self._flow = Flow(
+            f, domain, self.n, self.parameters, self.box[0][0], rtol, method, max_evaluations
+        )
         constants = [lebesgue_constant(nodes, *ends) for nodes, ends in zip(self.nodes, self.box)]
         #: Lebesgue constant of the whole: the product of those of the axes.
         self.lebesgue = float(np.prod(constants))
@@ -210,7 +222,7 @@ class ReferenceCurves:
         """
         x = self(t, x0, p, extrapolate=extrapolate)
         return self._measured(
-            np.asarray(t, dtype=float), x, [np.asarray(value, dtype=float) for value in p]
+            read_seconds(t, "t"), x, [read_array(value, "p", "numbers") for value in p]
         )
 
     @property
@@ -243,7 +255,7 @@ class ReferenceCurves:
         """
         x = self(t, x0, p, extrapolate=extrapolate)
         rates = self._flow.rates(
-            np.asarray(t, dtype=float), x, [np.asarray(value, dtype=float) for value in p]
+            read_seconds(t, "t"), x, [read_array(value, "p", "numbers") for value in p]
         )
         return self.derivative(t, x0, p, extrapolate=extrapolate) - rates
 
@@ -262,7 +274,7 @@ class ReferenceCurves:
         ndarray, shape (n, times, ...)
             The shape of `x0` and `p` follows that of `t`.
         """
-        t = read_nodes(t, "t")
+        t = read_nodes(read_seconds(t, "t"), "t")
         starts = np.broadcast_arrays(*self._starts(x0, p))
         shape = starts[0].shape
         states = self._flow.states(t, np.array([start.ravel() for start in starts]))
@@ -366,7 +378,7 @@ class ReferenceCurves:
                 f"x0, p: expected {self.n} components and {self.parameters} parameters, got "
                 f"{len(x0)} and {len(p)}"
             )
-        return [np.asarray(value, dtype=float) for value in (*x0, *p)]
+        return [read_array(value, "x0, p", "numbers") for value in (*x0, *p)]
 
     def _measured(self, t, x, p):
         if self._output is None:

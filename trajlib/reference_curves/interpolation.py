@@ -12,6 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from trajlib._arguments.numbers import read_array
 from trajlib._typing import ArrayLike
 from trajlib.reference_curves.arguments import read_nodes
 
@@ -168,7 +169,12 @@ class TensorInterpolant:
                 f"parameters, got {len(x0)} and {len(p)}"
             )
         points = list(
-            np.broadcast_arrays(*(np.asarray(part, dtype=float) for part in (t, *x0, *p)))
+            np.broadcast_arrays(
+                *(
+                    read_array(part, name, "numbers (of dates: seconds since the first)")
+                    for part, name in zip((t, *x0, *p), self._names)
+                )
+            )
         )
         shape = points[0].shape
         points = [part.ravel() for part in points]
@@ -195,7 +201,7 @@ class TensorInterpolant:
         -------
         ndarray, shape (components, times, ...)
         """
-        points = [np.asarray(axis, dtype=float) for axis in axes]
+        points = [read_array(axis, "axes", "lists of numbers") for axis in axes]
         if len(points) != len(self.nodes) or any(axis.ndim != 1 for axis in points):
             raise ValueError(
                 f"axes: expected {len(self.nodes)} lists, for {', '.join(self._names)}, got "

@@ -39,12 +39,16 @@ class Guarantee:
         Parameters of that centre by name.
     cells : int
         Number of cells examined.
+    undefined : dict or None
+        Parameters by name near which the matrix or its derivative was not found to be finite: a pole, or the root or
+        logarithm of a number that is not positive. Nothing is proved then.
     """
 
     lower: float
     upper: float
     where: dict
     cells: int
+    undefined: dict | None = None
 
     @property
     def proved(self) -> bool:
@@ -52,7 +56,14 @@ class Guarantee:
         return self.lower > 0
 
     def __repr__(self):
-        at = ", ".join(f"{name} = {value:.6g}" for name, value in self.where.items())
+        at = _in_words(self.where)
+        if self.undefined is not None:
+            found = f"; the smallest singular value found elsewhere is {self.upper:.4g}, at {at}"
+            return (
+                f"not proved: near {_in_words(self.undefined)} the matrix or its derivative is not "
+                "finite (a pole, or the root or logarithm of a number that is not positive); leave such parameters out "
+                f"of the box{found if np.isfinite(self.upper) else ''}"
+            )
         if self.proved:
             return (
                 "solvable in the whole box: the smallest singular value is at least "
@@ -124,6 +135,9 @@ def guarantee(
             box_low[None] / 2 + box_high[None] / 2, box_low[None] / 2 + box_high[None] / 2
         )
         scaling = np.linalg.norm(middle.low[0, 0], axis=0)
+        if not (np.isfinite(middle.low).all() and np.isfinite(middle.high).all()):
+            # the first cell says so
+            scaling = np.ones(m)
     scaling = np.asarray(scaling, dtype=float)
     if scaling.shape != (m,) or not ((scaling > 0) & np.isfinite(scaling)).all():
         raise ValueError(
@@ -133,12 +147,23 @@ def guarantee(
 
     lows, highs = box_low[None], box_high[None]
     accepted, best, where, count = np.inf, np.inf, box_low / 2 + box_high / 2, 0
+    undefined_size, undefined = np.inf, None
     bounds = np.array([-np.inf])
     while lows.size:
         batch = slice(0, BATCH)
         a, b = lows[batch], highs[batch]
-        new_bounds, smallest, sides = _cell_bounds(values, slopes, a, b, scaling)
+        new_bounds, smallest, sides, finite = _cell_bounds(values, slopes, a, b, scaling)
         count += len(a)
+        if not finite.all():
+            # Of these cells the smallest so far; at a centre that is undefined itself the search ends.
+            sizes = np.where(finite, np.inf, ((b - a) / (box_high - box_low)).max(axis=1))
+            sizes[np.isinf(smallest)] = 0
+            k = int(np.argmin(sizes))
+            if sizes[k] < undefined_size:
+                undefined_size, undefined = sizes[k], a[k] / 2 + b[k] / 2
+            if undefined_size == 0:
+                accepted = -np.inf
+                break
         if smallest.min() < best:
             k = int(np.argmin(smallest))
             best, where = smallest[k], a[k] / 2 + b[k] / 2
@@ -161,13 +186,23 @@ def guarantee(
         left[rows, sides] = right[rows, sides] = middle[rows, sides]
         lows, highs = np.concatenate([lows, a, right]), np.concatenate([highs, left, b])
         bounds = np.concatenate([bounds, new_bounds, new_bounds])
+    names = [str(symbol) for symbol in symbols]
     return Guarantee(
-        float(accepted), float(best), dict(zip(map(str, symbols), where.tolist())), count
+        float(accepted),
+        float(best),
+        dict(zip(names, where.tolist())),
+        count,
+        dict(zip(names, undefined.tolist()))
+        if undefined is not None and best and not np.isfinite(accepted)
+        else None,
     )
 
 
 def _cell_bounds(values, slopes, a, b, scaling):
-    """Return for each cell a lower bound of s_min, s_min at its centre, and the side to halve."""
+    """Return for each cell a lower bound of s_min, s_min at its centre, the side to halve.
+
+    And whether the matrix and its derivatives have finite enclosures there.
+    """
     centre = a / 2 + b / 2
     half = np.nextafter(np.maximum(b - centre, centre - a), np.inf)
     centre_values = values(centre, centre)
@@ -180,7 +215,7 @@ def _cell_bounds(values, slopes, a, b, scaling):
         & np.isfinite(D).all(axis=(1, 2, 3))
         & np.isfinite(D_radius).all(axis=(1, 2, 3))
     )
-    smallest = np.full(len(a), np.inf)
+    finite, smallest = usable.copy(), np.full(len(a), np.inf)
     defined = np.isfinite(C).all(axis=(1, 2))
     s = np.linalg.svd(C[defined], compute_uv=False)
     smallest[defined] = s[:, -1]
@@ -209,7 +244,11 @@ def _cell_bounds(values, slopes, a, b, scaling):
         norm = np.linalg.norm(G, 2, axis=(1, 2)) * (1 + 1 / threshold(max(m, 2), max(n, 2)))
         bounds[usable] = (1 - beta) / norm * (1 - 8 * EPS)
         sides[usable] = np.argmax(np.linalg.norm(parts, axis=(2, 3)), axis=1)
-    return bounds, smallest, sides
+    return bounds, smallest, sides, finite
+
+
+def _in_words(parameters):
+    return ", ".join(f"{name} = {value:.6g}" for name, value in parameters.items())
 
 
 def _centre_and_radius(enclosure, scaling):

@@ -52,7 +52,7 @@ class Interval:
 
     def __truediv__(self, other):
         other = _interval(other)
-        with np.errstate(divide="ignore"):
+        with np.errstate(divide="ignore", over="ignore"):
             inverse = _outward(1 / other.high, 1 / other.low)
         vanishes = (other.low <= 0) & (other.high >= 0)
         return self * Interval(

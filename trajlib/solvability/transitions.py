@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from trajlib._arguments.numbers import read_numeric_matrix, read_times
+from trajlib._arguments.numbers import read_number, read_numeric_matrix, read_times
 from trajlib._typing import ArrayLike
 
 
@@ -16,7 +16,7 @@ def transition(A: ArrayLike, times: ArrayLike, reference: float | None = None) -
     A : array_like, shape (m, m)
         Matrix of the system x' = A x.
     times : array_like, shape (k,)
-        Increasing times.
+        Increasing times; dates become seconds since the first of them.
     reference : float, optional
         Reference time t_s, the first of the times if left out.
 
@@ -44,7 +44,7 @@ def transition(A: ArrayLike, times: ArrayLike, reference: float | None = None) -
     if A.shape[0] != A.shape[1]:
         raise ValueError(f"A: expected a square matrix, got shape {A.shape}")
     times = read_times(times)
-    since = times - (times[0] if reference is None else float(reference))
+    since = times - (times[0] if reference is None else read_number(reference, "reference"))
     return expm(A * since[:, None, None])
 
 
@@ -56,7 +56,7 @@ def clohessy_wiltshire(rate: float, times: ArrayLike, reference: float | None = 
     rate : float
         Angular velocity w of the orbit and of the axes, positive.
     times : array_like, shape (k,)
-        Increasing times.
+        Increasing times; dates become seconds since the first of them.
     reference : float, optional
         Reference time t_s, the first of the times if left out.
 
@@ -84,7 +84,7 @@ def clohessy_wiltshire(rate: float, times: ArrayLike, reference: float | None = 
     if not (np.isfinite(w) and w > 0):
         raise ValueError(f"rate: expected a positive angular velocity, got {rate}")
     times = read_times(times)
-    a = w * (times - (times[0] if reference is None else float(reference)))
+    a = w * (times - (times[0] if reference is None else read_number(reference, "reference")))
     s, c, one, o = np.sin(a), np.cos(a), np.ones_like(a), np.zeros_like(a)
     # written so, 1 - cos a and sin a - a keep their digits for small angles
     half, drift = 2 * np.sin(a / 2) ** 2, _sine_minus_angle(a)
@@ -154,7 +154,7 @@ def stack(
         if times is None:
             raise ValueError("times: a function H or Phi needs the times of the measurements")
         times = read_times(times)
-        since = times[0] if reference is None else float(reference)
+        since = times[0] if reference is None else read_number(reference, "reference")
         Phi = np.array([Phi(t, since) for t in times], dtype=float) if callable(Phi) else Phi
         H = np.array([np.atleast_2d(H(t)) for t in times], dtype=float) if callable(H) else H
     Phi, H = np.asarray(Phi, dtype=float), np.asarray(H, dtype=float)

@@ -13,7 +13,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib._arguments.numbers import read_names, read_times
+from trajlib._arguments.integration import Budget, read_method
+from trajlib._arguments.numbers import read_names, read_number, read_seconds, read_times
 from trajlib._typing import ArrayLike
 from trajlib.solvability.transitions import stack
 
@@ -76,6 +77,8 @@ def linearise(
     reference: float | None = None,
     breaks: ArrayLike = (),
     rtol: float = 1e-10,
+    method: str = "DOP853",
+    max_evaluations: int = 50_000,
     names: Sequence | None = None,
     units: Sequence | None = None,
 ) -> Linearisation:
@@ -90,7 +93,7 @@ def linearise(
     state : array_like, shape (m,)
         State of the motion at the time `reference`.
     times : array_like, shape (k,)
-        Increasing times of the measurements.
+        Increasing times of the measurements; dates become seconds since the first of them.
     reference : float, optional
         Reference time, the first of the times if left out.
     breaks : array_like
@@ -98,6 +101,11 @@ def linearise(
     rtol : float
         Relative tolerance of the integration. The result is 100 times more accurate; the difference
         is the estimate of its error.
+    method : {"DOP853", "Radau"}
+        Explicit or implicit method of integration. For stiff systems, whose fast motions die out
+        long before the slow ones, the implicit one.
+    max_evaluations : int
+        Evaluations of f after which an integration is given up.
     names, units : sequence of str, optional
         Names and units of the unknowns.
 
@@ -107,6 +115,8 @@ def linearise(
 
     Raises
     ------
+    ArithmeticError
+        If max_evaluations are not enough.
     ValueError
         If f or h is not finite or cannot be called with CasADi symbols, the motion cannot be
         continued, or arguments do not fit.
@@ -118,28 +128,28 @@ def linearise(
     ([[6.0, 0.0], [8.0, 8.0], [10.0, 20.0]], [9.0, 16.0, 25.0])
     """
     times = read_times(times)
-    reference = float(times[0] if reference is None else reference)
+    reference = float(times[0]) if reference is None else read_number(reference, "reference")
     state = np.asarray(state, dtype=float)
     if state.ndim != 1 or state.size == 0 or not np.isfinite(state).all():
         raise ValueError(f"state: expected a list of finite numbers, got {state}")
-    if not np.isfinite(reference):
-        raise ValueError(f"reference: expected a finite time, got {reference}")
     if not 0 < rtol < 1:
         raise ValueError(f"rtol: expected a relative tolerance such as 1e-10, got {rtol}")
+    read_method(method)
     m = state.size
     names, units = read_names(names, m), read_names(units, m, "units")
-    rates, measured = _compiled(f, h, m)
+    equations, measured = _compiled(f, h, m)
     start = np.concatenate([state, np.eye(m).ravel()])
-    if not np.isfinite(rates(reference, start).full()).all():
+    if not np.isfinite(equations[0](reference, start).full()).all():
         raise ValueError(
             f"f: it or its derivative is not finite at the start, t = {reference:g}, state "
             f"{state.tolist()}; does the motion begin outside the domain of f? (Functions of "
             "Python's module `math` make nan of CasADi symbols: use those of NumPy or CasADi)"
         )
-    breaks = np.unique(np.asarray(breaks, dtype=float))
+    breaks = np.unique(read_seconds(breaks, "breaks"))
 
     def run(tolerance, absolute):
-        return _integrated(rates, start, reference, times, breaks, max(tolerance, 3e-14), absolute)
+        flow = _Flow(equations, max(tolerance, 3e-14), absolute, Budget(max_evaluations, method))
+        return _integrated(flow, start, reference, times, breaks)
 
     peaks = np.abs(run(1e-6, np.full(start.size, SMALLEST))).max(axis=0)
     absolute = rtol * np.maximum(peaks, SMALLEST)
@@ -153,7 +163,7 @@ def linearise(
 
 
 def _compiled(f, h, m):
-    """Return CasADi functions (t, [x, Phi]) -> rates, and (t, x) -> (h, dh/dx)."""
+    """Return CasADi functions (t, [x, Phi]) -> rates and their derivative; (t, x) -> (h, dh/dx)."""
     import casadi as ca
 
     t, x, variations = ca.SX.sym("t"), ca.SX.sym("x", m), ca.SX.sym("Phi", m, m)
@@ -172,8 +182,13 @@ def _compiled(f, h, m):
     rates = ca.jacobian(field, x) @ variations
     # Phi by rows, as NumPy stores it
     joined = ca.vertcat(x, ca.vec(variations.T))
+    all_rates = ca.vertcat(field, ca.vec(rates.T))
+    slopes = ca.jacobian(all_rates, joined)
     return (
-        ca.Function("rates", [t, joined], [ca.vertcat(field, ca.vec(rates.T))]),
+        (
+            ca.Function("rates", [t, joined], [all_rates]),
+            ca.Function("slopes", [t, joined], [slopes]),
+        ),
         ca.Function("measured", [t, x], [output, ca.jacobian(output, x)]),
     )
 
@@ -215,7 +230,7 @@ def _stacked(measured, times, values, m):
     return stack(H, Phi), motion, predicted, (H, Phi)
 
 
-def _integrated(rates, start, reference, times, breaks, rtol, atol):
+def _integrated(flow, start, reference, times, breaks):
     """Return states with variations at all times, in both directions from the reference time.
 
     The integration goes from break to break.
@@ -233,41 +248,72 @@ def _integrated(rates, start, reference, times, breaks, rtol, atol):
             passed = remaining[
                 (sign * (times[remaining] - begin) > 0) & (sign * (times[remaining] - end) <= 0)
             ][::sign]
-            states = _leg(rates, state, begin, end, np.append(times[passed], end), rtol, atol)
+            states = flow.leg(state, begin, end, np.append(times[passed], end))
             values[passed], state, begin = states[:-1], states[-1], end
     return values
 
 
-def _leg(rates, state, begin, end, times, rtol, atol):
-    from scipy.integrate import solve_ivp
+@dataclass(frozen=True)
+class _Flow:
+    """Equations of the motion with its variations, and how they are integrated."""
 
-    low, high = sorted((begin, end))
-    # at a break the limit of f from this side
-    low, high = np.nextafter(low, high), np.nextafter(high, low)
+    equations: tuple
+    rtol: float
+    atol: np.ndarray
+    budget: Budget
 
-    def rate(t, y):
-        rate.share = max(rate.share, (t - begin) / (end - begin))
-        # The method halves its step where a trial fails, but with nan it would never end.
-        return np.nan_to_num(
-            rates(min(max(t, low), high), y).full()[:, 0],
-            nan=_OUTSIDE,
-            posinf=_OUTSIDE,
-            neginf=-_OUTSIDE,
-        )
+    def leg(self, state, begin, end, times):
+        """Return the states at some times from `begin` to `end`, in their order."""
+        forward = 1 if end > begin else -1
+        output_times = np.unique(times)[::forward]
+        low, high = sorted((begin, end))
+        # at a break the limit of f from this side
+        within = np.nextafter(low, high), np.nextafter(high, low)
+        if self.budget.method == "DOP853":
+            states = self._solved(state, (begin, end), within, output_times)
+        else:
+            # Between the steps of an implicit method its states are known to the third order only.
+            states = []
+            for last in output_times:
+                state = self._solved(state, (begin, last), within, [last])[0]
+                states.append(state)
+                begin = last
+        return np.array(states)[np.searchsorted(forward * output_times, forward * times)]
 
-    rate.share = 0.0
-    output_times = np.unique(times)[:: 1 if end > begin else -1]
-    solution = solve_ivp(
-        rate, (begin, end), state, method="DOP853", t_eval=output_times, rtol=rtol, atol=atol
-    )
-    if not solution.success or not np.isfinite(solution.y).all():
-        reached = begin + (end - begin) * rate.share
-        raise ValueError(
-            f"f: the motion could not be continued beyond t = {reached:g} on the way to {end:g} "
-            f"({solution.message}); does it leave the domain of f there?"
+    def _solved(self, state, span, within, output_times):
+        from scipy.integrate import solve_ivp
+
+        if span[0] == span[1]:
+            return [state]
+        begin, end = span
+        furthest = 0.0
+
+        def evaluated(function, t, y):
+            values = function(min(max(t, within[0]), within[1]), y).full()
+            # The method halves its step where a trial fails, but with nan it would never end.
+            return np.nan_to_num(values, nan=_OUTSIDE, posinf=_OUTSIDE, neginf=-_OUTSIDE)
+
+        def rate(t, y):
+            nonlocal furthest
+            self.budget.spend(t)
+            furthest = max(furthest, (t - begin) / (end - begin))
+            return evaluated(self.equations[0], t, y)[:, 0]
+
+        implicit = {"jac": lambda t, y: evaluated(self.equations[1], t, y)}
+        solution = solve_ivp(
+            rate,
+            span,
+            state,
+            method=self.budget.method,
+            t_eval=output_times,
+            rtol=self.rtol,
+            atol=self.atol,
+            **(implicit if self.budget.method == "Radau" else {}),
         )
-    return solution.y.T[
-        np.searchsorted(
-            output_times if end > begin else -output_times, times if end > begin else -times
-        )
-    ]
+        if not solution.success or not np.isfinite(solution.y).all():
+            raise ValueError(
+                f"f: the motion could not be continued beyond t = "
+                f"{begin + (end - begin) * furthest:g} on the way to {end:g} "
+                f"({solution.message}); does it leave the domain of f there?"
+            )
+        return solution.y.T

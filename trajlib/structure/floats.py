@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from trajlib._numerical_rank import zero_level
 from trajlib.structure.nearest import nearest, smallest
 from trajlib.structure.scaling import Scaled, balanced
 from trajlib.structure.staircase import staircase
@@ -26,7 +27,7 @@ DOUBTFUL = np.sqrt(_EPS)
 
 def tolerance(n):
     """Return the size, in balanced units, of a zero after rounding of the data."""
-    return 100 * n * _EPS
+    return zero_level(n)
 
 
 @dataclass(frozen=True)
