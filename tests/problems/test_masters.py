@@ -210,7 +210,9 @@ def test_wrong_trials_are_wrong_and_change_no_other_verdict(master):
         and [trial for trial in result["trials"] if trial["status"] != "wrong"] == []
     )
     for trial in result["trials"]:
-        assert len(trial["message"]) > 20 and trial["reference"] not in trial["message"], trial
+        # `t = 1.31` does not hold the answer 1
+        told = re.search(re.escape(trial["reference"]) + r"(?!\.?\d)", trial["message"])
+        assert len(trial["message"]) > 20 and not told, trial
         assert trial["numbers"] <= MOST_NUMBERS, trial
     revealing = {trial["answer"] for trial in result["trials"] if trial["revealed"]}
     assert revealing == HALF_RIGHT.get(master.number, set()), result["trials"]
