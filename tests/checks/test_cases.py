@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from case import CHECKS, check_named
 
+from workbook.checks.contract.few_numbers import MOST_NUMBERS, numbers_in
 from workbook.checks.contract.shapes import COMMON, SHAPES
 
 TABLES = sorted((Path(__file__).parent / "cases").glob("*/*.py"))
@@ -39,6 +40,11 @@ def test_case(case):
     verdict = check_named(case.check)(case.answer, *case.data, **dict(case.options))
     assert verdict.status == case.verdict, verdict.message
     assert len(verdict.message) > 10
+    own = numbers_in(str(case.answer))
+    assert len([n for n in numbers_in(verdict.message) if n not in own]) <= MOST_NUMBERS, (
+        verdict.message
+    )
+    assert "is another one" not in verdict.message, "it names the property that fails"
 
 
 @pytest.mark.parametrize("name", CHECKS)

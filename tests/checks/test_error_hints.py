@@ -4,7 +4,11 @@ import re
 
 import nbformat
 import pytest
+import sympy as sp
+from jupyter_client.manager import start_new_kernel
 from nbclient import NotebookClient
+
+from workbook.checks.contract import error_hints
 
 DATA = """import sympy as sp
 from workbook import checks
@@ -48,9 +52,20 @@ def first_day(outputs):
         "power": "law = k1^2",
         "NumPy": "import numpy as np\nlaw = np.sqrt(k1)",
         "math": "import math\nlaw = math.sin(k1)",
+        "function": "law = cos(k1)",
+        "other name": "law = sp.arctan(k1)",
+        "no sign": "law = 4k1",
+        "no sign before a bracket": "law = 2(k1 + 1)",
         "other error": "c = 1 + 'one'",
         "half": f"a_region = {RIGHT}\nb_region = k1 > 0",
         "after half": TWO,
+        "overwriting": "b_region = k2 = 0",
+        "after overwriting": TWO,
+        "corrected": f"b_region = {RIGHT.replace('>', '>=')}",
+        "after corrected": TWO,
+        "data again": DATA,
+        "corrected again": f"b_region = {RIGHT}",
+        "after data": TWO,
     }
     return dict(zip(cells, outputs(*cells.values())))
 
@@ -76,7 +91,16 @@ def test_conditions_joined_as_in_python_are_told_what_to_write(first_day, mistak
 
 
 @pytest.mark.parametrize(
-    "mistake, told", [("power", "x**2"), ("NumPy", "sp.sqrt(x)"), ("math", "sp.sqrt(x)")]
+    "mistake, told",
+    [
+        ("power", "x**2"),
+        ("NumPy", "sp.sqrt(x)"),
+        ("math", "sp.sqrt(x)"),
+        ("function", "Write sp.cos"),
+        ("other name", "Write sp.atan"),
+        ("no sign", "write 4*t, not 4t"),
+        ("no sign before a bracket", "2*(x + 1), not 2(x + 1)"),
+    ],
 )
 def test_mathematics_of_numbers_is_led_to_that_of_symbols(first_day, mistake, told):
     [said] = errors(first_day[mistake])
@@ -126,6 +150,50 @@ def test_the_value_before_a_failed_cell_is_not_judged(first_day, after):
 
 def test_a_mended_cell_is_judged(first_day):
     assert shown(first_day["after right"]).startswith("✓ a_region: right")
+
+
+def test_a_name_of_the_data_that_is_overwritten_is_named(first_day):
+    """`b_region = k2 = 0` makes every condition on k2 a wrong one until the data cell runs again."""
+    advice = "Your code overwrote k2, a name of the data cell: give yours another name"
+    for event in ("after overwriting", "after corrected"):
+        a_region, b_region = shown(first_day[event]).split("\n")[:2]
+        assert a_region.startswith("✓") and advice in b_region
+    assert "overwrote" not in shown(first_day["after data"])
+    assert shown(first_day["after data"]).startswith("✓ a_region") and (
+        "✓ b_region" in shown(first_day["after data"])
+    )
+
+
+def test_the_names_that_hints_write_are_names_of_sympy():
+    names = [*error_hints.SYMPY_NAMES.split(), *error_hints.ALIASES.values()]
+    assert all(hasattr(sp, name) for name in names)
+    assert not any(hasattr(sp, name) for name in error_hints.ALIASES)
+
+
+@pytest.mark.slow
+def test_no_error_follows_the_verdicts_that_a_person_reads():
+    """With an error Jupyter would show a second block and drop the cells that wait to run."""
+    manager, client = start_new_kernel(kernel_name="python3")
+    try:
+        for cell in (DATA, "a_region = k2 > 0"):
+            client.execute_interactive(cell, timeout=60, output_hook=lambda message: None)
+        blocks = []
+        replies = [
+            client.execute_interactive(
+                CHECK, timeout=60, allow_stdin=is_person, output_hook=blocks.append
+            )["content"]["status"]
+            for is_person in (True, False)
+        ]
+    finally:
+        client.stop_channels()
+        manager.shutdown_kernel(now=True)
+    assert replies == ["ok", "error"]
+    kinds = [message["msg_type"] for message in blocks if message["msg_type"] != "status"]
+    assert [kind for kind in kinds if kind != "execute_input"] == [
+        "display_data",
+        "display_data",
+        "error",
+    ]
 
 
 def test_half_right_keeps_each_line_its_own_colour(first_day):

@@ -252,6 +252,18 @@ def test_a_negative_root_is_not_told_that_its_square_is_wrong():
     assert "not negative" in message and "square" not in message
 
 
+def test_nothing_is_said_of_parameters_that_a_system_has_not():
+    (x, v), a = sp.symbols("x v", real=True), sp.Symbol("a", positive=True)
+    box = {x: sp.Interval(-4, 4), v: sp.Interval(-4, 4)}
+    for field, parameters in (
+        (sp.Matrix([v, x - x**3]), []),
+        (sp.Matrix([v, a * (x - x**3)]), [a]),
+    ):
+        right = checks.stationary_points([(0, 0), (1, 0), (-1, 0)], field, [x, v], parameters, box)
+        short = checks.stationary_points([(0, 0)], field, [x, v], parameters, box)
+        assert ("parameters" in right.message) == ("for a = " in short.message) == bool(parameters)
+
+
 def test_a_question_ends_once():
     assert "?." not in positive(None).message
 

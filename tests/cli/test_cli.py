@@ -115,6 +115,23 @@ def test_check_finds_answers_in_any_cell_and_goes_on_after_errors(tmp_path):
     assert len(found["errors"]) == 1 and "ZeroDivisionError" in found["errors"][0]
 
 
+def test_check_says_what_the_notebook_says_of_a_cell(tmp_path):
+    """A cell that stopped, and one that overwrites the symbol k2 of the data cell."""
+    path = answered_notebook(tmp_path, "")
+    notebook = json.loads(path.read_text())
+    [a, b, *_] = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
+    a["source"], b["source"] = "a_region = k1 > cos(0)", "b_region = k2 = 0"
+    path.write_text(json.dumps(notebook))
+    found = json.loads(workbook("check", path, "--json").stdout)
+    assert "Write sp.cos" in found["errors"][0]
+    assert found["verdicts"]["a_region"] == {
+        "verdict": "missing",
+        "message": "not checked: its cell stopped with NameError; fix that first",
+    }
+    assert "overwrote k2, a name of the data cell" in found["verdicts"]["b_region"]["message"]
+    assert found["verdicts"]["c_region"]["message"] == "not answered yet"
+
+
 @pytest.mark.parametrize(
     "arguments, message",
     [

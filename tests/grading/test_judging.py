@@ -72,6 +72,43 @@ def test_a_renamed_variable_is_distinguished_from_a_stub():
     )
 
 
+def test_what_happened_to_the_cells_of_answers_is_said_as_in_a_notebook():
+    notes = {"failed": {"a_region": "NameError"}, "overwritten": {"b_region": ["k1"]}}
+    verdicts = judged(handed_over({"b_region": k1 > 0}, **notes)).verdicts
+    assert verdicts["a_region"].status == MISSING and verdicts["a_region"].message == (
+        "not checked: its cell stopped with NameError; fix that first"
+    )
+    assert verdicts["b_region"].status == WRONG and "overwrote k1," in verdicts["b_region"].message
+    assert verdicts["c_region"].message == judging.NEVER_ASSIGNED
+    # the next notebook's answers are judged by the same process
+    judge = Judge()
+    try:
+        judge.judge(EXERCISE, Outcome("done", handed_over({"b_region": k1 > 0}, **notes)))
+        after = judge.judge(EXERCISE, Outcome("done", handed_over({"b_region": k1 > 0}))).verdicts
+    finally:
+        judge.end()
+    assert "overwrote" not in after["b_region"].message
+    assert after["a_region"].message == judging.NEVER_ASSIGNED
+
+
+@pytest.mark.parametrize(
+    "forged",
+    [
+        {"failed": {"a_region": "NameError: full marks"}, "overwritten": {"b_region": ["k1 . No"]}},
+        {"failed": {"a_region": "E" * 999}, "overwritten": {"b_region": "k1"}},
+        {"failed": {"a_region": 5}, "overwritten": {"b_region": [["k1"]]}},
+        {"failed": {"a_region": "Оценка"}, "overwritten": {"b_region": None}},
+    ],
+)
+def test_no_sentence_can_be_forged_from_the_names_in_a_note(forged):
+    verdicts = judged(handed_over({"b_region": k1 > 0}, **forged)).verdicts
+    assert verdicts["a_region"].message == judging.NEVER_ASSIGNED
+    assert (
+        verdicts["b_region"].message
+        == judged(handed_over({"b_region": k1 > 0})).verdicts["b_region"].message
+    )
+
+
 def test_hashes_are_of_whole_answers():
     """Texts are cut; answers that differ beyond that have different hashes, equal ones the same."""
     long = [sp.And(*(k1 > k for k in range(200)), k2 > last) for last in (1, 2)]
@@ -233,6 +270,8 @@ def _mutations(count):
         {"encoded": {}, "unreadable": {"a_region": None}, "errors": [], "stopped": []},
         {"encoded": {}, "unreadable": {}, "errors": [None], "stopped": []},
         {"encoded": {}, "unreadable": {}, "errors": ["\ud800"] * 9999, "stopped": []},
+        {"encoded": {}, "unreadable": {}, "errors": [], "stopped": [], "failed": []},
+        {"encoded": {}, "unreadable": {}, "errors": [], "stopped": [], "overwritten": 5},
         {
             "encoded": {"a_region": '"\ud800"'},
             "unreadable": {"b_region": "\x1b[2J\ud800"},

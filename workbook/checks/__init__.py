@@ -7,7 +7,7 @@ import sys
 
 from trajlib._lazy import lazy_names
 from workbook.checks import research as research  # `checks.research.*`, lazy itself
-from workbook.checks.contract import error_hints
+from workbook.checks.contract import cell_watch
 
 __getattr__, __dir__, __all__ = lazy_names(
     __name__,
@@ -217,4 +217,4 @@ __getattr__, __dir__, __all__ = lazy_names(
 # are watched.
 _shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
 if _shell is not None:
-    error_hints.start(_shell)
+    cell_watch.start(_shell)

@@ -21,6 +21,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
 
+from workbook.checks.contract import cell_watch
 from workbook.checks.contract.encoding import describe
 from workbook.checks.contract.verdict import MISSING, UNCHECKED, Unusable, Verdict
 from workbook.grading.sanitising import sanitise
@@ -325,7 +326,7 @@ def _judge(handed_over, cells, names, only):
             handed_over, [name for name in names if only in (None, name)]
         )
         values = decoded(encoded, unreadable, names)
-        parsed["never assigned"] = set(names) - {*encoded, *unreadable}
+        parsed["never assigned"] = set(names) - {*encoded, *unreadable, *cell_watch.stopped}
         parsed["texts"] = {name: _short_text(values[name]) for name in encoded}
         parsed["hashes"] = {
             name: hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
@@ -360,22 +361,23 @@ def _short_text(answer):
 def _parse(handed_over, names):
     """Return (encoded, unreadable, remarks, whether cells were stopped) for the answers `names`.
 
-    Bytes that have not the form of `run_cells` count as nothing handed over.
+    Bytes that have not the form of `run_cells` count as nothing handed over. What happened to the
+    cells of answers is for `report` (`cell_watch`).
     """
     try:
         outcome = json.loads(handed_over)
         encoded, unreadable, errors, stopped = (
             outcome[key] for key in ("encoded", "unreadable", "errors", "stopped")
         )
+        cell_watch.recall(outcome.get("failed", {}), outcome.get("overwritten", {}))
         if not (
-            _are_texts(encoded.items())
-            and _are_texts(unreadable.items())
-            and type(errors) is type(stopped) is list
-            and _are_texts([errors])
+            type(errors) is type(stopped) is list
+            and _are_texts([*encoded.items(), *unreadable.items(), errors])
             and all(type(k) is int and 0 < k <= MAX_CELLS for k in stopped)
         ):
             raise ValueError
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        cell_watch.recall({}, {})
         return {}, {}, ["notebook: what it handed over cannot be read"], False
     # All texts of the notebook are marked as such, since they could pretend to be the grader's.
     remarks = [f"notebook: {sanitise(error[:400])}" for error in errors[:20]]

@@ -205,6 +205,8 @@ def _run_cells(request, seconds):
                 "unreadable": {},
                 "errors": [f"the notebook ended: {type(error).__name__}"],
                 "stopped": [],
+                "failed": {},
+                "overwritten": {},
             }
         ).encode()
 

@@ -6,15 +6,15 @@ It stands above the checks, since it names the mistake that may have led to a wr
 
 from dataclasses import replace
 
-from workbook.checks.contract import error_hints
+from workbook.checks.contract import cell_watch
 from workbook.checks.contract.reporting import deliver
-from workbook.checks.contract.verdict import MISSING, UNCHECKED, WRONG, Verdict
+from workbook.checks.contract.verdict import INVALID, MISSING, UNCHECKED, WRONG, Verdict
 from workbook.mistakes import find_mistake
 from workbook.notebooks.exercises import UnknownExercise
 
 
 def report(problem="", /, **verdicts):
-    """Show a line for each answer; raise `NotYet` unless all are right.
+    """Show a line for each answer, and tell programs that run the cell whether all are right.
 
     Parameters
     ----------
@@ -27,7 +27,8 @@ def report(problem="", /, **verdicts):
     Raises
     ------
     NotYet
-        An error for nbgrader and for the site's build, a short message in Jupyter.
+        Unless all are right; an error for nbgrader, the site's build and scripts. None is raised
+        where a person runs the cells of a notebook, so that "Run All" goes on.
 
     Notes
     -----
@@ -43,16 +44,31 @@ def report(problem="", /, **verdicts):
             verdicts[name] = Verdict(
                 UNCHECKED, "the check cell was changed: it hands over no verdict"
             )
-        elif name in error_hints.stopped:
+        elif name in cell_watch.stopped:
             verdicts[name] = Verdict(
                 MISSING,
-                f"not checked: its cell stopped with {error_hints.stopped[name]}; fix that first",
+                f"not checked: its cell stopped with {cell_watch.stopped[name]}; fix that first",
+            )
+        elif name in cell_watch.overwritten and verdict.status in (WRONG, INVALID):
+            verdicts[name] = replace(
+                verdict,
+                message=f"{verdict.message.rstrip('.')}. {_advice(cell_watch.overwritten[name])}",
             )
         elif problem and verdict.status == WRONG:
             verdicts[name] = replace(
                 verdict, mistake=_mistake(problem, name, verdict.answer), answer=None
             )
     deliver(verdicts)
+
+
+def _advice(names):
+    """Return what to do after an assignment to names of the data cell."""
+    is_one = len(names) == 1
+    return (
+        f"Your code overwrote {', '.join(names)}, {'a name' if is_one else 'names'} of the data "
+        f"cell: give yours {'another name' if is_one else 'other names'}, run the data cell again, "
+        "then your cell"
+    )
 
 
 def _mistake(problem, name, answer):

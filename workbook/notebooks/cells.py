@@ -12,6 +12,7 @@ import sys
 import time
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 
+from workbook.checks.contract import cell_watch
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.error_hints import hint_for
 from workbook.checks.contract.traversal import EncodingError
@@ -46,7 +47,9 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
     -------
     dict
         "encoded": encoded answers by name; "unreadable": messages on other answers by name;
-        "errors": a line for each failed cell; "stopped": numbers of stopped cells, from 1.
+        "errors": a line for each failed cell; "stopped": numbers of stopped cells, from 1; "failed"
+        and "overwritten": what `contract.cell_watch` listed of answers, the first only of those
+        without a value.
     """
     # loads what renders reports; the error of a check cell, which is no error of the notebook
     from workbook.checks.contract.reporting import NotYet
@@ -81,6 +84,14 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
         "unreadable": unreadable,
         "errors": errors,
         "stopped": [k for k, error in failed.items() if isinstance(error, CellTimeout)],
+        "failed": {
+            name: error
+            for name, error in cell_watch.stopped.items()
+            if name in names and name not in notebook.answers
+        },
+        "overwritten": {
+            name: lost for name, lost in cell_watch.overwritten.items() if name in names
+        },
     }
 
 
@@ -120,8 +131,10 @@ class _Notebook:
         """Run a cell and store the answers; return its error or None."""
         try:
             with self._timer.limit():
+                cell_watch.before_cell(self._shell.user_ns, source)
                 outcome = self._shell.run_cell(source, store_history=False)
-            error = outcome.error_before_exec or outcome.error_in_exec
+                error = outcome.error_before_exec or outcome.error_in_exec
+                cell_watch.after_cell(self._shell.user_ns, source, error)
         # sources that IPython cannot run, such as text with a lone surrogate
         except BaseException as failure:
             error = failure

@@ -14,6 +14,7 @@ from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from types import GeneratorType
 
+from workbook.checks.contract import cell_watch
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import UNCHECKED, Unusable, Verdict
@@ -38,11 +39,14 @@ class Run:
         Messages on the other answers by name.
     errors : tuple of str
         A line for each cell that failed.
+    notes : tuple of dict
+        What `contract.cell_watch` listed: (stopped, overwritten).
     """
 
     encoded: dict
     unreadable: dict
     errors: tuple
+    notes: tuple = ({}, {})
 
 
 class TimeLimit(RuntimeError):
@@ -145,6 +149,7 @@ def run_notebook(sources, names, timeout=120, folder=None):
         {name: text.encode() for name, text in result["encoded"].items()},
         result["unreadable"],
         tuple(result["errors"]),
+        (result["failed"], result["overwritten"]),
     )
 
 
@@ -174,7 +179,13 @@ def judge(cells, run, names, timeout=60):
     """
     encoded = {name: data.decode() for name, data in run.encoded.items()}
     verdicts = in_child(
-        judge_cells, list(cells), encoded, dict(run.unreadable), list(names), timeout=timeout
+        judge_cells,
+        list(cells),
+        encoded,
+        dict(run.unreadable),
+        list(names),
+        run.notes,
+        timeout=timeout,
     )
     return {name: Verdict(*verdict) for name, verdict in verdicts.items()}
 
@@ -204,7 +215,7 @@ def _serve(sender, function, args):
     sender.close()
 
 
-def judge_cells(cells, encoded, unreadable, names):
+def judge_cells(cells, encoded, unreadable, names, notes=({}, {})):
     """Judge encoded answers in this process, which is to be a child process.
 
     Returns
@@ -212,6 +223,7 @@ def judge_cells(cells, encoded, unreadable, names):
     dict
         [status, message, mistake] by name.
     """
+    cell_watch.recall(*notes)
     return judge_answers(cells, lambda: decoded(encoded, unreadable, names), names)
 
 

@@ -1,7 +1,8 @@
 """What becomes of the verdicts of a check cell: they are shown, or collected for a grader.
 
-In Jupyter each line has the mark and the colours of its own verdict; the error that follows unless
-all are right (nbgrader and the build want one) is then a single line that counts.
+In Jupyter each line has the mark and the colours of its own verdict. No error follows where a person
+runs the cells, so that "Run All" goes on to the next ones. Where a program does (nbgrader, the
+build), an error of one line follows unless all are right, by which it knows.
 `workbook.mistakes.reporting.report` calls `deliver`.
 """
 
@@ -11,7 +12,7 @@ from contextvars import ContextVar
 
 from trajlib.typesetting import typeset
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
-from workbook.jupyter import runs_in_notebook
+from workbook.jupyter import runs_for_a_person, runs_in_notebook
 
 MARKS = {RIGHT: "✓", WRONG: "✗", MISSING: "…", INVALID: "?", UNCHECKED: "!"}
 #: Ink and ground of a line, with a contrast of at least 4.5.
@@ -49,7 +50,13 @@ class NotYet(Exception):
 
 
 def deliver(verdicts):
-    """Collect the verdicts of a check cell, or show them and raise `NotYet` unless all are right."""
+    """Collect the verdicts of a check cell, or show them.
+
+    Raises
+    ------
+    NotYet
+        If not all are right, but not where a person at a notebook reads them.
+    """
     collected = _collected.get()
     if collected is not None:
         collected.update(verdicts)
@@ -59,7 +66,7 @@ def deliver(verdicts):
         _display(verdicts)
     elif right:
         print(_as_text(verdicts))
-    if not right:
+    if not right and not runs_for_a_person():
         raise NotYet(verdicts)
 
 

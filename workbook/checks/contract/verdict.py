@@ -20,6 +20,7 @@ from dataclasses import dataclass, field
 
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.few_numbers import with_few_numbers
 from workbook.checks.contract.shapes import with_shapes
 from workbook.checks.contract.traversal import EncodingError
 
@@ -133,11 +134,13 @@ def _judged(check, claim):
                     bound = names.bind(None, *data, **options)
                     bound.apply_defaults()
                     received = claim.read(received, bound.arguments)
-                return Verdict(RIGHT, _message(check(received, *data, **options)))
+                message = _message(check(received, *data, **options))
+                return Verdict(RIGHT, with_few_numbers(message, decoded))
         except Wrong as failed:
-            return Verdict(
-                WRONG, ". ".join([str(failed), *dict.fromkeys(_remarks.get())]), answer=decoded
+            message = ". ".join(
+                [with_few_numbers(str(failed), decoded), *dict.fromkeys(_remarks.get())]
             )
+            return Verdict(WRONG, message, answer=decoded)
         except (Invalid, EncodingError) as refused:
             return Verdict(INVALID, str(refused))
         except Exception as error:

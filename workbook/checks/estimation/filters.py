@@ -65,7 +65,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
         yield SameEntries(
             claim,
             true,
-            _other("the errors of the best estimate", values),
+            _other("is not that of the state under the condition of what was measured", values),
             values,
             abs(processes.moments(one, time)[1]).max(),
         )
@@ -106,7 +106,11 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
         one = processes.at_values(process, values, start=False)
         true = processes.steady_covariances(one)[(BEFORE, AFTER).index(moment)]
         yield SameEntries(
-            claim, true, _other("the errors of the settled filter", values), values, abs(true).max()
+            claim,
+            true,
+            _other("is not the solution of the Riccati equation with which errors decay", values),
+            values,
+            abs(true).max(),
         )
     return "the Riccati equation keeps this covariance, and with it the errors of the filter decay"
 
@@ -303,7 +307,7 @@ def _size(known):
     return max((abs(z) for _, row in known for z in row), default=0)
 
 
-def _other(whose, values):
+def _other(fails, values):
     return lambda claimed, i, j: (
-        f"the covariance of {whose} is another one{where_text(values)}: {entry_text(claimed, i, j)}"
+        f"your covariance {fails}{where_text(values)}: {entry_text(claimed, i, j)}"
     )

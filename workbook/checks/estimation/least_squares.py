@@ -46,7 +46,13 @@ def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=
     for values in in_every_case(general_values(parameters), claim):
         rows, wanted = _weighted(measured, unknowns, deviations, values)
         residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
-        yield SameValue(claim, residuals @ residuals, "the least sum", values, wanted @ wanted)
+        yield SameValue(
+            claim,
+            residuals @ residuals,
+            "the weighted sum of the squared residuals at the estimate",
+            values,
+            wanted @ wanted,
+        )
     return "it is the sum at the estimate"
 
 

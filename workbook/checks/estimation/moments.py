@@ -51,7 +51,7 @@ def covariance(claim, first, second, vector, law, parameters=()):
             yield SameValue(
                 claim[i, j],
                 found[i, j],
-                f"the covariance of {rows[i]} and {columns[j]}",
+                f"the mean of the product of the deviations of {rows[i]} and {columns[j]}",
                 values,
                 size[i, j],
             )
@@ -66,7 +66,7 @@ def correlation(claim, first, second, vector, law, parameters=()):
         yield SameValue(
             claim,
             found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]),
-            "the correlation coefficient",
+            "the covariance over the product of the standard deviations",
             values,
         )
     return "it is the covariance as a share of what it could be at most"

@@ -19,7 +19,7 @@ from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValu
 from workbook.checks.tools.conditions import compare, contradiction_message, exactly
 from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
 from workbook.checks.tools.values import numbers_at
-from workbook.checks.tools.wording import entry_text, number_text, where_text
+from workbook.checks.tools.wording import entry_text, number_text, tried_text, where_text
 
 #: The times that answers are tried at, with other values of the parameters each.
 TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
@@ -79,7 +79,7 @@ def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None)
         yield SameEntries(
             claim, F @ one.mean, _text("mean", values), values, abs(F) @ abs(one.mean)
         )
-    return "it is the mean at all times and parameters tried"
+    return f"it is the mean{tried_text(parameters, 'times')}"
 
 
 @judged(Matrix("time", "parameters", shape=processes.shape_of("A")))
@@ -102,7 +102,7 @@ def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times
         yield SameEntries(
             claim, F @ one.covariance @ F.T + N, _text("covariance", values), values, size.max()
         )
-    return "it is the covariance at all times and parameters tried"
+    return f"it is the covariance{tried_text(parameters, 'times')}"
 
 
 @judged(Expression("time", "parameters"))
@@ -118,7 +118,13 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
         found.append((covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values))
     constant = np.ptp([true for true, _ in found]) < 1e-9
     for true, values in found:
-        yield SameValue(claim, true, "the correlation coefficient", values, constant=constant)
+        yield SameValue(
+            claim,
+            true,
+            "the covariance over the product of the standard deviations",
+            values,
+            constant=constant,
+        )
     return "it is the covariance as a share of what it could be at most"
 
 
@@ -274,10 +280,17 @@ def _in_time(process, time, claim, parameters, given, times):
         yield processes.at_values(process, values), values
 
 
+#: What the moments of a process satisfy.
+EQUATIONS = {"mean": "equation", "covariance": "dispersion equation"}
+
+
 def _text(what, values):
     def message(claimed, i, j):
         if list(values.values())[-1] == 0:
-            return f"at the start the {what} is given, and it is another one: {entry_text(claimed, i, j)}"
-        return f"the {what}{where_text(values)} is another one: {entry_text(claimed, i, j)}"
+            return f"at the start your {what} is not the one given: {entry_text(claimed, i, j)}"
+        return (
+            f"your {what} does not satisfy the {EQUATIONS[what]} of the process"
+            f"{where_text(values)}: {entry_text(claimed, i, j)}"
+        )
 
     return message

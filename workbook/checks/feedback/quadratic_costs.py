@@ -18,7 +18,7 @@ from workbook.checks.references.fixed_modes import ON_BORDER
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import matrix_at, numbers_at
-from workbook.checks.tools.wording import number_text, point_text, where_text
+from workbook.checks.tools.wording import entry_text, number_text, point_text, where_text
 
 COUNT = 6
 #: What rounding leaves of a zero.
@@ -115,8 +115,8 @@ def _other_cost(one, values):
         point, S = where_text(values), claimed.real
         if np.isfinite(one.duration) or claimed.imag.any():
             return (
-                f"the least cost is another one{point}: look at the entry ({i + 1}, {j + 1}), "
-                f"where yours is {number_text(claimed[i, j])}"
+                "your matrix does not satisfy the Riccati equation with its condition at the "
+                f"end{point}: {entry_text(claimed, i, j)}"
             )
         if not abs(S - S.T).max() <= ROUNDED * abs(S).max():
             return f"your matrix is not symmetric{point}, and that of a cost is"
@@ -252,7 +252,10 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
         covariance = solve_continuous_lyapunov(loop, -noise)
         factor = float(sp.sympify(problem.factor).subs(values))
         yield SameValue(
-            claim, factor * np.trace(weight @ covariance), "the least mean cost", values
+            claim,
+            factor * np.trace(weight @ covariance),
+            "the mean cost of the loop with the best gains",
+            values,
         )
     return "the covariance of the whole loop with the best gains has this cost"
 

@@ -8,7 +8,7 @@ from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.optima.best_processes import best_processes
 from workbook.checks.tools.numeric_functions import real_function
-from workbook.checks.tools.wording import rounded_text
+from workbook.checks.tools.wording import rounded_text, tried_text
 
 #: At so many shorter durations an equation for the shortest one is tried, up to this part of it,
 #: and next to it.
@@ -44,4 +44,4 @@ def duration_equation(answer, problem, duration, parameters):
                 f"for {where} your equation has a root near {duration} = {shorter[found[0]]:.4g}, "
                 "and no admissible process is so short"
             )
-    return "its least positive root is the shortest duration, for all parameters tried"
+    return f"its least positive root is the shortest duration{tried_text(parameters)}"

@@ -18,7 +18,7 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.domains import sample_cases
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import value_at
-from workbook.checks.tools.wording import prefix_text, rounded_text
+from workbook.checks.tools.wording import prefix_text, rounded_text, tried_text
 
 #: In so many steps a motion is followed, and how well its states are known then.
 STEPS, FOLLOWED = 240, 1e-7
@@ -57,7 +57,7 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
                         "the motion that starts as it should "
                         + (f"has {true:.4g} there" if k else "begins otherwise")
                     )
-    return "it is the motion under the law, at all times and parameters tried"
+    return f"it is the motion under the law{tried_text(parameters, 'times')}"
 
 
 @judged(Expression("parameters"))
@@ -84,7 +84,7 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
                 "chosen so that the conditions at the end hold, it is "
                 f"{f'{true:.4g}' if values else 'another number'}"
             )
-    return "it is what the conditions at the end make it, for all parameters tried"
+    return f"it is what the conditions at the end make it{tried_text(parameters)}"
 
 
 class _Run:

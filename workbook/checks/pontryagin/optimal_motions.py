@@ -104,7 +104,7 @@ def _possible(motion, t, values, best, problem, where):
         j = int(np.argmax(off))
         others = "" if len(y) == 1 else ", with the other rates that it has there"
         raise Wrong(
-            f"{where}at t = {t:.4g} your motion is at {point_text(y)} with "
+            f"{where}at t = {t:.4g} your motion has "
             f"{list(problem.dynamics)[j]}' = {rate[j]:.4g}, which no admissible control gives "
             f"there{others}"
         )

@@ -76,18 +76,18 @@ def optimal_cost(claim, problem, parameters=None):
         if not (right(claimed) or right(claimed := value_at(claim, values, "the cost"))):
             beyond = (claimed < best.cost) != problem.maximise
             raise Wrong(
-                f"{where}your cost is {claimed:.4g}; "
+                f"{where}your value is {claimed:.4g}; "
                 + (
                     "no admissible process that keeps to the ends was found that does so well"
                     if beyond
-                    else f"there is an admissible process with a cost that is {better}"
+                    else f"there is an admissible process for which it is {better}"
                 )
             )
         if anywhere:
             _left_over(claim, cost_of, values, best, starts, parameters)
     _right_next_to_bends(claim, problem, parameters, found, "cost")
-    judge_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "cost")
-    return "it is the cost of the best process found"
+    judge_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "value")
+    return "it is the value for the best process found"
 
 
 def _evaluated(claim, found, what):
@@ -151,10 +151,10 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
     for k in np.flatnonzero(off)[:1]:
         gives = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         raise Wrong(
-            f"from the start {point_text(states[:, k])} your cost is {gives}; the best process "
-            "found costs "
+            f"from the start {point_text(states[:, k])} your value is {gives}; for the best "
+            "process found it is "
             + (
-                "more"
+                "greater"
                 if true[k] > claimed[k]
                 else "less"
                 if np.isfinite(claimed[k])

@@ -47,8 +47,7 @@ class Path:
         for t, u in self.controls:
             if not low - slack <= u <= high + slack:
                 raise Wrong(
-                    f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds "
-                    f"{low:.4g} and {high:.4g}"
+                    f"{self.where}your control is {u:.4g} at t = {t:.4g}, outside its bounds"
                 )
 
 

@@ -33,7 +33,7 @@ def stability_from_motions(flow, radius=0.05, duration=200.0):
         )
     reason = (
         f"in motions that start at distance {radius} the amplitude changes by {100 * low:.2g} to "
-        f"{100 * high:.2g} per cent between the times {duration / 2:g} and {duration:g}"
+        f"{100 * high:.2g} per cent from half the time {duration:g} to the whole"
     )
     if low > 1e-4:
         return "unstable", reason

@@ -117,11 +117,11 @@ def judge_at_every_scale(claim, problem, parameters, points, weight, what):
         for k in first_difference(
             there, wanted, DECIMALS if roughly else EXACT, lambda k, other=other: wide(*other[k])[0]
         ):
-            gives = f"it is {there[k]:.6g}" if np.isfinite(there[k]) else "it is no real number"
             raise Wrong(
                 f"{prefix_text(dict(zip(symbols, at[k])))}your {what} is {numbers[k]:.6g}. In other "
-                "units the problem is the same, so that "
-                f"{prefix_text(dict(zip(symbols, other[k])))}it has to be {wanted[k]:.6g}; {gives}"
+                "units the problem is the same, but there your expression is another "
+                f"{what}: {prefix_text(dict(zip(symbols, other[k])))}it is "
+                + (f"{there[k]:.6g}" if np.isfinite(there[k]) else "no real number")
             )
 
 

@@ -226,8 +226,7 @@ class StationaryPoints:
         for values, column, stationary in taken:
             if alone and len(stationary) > 1:
                 raise RuntimeError(
-                    f"there are {len(stationary)} stationary points in the domain for "
-                    f"{sample_text(values)}"
+                    f"{sample_text(values)}there are {len(stationary)} stationary points in the domain"
                 )
             yield values, column, stationary[0] if alone else stationary
 

@@ -98,10 +98,9 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
         border = directions * reach[:, None]
         heights = level(border)
         if np.ptp(heights) > 0.01 * np.mean(heights):
-            low, high = border[np.argmin(heights)], border[np.argmax(heights)]
             raise Wrong(
-                f"the boundary is no level line of V: V is {min(heights):.4g} at {point_text(low)} "
-                f"and {max(heights):.4g} at {point_text(high)}{where}"
+                f"the boundary is no level line of V: V is {min(heights):.4g} at one point of it and "
+                f"{max(heights):.4g} at another{where}"
             )
         height = np.mean(heights)
         broken = _breaks(rate, 0.997 * border, others, level, 0.994 * height) or _holds_equilibrium(

@@ -105,9 +105,9 @@ def critical_stability(claim, field, state, parameters, program=None, part=None)
     values, matrix, reference = verdicts[0]
     duration = 20 / np.linalg.norm(matrix)
     message = (
-        "motions that start at distance 1 from zero are at distances of up to "
-        f"{_distance(matrix, duration)} after {duration:.3g} units of time and up to "
-        f"{_distance(matrix, 100 * duration)} after {100 * duration:.3g}{where_text(values)}"
+        "motions that start on the unit sphere are at distances from zero of up to "
+        f"{_distance(matrix, duration)} at first and up to {_distance(matrix, 100 * duration)} after "
+        f"{100 * duration:.3g} units of time{where_text(values)}"
     )
     return (yield SameWord(claim, reference, message, "this does not agree with the motions: "))
 
@@ -171,9 +171,9 @@ def unbounded_motion(answer, field, state, parameters, time, constants=(), progr
         )
         if not late > early + np.log(1e3):
             raise Wrong(
-                f"it satisfies the equations but does not grow: its distance from zero is at most "
-                f"{np.exp(early):.4g} for {time} "
-                f"up to 10 and {np.exp(late):.4g} for {time} = 1000000{where_text(values)}"
+                f"it satisfies the equations but does not grow: its distance from zero is up to "
+                f"{np.exp(early):.4g} at first and {np.exp(late):.4g} at {time} = 1000000"
+                f"{where_text(values)}"
             )
     return (
         "it satisfies the equations, and its distance from zero exceeds every bound; so does "

@@ -78,7 +78,7 @@ def radial_motion(claim, field, state, time, start):
             if not abs(stated - true) <= 1e-9 * (abs(true) + r) < math.inf:
                 raise Wrong(
                     f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes "
-                    f"at the rate {stated:.4g} there; the system demands r' = {true:.4g} at this r"
+                    f"at the rate {stated:.4g} there; the system demands another rate at this r"
                 )
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 
@@ -191,13 +191,13 @@ def cycle_period(claim, radial, angular, radius, parameters):
         period = real_at(claim, values)
         if period is None:
             raise Wrong(
-                f"for {sample_text(values)} there is a closed orbit, but your expression gives no "
+                f"{sample_text(values)}there is a closed orbit, but your expression gives no "
                 "real number"
             )
         rate = float(turning(rest, numbers)[0])
         if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
             raise Wrong(
-                f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
+                f"{sample_text(values)}the angle gains {rate * period:.4g} within your time "
                 f"{period:.4g}, which is not one turn"
             )
     return "in this time the angle gains one full turn on the closed orbit"

@@ -105,8 +105,8 @@ def angle_linearisation(claim, field, state, parameters, angle, deviations):
                     )
                     raise Wrong(
                         f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation "
-                        f"{message} changes phi'' by {true:.4g} to first order; your expression gives "
-                        f"{claimed.real:.4g}"
+                        f"{message} changes phi'' to first order by another value than your "
+                        f"expression, {claimed.real:.4g}"
                     )
     return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
 
@@ -171,7 +171,7 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
                     )
                 if near[0] not in chosen:
                     raise Wrong(
-                        f"your angle {given.real:.4g}{member} for {values_text(values)} is "
+                        f"your angle {given.real:.4g} for {values_text(values)} is "
                         "stationary, but not "
                         f"{word}: {_roots_text(*angles.derivatives(values, near[0]))}"
                     )

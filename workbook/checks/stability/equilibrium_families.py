@@ -127,20 +127,18 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
         for matrix in claimed:
             if not any(_same(matrix, other, floor) for _, other in true):
                 raise Wrong(
-                    f"the matrix {_matrix_text(matrix)}{where_text(values)} belongs to no "
-                    "stationary solution: "
-                    "none has these rates of change of the right-hand sides under small deviations"
+                    f"the matrix {_matrix_text(matrix)}{where_text(values)} is at none of the "
+                    "stationary solutions that of the linear equations in deviations"
                 )
         for _, other in true:
             if not any(_same(matrix, other, floor) for matrix in claimed):
                 raise Wrong(
-                    "there is a stationary solution to which none of your matrices belongs"
-                    f"{where_text(values)}: under small deviations the right-hand sides change at "
-                    "other rates"
+                    "a matrix is missing: your list does not hold that of the linear equations at one "
+                    f"of the stationary solutions{where_text(values)}"
                 )
     return (
-        "at every stationary solution found one of them gives the rates of change under small "
-        "deviations, and none is left over"
+        "they are the matrices of the linear equations in deviations at the stationary solutions "
+        "found, and none is left over"
     )
 
 

@@ -141,7 +141,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
         for _ in range(6):
             x = sp.Rational(round(10**4 * random_value(random, first, domain)), 10**4)
             y, dy = (real_at(expression, values | {first: x}) for expression in (claim, slope))
-            where = f"for {sample_text(values)} at {first} = {float(x):.3g}"
+            where = f"{sample_text(values)}at {first} = {float(x):.3g}"
             if y is None or dy is None or not family.inside(np.array([float(x), y])):
                 raise Wrong(
                     f"{where} your expression gives "
@@ -180,7 +180,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
             y = real_at(claim, values | {first: close})
             if y is None or not abs(y - float(end_y)) <= 1e-3 * scale:
                 raise Wrong(
-                    f"for {sample_text(values)} your curve does not go through ({end_x}, {end_y}): "
+                    f"{sample_text(values)}your curve does not go through ({end_x}, {end_y}): "
                     "close to it "
                     f"{second} is " + ("not real" if y is None else f"{y:.3g}")
                 )

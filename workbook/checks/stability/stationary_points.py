@@ -30,6 +30,7 @@ from workbook.checks.tools.wording import (
     point_text,
     roots_text,
     sample_text,
+    tried_text,
     values_text,
 )
 
@@ -94,10 +95,10 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
         for k in range(n):
             claimed = [real_at(entry, values) for entry in matrix[:, k]]
             if any(value is None for value in claimed):
-                raise Wrong(f"for {sample_text(values)} your matrix is not real")
+                raise Wrong(f"{sample_text(values)}your matrix is not real")
             if not agree(claimed, true[:, k], list(matrix[:, k]), size).all():
                 raise Wrong(
-                    f"for {sample_text(values)} {deviation_rate_text(state[k], claimed, true[:, k])}"
+                    f"{sample_text(values)}{deviation_rate_text(state[k], claimed, true[:, k])}"
                 )
     return "small deviations from the stationary solution change the right-hand sides as it says"
 
@@ -114,11 +115,11 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
         ):
             message = "no real number" if claimed is None else f"{claimed:.4g}"
             if not values:  # the true number would be the answer itself
-                raise Wrong(f"the value at the stationary solution is another one than {message}")
+                raise Wrong(f"the value at the stationary solution is not {message}")
             raise Wrong(
-                f"for {sample_text(values)} the value is {true:.4g}; your expression gives {message}"
+                f"{sample_text(values)}the value is {true:.4g}; your expression gives {message}"
             )
-    return "it is the value at the stationary solution, for sample values of the parameters"
+    return f"it is the value at the stationary solution{tried_text(parameters)}"
 
 
 @judged(Choice(words=STABILITY))
@@ -135,12 +136,10 @@ def stationary_stability(claim, field, state, parameters, domain=None):
             raise RuntimeError("the first approximation does not decide here")
         if claim != ("unstable" if largest > 0 else "asymptotically stable"):
             raise Wrong(
-                f"this does not agree with the first approximation: for {sample_text(values)} its "
+                f"this does not agree with the first approximation: {sample_text(values)}its "
                 f"{'roots are' if len(eigenvalues) > 1 else 'root is'} {roots_text(eigenvalues)}"
             )
-    return (
-        "it agrees with the roots of the first approximation, for sample values of the parameters"
-    )
+    return f"it agrees with the roots of the first approximation{tried_text(parameters)}"
 
 
 @judged
@@ -161,12 +160,10 @@ def stationary_type(answer, field, state, parameters, domain=None):
         kind = _kind(matrix)
         if claim != kind:
             raise Wrong(
-                f"this does not agree with the first approximation: for {sample_text(values)} its "
+                f"this does not agree with the first approximation: {sample_text(values)}its "
                 f"roots are {roots_text(np.linalg.eigvals(matrix))}"
             )
-    return (
-        "it agrees with the roots of the first approximation, for sample values of the parameters"
-    )
+    return f"it agrees with the roots of the first approximation{tried_text(parameters)}"
 
 
 @judged
@@ -217,7 +214,7 @@ def _judge_points(answer, family, noun, searched=None):
             here = [j for j, rest in enumerate(missed) if family.same(position, rest, point, open_)]
             if not here:
                 if any(family.same(position, rest, point, open_) for rest in rests):
-                    raise Wrong(f"for {sample_text(values)} two of your points are the same")
+                    raise Wrong(f"{sample_text(values)}two of your points are the same")
                 rates = family(position, numbers)
                 if not rests and np.all(abs(rates) < 1e-9):
                     continue  # the search may have missed it
@@ -227,13 +224,13 @@ def _judge_points(answer, family, noun, searched=None):
                     else f"side is {rates[0]:.4g}"
                 )
                 raise Wrong(
-                    f"for {sample_text(values)} your answer gives "
+                    f"{sample_text(values)}your answer gives "
                     f"{_place_text(family.state, position)}; the right-hand {message} there, not zero"
                 )
             del missed[here[0]]
         if missed:
             raise Wrong(
-                f"for {sample_text(values)} there is a {noun} in the domain that your answer does "
+                f"{sample_text(values)}there is a {noun} in the domain that your answer does "
                 f"not give{outside}"
             )
     if not all(met):
@@ -241,9 +238,7 @@ def _judge_points(answer, family, noun, searched=None):
             f"point {met.index(False) + 1} of your list lies in the domain for none of the sample "
             "values"
         )
-    return (
-        f"for sample values of the parameters it gives every {noun} in the domain and nothing else"
-    )
+    return f"it gives every {noun} in the domain and nothing else{tried_text(family.parameters)}"
 
 
 def _rounded_inside(position, written, family):

@@ -81,16 +81,16 @@ OUTPUT = Side(
 CONTROL = Side(
     "controllable",
     "not controllable",
-    "combination of the coordinates that no control changes",
-    "every combination of the coordinates is changed by some control",
+    "combination of the coordinates on which the control has no effect",
+    "the control has an effect on every combination of the coordinates",
     "W",
     "column",
     "(A - lambda E, B)",
     "row w with w A = lambda w and w B = 0",
-    left="what no control changes",
+    left="what the control has no effect on",
     shows=_control_changes,
-    basis_right="no control changes any of them, they are independent, and there are no more",
-    shows_little="a control changes your combination {k}, though little",
+    basis_right="the control has no effect on any of them, they are independent, and there are no more",
+    shows_little="the control changes your combination {k}, though little",
 )
 #: The type of the claim that `judge_eigenvalues` takes.
 EIGENVALUES = Values(

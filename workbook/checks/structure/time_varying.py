@@ -15,7 +15,7 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.samples import in_every_case, signed_values
 from workbook.checks.tools.values import value_at
-from workbook.checks.tools.wording import number_text, rounded_text
+from workbook.checks.tools.wording import number_text, prefix_text, rounded_text, tried_text
 
 
 @judged(Expression("time", "start", "parameters"))
@@ -34,7 +34,7 @@ def measured_output(claim, system, start, time, parameters=()):
         yield SameValue(
             claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x)
         )
-    return "it is what is measured for all starts, moments and parameters tried"
+    return f"it is what is measured{tried_text(parameters, 'starts', 'times')}"
 
 
 @judged(Matrix("system.time", "parameters", shape="system.A"))
@@ -75,7 +75,7 @@ def observability_matrix(claim, system, parameters):
 
         sizes = np.array([sum(map(np.linalg.norm, row)) for row in terms])
         yield SameEntries(claim, list(map(sum, terms)), message, values, sizes[:, None])
-    return "the rows times x are z and its derivatives, at all moments and parameters tried"
+    return f"the rows times x are z and its derivatives{tried_text(parameters, 'times')}"
 
 
 @judged(Matrix("parameters", shape="system.A"))
@@ -110,7 +110,7 @@ def output_gramian(claim, system, duration, parameters):
             values,
             np.linalg.norm(true),
         )
-    return "the entries are the integrals, for all parameters tried"
+    return f"the entries are the integrals{tried_text(parameters)}"
 
 
 @judged(Expression("system.time", "parameters"))
@@ -129,13 +129,11 @@ def frozen_determinant(claim, system, parameters):
             value_at(claim, values, "this determinant"),
         )
         if not abs(claimed - np.linalg.det(rows)) <= relative_tolerance(claim) * scale:
-            # The rows and not their determinant, which may be the answer itself.
-            message = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(
-                f"at one of the moments tried the rows are {message}; {number_text(claimed)}, which your "
-                "expression gives, is not their determinant"
+                f"{prefix_text(values)}your expression gives {number_text(claimed)}, and this is not the "
+                "determinant of the rows H, HA, ... with A and H as they are then"
             )
-    return "it is the determinant at all moments and parameters tried"
+    return f"it is the determinant{tried_text(parameters, 'times')}"
 
 
 def _at(matrix, values):

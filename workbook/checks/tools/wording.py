@@ -24,9 +24,18 @@ def distinct_texts(*numbers):
 
 
 def roots_text(roots):
-    """Return the roots of an equation for a message, without imaginary parts of rounding."""
+    """Return the roots of an equation for a message, without imaginary parts of rounding.
+
+    >>> roots_text([-1 + 2j, -1 - 2j, -3 + 1e-15j])
+    '-1 +/- 2i and -3'
+    """
+    texts = {}
+    for z in map(complex, roots):
+        text = number_text(z.real if abs(z.imag) < 1e-9 * (1 + abs(z)) else z)
+        texts.setdefault(text.replace(" - ", " + "), []).append(text)
     return " and ".join(
-        number_text(z.real if abs(z.imag) < 1e-9 * (1 + abs(z)) else z) for z in map(complex, roots)
+        pair.replace(" + ", " +/- ") if len(set(found)) > 1 else " and ".join(found)
+        for pair, found in texts.items()
     )
 
 
@@ -74,11 +83,15 @@ def deviation_rate_text(symbol, values, true):
 
 
 def sample_text(values):
-    """Return values of parameters, as fractions where they are simple."""
-    return (
-        ", ".join(f"{p} = {v if v.q < 20 else f'{float(v):.4g}'}" for p, v in values.items())
-        or "the system given"
-    )
+    """Return values of parameters for the beginning of a sentence: `for k = 2/3 `."""
+    texts = (f"{p} = {v if v.q < 20 else f'{float(v):.4g}'}" for p, v in values.items())
+    return f"for {', '.join(texts)} " if values else ""
+
+
+def tried_text(parameters, *others):
+    """Return at what a right answer was tried: `, at all times and parameters tried`."""
+    tried = [*others, *(["parameters"] if parameters else [])]
+    return f", at all {' and '.join(tried)} tried" if tried else ""
 
 
 def point_text(point):
