@@ -57,8 +57,7 @@ def solve(
 ):
     """Run the worked solution of a problem (in a checkout) and print its answers and verdicts."""
     from workbook.authoring import read
-    from workbook.checks.contract.decoding import decode
-    from workbook.checks.contract.encoding import describe
+    from workbook.checks.contract.decoding import describe_encoded
     from workbook.notebooks.execution import judge, run_notebook
 
     exercise = exercises.find(number)
@@ -75,7 +74,7 @@ def solve(
     if run.errors:
         raise UserError(f"{master_path.name} fails: {run.errors[0]}")
     verdicts = judge(exercise.code("data", "check"), run, master.answers)
-    texts = {name: describe(decode(data)) for name, data in run.encoded.items()}
+    texts = {name: describe_encoded(data) for name, data in run.encoded.items()}
     if as_json:
         answers = {
             name: {

@@ -7,6 +7,12 @@ gain = sp.Matrix([[1, k1 + k2 * V0 - k1 * V0 / (k3 * k0) - 1]])
 gain = sp.Matrix([[-1, -1]])  # What if the robot is fast, or $k_0$ short?
 gain = sp.Matrix([[-1, k1 + k2 * V0 - 1]])  # What does the second Hurwitz minor ask for?
 gain = []  # Do the consequences of the angle not show in y?
+# Has the measured point to be ahead of the axis?
+general = (V0 * k_eps < 0) & (k_omega < k1 + k2 * V0 - k1 * V0 / (k3 * k0))
+# Are positive coefficients enough for a cubic?
+general = (k0 * V0 > 0) & (V0 * k_eps < 0) & (k_omega < k1 + k2 * V0)
+# May the robot not drive backwards with the point behind the axis? (hint 1)
+general = (k0 > 0) & (V0 > 0) & (k_eps < 0) & (k_omega < k1 + k2 * V0 - k1 * V0 / (k3 * k0))
 # Does this law stabilise a robot that drives backwards, too?
 region = (k_eps < 0) & (k_omega < 1 - 3 * V0 / 10)
 # Are positive coefficients enough for a cubic?
@@ -22,6 +28,18 @@ controllable = sp.Ne(k3**3 * V0 / k1**3, 0)  # the determinant
 gain = sp.Matrix([[-V0 * k0, k1 + k2 * V0 - 2 * k1 * V0 / (k3 * k0)]])
 # closer to the border
 gain = sp.Matrix([[-3, k1 + k2 * V0 - k1 * V0 / (k3 * k0) - sp.Rational(1, 10)]])
+# the four conditions as they come
+c, d = k3 * (1 + k2 * V0 / k1), k3 / k1
+general = (
+    (c - d * k_omega > 0)
+    & (k0 * k_eps < 0)
+    & (V0 * k_eps < 0)
+    & (-(c - d * k_omega) * d * k0 * k_eps > -d * V0 * k_eps)
+)
+# without a division
+general = (
+    (V0 * k_eps < 0) & (k0 * k_eps < 0) & (k0**2 * k3 * (k1 + k2 * V0 - k_omega) > k0 * k1 * V0)
+)
 # the coefficients and the minor as they come
 c = 2 + 2 * V0 / 5
 region = (

@@ -26,6 +26,9 @@ decay = [1 - 2 * h**2 * Q / (h**2 * Q + (1 - a**2) * R + root)]
 decay = [a]  # Is this what happens without a measurement? (hint 1)
 quiet = 0  # What does the filter do with an error, if its gain is zero? (hint 2)
 quiet = (a**2 - 1) * R / h**2  # Is it the variance before the measurement?
+unmeasured = Q / (1 - a)  # By which factor does a step multiply a variance? (hint 2)
+unmeasured = Q  # Is nothing left of the noise of earlier steps? (hint 2)
+unmeasured = Q * R / (Q + R)  # Is there a measurement to correct with? (hint 1)
 
 # %% right
 # by the prediction, backwards
@@ -35,3 +38,4 @@ posterior = ((h**2 * Q + (a**2 - 1) * R + root) / (2 * h**2) - Q) / a**2
 root = sp.sqrt((h**2 * Q + (a**2 - 1) * R) ** 2 + 4 * h**2 * Q * R)
 prior = 2 * Q * R / (root - h**2 * Q - (a**2 - 1) * R)
 recursion = a**2 / (1 / p + h**2 / R) + Q  # informations add up
+unmeasured = Q / 2 * (1 / (1 - a) + 1 / (1 + a))  # partial fractions

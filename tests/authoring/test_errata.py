@@ -1,4 +1,4 @@
-"""Errata stand in the page of their chapter, whose labels the other pages refer to."""
+"""Errata stand in the page of their chapter, with a cell each; other pages refer to their labels."""
 
 import re
 from pathlib import Path
@@ -21,6 +21,7 @@ def test_entries_are_complete_and_in_their_chapter(path):
             "Reason",
         ], label
         assert "\n### " not in entry, label
+        assert "{code-cell}" in entry, f"{label} has no cell that shows it"
 
 
 def test_the_index_has_no_entry():

@@ -1,9 +1,9 @@
 """Covariances and gains of the discrete Kalman filter.
 
-They do not depend on the data. For constant matrices they converge, and the rest of the convergence
-is known to first order: with the error matrix F = Phi (E - KH) the changes after a change D add up
-to the X with X = F X F^T + D. Once X is below 1e-13 of the variances the gain is kept. A missing
-measurement ends that, and the covariances are stepped again.
+They do not depend on the data. Where they converge for constant matrices, the rest of the
+convergence is known to first order: with the error matrix F = Phi (E - KH) the changes after a
+change D add up to the X with X = F X F^T + D. Once X is below 1e-13 of the variances the gain is
+kept. A missing measurement ends that, and the covariances are stepped again.
 """
 
 import numpy as np

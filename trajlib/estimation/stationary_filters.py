@@ -1,12 +1,14 @@
-"""Stationary Kalman filters, Theorems 4.2 and 4.4: the limit of the gain after a long time.
+"""Stationary Kalman filters, Theorems 4.2 and 4.4: the constant filter whose errors decay.
 
     A P + P A^T + Q - P H^T R^-1 H P = 0,                                          K = P H^T R^-1
     P = Phi P Phi^T + Q - Phi P H^T (H P H^T + R)^-1 H P Phi^T,   K = P H^T (H P H^T + R)^-1,   P+ = (E - KH) P
 
 The stabilising solution is returned, for which the errors of the filter are asymptotically stable.
 It exists if and only if (A, H) is detectable and the noise drives every mode on the border of
-stability; observability, and controllability by the noise, which the theorems assume, are
-sufficient and make P positive definite.
+stability, and it is unique. The Kalman filter tends to it from every P(0) > 0. From a singular
+P(0) >= 0 it does if the noise drives every growing mode; otherwise it may not: x_{i+1} = 2 x_i
+without noise and with P(0) = 0 keeps K = 0, and its errors double in each step. Observability, and
+controllability by the noise, which the theorems assume, are sufficient and make P positive definite.
 """
 
 from dataclasses import dataclass

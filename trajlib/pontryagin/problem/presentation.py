@@ -123,7 +123,7 @@ def _singular(arc):
         + (
             ", as a minimum needs."
             if arc.kelley.is_nonpositive
-            else ", which excludes a minimum."
+            else ", which excludes a minimum with the control between its bounds."
             if arc.kelley.is_positive
             else r"; a minimum needs $\le 0$."
         )

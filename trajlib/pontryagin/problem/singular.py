@@ -5,10 +5,10 @@ the first that contains u is of even order 2q,
 
     d^(2q)/dt^(2q) dH/du = a(psi, y) + u b(psi, y),
 
-q is the order of the singular arc and u = -a/b its control. A minimum needs (-1)^q b <= 0 (Kelley;
-Theorem 5.2 of the problem book). The equations dH/du = ... = d^(2q-1)/dt^(2q-1) dH/du = 0 are
-linear in (psi, lambda_0): a singular arc exists only where they, with H = 0 for a free final time,
-have a solution that is not zero.
+q is the order of the singular arc and u = -a/b its control. Where u lies strictly between its
+bounds, a minimum needs (-1)^q b <= 0 (Kelley; Theorem 5.2 of the problem book). The equations
+dH/du = ... = d^(2q-1)/dt^(2q-1) dH/du = 0 are linear in (psi, lambda_0): a singular arc exists only
+where they, with H = 0 for a free final time, have a solution that is not zero.
 """
 
 from dataclasses import dataclass
@@ -36,7 +36,7 @@ class SingularArc:
     control : sympy.Expr or None
         The singular control -a/b, with the costates eliminated by these equations; None if unknown.
     kelley : sympy.Expr or None
-        (-1)^q b; a minimum needs kelley <= 0.
+        (-1)^q b; a minimum needs kelley <= 0 where the control lies strictly between its bounds.
     surface : tuple of sympy.Expr
         Expressions in the state alone that vanish on the arc; empty if the state is not restricted.
     excluded : bool
@@ -141,7 +141,7 @@ def singular_arc(derived, u: sp.Symbol) -> SingularArc:
         if kelley.is_negative
         else "not positive"
         if kelley.is_nonpositive
-        else "positive: such an arc minimises nothing"
+        else "positive: no minimum with the control strictly between its bounds"
         if kelley.is_positive
         else "of a sign that depends on the point"
     )

@@ -14,6 +14,7 @@ from workbook.checks.contract.encoding import (
     is_plain_key,
     key_step,
 )
+from workbook.checks.contract.limits import DOUBLE_BITS
 from workbook.checks.contract.traversal import EncodingError, Traversal, type_name
 
 
@@ -54,7 +55,41 @@ def decode(data):
     Traceback (most recent call last):
     workbook.checks.contract.traversal.EncodingError: answer is of the unknown kind '__class__'
     """
+    return _built(Decoder(), data)
+
+
+def describe_encoded(data):
+    """Return a short readable text of an encoded answer.
+
+    Parameters
+    ----------
+    data : bytes
+        As for `decode`.
+
+    Returns
+    -------
+    str
+        The text that `describe` gives of the encoded value: a Float shows the digits that it had,
+        not those of a double.
+
+    Raises
+    ------
+    EncodingError
+        As for `decode`.
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> from workbook.checks.contract.encoding import encode
+    >>> describe_encoded(encode([sp.Float("18.2574", 6)]))
+    '[18.2574]'
+    """
     decoder = Decoder()
+    decoder.least_precision = 1
+    return describe(_built(decoder, data))
+
+
+def _built(decoder, data):
     try:
         return decoder.visit(_loads(data))
     except EncodingError:
@@ -91,6 +126,9 @@ class Decoder(Traversal):
     def __init__(self):
         super().__init__()
         self.functions = {}  # the undefined functions of SymPy met so far
+        # As a number compares, so it is judged: a Float of a single bit would equal all that
+        # rounds to it.
+        self.least_precision = DOUBLE_BITS
 
     def visit(self, node):
         self.spend(1)

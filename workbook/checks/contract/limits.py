@@ -11,3 +11,4 @@ MAX_TEXT = 20_000  # characters of a string
 MAX_ELEMENTS = 100_000  # of an array
 MAX_AXES = 8  # of an array
 MAX_DESCRIPTION = 300  # characters that `describe` returns
+DOUBLE_BITS = 53  # precision of a float

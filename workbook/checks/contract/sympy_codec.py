@@ -34,7 +34,7 @@ from sympy.core.assumptions import _assume_defined
 from sympy.core.function import AppliedUndef, UndefinedFunction
 
 from workbook.checks.contract.arrays import write_elements
-from workbook.checks.contract.limits import MAX_NODES
+from workbook.checks.contract.limits import DOUBLE_BITS, MAX_NODES
 from workbook.checks.contract.sympy_checks import (
     check_args,
     check_assumptions,
@@ -47,7 +47,6 @@ from workbook.checks.contract.sympy_checks import (
 from workbook.checks.contract.sympy_nodes import ATOMS, NODES, scalar
 
 MAX_FUNCTIONS = 100  # different undefined functions in an answer: each is a Python class
-DOUBLE_BITS = 53  # precision of a float
 ROOT_DIGITS = 50  # of a root of a polynomial that has no formula
 
 
@@ -256,8 +255,7 @@ def _read_float(walk, mantissa, exponent, precision):
     check_float(walk, walk.integer(exponent) + bits, precision)
     if bits > precision:
         raise walk.error("is a Float with more digits than its precision")
-    # As a number compares, so it is judged: one of a single bit would equal all that rounds to it.
-    precision = max(precision, DOUBLE_BITS)
+    precision = max(precision, walk.least_precision)
     # `_new` normalises, as it does for every Float; `zero=False` keeps 0.0 a Float.
     return sp.Float._new((int(mantissa < 0), abs(mantissa), exponent, bits), precision, zero=False)
 
