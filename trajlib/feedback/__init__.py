@@ -17,7 +17,12 @@ from trajlib._lazy import lazy_names
 _EXPORTS = {
     "gains": ["GainFamily", "observer", "regulator"],
     "pole_placement": ["Placement", "place"],
-    "fixed_spectrum": ["FixedSpectrum", "best_margin", "detectability", "stabilisability"],
+    "trajlib.structure.fixed_spectrum": [
+        "FixedSpectrum",
+        "best_margin",
+        "detectability",
+        "stabilisability",
+    ],
     "gain_regions": ["convergent_gains", "stabilising_gains"],
     "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],
     "reduced_order": ["ReducedObserver", "reduced_observer"],

@@ -19,10 +19,10 @@ import sympy as sp
 from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import ExprLike, MatrixLike
-from trajlib.feedback.fixed_spectrum import detectability, stabilisability
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact
 from trajlib.structure.decomposition import observability_decomposition
+from trajlib.structure.fixed_spectrum import detectability, stabilisability
 from trajlib.structure.pbh import visible_symbol
 
 

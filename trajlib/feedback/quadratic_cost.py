@@ -21,10 +21,21 @@ from trajlib._arguments.matrices import any_floats, read_matrix, read_square
 from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
+from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 from trajlib.stability.regions import latex_condition
 from trajlib.structure.decomposition import observability_decomposition
 from trajlib.typesetting import escape_markdown
+
+#: A hypothesis on a filter, in the words of the regulator that is dual to it.
+_DUAL = {
+    DETECTABLE: "not stabilisable, a mode that does not decay is not controlled",
+    DRIVEN: "a mode on the imaginary axis is unobservable in the cost",
+    GENERAL: (
+        "for general values of the symbols the pair is not stabilisable, or a mode on the imaginary "
+        "axis is unobservable in the cost"
+    ),
+}
 
 
 @dataclass(frozen=True)
@@ -43,6 +54,12 @@ class QuadraticRegulator:
         The condition on symbols under which all this holds.
     reason : str
         What the law is, or why there is none.
+    residual : float or None
+        For floats the norm of what is left of the Riccati equation beside the norms of the factors of
+        its terms.
+    error : float or None
+        For floats an estimate of |dS|/|S|, the relative error of `cost` in Frobenius norms, the greater
+        of those in the given and in balanced units.
     """
 
     cost: Matrix
@@ -50,6 +67,8 @@ class QuadraticRegulator:
     loop: Matrix
     where: sp.Basic
     reason: str
+    residual: float | None = None
+    error: float | None = None
 
     def __bool__(self):
         return self.cost is not None
@@ -92,6 +111,8 @@ def lqr(
     ------
     ValueError
         If shapes do not fit, or a weight is not symmetric or not positive (semi)definite.
+    numpy.linalg.LinAlgError
+        If there is such a law, but the digits of floats did not suffice to find it.
     NotImplementedError
         For exact spectra beyond square roots.
 
@@ -114,20 +135,8 @@ def lqr(
         return _without_unobserved_states(A, B, G, N)
     filter = stationary_filter(A.T, B.T, G, N)
     if not filter:
-        # with a cost that sees everything
-        controlled = bool(stationary_filter(A.T, B.T, _unit(A), N))
-        return QuadraticRegulator(
-            None,
-            None,
-            None,
-            sp.false,
-            "no stabilising law of least cost: "
-            + (
-                "a mode on the imaginary axis is unobservable in the cost"
-                if controlled
-                else "not stabilisable, a mode that does not decay is not controlled"
-            ),
-        )
+        reason = f"no stabilising law of least cost: {_DUAL[failed_hypothesis(A.T, B.T, G, False)]}"
+        return QuadraticRegulator(None, None, None, sp.false, reason)
     general = "" if filter.where == sp.true else f"; where {filter.where}"
     return QuadraticRegulator(
         filter.covariance,
@@ -135,6 +144,8 @@ def lqr(
         filter.errors.T,
         filter.where,
         f"the stabilising law of least cost{general}",
+        filter.residual,
+        filter.error,
     )
 
 
@@ -170,7 +181,7 @@ def finite_lqr(
 
     Raises
     ------
-    ValueError, NotImplementedError
+    ValueError, numpy.linalg.LinAlgError, NotImplementedError
         As `lqr`.
 
     Notes
@@ -267,7 +278,7 @@ def lqg(
 
     Raises
     ------
-    ValueError, NotImplementedError
+    ValueError, numpy.linalg.LinAlgError, NotImplementedError
         As `lqr`.
 
     Notes
@@ -333,12 +344,14 @@ def _without_unobserved_states(A, B, G, N):
         return part
     cost, gain = symmetric(observable.T @ part.cost @ observable), tidy(part.gain @ observable)
     return QuadraticRegulator(
-        cost, gain, tidy(A + B @ gain), part.where, part.reason.replace("stabilising ", "")
+        cost,
+        gain,
+        tidy(A + B @ gain),
+        part.where,
+        part.reason.replace("stabilising ", ""),
+        part.residual,
+        part.error,
     )
-
-
-def _unit(A):
-    return np.eye(len(A)) if isinstance(A, np.ndarray) else sp.eye(A.rows)
 
 
 def _trace(matrix):
