@@ -67,13 +67,10 @@ def reference(A, H, Q, R, discrete):
     raise ArithmeticError("the doubling algorithm does not converge")
 
 
-def differences(P, near, units):
-    """Return |near - P|/|P| in the given units and in those in which a state is `units` of it."""
-    error, whole = floats(flint.arb_mat(near.tolist()) - P), floats(P)
-    return [
-        np.linalg.norm(error / scale) / np.linalg.norm(whole / scale)
-        for scale in (1.0, np.outer(units, units))
-    ]
+def difference(P, near):
+    """Return |near - P|/|P|."""
+    error = floats(flint.arb_mat(near.tolist()) - P)
+    return np.linalg.norm(error) / np.linalg.norm(floats(P))
 
 
 def floats(matrix):

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 import scipy.linalg
 import sympy as sp
-from riccati_pairs import differences, reference, riccati_pairs
+from riccati_pairs import difference, reference, riccati_pairs
 
 from trajlib import estimation, feedback
 from trajlib.estimation import compensated
@@ -24,7 +24,7 @@ def test_errors_are_below_their_estimates_and_near_them():
             assert kind == "1 and 1 + 1e-6" and "not found" in str(not_found)
             continue
         assert found, f"{kind}, {len(A)} states: {found.reason}"
-        error = differences(reference(*equation), found.covariance, 1.0)[0]
+        error = difference(reference(*equation), found.covariance)
         assert error <= found.error, (kind, len(A), error, found.error)
         ratios.append(found.error / max(error, 1e-17))
         assert found.residual < 1e-14

@@ -18,6 +18,7 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
 from trajlib.estimation.exact_or_float import latex, solve, symmetric
 from trajlib.estimation.hypotheses import failed_hypothesis
@@ -82,6 +83,9 @@ class StationaryFilter:
         return rf"$\displaystyle {shown}{where}$"
 
 
+@accepts_state_space(
+    "A", "H", time="continuous", instead="use discrete_stationary_filter", C="H", QN="Q", RN="R"
+)
 def stationary_filter(
     A: MatrixLike, H: MatrixLike, Q: MatrixLike, R: MatrixLike
 ) -> StationaryFilter:
@@ -90,7 +94,8 @@ def stationary_filter(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system; exact, also with symbols, or floats.
+        Matrix of the system; exact, also with symbols, or floats. A StateSpace stands for A and H:
+        `stationary_filter(sys, Q, R)`.
     H : matrix_like, shape (m, n)
         Measurement matrix.
     Q : matrix_like, shape (n, n)
@@ -115,6 +120,7 @@ def stationary_filter(
 
     Notes
     -----
+    Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`.
     MATLAB: ``lqe``, ``kalman``; python-control: ``lqe``. Source: Theorem 4.4, example 4, problems
     4.33 - 4.41.
 
@@ -135,6 +141,9 @@ def stationary_filter(
     return _stationary(A, H, Q, R, "A", _Continuous)
 
 
+@accepts_state_space(
+    "Phi", "H", time="discrete", instead="use stationary_filter", A="Phi", C="H", QN="Q", RN="R"
+)
 def discrete_stationary_filter(
     Phi: MatrixLike, H: MatrixLike, Q: MatrixLike, R: MatrixLike
 ) -> StationaryFilter:
@@ -143,7 +152,8 @@ def discrete_stationary_filter(
     Parameters
     ----------
     Phi : matrix_like, shape (n, n)
-        Transition matrix, which may be singular.
+        Transition matrix, which may be singular. A StateSpace stands for Phi and H:
+        `discrete_stationary_filter(sys, Q, R)`.
     H : matrix_like, shape (m, n)
         Measurement matrix.
     Q : matrix_like, shape (n, n)
@@ -163,6 +173,7 @@ def discrete_stationary_filter(
 
     Notes
     -----
+    Keywords of python-control: `A`, `C`, `QN`, `RN` for `Phi`, `H`, `Q`, `R`.
     The gain is that of the correction, x~+ = x~- + K (z - H x~-); the gain of the one-step
     predictor is Phi K. MATLAB: ``dlqe``; python-control: ``dlqe``. Source: Theorem 4.2, problems
     4.22 - 4.25.

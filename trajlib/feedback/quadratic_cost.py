@@ -18,6 +18,7 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
@@ -81,6 +82,7 @@ class QuadraticRegulator:
         return rf"$\displaystyle {shown}{where}$"
 
 
+@accepts_state_space("A", "B", time="continuous", instead="use discrete_lqr", Q="G", R="N")
 def lqr(
     A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike, stable: bool = True
 ) -> QuadraticRegulator:
@@ -89,7 +91,8 @@ def lqr(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax + Bu; exact, also with symbols (then for general values), or floats.
+        Matrix of x' = Ax + Bu; exact, also with symbols (then for general values), or floats. A
+        StateSpace stands for A and B: `lqr(sys, G, N)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
@@ -118,6 +121,7 @@ def lqr(
 
     Notes
     -----
+    Keywords of python-control: `Q`, `R` for `G`, `N`.
     The sign is u = Kx. MATLAB: ``-lqr(A, B, G, N)``; python-control: ``-lqr(A, B, G, N)[0]``. Source:
     section 5.4 of the problem book.
 
@@ -149,6 +153,9 @@ def lqr(
     )
 
 
+@accepts_state_space(
+    "A", "B", time="continuous", instead="finite_lqr has no counterpart there", Q="G", R="N"
+)
 def finite_lqr(
     A: MatrixLike,
     B: MatrixLike,
@@ -162,7 +169,8 @@ def finite_lqr(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax + Bu; exact or floats.
+        Matrix of x' = Ax + Bu; exact or floats. A StateSpace stands for A and B: `finite_lqr(sys,
+        G, N, F, time_to_go)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
@@ -186,6 +194,7 @@ def finite_lqr(
 
     Notes
     -----
+    Keywords of python-control: `Q`, `R` for `G`, `N`.
     The sign is u = Kx. Source: section 5.4 of the problem book.
 
     Examples
@@ -241,6 +250,14 @@ class StochasticRegulator:
         return self.cost is not None
 
 
+@accepts_state_space(
+    "A",
+    "B",
+    "H",
+    time="continuous",
+    instead="join discrete_lqr and discrete_stationary_filter",
+    C="H",
+)
 def lqg(
     A: MatrixLike,
     B: MatrixLike,
@@ -257,7 +274,8 @@ def lqg(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system; exact or floats.
+        Matrix of the system; exact or floats. A StateSpace stands for A, B and H: `lqg(sys, G, N,
+        Q, R)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     H : matrix_like, shape (m, n)
@@ -283,6 +301,7 @@ def lqg(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``lqg``. Source: section 5.4 of the problem book, with Theorem 4.4.
 
     Examples
@@ -312,7 +331,7 @@ def _read(A, B, G, N):
     floats = any_floats(A, B, G, N)
     A = read_square(A, "A", floats)
     n = A.shape[0]
-    flat = np.ndim(B if floats or isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
+    flat = np.ndim(B if isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
     B = read_matrix(B, "B", None, None, floats)
     B = read_matrix(B.T if flat and n > 1 else B, "B", n, None, floats)
     return (

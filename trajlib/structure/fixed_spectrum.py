@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import is_state_space, read_controlled, read_observed
-from trajlib._arguments.state_space import is_discrete
+from trajlib._arguments.state_space import accepts_state_space, is_discrete
 from trajlib._typing import MatrixLike
 from trajlib.structure.floats import tolerance
 from trajlib.structure.pbh import HiddenMode
@@ -94,6 +94,7 @@ def stabilisability(A: MatrixLike, B: MatrixLike | None = None) -> FixedSpectrum
     return _fixed(test, discrete, rounding(dual, pushed), "stabilisable", "no control changes it")
 
 
+@accepts_state_space(C="H")
 def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
     """Decide whether x' = Ax, z = Hx has an asymptotic observer, and with what margin.
 
@@ -116,6 +117,7 @@ def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB has no word for it (PBH test). Source: Theorem 3.1 and example 3 of the problem book.
 
     Examples
@@ -130,6 +132,7 @@ def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
     return _fixed(test, discrete, rounding(A, H), "detectable", "no output shows it")
 
 
+@accepts_state_space(C="H")
 def best_margin(
     A: MatrixLike, B: MatrixLike | None = None, H: MatrixLike | None = None
 ) -> sp.Expr | float:
@@ -157,6 +160,7 @@ def best_margin(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     Source: examples 3, 6 and 9 of the problem book.
 
     Examples
