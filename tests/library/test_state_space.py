@@ -32,6 +32,8 @@ CONTINUOUS = [
     (stability.stability_conditions, ([],), (A,)),
 ]
 DISCRETE = [
+    (feedback.discrete_lqr, (TWO, ONE), (A / 4, B)),
+    (feedback.discrete_finite_lqr, (TWO, ONE, TWO, 3), (A / 4, B)),
     (estimation.discrete_stationary_filter, (TWO, ONE), (A / 4, C)),
     (estimation.discrete_stationary_covariance, (TWO,), (A / 4,)),
     (estimation.discrete_moments, (TWO, START, 3), (A / 4,)),

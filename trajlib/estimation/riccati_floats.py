@@ -17,6 +17,7 @@ step changes, with that rounding, is the estimate of the error.
 """
 
 import warnings
+from contextlib import suppress
 from copy import copy
 from typing import NamedTuple
 
@@ -62,11 +63,13 @@ def solve_riccati(A, H, Q, R, discrete):
         A * units / units[:, None], H * units, Q / np.outer(units, units), R, discrete
     )
     for start in (_zero, _by_subspace, _by_doubling, _with_more_noise):
-        # Ill-conditioned steps are no error: the result is judged by its own residual.
-        with np.errstate(all="ignore"), warnings.catch_warnings():
+        # Ill-conditioned steps are no error: the result is judged by its own residual. A ValueError,
+        # as LinAlgError is one, says that a step is singular or no longer finite.
+        with np.errstate(all="ignore"), warnings.catch_warnings(), suppress(ValueError):
             warnings.simplefilter("ignore")
             refined = _refined(equation, start(equation), units)
-        if refined is not None:
+            if refined is None:
+                continue
             return refined._replace(
                 P=refined.P * np.outer(units, units),
                 gain=refined.gain * units[:, None] / noise,
@@ -139,10 +142,7 @@ def _refined(equation, P, units):
         return None
     P, last = pair((P + P.T) / 2), np.inf
     for _ in range(STEPS):
-        try:
-            gain = equation.gain(P)
-        except np.linalg.LinAlgError:
-            return None
+        gain = equation.gain(P)
         pushed, loop = equation.loop(gain)
         rest, terms = equation.rest(pushed, loop, P)
         axes = _axes(P[0])
@@ -188,41 +188,35 @@ def _by_subspace(equation):
     import scipy.linalg
 
     A, H, Q, R = equation.A, equation.H, equation.Q, equation.R
-    try:
-        if equation.discrete:
-            return scipy.linalg.solve_discrete_are(A.T, H.T, Q, R)
-        matrix = np.block([[A.T, -H.T @ np.linalg.solve(R, H)], [-Q, -A]])
-        _, basis, stable = scipy.linalg.schur(matrix, sort="lhp")
-        n = len(A)
-        return np.linalg.solve(basis[:n, :n].T, basis[n:, :n].T) if stable == n else None
-    except (np.linalg.LinAlgError, ValueError):
-        return None
+    if equation.discrete:
+        return scipy.linalg.solve_discrete_are(A.T, H.T, Q, R)
+    matrix = np.block([[A.T, -H.T @ np.linalg.solve(R, H)], [-Q, -A]])
+    _, basis, stable = scipy.linalg.schur(matrix, sort="lhp")
+    n = len(A)
+    return np.linalg.solve(basis[:n, :n].T, basis[n:, :n].T) if stable == n else None
 
 
 def _by_doubling(equation):
     """Return P by the doubling algorithm for X = A^T X (E + G X)^-1 A + Q, or None."""
     A, G, Q = equation.A.T, equation.H.T @ np.linalg.solve(equation.R, equation.H), equation.Q
     identity = np.eye(len(A))
-    try:
-        if not equation.discrete:  # the Cayley transformation has the same solution
-            rate = np.linalg.norm(np.block([[A, G], [Q, A]]), 2)
-            back = np.linalg.inv(A - rate * identity)
-            other = np.linalg.inv((A - rate * identity).T + Q @ back @ G)
-            A, G, Q = (
-                identity + 2 * rate * other.T,
-                2 * rate * back @ G @ other,
-                2 * rate * other @ Q @ back,
-            )
-        for _ in range(2 * STEPS):
-            step = np.linalg.solve(identity + G @ Q, np.hstack([A, G]))
-            ahead, spread = step[:, : len(A)], step[:, len(A) :]
-            growth = A.T @ Q @ ahead
-            G, Q, A = G + A @ spread @ A.T, Q + growth, A @ ahead
-            G, Q = (G + G.T) / 2, (Q + Q.T) / 2
-            if not np.linalg.norm(growth) > EPS * np.linalg.norm(Q):
-                break
-    except np.linalg.LinAlgError:
-        return None
+    if not equation.discrete:  # the Cayley transformation has the same solution
+        rate = np.linalg.norm(np.block([[A, G], [Q, A]]), 2)
+        back = np.linalg.inv(A - rate * identity)
+        other = np.linalg.inv((A - rate * identity).T + Q @ back @ G)
+        A, G, Q = (
+            identity + 2 * rate * other.T,
+            2 * rate * back @ G @ other,
+            2 * rate * other @ Q @ back,
+        )
+    for _ in range(2 * STEPS):
+        step = np.linalg.solve(identity + G @ Q, np.hstack([A, G]))
+        ahead, spread = step[:, : len(A)], step[:, len(A) :]
+        growth = A.T @ Q @ ahead
+        G, Q, A = G + A @ spread @ A.T, Q + growth, A @ ahead
+        G, Q = (G + G.T) / 2, (Q + Q.T) / 2
+        if not np.linalg.norm(growth) > EPS * np.linalg.norm(Q):
+            break
     return Q
 
 

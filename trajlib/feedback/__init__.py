@@ -26,6 +26,7 @@ _EXPORTS = {
     "gain_regions": ["convergent_gains", "stabilising_gains"],
     "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],
     "reduced_order": ["ReducedObserver", "reduced_observer"],
+    "discrete_cost": ["discrete_finite_lqr", "discrete_lqr"],
     "quadratic_cost": ["QuadraticRegulator", "StochasticRegulator", "finite_lqr", "lqg", "lqr"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

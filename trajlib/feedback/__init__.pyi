@@ -1,4 +1,6 @@
 # Written by `python -m trajlib._stubs`.
+from trajlib.feedback.discrete_cost import discrete_finite_lqr as discrete_finite_lqr
+from trajlib.feedback.discrete_cost import discrete_lqr as discrete_lqr
 from trajlib.feedback.estimate_loop import EstimateLoop as EstimateLoop
 from trajlib.feedback.estimate_loop import feedback_by_estimate as feedback_by_estimate
 from trajlib.feedback.gain_regions import convergent_gains as convergent_gains

@@ -134,7 +134,7 @@ def lqr(
     >>> print(lqr([[0, 1], [0, 1]], [0, 1], [[0, 0], [0, 1]], 1).reason)    # problem 5.67b
     no stabilising law of least cost: a mode on the imaginary axis is unobservable in the cost
     """
-    A, B, G, N = _read(A, B, G, N)
+    A, B, G, N = read_regulator(A, B, G, N)
     if not stable:
         return _without_unobserved_states(A, B, G, N)
     filter = stationary_filter(A.T, B.T, G, N)
@@ -153,9 +153,7 @@ def lqr(
     )
 
 
-@accepts_state_space(
-    "A", "B", time="continuous", instead="finite_lqr has no counterpart there", Q="G", R="N"
-)
+@accepts_state_space("A", "B", time="continuous", instead="use discrete_finite_lqr", Q="G", R="N")
 def finite_lqr(
     A: MatrixLike,
     B: MatrixLike,
@@ -203,7 +201,7 @@ def finite_lqr(
     >>> finite_lqr(0, 1, 0, 1, 1, left).gain[0]
     -1/(left + 1)
     """
-    A, B, G, N = _read(A, B, G, N)
+    A, B, G, N = read_regulator(A, B, G, N)
     dual = ContinuousFilter(A.T, B.T, G, N)
     F = read_covariance(
         F if not isinstance(A, np.ndarray) else np.asarray(F, dtype=float),
@@ -311,7 +309,7 @@ def lqg(
     (Matrix([[0, -1]]), Matrix([[0, 2]]), 6)
     """
     filter = stationary_filter(A, H, Q, R)
-    A, B, G, N = _read(A, B, G, N)
+    A, B, G, N = read_regulator(A, B, G, N)
     regulator = lqr(A, B, G, N)
     if not (regulator and filter):
         return StochasticRegulator(regulator, filter, None, None, None)
@@ -327,8 +325,9 @@ def lqg(
     )
 
 
-def _read(A, B, G, N):
-    floats = any_floats(A, B, G, N)
+def read_regulator(A, B, G, N, floats=None):
+    """Return the matrices of a regulator; a flat B is a column."""
+    floats = any_floats(A, B, G, N) if floats is None else floats
     A = read_square(A, "A", floats)
     n = A.shape[0]
     flat = np.ndim(B if isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
