@@ -153,3 +153,26 @@ def test_no_words_are_computed_before_they_are_asked_for(monkeypatch):
 
     monkeypatch.setattr(stationary_filters, "observability", lambda *_: pytest.fail("computed"))
     estimation.stationary_filter(np.eye(3), np.eye(3), np.eye(3), np.eye(3))
+
+
+ROTATION = sp.Matrix([[3, -4], [4, 3]]) / 5
+#: Eigenvalues without a closed form: those of the companion matrix of l^3 + l^2 + l + 3 grow.
+COMPANION = sp.Matrix([[0, 1, 0], [0, 0, 1], [-3, -1, -1]])
+
+
+@pytest.mark.parametrize(
+    "A, H, Q, discrete, words",
+    [
+        (ROTATION, [[1, 0]], sp.zeros(2), True, "free of noise"),
+        (ROTATION, [[0, 0]], sp.eye(2), True, "not detectable"),
+        (ROTATION / 2, [[0, 0]], sp.eye(2), True, None),
+        (COMPANION, [[0, 0, 0]], sp.eye(3), False, "not detectable"),
+        (COMPANION / 4, [[0, 0, 0]], sp.eye(3), True, None),
+        (sp.diag(1, 1 + sp.Rational(1, 10**30)), [[1, 0]], sp.eye(2), False, "not detectable"),
+        (sp.diag(-sp.Rational(1, 10**30), 1), [[0, 1]], sp.diag(0, 1), False, None),
+        (sp.diag(0, 1), [[1, 1]], sp.diag(0, 1), False, "free of noise"),
+    ],
+)
+def test_exact_hypotheses_are_decided_exactly(A, H, Q, discrete, words):
+    failed = failed_hypothesis(A, sp.Matrix(H), Q, discrete)
+    assert (failed is None) if words is None else words in failed

@@ -8,6 +8,7 @@ zero within rounding counts as zero.
 
 import numpy as np
 
+from trajlib._real_symbols import sign_of_number
 from trajlib.structure.fixed_spectrum import rounding, slowest_rate
 from trajlib.structure.rank_tests import controllability, observability
 
@@ -29,13 +30,15 @@ def failed_hypothesis(A, H, Q, discrete):
     """
     if not isinstance(A, np.ndarray) and A.free_symbols | H.free_symbols | Q.free_symbols:
         return GENERAL
-    if any(rate >= 0 for rate in _rates(observability(A, H), A, H, discrete)):
+    if any(sign >= 0 for sign in _signs(observability(A, H), A, H, discrete)):
         return DETECTABLE
-    if any(rate == 0 for rate in _rates(controllability(A, Q), A.T, Q, discrete)):
+    if 0 in _signs(controllability(A, Q), A.T, Q, discrete):
         return DRIVEN
     return None
 
 
-def _rates(test, A, H, discrete):
+def _signs(test, A, H, discrete):
+    """Return for each hidden mode whether it decays, -1, is on the border, 0, or grows, 1."""
     limit = rounding(A, H)
-    return [slowest_rate(mode.eigenvalue, discrete, limit) for mode in test.hidden_modes]
+    rates = [slowest_rate(mode.eigenvalue, discrete, limit) for mode in test.hidden_modes]
+    return [sign_of_number(rate) for rate in rates]

@@ -15,7 +15,7 @@ Hamiltonian matrix by z = (1 + s)/(1 - s), also for a singular Phi.
 import numpy as np
 import sympy as sp
 
-from trajlib._real_symbols import as_real, vanishes
+from trajlib._real_symbols import as_real, sign_of_number, vanishes
 from trajlib.estimation.exact_or_float import solve
 from trajlib.stability.inequalities import equation, positive
 from trajlib.stability.regions import stability_conditions
@@ -140,7 +140,7 @@ class Stabilising:
         square = sp.factor(square)
         value = square.xreplace(dict(self._expanded_roots()))
         if not value.free_symbols:
-            self._conditions.append(sp.sympify(_is_positive_number(value)))
+            self._conditions.append(sp.sympify(sign_of_number(value) > 0))
         elif not value.is_positive:
             self._conditions.append(_positive(value))
         root = sp.sqrt(sp.sqrtdenest(square)) if not square.free_symbols else sp.sqrt(square)
@@ -232,13 +232,6 @@ class Stabilising:
             .xreplace(self._expanded_roots())
             .xreplace(self._from_real)
         )
-
-
-def _is_positive_number(value):
-    """Whether a number is positive; zero if its first 200 digits are."""
-    if value.is_Rational:
-        return bool(value > 0)
-    return bool(sp.N(value, 30, maxn=400) > sp.Float("1e-200"))
 
 
 def _independent_rows(matrix, digits):

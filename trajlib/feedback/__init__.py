@@ -2,8 +2,8 @@
 
 The system is x' = Ax + Bu, z = Hx, the feedback u = Kx (plus sign), the observer e' = Ae + Bu + L(z
 - He): closed loop A + BK, errors A - LH. Exact input gives exact output, also with symbols; NumPy
-arrays and python-control's StateSpace give floating-point numbers. Every name is loaded on first
-use, so that importing the package costs nothing.
+arrays, lists with a float in them and python-control's StateSpace give floating-point numbers. Every
+name is loaded on first use, so that importing the package costs nothing.
 
 >>> from trajlib import feedback
 >>> "regulator" in dir(feedback)
