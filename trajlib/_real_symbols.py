@@ -38,3 +38,13 @@ def vanishes(expression):
         return sp.simplify(expression.xreplace(as_real(expression)[0])) == 0
     digits = {root: root.evalf(50) for root in expression.atoms(sp.CRootOf)}
     return bool(abs(expression.xreplace(digits).evalf(40, maxn=50)) < sp.Float("1e-30"))
+
+
+def sign_of_number(value):
+    """Return -1, 0 or 1 for a number; one that is not rational is zero if 200 digits are."""
+    value = sp.sympify(value)
+    if not value.is_Rational:
+        value = sp.N(value, 30, maxn=400)
+        if abs(value) < sp.Float("1e-200"):
+            return 0
+    return int(sp.sign(value))

@@ -9,6 +9,7 @@ import pkgutil
 from pathlib import Path
 
 import trajlib
+from trajlib._lazy import home_of
 
 #: A longer import is broken as the formatter breaks it.
 WIDTH = 100
@@ -33,7 +34,7 @@ def stub_text(package):
     """Return the text of a package's stub."""
     table = importlib.import_module(package)._lazy_home
     lines = sorted(
-        (package if module is None else f"{package}.{module}", _rank(name), name)
+        (package if module is None else home_of(package, name), _rank(name), name)
         for name, module in table.items()
     )
     text = "# Written by `python -m trajlib._stubs`.\n"

@@ -126,3 +126,62 @@ def test_cost_is_that_of_the_whole_loop():
         np.trace(found.regulator.cost @ q) == pytest.approx(found.cost_of_known_state)
         and found.cost_of_known_state < found.cost
     )
+
+
+@pytest.mark.parametrize(
+    "system", [(A, B, G, N), (sp.diag(2, 1), sp.eye(2), sp.diag(0, 1), sp.eye(2))]
+)
+def test_discrete_law_is_that_of_python_control_with_the_other_sign(system):
+    ours = feedback.discrete_lqr(*floats(*system))
+    gain, cost, _ = control.dlqr(*floats(*system), method="scipy")
+    np.testing.assert_allclose(ours.gain, -gain, rtol=1e-9)
+    np.testing.assert_allclose(ours.cost, cost, rtol=1e-9, atol=1e-12)
+    np.testing.assert_allclose(ours.loop, floats(system[0])[0] + floats(system[1])[0] @ ours.gain)
+
+
+def test_exact_discrete_law_costs_what_its_riccati_equation_says():
+    matrix, push, r = sp.Matrix([[1, 1], [0, 1]]), sp.Matrix([0, 1]), sp.Symbol("r", positive=True)
+    law = feedback.discrete_lqr(matrix, push, sp.diag(1, 0), 1)
+    near = feedback.discrete_lqr(*floats(matrix, push, sp.diag(1, 0), [[1]]))
+    for name in ("cost", "gain", "loop"):
+        np.testing.assert_allclose(*floats(getattr(law, name).evalf(20), getattr(near, name)))
+    scalar = feedback.discrete_lqr(2, 1, 0, r)  # mirrors the eigenvalue at the unit circle
+    assert scalar.loop[0] == sp.Rational(1, 2) and scalar.cost[0] == 3 * r
+
+
+@pytest.mark.parametrize(
+    "matrix, push, weight, words",
+    [
+        (sp.diag(2, 3), [0, 1], sp.eye(2), "not stabilisable"),
+        (sp.diag(-1, 3), [1, 1], sp.diag(0, 1), "unit circle"),
+    ],
+)
+def test_unsolvable_discrete_problems_have_a_reason(matrix, push, weight, words):
+    column = np.array(push, dtype=float)[:, None]
+    for system in ((matrix, push, weight, 1), (*floats(matrix, column, weight), 1.0)):
+        law = feedback.discrete_lqr(*system)
+        assert not law and words in law.reason
+
+
+def test_finite_discrete_laws_are_the_minimum_over_all_controls():
+    """The cost is a quadratic form of (x, u_0, ..., u_3), minimised at once."""
+    a, b, g, n, f = floats(A, B, G, N, F)
+    laws = feedback.discrete_finite_lqr(a, b, g, n, f, 4)
+    rows, total = np.eye(3, 3 + 8), np.zeros((11, 11))
+    for i in range(4):
+        control_rows = np.eye(11)[3 + 2 * i : 5 + 2 * i]
+        total += rows.T @ g @ rows + control_rows.T @ n @ control_rows
+        rows = a @ rows + b @ control_rows
+    total += rows.T @ f @ rows
+    best = -np.linalg.solve(total[3:, 3:], total[3:, :3])
+    np.testing.assert_allclose(laws[0].gain, best[:2], rtol=1e-9)
+    np.testing.assert_allclose(laws[0].cost, total[:3, :3] + total[:3, 3:] @ best, rtol=1e-9)
+    exact = feedback.discrete_finite_lqr(A, B, G, N, F, 4)
+    np.testing.assert_allclose(*floats(exact[0].cost, laws[0].cost), rtol=1e-9)
+    far, limit = (
+        feedback.discrete_finite_lqr(a, b, g, n, f, 200)[0],
+        feedback.discrete_lqr(a, b, g, n),
+    )
+    np.testing.assert_allclose(far.gain, limit.gain, rtol=1e-9)
+    with pytest.raises(ValueError, match="steps: expected 1 or more"):
+        feedback.discrete_finite_lqr(a, b, g, n, f, 0)

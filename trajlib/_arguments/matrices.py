@@ -1,6 +1,8 @@
 """Reading of matrices, exact (SymPy) or floats (NumPy), and of the pairs (A, H) and (A, B).
 
-A matrix is one of floats if it, or any other one of the same system, is a NumPy array of numbers.
+A matrix is one of floats if it, or any other one of the same system, is a NumPy array of numbers
+or a list of numbers with a float among them. Exact are SymPy matrices and lists of integers,
+fractions and expressions; a decimal beside a symbol is the number that was written, 0.1 = 1/10.
 """
 
 import numpy as np
@@ -16,8 +18,35 @@ def is_float_array(matrix):
 
 
 def any_floats(*matrices):
-    """Whether any of the matrices, which may be None, is a NumPy array of numbers."""
-    return any(is_float_array(matrix) for matrix in matrices)
+    """Whether any of the matrices, which may be None, is one of floats."""
+    return any(has_floats(matrix) for matrix in matrices)
+
+
+def has_floats(matrix):
+    """Whether this is a NumPy array of numbers, a float or a list of numbers with a float."""
+    if not isinstance(matrix, (list, tuple)):
+        return is_float_array(matrix) or isinstance(matrix, float)
+    entries = list(_flattened(matrix))
+    return any(isinstance(entry, float) or is_float_array(entry) for entry in entries) and not any(
+        isinstance(entry, (sp.Basic, sp.MatrixBase)) and entry.free_symbols for entry in entries
+    )
+
+
+def _flattened(matrix):
+    for entry in matrix:
+        if isinstance(entry, (list, tuple)):
+            yield from _flattened(entry)
+        else:
+            yield entry
+
+
+def require_exact(instead, **matrices):
+    """Raise ValueError if a matrix is one of floats; `instead` names what is for these."""
+    for name, matrix in matrices.items():
+        if has_floats(matrix):
+            raise ValueError(
+                f"{name}: expected exact entries (SymPy, integers, fractions); for floats {instead}"
+            )
 
 
 def is_state_space(system):
@@ -54,8 +83,10 @@ def read_float_matrix(matrix, name="A", square=False):
         result = matrix.astype(float)
     else:
         try:
-            result = np.array(sp.Matrix(matrix).tolist(), dtype=float)
-        except (TypeError, ValueError, sp.SympifyError):
+            result = np.array(
+                matrix.tolist() if isinstance(matrix, sp.MatrixBase) else matrix, dtype=float
+            )
+        except (TypeError, ValueError):
             raise ValueError(
                 f"{name}: floats and exact symbols stand in one system; write all of it exactly "
                 "(SymPy)"

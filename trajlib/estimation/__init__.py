@@ -1,8 +1,8 @@
 """Estimation in stochastic systems: chapter 4 of the problem book as functions.
 
 Exact input gives exact output, also with symbols; as soon as one of the arguments is a NumPy array,
-all is computed in floats. A scalar stands for a 1 x 1 matrix. Every name is loaded on first use, so
-that importing the package costs nothing.
+a list with a float in it or python-control's StateSpace, all is computed in floats. A scalar stands
+for a 1 x 1 matrix. Every name is loaded on first use, so that importing the package costs nothing.
 
 >>> from trajlib import estimation
 >>> "least_squares" in dir(estimation)

@@ -11,6 +11,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals
 from trajlib._typing import MatrixLike, ScalarLike
 from trajlib.estimation.correction import corrected
@@ -133,6 +134,7 @@ class ContinuousDiscreteRun:
         )
 
 
+@accepts_state_space("A", time="continuous", instead="use KalmanFilter")
 def filter_measurements(
     A: MatrixLike,
     Q: MatrixLike,
@@ -145,7 +147,7 @@ def filter_measurements(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system; exact, also with symbols, or floats.
+        Matrix of the system; exact, also with symbols, or floats. A StateSpace stands for A.
     Q : matrix_like, shape (n, n)
         Intensity of q, positive semidefinite.
     start : Moments

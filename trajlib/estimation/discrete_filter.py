@@ -256,7 +256,7 @@ class KalmanFilter:
 
 
 def _stack(matrices, read):
-    if any_floats(matrices) and matrices.ndim == 3:
+    if any_floats(matrices) and np.ndim(matrices) == 3:
         return np.stack([read(matrix) for matrix in matrices])
     return read(matrices)
 

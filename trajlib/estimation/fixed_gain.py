@@ -14,12 +14,20 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import read_symbols
 from trajlib._typing import MatrixLike, Scalar
 from trajlib.estimation.exact_or_float import latex, symmetric
 from trajlib.estimation.stationary_covariances import StationaryCovariance, stationary_covariance
 
 
+@accepts_state_space(
+    "A",
+    "H",
+    time="continuous",
+    instead="use discrete_stationary_covariance for Phi (E - KH)",
+    C="H",
+)
 def error_covariance(
     A: MatrixLike, H: MatrixLike, Q: MatrixLike, R: MatrixLike, K: MatrixLike
 ) -> StationaryCovariance:
@@ -28,7 +36,8 @@ def error_covariance(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system; exact, also with symbols (in the gain, too), or floats.
+        Matrix of the system; exact, also with symbols (in the gain, too), or floats. A StateSpace
+        stands for A and H: `error_covariance(sys, Q, R, K)`.
     H : matrix_like, shape (m, n)
         Measurement matrix.
     Q : matrix_like, shape (n, n)
@@ -50,6 +59,7 @@ def error_covariance(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     Source: problem 4.42.
 
     Examples

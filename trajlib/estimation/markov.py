@@ -14,6 +14,7 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_square, read_vector
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals
 from trajlib._real_symbols import as_real
 from trajlib._typing import Matrix, MatrixLike, ScalarLike
@@ -44,6 +45,7 @@ class DiscreteModel(NamedTuple):
     Q: Matrix
 
 
+@accepts_state_space("Phi", time="discrete", instead="use continuous_moments", A="Phi")
 def discrete_moments(
     Phi: MatrixLike, Q: MatrixLike, start: Moments, steps: int | sp.Symbol
 ) -> Moments:
@@ -52,7 +54,7 @@ def discrete_moments(
     Parameters
     ----------
     Phi : matrix_like, shape (n, n)
-        Transition matrix.
+        Transition matrix. A StateSpace stands for Phi.
     Q : matrix_like, shape (n, n)
         Covariance of q_i, positive semidefinite.
     start : Moments
@@ -75,6 +77,7 @@ def discrete_moments(
 
     Notes
     -----
+    Keywords of python-control: `A` for `Phi`.
     Source: (4.4), (4.5); problems 4.19, 4.20.
 
     Examples
@@ -105,13 +108,14 @@ def discrete_moments(
     )
 
 
+@accepts_state_space("A", time="continuous", instead="use discrete_moments")
 def continuous_moments(A: MatrixLike, Q: MatrixLike, start: Moments, t: ScalarLike) -> Moments:
     """Return mean and covariance of x' = Ax + q after the time t.
 
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system.
+        Matrix of the system. A StateSpace stands for A.
     Q : matrix_like, shape (n, n)
         Intensity of q, positive semidefinite.
     start : Moments
@@ -162,13 +166,14 @@ def continuous_moments(A: MatrixLike, Q: MatrixLike, start: Moments, t: ScalarLi
     return _closed_form(A, Q, mean, P, lambda X: A * X + X * A.T, 0, sums, continuous_basis(t))
 
 
+@accepts_state_space("A", time="continuous", instead="it is discretised already")
 def discretise(A: MatrixLike, Q: MatrixLike, step: ScalarLike) -> DiscreteModel:
     """Return the exact discrete process of x' = Ax + q at the times 0, step, 2 step, ...
 
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system.
+        Matrix of the system. A StateSpace stands for A.
     Q : matrix_like, shape (n, n)
         Intensity of q, positive semidefinite.
     step : scalar_like

@@ -15,10 +15,13 @@ Hamiltonian matrix by z = (1 + s)/(1 - s), also for a singular Phi.
 import numpy as np
 import sympy as sp
 
-from trajlib._real_symbols import as_real, vanishes
+from trajlib._real_symbols import as_real, sign_of_number, vanishes
 from trajlib.estimation.exact_or_float import solve
 from trajlib.stability.inequalities import equation, positive
 from trajlib.stability.regions import stability_conditions
+
+#: Digits with which rows are told from dependent ones, as many as are needed.
+DIGITS = (15, 60, 240)
 
 
 def continuous_hamiltonian(A, H, Q, R):
@@ -137,7 +140,7 @@ class Stabilising:
         square = sp.factor(square)
         value = square.xreplace(dict(self._expanded_roots()))
         if not value.free_symbols:
-            self._conditions.append(sp.sympify(bool(sp.N(value, 40) > sp.Float("1e-30"))))
+            self._conditions.append(sp.sympify(sign_of_number(value) > 0))
         elif not value.is_positive:
             self._conditions.append(_positive(value))
         root = sp.sqrt(sp.sqrtdenest(square)) if not square.free_symbols else sp.sqrt(square)
@@ -193,12 +196,11 @@ class Stabilising:
             }
             if not all(c.subs(point) == sp.true for c in self._conditions):
                 continue
-            values = {symbol: sp.N(root.subs(point), 30) for symbol, root in roots.items()}
-            values_of_W = np.array(W.subs(point).subs(values).evalf(20).tolist(), dtype=complex)
-            rows, size = [], np.abs(values_of_W).max()
-            for i in range(len(values_of_W)):
-                if np.linalg.svd(values_of_W[[*rows, i]], compute_uv=False)[-1] > 1e-10 * size:
-                    rows.append(i)
+            for digits in DIGITS:
+                values = {
+                    symbol: sp.N(root.subs(point), 2 * digits) for symbol, root in roots.items()
+                }
+                rows = _independent_rows(W.subs(point).subs(values).evalf(2 * digits), digits)
                 if len(rows) == W.cols:
                     return rows
             return None
@@ -230,6 +232,22 @@ class Stabilising:
             .xreplace(self._expanded_roots())
             .xreplace(self._from_real)
         )
+
+
+def _independent_rows(matrix, digits):
+    """Return the indices of rows that are independent of those before, to so many digits."""
+    reduced, rows = [], []
+    for i in range(matrix.rows):
+        row = list(matrix.row(i))
+        size = max(map(abs, row))
+        for pivot, known in reduced:
+            factor = row[pivot] / known[pivot]
+            row = [entry - factor * other for entry, other in zip(row, known)]
+        pivot = max(range(len(row)), key=lambda j: abs(row[j]))
+        if abs(row[pivot]) > size * sp.Float(10) ** -digits:
+            reduced.append((pivot, row))
+            rows.append(i)
+    return rows
 
 
 def _positive(expression):

@@ -13,6 +13,7 @@ import numpy as np
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import read_matrix, read_square, read_vector
 from trajlib._arguments.numbers import read_times
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.discrete_filter import FilterRun
@@ -41,6 +42,7 @@ class Paths:
         return f"Paths: {self.states.shape[0]} of {self.states.shape[1]} steps, {self.states.shape[2]} states"
 
 
+@accepts_state_space("Phi", time="discrete", instead="use simulate_continuous", A="Phi")
 def simulate_discrete(
     Phi: ArrayLike,
     Q: ArrayLike,
@@ -56,7 +58,7 @@ def simulate_discrete(
     Parameters
     ----------
     Phi : array_like, shape (n, n)
-        Transition matrix.
+        Transition matrix. A StateSpace stands for Phi.
     Q : array_like, shape (n, n)
         Covariance of q_i, positive semidefinite.
     start : Moments
@@ -84,6 +86,7 @@ def simulate_discrete(
 
     Notes
     -----
+    Keywords of python-control: `A` for `Phi`.
     Source: Definition 4.12.
 
     Examples
@@ -107,6 +110,7 @@ def simulate_discrete(
     )
 
 
+@accepts_state_space("A", time="continuous", instead="use simulate_discrete")
 def simulate_continuous(
     A: ArrayLike,
     Q: ArrayLike,
@@ -122,7 +126,7 @@ def simulate_continuous(
     Parameters
     ----------
     A : array_like, shape (n, n)
-        Matrix of the system.
+        Matrix of the system. A StateSpace stands for A.
     Q : array_like, shape (n, n)
         Intensity of q, positive semidefinite.
     start : Moments

@@ -11,6 +11,7 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_square
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
 from trajlib.estimation.exact_or_float import latex, solve, symmetric
 from trajlib.stability.hurwitz import characteristic_polynomial
@@ -46,13 +47,14 @@ class StationaryCovariance:
         return rf"$\displaystyle P_\infty = {latex(self.covariance)}{where}$"
 
 
+@accepts_state_space("A", time="continuous", instead="use discrete_stationary_covariance")
 def stationary_covariance(A: MatrixLike, Q: MatrixLike) -> StationaryCovariance:
     """Return the limit of the covariance of x' = Ax + q.
 
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system; exact, also with symbols, or floats.
+        Matrix of the system; exact, also with symbols, or floats. A StateSpace stands for A.
     Q : matrix_like, shape (n, n)
         Intensity of q, positive semidefinite.
 
@@ -87,13 +89,14 @@ def stationary_covariance(A: MatrixLike, Q: MatrixLike) -> StationaryCovariance:
     return _limit(A, Q, "A", _Continuous)
 
 
+@accepts_state_space("Phi", time="discrete", instead="use stationary_covariance", A="Phi")
 def discrete_stationary_covariance(Phi: MatrixLike, Q: MatrixLike) -> StationaryCovariance:
     """Return the limit of the covariance of x_{i+1} = Phi x_i + q_i.
 
     Parameters
     ----------
     Phi : matrix_like, shape (n, n)
-        Transition matrix; exact, also with symbols, or floats.
+        Transition matrix; exact, also with symbols, or floats. A StateSpace stands for Phi.
     Q : matrix_like, shape (n, n)
         Covariance of q_i, positive semidefinite.
 
@@ -109,6 +112,7 @@ def discrete_stationary_covariance(Phi: MatrixLike, Q: MatrixLike) -> Stationary
 
     Notes
     -----
+    Keywords of python-control: `A` for `Phi`.
     MATLAB: ``dlyap``. Source: (4.5); problems 4.20, 4.21.
 
     Examples

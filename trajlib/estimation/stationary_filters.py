@@ -11,23 +11,24 @@ without noise and with P(0) = 0 keeps K = 0, and its errors double in each step.
 controllability by the noise, which the theorems assume, are sufficient and make P positive definite.
 """
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property, partial
 
 import numpy as np
 import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
-from trajlib.estimation.exact_or_float import identity_like, latex, solve, symmetric
+from trajlib.estimation.exact_or_float import latex, solve, symmetric
+from trajlib.estimation.hypotheses import failed_hypothesis
 from trajlib.estimation.riccati import Stabilising, continuous_hamiltonian, discrete_hamiltonian
+from trajlib.estimation.riccati_floats import solve_riccati
 from trajlib.stability.regions import latex_condition
 from trajlib.structure.rank_tests import controllability, observability
 from trajlib.typesetting import escape_markdown
-
-#: Errors that decay by less than this share of the size of the matrix count as not decaying, in
-#: floats.
-BORDER = 1e-9
 
 
 @dataclass(frozen=True)
@@ -47,8 +48,12 @@ class StationaryFilter:
         Stable matrix of the error equations, A - KH or Phi (E - KH).
     where : sympy.Boolean
         Condition on symbols under which all this holds.
-    reason : str
-        What kind of filter it is, or why there is none.
+    residual : float or None
+        For floats the norm of what is left of the Riccati equation beside the norms of the factors of
+        its terms.
+    error : float or None
+        For floats an estimate of |dP|/|P|, the relative error of `covariance` in Frobenius norms, the
+        greater of those in the given and in balanced units.
     """
 
     covariance: Matrix
@@ -56,10 +61,18 @@ class StationaryFilter:
     gain: Matrix
     errors: Matrix
     where: sp.Basic
-    reason: str
+    residual: float | None = None
+    error: float | None = None
+    # It takes longer than the filter.
+    _explain: Callable[[], str] = field(default=str, repr=False, compare=False)
 
     def __bool__(self):
         return self.covariance is not None
+
+    @cached_property
+    def reason(self) -> str:
+        """What kind of filter it is, or why there is none."""
+        return self._explain()
 
     def _repr_markdown_(self):
         if not self:
@@ -72,6 +85,9 @@ class StationaryFilter:
         return rf"$\displaystyle {shown}{where}$"
 
 
+@accepts_state_space(
+    "A", "H", time="continuous", instead="use discrete_stationary_filter", C="H", QN="Q", RN="R"
+)
 def stationary_filter(
     A: MatrixLike, H: MatrixLike, Q: MatrixLike, R: MatrixLike
 ) -> StationaryFilter:
@@ -80,7 +96,8 @@ def stationary_filter(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system; exact, also with symbols, or floats.
+        Matrix of the system; exact, also with symbols, or floats. A StateSpace stands for A and H:
+        `stationary_filter(sys, Q, R)`.
     H : matrix_like, shape (m, n)
         Measurement matrix.
     Q : matrix_like, shape (n, n)
@@ -98,11 +115,14 @@ def stationary_filter(
     ------
     ValueError
         If shapes do not fit or Q or R is no covariance.
+    numpy.linalg.LinAlgError
+        If there is a filter, but the digits of floats did not suffice to find it.
     NotImplementedError
         If an exact spectrum needs more than square roots, which is possible for n > 2 only.
 
     Notes
     -----
+    Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`.
     MATLAB: ``lqe``, ``kalman``; python-control: ``lqe``. Source: Theorem 4.4, example 4, problems
     4.33 - 4.41.
 
@@ -123,6 +143,9 @@ def stationary_filter(
     return _stationary(A, H, Q, R, "A", _Continuous)
 
 
+@accepts_state_space(
+    "Phi", "H", time="discrete", instead="use stationary_filter", A="Phi", C="H", QN="Q", RN="R"
+)
 def discrete_stationary_filter(
     Phi: MatrixLike, H: MatrixLike, Q: MatrixLike, R: MatrixLike
 ) -> StationaryFilter:
@@ -131,7 +154,8 @@ def discrete_stationary_filter(
     Parameters
     ----------
     Phi : matrix_like, shape (n, n)
-        Transition matrix, which may be singular.
+        Transition matrix, which may be singular. A StateSpace stands for Phi and H:
+        `discrete_stationary_filter(sys, Q, R)`.
     H : matrix_like, shape (m, n)
         Measurement matrix.
     Q : matrix_like, shape (n, n)
@@ -146,11 +170,12 @@ def discrete_stationary_filter(
 
     Raises
     ------
-    ValueError, NotImplementedError
+    ValueError, numpy.linalg.LinAlgError, NotImplementedError
         As for `stationary_filter`.
 
     Notes
     -----
+    Keywords of python-control: `A`, `C`, `QN`, `RN` for `Phi`, `H`, `Q`, `R`.
     The gain is that of the correction, x~+ = x~- + K (z - H x~-); the gain of the one-step
     predictor is Phi K. MATLAB: ``dlqe``; python-control: ``dlqe``. Source: Theorem 4.2, problems
     4.22 - 4.25.
@@ -174,33 +199,52 @@ def _stationary(A, H, Q, R, name, time):
     H = read_matrix(H, "H", None, n, floats)
     Q = read_covariance(Q, "Q", n, floats)
     R = read_covariance(R, "R", H.shape[0], floats, definite=True)
-    solution = _floats(A, H, Q, R, time) if floats else _exact(A, H, Q, R, time)
-    if solution is None:
-        return StationaryFilter(None, None, None, None, sp.false, _reason_for_none(A, H, Q, time))
-    return StationaryFilter(*solution, _kind(A, H, Q, solution[-1]))
+    solved = _floats(A, H, Q, R, time) if floats else _exact(A, H, Q, R, time)
+    if isinstance(solved, str):
+        reason = f"no stationary filter: {solved}"
+        return StationaryFilter(None, None, None, None, sp.false, _explain=partial(str, reason))
+    explain = partial(_kind, A, H, Q, solved[4])
+    return StationaryFilter(*solved, _explain=explain)
 
 
 def _exact(A, H, Q, R, time):
+    """Return the fields of a `StationaryFilter`, or why there is none."""
     solution = Stabilising(time.hamiltonian(A, H, Q, R))
-    if solution.P is None:
-        return None
-    parts = time.parts(A, H, R, solution.P)
-    return *(
-        part if part is None else solution.in_given_symbols(part) for part in parts
-    ), solution.where
+    if solution.P is not None:
+        parts = time.parts(A, H, R, solution.P)
+        return *(
+            part if part is None else solution.in_given_symbols(part) for part in parts
+        ), solution.where
+    if reason := failed_hypothesis(A, H, Q, time.discrete):
+        return reason
+    raise NotImplementedError(
+        "not found: there is a stationary filter, but its covariance could not be written down; "
+        "give the matrices as arrays of floats"
+    )
 
 
 def _floats(A, H, Q, R, time):
-    try:
-        P = symmetric(time.solve_floats(A, H, Q, R))
-    except (np.linalg.LinAlgError, ValueError):
-        return None
-    parts = time.parts(A, H, R, P)
-    return (
-        (*parts, sp.true)
-        if np.isfinite(P).all() and time.rate(parts[3]) < -BORDER * max(1, np.linalg.norm(A, 2))
-        else None
-    )
+    """Return the fields of a `StationaryFilter`, or why there is none."""
+    solution = solve_riccati(A, H, Q, R, time.discrete)
+    if (solution is None or solution.doubtful) and (
+        reason := failed_hypothesis(A, H, Q, time.discrete)
+    ):
+        return reason
+    if solution is None:
+        raise np.linalg.LinAlgError(
+            "not found: the Riccati equation has a stabilising solution (by the rank tests no mode is "
+            "in its way), but its entries differ by more than floats can hold, since a mode is hardly "
+            "measured, hardly controlled or hardly driven; change that, or give exact entries (SymPy)"
+        )
+    P, gain, loop = solution.P, solution.gain, solution.loop
+    corrected = _joseph(P, gain, H, R) if time.discrete else None
+    return P, corrected, gain, loop, sp.true, solution.residual, solution.error
+
+
+def _joseph(P, gain, H, R):
+    """Return the covariance after the measurement, which rounding leaves positive."""
+    reduction = np.eye(len(P)) - gain @ H
+    return symmetric(reduction @ P @ reduction.T + gain @ R @ gain.T)
 
 
 def _kind(A, H, Q, where):
@@ -222,83 +266,24 @@ def _kind(A, H, Q, where):
     return f"a stationary filter: {kinds[observable, controllable]}{condition}"
 
 
-def _reason_for_none(A, H, Q, time):
-    """Return the reason why there is no stationary filter.
-
-    It comes from the PBH test, in floats, at the eigenvalues that do not decay.
-    """
-    if not isinstance(A, np.ndarray):
-        if (A.free_symbols | H.free_symbols | Q.free_symbols) or not A.is_Matrix:
-            return (
-                "no stationary filter, for general values of the symbols: the pair is not "
-                "detectable, or a mode on the border of stability is free of noise"
-            )
-        A, H, Q = (np.array(matrix.evalf(30).tolist(), dtype=float) for matrix in (A, H, Q))
-    size = max(1, np.linalg.norm(A, 2))
-    for value in np.linalg.eigvals(A):
-        if time.rate(np.array([[value]])) < -1e-6 * size:
-            continue
-        pencil = A - value * np.eye(len(A))
-        if np.linalg.svd(np.vstack([pencil, H]), compute_uv=False)[-1] < 1e-6 * size:
-            return (
-                "no stationary filter: not detectable, a mode that does not decay is not measured"
-            )
-    return (
-        "no stationary filter: a mode on the border of stability is free of noise, so that its "
-        "gain tends to zero and its errors do not decay with it"
-    )
-
-
 class _Continuous:
+    discrete = False
     hamiltonian = staticmethod(continuous_hamiltonian)
-
-    @staticmethod
-    def solve_floats(A, H, Q, R):
-        from scipy.linalg import solve_continuous_are
-
-        return solve_continuous_are(A.T, H.T, Q, R)
 
     @staticmethod
     def parts(A, H, R, P):
         gain = solve(R, H @ P).T
         return P, None, gain, A - gain @ H
 
-    @staticmethod
-    def rate(matrix):
-        return np.linalg.eigvals(matrix).real.max()
-
 
 class _Discrete:
+    discrete = True
     hamiltonian = staticmethod(discrete_hamiltonian)
 
     @staticmethod
-    def solve_floats(A, H, Q, R):
-        from scipy.linalg import solve_discrete_are
-
-        return solve_discrete_are(A.T, H.T, Q, R)
-
-    @staticmethod
     def parts(A, H, R, P):
-        innovation_covariance = H @ P @ H.T + R
-        if isinstance(P, np.ndarray):
-            gain = solve(innovation_covariance, H @ P).T
-        else:
-            # Cramer's rule: the entries have auxiliary symbols for roots, which no field of SymPy
-            # has.
-            gain = P * H.T * innovation_covariance.adjugate() / innovation_covariance.det()
-        reduction = identity_like(P) - gain @ H
-        corrected = (
-            reduction @ P @ reduction.T + gain @ R @ gain.T
-            if isinstance(P, np.ndarray)
-            else reduction * P
-        )
-        return (
-            P,
-            symmetric(corrected) if isinstance(P, np.ndarray) else corrected,
-            gain,
-            A @ reduction,
-        )
-
-    @staticmethod
-    def rate(matrix):
-        return np.abs(np.linalg.eigvals(matrix)).max() - 1
+        innovation_covariance = H * P * H.T + R
+        # Cramer's rule: the entries have auxiliary symbols for roots, which no field of SymPy has.
+        gain = P * H.T * innovation_covariance.adjugate() / innovation_covariance.det()
+        reduction = sp.eye(P.rows) - gain * H
+        return P, reduction * P, gain, A * reduction

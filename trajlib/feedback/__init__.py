@@ -2,8 +2,8 @@
 
 The system is x' = Ax + Bu, z = Hx, the feedback u = Kx (plus sign), the observer e' = Ae + Bu + L(z
 - He): closed loop A + BK, errors A - LH. Exact input gives exact output, also with symbols; NumPy
-arrays and python-control's StateSpace give floating-point numbers. Every name is loaded on first
-use, so that importing the package costs nothing.
+arrays, lists with a float in them and python-control's StateSpace give floating-point numbers. Every
+name is loaded on first use, so that importing the package costs nothing.
 
 >>> from trajlib import feedback
 >>> "regulator" in dir(feedback)
@@ -17,10 +17,16 @@ from trajlib._lazy import lazy_names
 _EXPORTS = {
     "gains": ["GainFamily", "observer", "regulator"],
     "pole_placement": ["Placement", "place"],
-    "fixed_spectrum": ["FixedSpectrum", "best_margin", "detectability", "stabilisability"],
+    "trajlib.structure.fixed_spectrum": [
+        "FixedSpectrum",
+        "best_margin",
+        "detectability",
+        "stabilisability",
+    ],
     "gain_regions": ["convergent_gains", "stabilising_gains"],
     "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],
     "reduced_order": ["ReducedObserver", "reduced_observer"],
+    "discrete_cost": ["discrete_finite_lqr", "discrete_lqr"],
     "quadratic_cost": ["QuadraticRegulator", "StochasticRegulator", "finite_lqr", "lqg", "lqr"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

@@ -1,10 +1,8 @@
 # Written by `python -m trajlib._stubs`.
+from trajlib.feedback.discrete_cost import discrete_finite_lqr as discrete_finite_lqr
+from trajlib.feedback.discrete_cost import discrete_lqr as discrete_lqr
 from trajlib.feedback.estimate_loop import EstimateLoop as EstimateLoop
 from trajlib.feedback.estimate_loop import feedback_by_estimate as feedback_by_estimate
-from trajlib.feedback.fixed_spectrum import FixedSpectrum as FixedSpectrum
-from trajlib.feedback.fixed_spectrum import best_margin as best_margin
-from trajlib.feedback.fixed_spectrum import detectability as detectability
-from trajlib.feedback.fixed_spectrum import stabilisability as stabilisability
 from trajlib.feedback.gain_regions import convergent_gains as convergent_gains
 from trajlib.feedback.gain_regions import stabilising_gains as stabilising_gains
 from trajlib.feedback.gains import GainFamily as GainFamily
@@ -19,3 +17,7 @@ from trajlib.feedback.quadratic_cost import lqg as lqg
 from trajlib.feedback.quadratic_cost import lqr as lqr
 from trajlib.feedback.reduced_order import ReducedObserver as ReducedObserver
 from trajlib.feedback.reduced_order import reduced_observer as reduced_observer
+from trajlib.structure.fixed_spectrum import FixedSpectrum as FixedSpectrum
+from trajlib.structure.fixed_spectrum import best_margin as best_margin
+from trajlib.structure.fixed_spectrum import detectability as detectability
+from trajlib.structure.fixed_spectrum import stabilisability as stabilisability

@@ -14,7 +14,13 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib._arguments.matrices import read_controlled, read_exact_matrix, read_observed
+from trajlib._arguments.matrices import (
+    read_controlled,
+    read_exact_matrix,
+    read_observed,
+    require_exact,
+)
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure.decomposition import named_matrices
@@ -66,6 +72,7 @@ class EstimateLoop:
         )
 
 
+@accepts_state_space("A", "B", "H", C="H")
 def feedback_by_estimate(
     A: MatrixLike,
     B: MatrixLike,
@@ -106,6 +113,7 @@ def feedback_by_estimate(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``reg(sys, -K, L)``, closed. Source: equations (3.8) - (3.10), example 8 of the problem
     book.
 
@@ -121,6 +129,7 @@ def feedback_by_estimate(
     >>> sp.expand(whole - sp.prod(loop.polynomials(s)))
     0
     """
+    require_exact("join the blocks with numpy.block", A=A, B=B, H=H, K=K, L=L, S=S, c=c)
     A, B = (matrix.T for matrix in read_controlled(A, B))
     A, H = read_observed(A, H)
     K, L = read_exact_matrix(K, "K"), read_exact_matrix(L, "L", flat="column")

@@ -8,11 +8,18 @@ coordinates is one with zeros.
 
 import sympy as sp
 
-from trajlib._arguments.matrices import read_controlled, read_exact_matrix, read_observed
+from trajlib._arguments.matrices import (
+    read_controlled,
+    read_exact_matrix,
+    read_observed,
+    require_exact,
+)
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ExprLike, MatrixLike, Symbols
 from trajlib.stability.regions import StabilityConditions, stability_conditions
 
 
+@accepts_state_space("A", "B", C="H")
 def stabilising_gains(
     A: MatrixLike,
     B: MatrixLike,
@@ -50,6 +57,7 @@ def stabilising_gains(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     Source: examples 4, 5 and 7 of the problem book.
 
     Examples
@@ -62,6 +70,7 @@ def stabilising_gains(
     >>> stabilising_gains(A, B, [k1], H=sp.Matrix([[1, 1]])).region
     k1 < -1
     """
+    require_exact("use place, which gives one gain (trajlib.feedback)", A=A, B=B, H=H)
     A, B = (matrix.T for matrix in read_controlled(A, B))
     K = read_exact_matrix(K, "K")
     measured = sp.eye(A.rows) if H is None else read_observed(A, H)[1]
@@ -70,6 +79,7 @@ def stabilising_gains(
     return stability_conditions(A + B * K * measured, _named(K, parameters), margin=margin)
 
 
+@accepts_state_space("A", "H", C="H")
 def convergent_gains(
     A: MatrixLike,
     H: MatrixLike,
@@ -104,6 +114,7 @@ def convergent_gains(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     Source: equation (3.3) and example 1 of the problem book.
 
     Examples
@@ -113,6 +124,11 @@ def convergent_gains(
     >>> convergent_gains(sp.Matrix([[0, 1], [1, 0]]), sp.Matrix([[1, 0]]), [l1, l2]).region
     (l1 > 0) & (l2 > 1)
     """
+    require_exact(
+        "use place, which gives one gain, -place(A.T, H.T, eigenvalues).gain.T (trajlib.feedback)",
+        A=A,
+        H=H,
+    )
     A, H = read_observed(A, H)
     L = read_exact_matrix(L, "L", flat="column")
     if L.shape != (A.rows, H.rows):

@@ -16,13 +16,14 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
+from trajlib._arguments.matrices import read_controlled, read_observed, require_exact
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import ExprLike, MatrixLike
-from trajlib.feedback.fixed_spectrum import detectability, stabilisability
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact
 from trajlib.structure.decomposition import observability_decomposition
+from trajlib.structure.fixed_spectrum import detectability, stabilisability
 from trajlib.structure.pbh import visible_symbol
 
 
@@ -66,6 +67,7 @@ class GainFamily:
         return rf"$\displaystyle {sp.latex(self.gain, symbol_names=upright)}:\quad {sp.latex(polynomial)}$"
 
 
+@accepts_state_space("A", "H", C="H")
 def observer(
     A: MatrixLike,
     H: MatrixLike,
@@ -108,6 +110,7 @@ def observer(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``place(A', C', p)'``, ``acker``. Source: Theorem 3.1 and examples 1 - 3 of the problem
     book.
 
@@ -121,10 +124,14 @@ def observer(
     >>> hidden.gain.T, hidden.fixed
     (Matrix([[2 - free1, free1]]), lambda + 1)
     """
+    require_exact(
+        "use place: L = -place(A.T, H.T, eigenvalues).gain.T (trajlib.feedback)", A=A, H=H
+    )
     A, H = read_observed(A, H)
     return _family(A, H, _Prescription(polynomial, symbol, eigenvalues, margin), detectability, "N")
 
 
+@accepts_state_space("A", "B")
 def regulator(
     A: MatrixLike,
     B: MatrixLike,
@@ -178,6 +185,7 @@ def regulator(
     >>> family.gain, family.polynomial
     (Matrix([[-3, free1]]), lambda**2 + 4*lambda + 3)
     """
+    require_exact("use place: K = place(A, B, eigenvalues).gain (trajlib.feedback)", A=A, B=B)
     A, H = read_controlled(A, B)
     family = _family(
         A, H, _Prescription(polynomial, symbol, eigenvalues, margin), _transposed_test, "W"
@@ -193,8 +201,6 @@ def _transposed_test(A, H):
 
 
 def _family(A, H, prescription, test, kalman):
-    if is_float_array(A):
-        raise ValueError("A: expected exact matrices (SymPy)")
     parts = observability_decomposition(A, H)
     observable, unobservable = parts.sizes
     (A11, H1), A22 = parts.part, parts.rest

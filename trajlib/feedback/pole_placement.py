@@ -30,6 +30,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from trajlib._arguments.matrices import read_controlled
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._numerical_rank import zero_level
 from trajlib._typing import MatrixLike
 from trajlib.structure.rank_tests import controllability
@@ -83,13 +84,15 @@ class Placement:
     uncertainty: float
 
 
+@accepts_state_space("A", "B", p="eigenvalues")
 def place(A: MatrixLike, B: MatrixLike, eigenvalues: Sequence[complex]) -> Placement:
     """Return a gain K of floats such that A + BK has given eigenvalues, repeated ones too.
 
     Parameters
     ----------
     A : array_like, shape (n, n)
-        Matrix of x' = Ax + Bu, or a python-control StateSpace (then `B` may be None).
+        Matrix of x' = Ax + Bu, or a python-control StateSpace (then `B` may be None). A StateSpace
+        stands for A and B: `place(sys, eigenvalues)`.
     B : array_like, shape (n, s)
         Matrix of the control.
     eigenvalues : sequence of n numbers
@@ -108,6 +111,7 @@ def place(A: MatrixLike, B: MatrixLike, eigenvalues: Sequence[complex]) -> Place
 
     Notes
     -----
+    Keywords of python-control: `p` for `eigenvalues`.
     The sign is u = Kx. For an observer L = -place(A.T, H.T, eigenvalues).gain.T. MATLAB:
     ``-place(A, B, p)``, ``-acker(A, B, p)``. Source: Theorem 3.3 of the problem book.
 

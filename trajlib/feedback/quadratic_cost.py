@@ -18,13 +18,25 @@ import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
+from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 from trajlib.stability.regions import latex_condition
 from trajlib.structure.decomposition import observability_decomposition
 from trajlib.typesetting import escape_markdown
+
+#: A hypothesis on a filter, in the words of the regulator that is dual to it.
+_DUAL = {
+    DETECTABLE: "not stabilisable, a mode that does not decay is not controlled",
+    DRIVEN: "a mode on the imaginary axis is unobservable in the cost",
+    GENERAL: (
+        "for general values of the symbols the pair is not stabilisable, or a mode on the imaginary "
+        "axis is unobservable in the cost"
+    ),
+}
 
 
 @dataclass(frozen=True)
@@ -43,6 +55,12 @@ class QuadraticRegulator:
         The condition on symbols under which all this holds.
     reason : str
         What the law is, or why there is none.
+    residual : float or None
+        For floats the norm of what is left of the Riccati equation beside the norms of the factors of
+        its terms.
+    error : float or None
+        For floats an estimate of |dS|/|S|, the relative error of `cost` in Frobenius norms, the greater
+        of those in the given and in balanced units.
     """
 
     cost: Matrix
@@ -50,6 +68,8 @@ class QuadraticRegulator:
     loop: Matrix
     where: sp.Basic
     reason: str
+    residual: float | None = None
+    error: float | None = None
 
     def __bool__(self):
         return self.cost is not None
@@ -62,6 +82,7 @@ class QuadraticRegulator:
         return rf"$\displaystyle {shown}{where}$"
 
 
+@accepts_state_space("A", "B", time="continuous", instead="use discrete_lqr", Q="G", R="N")
 def lqr(
     A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike, stable: bool = True
 ) -> QuadraticRegulator:
@@ -70,7 +91,8 @@ def lqr(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax + Bu; exact, also with symbols (then for general values), or floats.
+        Matrix of x' = Ax + Bu; exact, also with symbols (then for general values), or floats. A
+        StateSpace stands for A and B: `lqr(sys, G, N)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
@@ -92,11 +114,14 @@ def lqr(
     ------
     ValueError
         If shapes do not fit, or a weight is not symmetric or not positive (semi)definite.
+    numpy.linalg.LinAlgError
+        If there is such a law, but the digits of floats did not suffice to find it.
     NotImplementedError
         For exact spectra beyond square roots.
 
     Notes
     -----
+    Keywords of python-control: `Q`, `R` for `G`, `N`.
     The sign is u = Kx. MATLAB: ``-lqr(A, B, G, N)``; python-control: ``-lqr(A, B, G, N)[0]``. Source:
     section 5.4 of the problem book.
 
@@ -109,25 +134,13 @@ def lqr(
     >>> print(lqr([[0, 1], [0, 1]], [0, 1], [[0, 0], [0, 1]], 1).reason)    # problem 5.67b
     no stabilising law of least cost: a mode on the imaginary axis is unobservable in the cost
     """
-    A, B, G, N = _read(A, B, G, N)
+    A, B, G, N = read_regulator(A, B, G, N)
     if not stable:
         return _without_unobserved_states(A, B, G, N)
     filter = stationary_filter(A.T, B.T, G, N)
     if not filter:
-        # with a cost that sees everything
-        controlled = bool(stationary_filter(A.T, B.T, _unit(A), N))
-        return QuadraticRegulator(
-            None,
-            None,
-            None,
-            sp.false,
-            "no stabilising law of least cost: "
-            + (
-                "a mode on the imaginary axis is unobservable in the cost"
-                if controlled
-                else "not stabilisable, a mode that does not decay is not controlled"
-            ),
-        )
+        reason = f"no stabilising law of least cost: {_DUAL[failed_hypothesis(A.T, B.T, G, False)]}"
+        return QuadraticRegulator(None, None, None, sp.false, reason)
     general = "" if filter.where == sp.true else f"; where {filter.where}"
     return QuadraticRegulator(
         filter.covariance,
@@ -135,9 +148,12 @@ def lqr(
         filter.errors.T,
         filter.where,
         f"the stabilising law of least cost{general}",
+        filter.residual,
+        filter.error,
     )
 
 
+@accepts_state_space("A", "B", time="continuous", instead="use discrete_finite_lqr", Q="G", R="N")
 def finite_lqr(
     A: MatrixLike,
     B: MatrixLike,
@@ -151,7 +167,8 @@ def finite_lqr(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax + Bu; exact or floats.
+        Matrix of x' = Ax + Bu; exact or floats. A StateSpace stands for A and B: `finite_lqr(sys,
+        G, N, F, time_to_go)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
@@ -170,11 +187,12 @@ def finite_lqr(
 
     Raises
     ------
-    ValueError, NotImplementedError
+    ValueError, numpy.linalg.LinAlgError, NotImplementedError
         As `lqr`.
 
     Notes
     -----
+    Keywords of python-control: `Q`, `R` for `G`, `N`.
     The sign is u = Kx. Source: section 5.4 of the problem book.
 
     Examples
@@ -183,7 +201,7 @@ def finite_lqr(
     >>> finite_lqr(0, 1, 0, 1, 1, left).gain[0]
     -1/(left + 1)
     """
-    A, B, G, N = _read(A, B, G, N)
+    A, B, G, N = read_regulator(A, B, G, N)
     dual = ContinuousFilter(A.T, B.T, G, N)
     F = read_covariance(
         F if not isinstance(A, np.ndarray) else np.asarray(F, dtype=float),
@@ -230,6 +248,14 @@ class StochasticRegulator:
         return self.cost is not None
 
 
+@accepts_state_space(
+    "A",
+    "B",
+    "H",
+    time="continuous",
+    instead="join discrete_lqr and discrete_stationary_filter",
+    C="H",
+)
 def lqg(
     A: MatrixLike,
     B: MatrixLike,
@@ -246,7 +272,8 @@ def lqg(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system; exact or floats.
+        Matrix of the system; exact or floats. A StateSpace stands for A, B and H: `lqg(sys, G, N,
+        Q, R)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     H : matrix_like, shape (m, n)
@@ -267,11 +294,12 @@ def lqg(
 
     Raises
     ------
-    ValueError, NotImplementedError
+    ValueError, numpy.linalg.LinAlgError, NotImplementedError
         As `lqr`.
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``lqg``. Source: section 5.4 of the problem book, with Theorem 4.4.
 
     Examples
@@ -281,7 +309,7 @@ def lqg(
     (Matrix([[0, -1]]), Matrix([[0, 2]]), 6)
     """
     filter = stationary_filter(A, H, Q, R)
-    A, B, G, N = _read(A, B, G, N)
+    A, B, G, N = read_regulator(A, B, G, N)
     regulator = lqr(A, B, G, N)
     if not (regulator and filter):
         return StochasticRegulator(regulator, filter, None, None, None)
@@ -297,11 +325,12 @@ def lqg(
     )
 
 
-def _read(A, B, G, N):
-    floats = any_floats(A, B, G, N)
+def read_regulator(A, B, G, N, floats=None):
+    """Return the matrices of a regulator; a flat B is a column."""
+    floats = any_floats(A, B, G, N) if floats is None else floats
     A = read_square(A, "A", floats)
     n = A.shape[0]
-    flat = np.ndim(B if floats or isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
+    flat = np.ndim(B if isinstance(B, sp.MatrixBase) else np.array(B, dtype=object)) < 2
     B = read_matrix(B, "B", None, None, floats)
     B = read_matrix(B.T if flat and n > 1 else B, "B", n, None, floats)
     return (
@@ -333,12 +362,14 @@ def _without_unobserved_states(A, B, G, N):
         return part
     cost, gain = symmetric(observable.T @ part.cost @ observable), tidy(part.gain @ observable)
     return QuadraticRegulator(
-        cost, gain, tidy(A + B @ gain), part.where, part.reason.replace("stabilising ", "")
+        cost,
+        gain,
+        tidy(A + B @ gain),
+        part.where,
+        part.reason.replace("stabilising ", ""),
+        part.residual,
+        part.error,
     )
-
-
-def _unit(A):
-    return np.eye(len(A)) if isinstance(A, np.ndarray) else sp.eye(A.rows)
 
 
 def _trace(matrix):

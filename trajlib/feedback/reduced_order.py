@@ -14,7 +14,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib._arguments.matrices import is_float_array, read_controlled, read_observed
+from trajlib._arguments.matrices import read_controlled, read_observed, require_exact
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ExprLike, MatrixLike
 from trajlib.feedback.gains import GainFamily, observer
 from trajlib.structure import exact
@@ -49,6 +50,7 @@ class ReducedObserver:
     family: GainFamily
 
 
+@accepts_state_space("A", "B", "H", C="H")
 def reduced_observer(
     A: MatrixLike,
     B: MatrixLike,
@@ -91,6 +93,7 @@ def reduced_observer(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``place`` on a block. Source: added to the problem book; after D. G. Luenberger.
 
     Examples
@@ -102,9 +105,8 @@ def reduced_observer(
     >>> found.state_by_p.T, found.state_by_output.T
     (Matrix([[0, 1]]), Matrix([[1, 2]]))
     """
+    require_exact("use place for the block (A22, A12) of y and z (trajlib.feedback)", A=A, B=B, H=H)
     A, H = read_observed(A, H)
-    if is_float_array(A):
-        raise ValueError("A: expected exact matrices (SymPy)")
     B = read_controlled(A, B)[1].T
     n, m = A.rows, H.rows
     if exact.rank(H) < m or m == n:

@@ -21,7 +21,8 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
+from trajlib._arguments.matrices import has_floats, read_exact_matrix, read_float_matrix
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._real_symbols import as_real, restore_names
 from trajlib._typing import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors
@@ -82,6 +83,11 @@ class LinearStability:
         return f"{self.verdict}: {escape_markdown(self.reason)}"
 
 
+@accepts_state_space(
+    "A",
+    time="continuous",
+    instead="trajlib.estimation.discrete_stationary_covariance decides by the unit circle",
+)
 def linear_stability(A: MatrixLike) -> LinearStability:
     """Decide the stability of the solution x = 0 of x' = Ax.
 
@@ -91,7 +97,7 @@ def linear_stability(A: MatrixLike) -> LinearStability:
         A SymPy matrix or list of rows is decided exactly; symbols by their assumptions, "undecided"
         where these do not suffice. A NumPy array of floats is decided by the spectrum, "undecided"
         where a perturbation of rounding size can move an eigenvalue to the imaginary axis; then
-        give the matrix exactly.
+        give the matrix exactly. A StateSpace stands for A.
 
     Returns
     -------
@@ -117,7 +123,7 @@ def linear_stability(A: MatrixLike) -> LinearStability:
     >>> linear_stability(sp.zeros(2, 2)).verdict
     'stable'
     """
-    if is_float_array(A):
+    if has_floats(A):
         return _from_floats(read_float_matrix(A, square=True))
     A = read_exact_matrix(A, square=True)
     to_real, back = as_real(A)

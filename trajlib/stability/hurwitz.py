@@ -19,18 +19,21 @@ import numpy as np
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
+from trajlib._arguments.matrices import has_floats, read_exact_matrix, read_float_matrix
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals, join_names, read_expression, read_symbols
 from trajlib._typing import ExprLike, Matrix, MatrixLike, PolynomialLike
 
 
+@accepts_state_space("A")
 def characteristic_polynomial(A: MatrixLike, symbol: sp.Symbol) -> sp.Expr:
     """Return the characteristic polynomial det(lambda I - A), monic.
 
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        A SymPy matrix or a list of rows (exact), or a NumPy array of floats.
+        A SymPy matrix or a list of rows (exact), or a NumPy array of floats. A StateSpace stands
+        for A.
     symbol : sympy.Symbol
         The lambda of the result.
 
@@ -56,7 +59,7 @@ def characteristic_polynomial(A: MatrixLike, symbol: sp.Symbol) -> sp.Expr:
     k + s**2 + 2*s
     """
     (symbol,) = read_symbols(symbol, "symbol")
-    if is_float_array(A):
+    if has_floats(A):
         A = read_float_matrix(A, square=True)
         return sum(
             (float(c) * symbol ** (len(A) - i) for i, c in enumerate(np.poly(A))), sp.Integer(0)

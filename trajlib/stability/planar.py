@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.matrices import is_float_array, read_exact_matrix
+from trajlib._arguments.matrices import has_floats, read_exact_matrix
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_field
 from trajlib._real_symbols import as_real
 from trajlib._typing import Expressions, ExprLike, MatrixLike, Symbols
@@ -51,13 +52,14 @@ class PlanarTypes:
         return r"$\displaystyle \begin{array}{ll} " + r" \\ ".join(lines) + r" \end{array}$"
 
 
+@accepts_state_space("A", time="continuous", instead="its motion is a sequence of points")
 def classify_planar(A: MatrixLike) -> str | PlanarTypes:
     """Return the type of the equilibrium of x' = Ax in the plane.
 
     Parameters
     ----------
     A : matrix_like, shape (2, 2)
-        Numbers or symbols, whose assumptions (positive=True) are used.
+        Numbers or symbols, whose assumptions (positive=True) are used. A StateSpace stands for A.
 
     Returns
     -------
@@ -88,8 +90,8 @@ def classify_planar(A: MatrixLike) -> str | PlanarTypes:
     >>> [kind for condition, kind in classify_planar(sp.Matrix([[0, 1], [-1, e]])) if condition.subs(e, 2) == True]
     ['unstable degenerate node']
     """
-    if is_float_array(A):
-        return _classify_floats(np.asarray(A, dtype=float))
+    if has_floats(A):
+        return _classify_floats(np.array(A, dtype=float))
     A = read_exact_matrix(A, square=True)
     if A.rows != 2:
         raise ValueError(f"A: expected a 2 x 2 matrix, got shape {A.shape}")

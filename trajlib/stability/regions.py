@@ -14,7 +14,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.matrices import is_float_array, read_exact_matrix
+from trajlib._arguments.matrices import has_floats, read_exact_matrix
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import (
     exact_decimals,
     join_names,
@@ -214,6 +215,9 @@ class StabilityConditions:
         return f"$\\displaystyle {latex_region(self.region)}$"
 
 
+@accepts_state_space(
+    "A", time="continuous", instead="write its characteristic polynomial in w, z = (1 + w)/(1 - w)"
+)
 def stability_conditions(
     poly_or_matrix: PolynomialLike | MatrixLike,
     parameters: Symbols,
@@ -226,7 +230,7 @@ def stability_conditions(
     ----------
     poly_or_matrix : sympy.Expr, sympy.Poly, sequence of coefficients or matrix_like, shape (n, n)
         The characteristic polynomial (coefficients with the highest power first), or the matrix A
-        of x' = Ax.
+        of x' = Ax. A StateSpace stands for its A.
     parameters : sequence of sympy.Symbol
         All symbols in it; they stand for real numbers, and their assumptions (positive=True) are
         used.
@@ -277,7 +281,7 @@ def stability_conditions(
 
 
 def _read_equation(poly_or_matrix, symbol):
-    if is_float_array(poly_or_matrix) and poly_or_matrix.ndim == 2:
+    if has_floats(poly_or_matrix) and np.ndim(poly_or_matrix) == 2:
         poly_or_matrix = sp.Matrix(poly_or_matrix)
     if isinstance(poly_or_matrix, sp.MatrixBase):
         symbol = sp.Symbol("lambda") if symbol is None else read_symbols(symbol, "symbol")[0]

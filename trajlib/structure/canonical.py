@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
@@ -69,6 +70,7 @@ class CanonicalForm:
         )
 
 
+@accepts_state_space(C="h")
 def observer_canonical_form(A: MatrixLike, h: MatrixLike | None = None) -> CanonicalForm:
     """Return the observer canonical form of an observable pair with one output.
 
@@ -113,6 +115,7 @@ def observer_canonical_form(A: MatrixLike, h: MatrixLike | None = None) -> Canon
     return CanonicalForm(matrix, vector, T, polynomial)
 
 
+@accepts_state_space(B="b")
 def controller_canonical_form(A: MatrixLike, b: MatrixLike | None = None) -> CanonicalForm:
     """Return the controller canonical form of a controllable pair with one control.
 
@@ -138,6 +141,8 @@ def controller_canonical_form(A: MatrixLike, b: MatrixLike | None = None) -> Can
 
     Notes
     -----
+    Keywords of python-control: `B` for `b`.
+    Keywords of python-control: `C` for `h`.
     MATLAB: ``canon``; ``ss(tf(...))`` up to order. Source: Definition 2.5 and Theorem 2.7 of the
     problem book.
 

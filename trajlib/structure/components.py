@@ -51,6 +51,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import MatrixLike
 from trajlib.structure import exact
 from trajlib.structure.decomposition import holds_where, named_matrices
@@ -109,6 +110,7 @@ class ComponentDecomposition:
         )
 
 
+@accepts_state_space("A", "H", C="H")
 def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDecomposition:
     """Return the decomposition by the components of the output, sequential or parallel.
 
@@ -117,7 +119,8 @@ def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDec
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax; exact, with symbols generic.
+        Matrix of x' = Ax; exact, with symbols generic. A StateSpace stands for A and H:
+        `decompose_by_outputs(sys, how)`.
     H : matrix_like, shape (m, n)
         Matrix of the output z = Hx; exact.
     how : {"sequential", "parallel"}
@@ -134,7 +137,10 @@ def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDec
         For another `how`, if shapes do not fit, or for floats, whose chains would end by a decision
         on rounding.
 
-    Notes ----- MATLAB has no word for it; it is Luenberger's form. Source: example 7, problems 2.14
+    Notes
+    -----
+    Keywords of python-control: `C` for `H`.
+    MATLAB has no word for it; it is Luenberger's form. Source: example 7, problems 2.14
     and 2.15 of the problem book.
 
     Examples
@@ -161,6 +167,7 @@ def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDec
     )
 
 
+@accepts_state_space("A", "B")
 def decompose_by_inputs(A: MatrixLike, B: MatrixLike, how: str) -> ComponentDecomposition:
     """Return the decomposition by the components of the control, sequential or parallel.
 
@@ -169,7 +176,8 @@ def decompose_by_inputs(A: MatrixLike, B: MatrixLike, how: str) -> ComponentDeco
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax + Bu; exact, with symbols generic.
+        Matrix of x' = Ax + Bu; exact, with symbols generic. A StateSpace stands for A and B:
+        `decompose_by_inputs(sys, how)`.
     B : matrix_like, shape (n, s)
         Matrix of the control; exact.
     how : {"sequential", "parallel"}

@@ -16,6 +16,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
 from trajlib.stability.regions import latex_condition
 from trajlib.structure import exact, floats
@@ -82,6 +83,7 @@ class Decomposition:
         return named_matrices(shown, self.where)
 
 
+@accepts_state_space(C="H")
 def observability_decomposition(A: MatrixLike, H: MatrixLike | None = None) -> Decomposition:
     """Return the decomposition into an observable and an unobservable part, in this order.
 
@@ -104,7 +106,10 @@ def observability_decomposition(A: MatrixLike, H: MatrixLike | None = None) -> D
     ValueError
         If shapes do not fit.
 
-    Notes ----- MATLAB: ``obsvf``, which puts the observable coordinates last. Source: Theorem 2.9
+    Notes
+    -----
+    Keywords of python-control: `C` for `H`.
+    MATLAB: ``obsvf``, which puts the observable coordinates last. Source: Theorem 2.9
     and example 3 of the problem book.
 
     Examples

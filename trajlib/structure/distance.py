@@ -28,6 +28,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import MatrixLike
 from trajlib.structure.floats import tolerance
 from trajlib.structure.nearest import descend, smallest
@@ -52,6 +53,7 @@ class Distance:
     eigenvalue: complex
 
 
+@accepts_state_space(C="H")
 def distance_to_unobservable(
     A: MatrixLike, H: MatrixLike | None = None, within: float = 0.01
 ) -> Distance:
@@ -76,7 +78,10 @@ def distance_to_unobservable(
     ValueError
         If shapes do not fit, for entries that are not real numbers, or for `within` outside (0, 1).
 
-    Notes ----- The size of a change is the 2-norm of (dA; dH), in the units given; complex changes
+    Notes
+    -----
+    Keywords of python-control: `C` for `H`.
+    The size of a change is the 2-norm of (dA; dH), in the units given; complex changes
     are allowed, so real ones may have to be larger. MATLAB has no word for it.
 
     Examples

@@ -12,10 +12,12 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import read_expression
 from trajlib._typing import ExprLike, Matrix, MatrixLike
 
 
+@accepts_state_space("A", "B", time="continuous", instead="its gramian is a sum, not an integral")
 def controllability_gramian(
     A: MatrixLike, B: MatrixLike | None = None, duration: ExprLike | None = None
 ) -> Matrix:
@@ -24,7 +26,8 @@ def controllability_gramian(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax + Bu; a StateSpace in place of it has its own `B`.
+        Matrix of x' = Ax + Bu; a StateSpace in place of it has its own `B`. A StateSpace stands for
+        A and B: `controllability_gramian(sys, duration)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     duration : float or sympy.Expr

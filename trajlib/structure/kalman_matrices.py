@@ -11,9 +11,11 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
 
 
+@accepts_state_space(C="H")
 def observability_matrix(A: MatrixLike, H: MatrixLike | None = None) -> Matrix:
     """Return the observability matrix N = (H; HA; ...; HA^(n-1)).
 
@@ -36,6 +38,7 @@ def observability_matrix(A: MatrixLike, H: MatrixLike | None = None) -> Matrix:
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``obsv``. Source: Definition 2.3 of the problem book.
 
     Examples

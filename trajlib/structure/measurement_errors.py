@@ -19,16 +19,18 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import (
-    is_float_array,
+    any_floats,
     read_exact_matrix,
     read_float_matrix,
     read_observed,
 )
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import join_names, read_symbols
 from trajlib._typing import Matrix, MatrixLike, Symbols
 from trajlib.structure.parameters import RankConditions, rank_conditions
 
 
+@accepts_state_space("A", "H", C="H")
 def with_measurement_error(
     A: MatrixLike, H: MatrixLike, S: MatrixLike, c: MatrixLike
 ) -> tuple[Matrix, Matrix]:
@@ -37,7 +39,8 @@ def with_measurement_error(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax; exact, with symbols, or floats.
+        Matrix of x' = Ax; exact, with symbols, or floats. A StateSpace stands for A and H:
+        `with_measurement_error(sys, S, c)`.
     H : matrix_like, shape (m, n)
         Matrix of the output.
     S : matrix_like, shape (k, k)
@@ -59,6 +62,7 @@ def with_measurement_error(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``blkdiag(A, S)``, ``[C c]``. Source: examples 4 and 5 of the problem book.
 
     Examples
@@ -74,7 +78,7 @@ def with_measurement_error(
     omega*(omega - 1)**2*(omega + 1)**2
     """
     A, H = read_observed(A, H)
-    floating = isinstance(A, np.ndarray) or is_float_array(S) or is_float_array(c)
+    floating = isinstance(A, np.ndarray) or any_floats(S, c)
     if floating:
         A, H = read_float_matrix(A, "A"), read_float_matrix(H, "H")
         S, c = read_float_matrix(S, "S", square=True), np.atleast_2d(read_float_matrix(c, "c"))

@@ -12,7 +12,7 @@ from itertools import combinations
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.matrices import is_float_array, read_exact_matrix, read_float_matrix
+from trajlib._arguments.matrices import any_floats, has_floats, read_exact_matrix, read_float_matrix
 from trajlib._typing import Matrix, MatrixLike
 from trajlib.structure import exact
 from trajlib.structure.pbh import LAMBDA, HiddenMode, hidden_modes
@@ -211,13 +211,13 @@ def _both(H1, H2):
 
 
 def _matrix(H):
-    return H if is_float_array(H) else read_exact_matrix(H, "H1")
+    return read_float_matrix(H, "H1") if has_floats(H) else read_exact_matrix(H, "H1")
 
 
 def _read_square(M, D, K, other):
     """Return M, D, K of one size, all exact, or all floats if anything in the system is."""
     matrices = {"M": M, "D": D, "K": K}
-    if any(map(is_float_array, (M, D, K, *other))):
+    if any_floats(M, D, K, *other):
         read = {name: read_float_matrix(m, name) for name, m in matrices.items()}
     else:
         read = {name: read_exact_matrix(m, name) for name, m in matrices.items()}
@@ -231,11 +231,7 @@ def _read_square(M, D, K, other):
 
 
 def _read_rows(H, n, name):
-    H = (
-        np.atleast_2d(read_float_matrix(H, name))
-        if is_float_array(H)
-        else read_exact_matrix(H, name)
-    )
+    H = np.atleast_2d(read_float_matrix(H, name)) if has_floats(H) else read_exact_matrix(H, name)
     if len(H.shape) != 2 or H.shape[1] != n or not H.shape[0]:
         raise ValueError(
             f"{name}: expected a matrix with {n} columns, one for each coordinate, got shape "

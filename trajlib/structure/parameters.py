@@ -18,6 +18,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import join_names, read_symbols
 from trajlib._real_symbols import as_real, restore_names
 from trajlib._typing import MatrixLike, Symbols
@@ -62,6 +63,7 @@ class RankConditions:
         return f"$\\displaystyle {latex_region(self.region)}$"
 
 
+@accepts_state_space("A", "H", C="H")
 def observability_conditions(A: MatrixLike, H: MatrixLike, parameters: Symbols) -> RankConditions:
     """Return the parameters for which x' = Ax, z = Hx is observable, and the rank elsewhere.
 
@@ -89,7 +91,10 @@ def observability_conditions(A: MatrixLike, H: MatrixLike, parameters: Symbols) 
     NotImplementedError
         If the minors are no polynomials that can be solved.
 
-    Notes ----- MATLAB has no word for it (``rank(obsv(A, C))`` by hand). Source: Theorem 2.1 and
+    Notes
+    -----
+    Keywords of python-control: `C` for `H`.
+    MATLAB has no word for it (``rank(obsv(A, C))`` by hand). Source: Theorem 2.1 and
     its corollary in the problem book.
 
     Examples
@@ -106,6 +111,7 @@ def observability_conditions(A: MatrixLike, H: MatrixLike, parameters: Symbols) 
     return _conditions(*read_observed(A, H), parameters)
 
 
+@accepts_state_space("A", "B")
 def controllability_conditions(A: MatrixLike, B: MatrixLike, parameters: Symbols) -> RankConditions:
     """Return the parameters for which x' = Ax + Bu is controllable, and the rank elsewhere.
 

@@ -12,6 +12,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import MatrixLike
 from trajlib.stability.hurwitz import characteristic_polynomial
 from trajlib.structure import exact, floats
@@ -63,6 +64,7 @@ class RankTest:
         return escape_markdown(self.reason)
 
 
+@accepts_state_space(C="H")
 def observability(A: MatrixLike, H: MatrixLike | None = None) -> RankTest:
     """Decide whether x' = Ax, z = Hx is observable, with rank, unobservable modes and margin.
 
@@ -87,6 +89,7 @@ def observability(A: MatrixLike, H: MatrixLike | None = None) -> RankTest:
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``rank(obsv(A, C))``, or the PBH test. Source: Theorems 2.1 and 2.3 of the problem book.
 
     Examples

@@ -9,11 +9,13 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
 from trajlib.structure import exact, floats
 from trajlib.structure.kalman_matrices import stacked_powers
 
 
+@accepts_state_space(C="H")
 def unobservable_subspace(A: MatrixLike, H: MatrixLike | None = None) -> Matrix:
     """Return a basis of the initial states with z = 0 for all time.
 
@@ -38,6 +40,7 @@ def unobservable_subspace(A: MatrixLike, H: MatrixLike | None = None) -> Matrix:
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB: ``null(obsv(A, C))``. Source: Theorem 2.9 of the problem book.
 
     Examples

@@ -4,6 +4,9 @@ A mode that is uncontrollable keeps its eigenvalue under u = Kx, and one that is
 it in the errors of every observer; the others can be put anywhere (Theorems 3.1 and 3.3 for the
 part that is left). So the best margin is that of the slowest fixed mode, and infinite if there is
 none.
+
+A mode decays if Re lambda < 0, in discrete time if |lambda| < 1; `rate` below is Re lambda or |lambda|
+- 1. In floats a rate that is zero within rounding counts as zero.
 """
 
 from dataclasses import dataclass
@@ -11,9 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
+from trajlib._arguments.matrices import is_state_space, read_controlled, read_observed
+from trajlib._arguments.state_space import accepts_state_space, is_discrete
 from trajlib._typing import MatrixLike
+from trajlib.structure.floats import tolerance
 from trajlib.structure.pbh import HiddenMode
 from trajlib.structure.rank_tests import controllability, observability
+from trajlib.structure.scaling import balanced
 from trajlib.typesetting import escape_markdown
 
 
@@ -27,10 +34,11 @@ class FixedSpectrum:
         The fixed eigenvalues, each with its vectors: rows w, no control changes w x, or columns v, the
         output of the motion v exp(lambda t) is zero.
     obstacles : tuple of HiddenMode
-        Those of them that do not decay, Re lambda >= 0.
+        Those of them that do not decay, Re lambda >= 0, in discrete time |lambda| >= 1.
     margin : sympy.Expr or float
         The greatest margin that some gain gives (Definition 1.5: Re lambda <= -margin); `sp.oo` (for
-        floats `inf`) if nothing is fixed; zero or negative where there are obstacles.
+        floats `inf`) if nothing is fixed; zero or negative where there are obstacles. In discrete time
+        |lambda| <= 1 - margin, and 1 if nothing is fixed.
     reason : str
         The verdict in words.
     """
@@ -53,8 +61,9 @@ def stabilisability(A: MatrixLike, B: MatrixLike | None = None) -> FixedSpectrum
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Exact or floats, or a StateSpace, which has its own `B`. With symbols the verdict is for general
-        values, and the real parts of fixed eigenvalues must have a known sign.
+        Exact or floats, or a StateSpace, which has its own `B` and is judged in its own time,
+        continuous or discrete. With symbols the verdict is for general values, and the real parts of
+        fixed eigenvalues must have a known sign.
     B : matrix_like, shape (n, s), optional
         Matrix of the control.
 
@@ -80,9 +89,12 @@ def stabilisability(A: MatrixLike, B: MatrixLike | None = None) -> FixedSpectrum
     >>> bool(found), found.margin
     (True, 1)
     """
-    return _fixed(controllability(A, B), "stabilisable", "no control changes it")
+    discrete, (dual, pushed) = is_discrete(A), read_controlled(A, B)
+    test = controllability(dual.T, pushed.T)
+    return _fixed(test, discrete, rounding(dual, pushed), "stabilisable", "no control changes it")
 
 
+@accepts_state_space(C="H")
 def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
     """Decide whether x' = Ax, z = Hx has an asymptotic observer, and with what margin.
 
@@ -105,6 +117,7 @@ def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     MATLAB has no word for it (PBH test). Source: Theorem 3.1 and example 3 of the problem book.
 
     Examples
@@ -114,9 +127,12 @@ def detectability(A: MatrixLike, H: MatrixLike | None = None) -> FixedSpectrum:
     >>> bool(found), found.margin, found.obstacles[0].vectors.T
     (False, -1, Matrix([[1, 0]]))
     """
-    return _fixed(observability(A, H), "detectable", "no output shows it")
+    discrete, (A, H) = is_discrete(A), read_observed(A, H)
+    test = observability(A, H)
+    return _fixed(test, discrete, rounding(A, H), "detectable", "no output shows it")
 
 
+@accepts_state_space(C="H")
 def best_margin(
     A: MatrixLike, B: MatrixLike | None = None, H: MatrixLike | None = None
 ) -> sp.Expr | float:
@@ -125,7 +141,8 @@ def best_margin(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system, exact or floats.
+        Matrix of the system, exact or floats, or a StateSpace with its own `B` and `H`, of which both
+        are taken unless one is given.
     B : matrix_like, shape (n, s), optional
         Matrix of the control, for u = Kx.
     H : matrix_like, shape (m, n), optional
@@ -143,6 +160,7 @@ def best_margin(
 
     Notes
     -----
+    Keywords of python-control: `C` for `H`.
     Source: examples 3, 6 and 9 of the problem book.
 
     Examples
@@ -153,6 +171,8 @@ def best_margin(
     >>> best_margin(A, B), best_margin(A, H=H), best_margin(A, B, H)
     (2, 1, 1)
     """
+    if is_state_space(A) and B is None and H is None:
+        return min(stabilisability(A).margin, detectability(A).margin)
     if B is None and H is None:
         raise ValueError("B, H: expected the matrix of the control, that of the output, or both")
     tests = [
@@ -163,13 +183,20 @@ def best_margin(
     return min(test.margin for test in tests)
 
 
-def _fixed(test, word, explanation):
-    rates = [_slowest(mode.eigenvalue) for mode in test.hidden_modes]
+def rounding(A, H):
+    """Return how far rounding may move a rate of a pair of floats from zero; 0 for an exact pair."""
+    return 10 * tolerance(len(A)) * balanced(A, H).rate if isinstance(A, np.ndarray) else 0
+
+
+def _fixed(test, discrete, limit, word, explanation):
+    rates = [slowest_rate(mode.eigenvalue, discrete, limit) for mode in test.hidden_modes]
     obstacles = tuple(
         mode for mode, rate in zip(test.hidden_modes, rates) if not _decays(rate, mode)
     )
     if not rates:
         margin = sp.oo if test.margin is None else np.inf
+        if discrete:
+            return FixedSpectrum((), (), 1.0, f"{word}: no eigenvalue is fixed, all may be zero")
         return FixedSpectrum((), (), margin, f"{word}, with any margin: no eigenvalue is fixed")
     margin = -_greatest(rates)
     names = list(dict.fromkeys(_named(mode.eigenvalue) for mode in obstacles or test.hidden_modes))
@@ -184,20 +211,20 @@ def _fixed(test, word, explanation):
     return FixedSpectrum(tuple(test.hidden_modes), obstacles, margin, reason)
 
 
-def _slowest(eigenvalue):
-    """Return the real part of an eigenvalue; of several conjugate ones the greatest."""
+def slowest_rate(eigenvalue, discrete=False, limit=0):
+    """Return the rate of an eigenvalue; of several conjugate ones the greatest."""
     if isinstance(eigenvalue, sp.Poly):
         if eigenvalue.domain.is_Composite or eigenvalue.free_symbols_in_domain:
             raise ValueError(
                 f"A: the roots of {eigenvalue.as_expr()} are fixed, and their real parts depend on "
                 "parameters; give these values"
             )
-        return _greatest([sp.re(root) for root in eigenvalue.all_roots()])
-    return (
-        sp.simplify(sp.re(eigenvalue))
-        if isinstance(eigenvalue, sp.Basic)
-        else float(np.real(eigenvalue))
-    )
+        roots = eigenvalue.all_roots()
+        return _greatest([sp.Abs(root) - 1 if discrete else sp.re(root) for root in roots])
+    if isinstance(eigenvalue, sp.Basic):
+        return sp.simplify(sp.Abs(eigenvalue) - 1 if discrete else sp.re(eigenvalue))
+    rate = float(np.abs(eigenvalue) - 1 if discrete else np.real(eigenvalue))
+    return rate if abs(rate) > limit else 0.0
 
 
 def _greatest(rates):
@@ -219,4 +246,6 @@ def _decays(rate, mode):
 def _named(eigenvalue):
     if isinstance(eigenvalue, sp.Poly):
         return f"a root of {eigenvalue.as_expr()}"
-    return f"lambda = {eigenvalue if isinstance(eigenvalue, sp.Basic) else f'{complex(eigenvalue):.6g}'}"
+    if isinstance(eigenvalue, sp.Basic):
+        return f"lambda = {eigenvalue}"
+    return f"lambda = {complex(eigenvalue) if np.imag(eigenvalue) else np.real(eigenvalue):.6g}"

@@ -1,0 +1,76 @@
+"""Reading of python-control's StateSpace in place of matrices, and of python-control's keywords."""
+
+import functools
+from collections.abc import Callable
+from typing import TypeVar
+
+from trajlib._arguments.matrices import is_state_space
+
+#: The matrix of a StateSpace that an argument stands for.
+_OF_SYSTEM = {"A": "A", "Phi": "A", "B": "B", "b": "B", "H": "C", "h": "C"}
+Function = TypeVar("Function", bound=Callable)
+
+
+def is_discrete(system):
+    """Whether this is a StateSpace in discrete time: its `dt` is True or a step, not 0 or None."""
+    return is_state_space(system) and bool(system.dt)
+
+
+def require_continuous(system, instead):
+    """Raise ValueError for a StateSpace in discrete time; `instead` is the advice."""
+    if is_discrete(system):
+        raise ValueError(
+            f"A: expected a system in continuous time, got one in discrete time (dt = {system.dt}); "
+            f"{instead}"
+        )
+
+
+def _require_discrete(system, instead):
+    if not is_discrete(system):
+        raise ValueError(
+            f"Phi: expected a system in discrete time, got one in continuous time (dt = {system.dt}); "
+            f"{instead}"
+        )
+
+
+_REQUIRE = {"continuous": require_continuous, "discrete": _require_discrete}
+
+
+def accepts_state_space(
+    *names: str, time: str | None = None, instead: str = "", **keywords: str
+) -> Callable[[Function], Function]:
+    """Let a StateSpace stand for the first arguments of a function, called `names`.
+
+    `time` is "continuous" or "discrete" where the function is for one of them only, `instead` the
+    advice for a system in the other. `keywords` maps python-control's names of arguments to ours.
+    A matrix that is given beside the system as a keyword takes the place of the system's own.
+    """
+
+    def decorate(function):
+        @functools.wraps(function)
+        def accepting(*args, **given):
+            for theirs, ours in keywords.items():
+                if theirs in given:
+                    if ours in given:
+                        raise TypeError(
+                            f"{function.__name__}: {theirs} and {ours} are one argument"
+                        )
+                    given[ours] = given.pop(theirs)
+            system = args[0] if args else given.get(names[0]) if names else None
+            if not names or not is_state_space(system):
+                return function(*args, **given)
+            if time is not None:
+                _REQUIRE[time](system, instead)
+            given.pop(names[0], None)
+            others = list(args[1:])
+            matrices = [system.A]
+            for name in names[1:]:
+                if others and others[0] is None:
+                    del others[0]
+                own = given.pop(name, None)
+                matrices.append(getattr(system, _OF_SYSTEM[name]) if own is None else own)
+            return function(*matrices, *others, **given)
+
+        return accepting
+
+    return decorate

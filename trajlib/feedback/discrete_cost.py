@@ -1,0 +1,147 @@
+"""Linear regulators in discrete time with a quadratic cost: infinite and finite horizon.
+
+For x_{i+1} = A x_i + B u_i the cost is J = sum of (x_i^T G x_i + u_i^T N u_i), up to a last step T - 1
+plus x_T^T F x_T. Its least value from x is x^T S x, and
+
+    K_i = -(N + B^T S_{i+1} B)^-1 B^T S_{i+1} A,
+    S_i = G + K_i^T N K_i + (A + B K_i)^T S_{i+1} (A + B K_i),    S_T = F.
+
+For the infinite horizon S is constant: it is the covariance before the measurement of the stationary
+filter for (A^T, B^T, G, N), and is solved there.
+"""
+
+import sympy as sp
+
+from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.matrices import any_floats
+from trajlib._arguments.numbers import read_count
+from trajlib._arguments.state_space import accepts_state_space
+from trajlib._typing import MatrixLike
+from trajlib.estimation.exact_or_float import solve, symmetric, tidy
+from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
+from trajlib.estimation.stationary_filters import discrete_stationary_filter
+from trajlib.feedback.quadratic_cost import QuadraticRegulator, read_regulator
+
+#: A hypothesis on a filter, in the words of the regulator that is dual to it.
+_DUAL = {
+    DETECTABLE: "not stabilisable, a mode that does not decay is not controlled",
+    DRIVEN: "a mode on the unit circle is unobservable in the cost",
+    GENERAL: (
+        "for general values of the symbols the pair is not stabilisable, or a mode on the unit circle "
+        "is unobservable in the cost"
+    ),
+}
+
+
+@accepts_state_space("A", "B", time="discrete", instead="use lqr", Q="G", R="N")
+def discrete_lqr(A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike) -> QuadraticRegulator:
+    """Return the linear law u = Kx of least quadratic cost for all steps of a discrete system.
+
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x_{i+1} = A x_i + B u_i; exact, also with symbols (then for general values), or
+        floats. A StateSpace stands for A and B: `discrete_lqr(sys, G, N)`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    G : matrix_like, shape (n, n)
+        Weight of the state, positive semidefinite.
+    N : matrix_like, shape (s, s)
+        Weight of the control, positive definite.
+
+    Returns
+    -------
+    QuadraticRegulator
+        The best of the laws that bring every state to zero; false in an `if`, with a reason, if there
+        is none. There is one if and only if (A, B) is stabilisable and every mode on the unit circle is
+        observable in the cost.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or a weight is not symmetric or not positive (semi)definite.
+    numpy.linalg.LinAlgError
+        If there is such a law, but the digits of floats did not suffice to find it.
+    NotImplementedError
+        For exact spectra beyond square roots.
+
+    Notes
+    -----
+    Keywords of python-control: `Q`, `R` for `G`, `N`.
+    The sign is u = Kx. MATLAB: ``-dlqr(A, B, G, N)``; python-control: ``-dlqr(A, B, G, N)[0]``. Source:
+    added to the problem book; dual to Theorem 4.2.
+
+    Examples
+    --------
+    >>> law = discrete_lqr(1, 1, 1, 1)
+    >>> law.cost[0], law.gain[0]
+    (1/2 + sqrt(5)/2, 1/2 - sqrt(5)/2)
+    """
+    A, B, G, N = read_regulator(A, B, G, N)
+    filter = discrete_stationary_filter(A.T, B.T, G, N)
+    if not filter:
+        reason = f"no stabilising law of least cost: {_DUAL[failed_hypothesis(A.T, B.T, G, True)]}"
+        return QuadraticRegulator(None, None, None, sp.false, reason)
+    general = "" if filter.where == sp.true else f"; where {filter.where}"
+    return QuadraticRegulator(
+        filter.covariance,
+        tidy(-filter.gain.T @ A),
+        filter.errors.T,
+        filter.where,
+        f"the stabilising law of least cost{general}",
+        filter.residual,
+        filter.error,
+    )
+
+
+@accepts_state_space("A", "B", time="discrete", instead="use finite_lqr", Q="G", R="N")
+def discrete_finite_lqr(
+    A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike, F: MatrixLike, steps: int
+) -> tuple[QuadraticRegulator, ...]:
+    """Return the laws u_i = K_i x_i of least cost for a given number of steps.
+
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of x_{i+1} = A x_i + B u_i; exact or floats. A StateSpace stands for A and B:
+        `discrete_finite_lqr(sys, G, N, F, steps)`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    G : matrix_like, shape (n, n)
+        Weight of the state, positive semidefinite.
+    N : matrix_like, shape (s, s)
+        Weight of the control, positive definite.
+    F : matrix_like, shape (n, n)
+        Weight of the state after the last step; positive semidefinite.
+    steps : int
+        Number of steps T, at least 1.
+
+    Returns
+    -------
+    tuple of QuadraticRegulator
+        T laws in the order of time; the cost of each is that from its step on.
+
+    Raises
+    ------
+    ValueError
+        If shapes do not fit, or a weight is not symmetric or not positive (semi)definite.
+
+    Notes
+    -----
+    Keywords of python-control: `Q`, `R` for `G`, `N`.
+    The sign is u = Kx. Source: added to the problem book; R. E. Bellman's dynamic programming.
+
+    Examples
+    --------
+    >>> [law.gain[0] for law in discrete_finite_lqr(1, 1, 1, 1, 0, 3)]
+    [-3/5, -1/2, 0]
+    """
+    floats = any_floats(A, B, G, N, F)
+    A, B, G, N = read_regulator(A, B, G, N, floats)
+    cost, laws = read_covariance(F, "F", A.shape[0], floats), []
+    for _ in range(read_count(steps, "steps", 1)):
+        gain = -solve(symmetric(N + B.T @ cost @ B), B.T @ cost @ A)
+        loop = tidy(A + B @ gain)
+        cost = symmetric(G + gain.T @ N @ gain + loop.T @ cost @ loop)
+        laws.append(QuadraticRegulator(cost, gain, loop, sp.true, "the law of least cost"))
+    return tuple(reversed(laws))
