@@ -300,3 +300,13 @@ def test_gains_without_a_stationary_covariance_are_rejected():
         estimation.least_gain(estimation.error_covariance(np.array([[-1.0]]), 1, 2, 1, 1), [K])
     with pytest.raises(ValueError, match="no minimum is reached"):
         estimation.least_gain(estimation.error_covariance(-1, 0, 2, 1, 0), [K])
+
+
+@pytest.mark.parametrize("start, limit", [(0.0, 0.0), (1e-6, 3.0), (9.0, 3.0)])
+def test_an_undisturbed_growing_mode_is_estimated_from_a_positive_variance_only(start, limit):
+    zero, one = np.zeros((1, 1)), np.eye(1)
+    run = estimation.KalmanFilter(2 * one, one, zero, one).run(
+        np.zeros((60, 1)), estimation.Moments([0.0], [[start]])
+    )
+    assert run.predicted_covariances[-1].item() == pytest.approx(limit)
+    assert estimation.discrete_stationary_filter(2, 1, 0, 1).covariance[0] == 3
