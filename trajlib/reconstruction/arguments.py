@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from trajlib._arguments.numbers import read_times
+from trajlib._arguments.numbers import read_array, read_times
 
 
 def read_record_times(t):
@@ -39,17 +39,37 @@ def read_weights(sigma, size):
     return rho
 
 
+def read_errors(sigma, h, size):
+    """Return standard errors, shape (N + 1,), or that of h if they differ by column."""
+    sigma = read_array(sigma, "sigma", "standard errors")
+    shape = np.shape(h)
+    if sigma.shape in ((), (size,)):
+        read_weights(sigma, size)
+        return np.broadcast_to(sigma, (size,)).copy()
+    by_column = sigma[None] if sigma.shape == shape[1:] else sigma
+    try:
+        errors = np.broadcast_to(by_column, shape).copy()
+    except ValueError:
+        raise ValueError(
+            f"sigma: expected a number, {size} standard errors, one a time, or an array for h of shape "
+            f"{shape} (one a column, or one a sample), got shape {sigma.shape}"
+        ) from None
+    for column in errors.reshape(size, -1).T:
+        read_weights(column, size)
+    return errors
+
+
 def read_samples(h, rho):
     """Return samples, finite wherever something was measured."""
-    h = np.asarray(h, dtype=float)
-    if h.ndim == 0 or h.shape[0] != rho.size or 0 in h.shape:
+    h, size = np.asarray(h, dtype=float), len(rho)
+    if h.ndim == 0 or h.shape[0] != size or 0 in h.shape:
         raise ValueError(
-            f"h: expected {rho.size} samples, one a time (several records as columns), got shape "
+            f"h: expected {size} samples, one a time (several records as columns), got shape "
             f"{h.shape}"
         )
-    missing = ~np.isfinite(h.reshape(rho.size, -1)).all(axis=1) & (rho > 0)
+    missing = ~np.isfinite(h.reshape(size, -1)) & (rho.reshape(size, -1) > 0)
     if missing.any():
-        k = np.flatnonzero(missing)[0]
+        k = np.flatnonzero(missing.any(axis=1))[0]
         raise ValueError(
             f"h: sample {k} is not a finite number; where nothing was measured give sigma[{k}] = "
             "inf"

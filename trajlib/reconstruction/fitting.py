@@ -8,10 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from trajlib import plotting
-from trajlib._arguments.numbers import read_seconds
+from trajlib._arguments.numbers import read_positive, read_seconds
 from trajlib._typing import ArrayLike
-from trajlib.reconstruction.arguments import read_record_times, read_samples, read_weights
+from trajlib.reconstruction import influence
+from trajlib.reconstruction.arguments import read_errors, read_record_times, read_samples
 from trajlib.reconstruction.direct import bounded_fit
+from trajlib.reconstruction.robust import robust_fit
 from trajlib.reconstruction.splines import cubic_spline, join_splines
 from trajlib.reconstruction.sweep import SweepGains
 from trajlib.reconstruction.weight import sweep_fit
@@ -33,7 +35,7 @@ class Reconstruction:
         Times of the samples.
     h : ndarray, shape (N + 1, ...)
         Samples.
-    sigma : ndarray, shape (N + 1,)
+    sigma : ndarray, shape (N + 1,) or (N + 1, ...)
         Standard errors.
     method : str
         "sweep" or "direct".
@@ -44,9 +46,11 @@ class Reconstruction:
     active : bool or ndarray
         Whether the bound is active.
     misfit : float or ndarray
-        Sum of ((x_k - h_k)/sigma_k)^2.
+        Sum of ((x_k - h_k)/sigma_k)^2, each term times its weight.
     max_acceleration : float or ndarray
         Greatest |u|.
+    weights : ndarray, shape (N + 1, ...)
+        Robust weights of the samples, 1 unless `robust` was given.
     """
 
     t: np.ndarray
@@ -58,6 +62,7 @@ class Reconstruction:
     active: bool | np.ndarray
     misfit: float | np.ndarray
     max_acceleration: float | np.ndarray
+    weights: np.ndarray
     _spline: PPoly = field(repr=False)
 
     def position(self, t: ArrayLike) -> np.ndarray:
@@ -106,6 +111,58 @@ class Reconstruction:
         """
         inside, beyond = self._inside(t)
         return np.where(beyond == 0, self._spline(inside, 2), 0.0)
+
+    def standard_deviations(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the standard deviations of position, velocity and acceleration.
+
+        Parameters
+        ----------
+        t : array_like
+            Finite times.
+
+        Returns
+        -------
+        (ndarray, ndarray, ndarray)
+            Each of the shape of `t` (and of the columns).
+
+        Raises
+        ------
+        ValueError
+            For the direct method, whose motion is no smooth function of the samples.
+
+        Notes
+        -----
+        They are caused by independent errors of the samples for the weight M (and the robust
+        weights) that was used. What the smoothing changes in the true motion is not included.
+
+        Examples
+        --------
+        >>> mean = reconstruct([0, 1, 2], [0, 0, 0], 1.0, M=1e9)      # nearly a straight line
+        >>> [part.round(3).item() for part in mean.standard_deviations(1.0)]
+        [0.577, 0.707, 0.0]
+        """
+        if self.method == "direct":
+            raise ValueError(
+                "standard_deviations: the motion of the direct method is no smooth function of the "
+                'samples; take method="sweep"'
+            )
+        inside, _ = self._inside(t)
+        beyond = np.asarray(t, dtype=float) - inside
+        count, shape = self.h[0].size, inside.shape + self.h.shape[1:]
+        sigma = np.broadcast_to(self.sigma.reshape(self.t.size, -1), (self.t.size, count))
+        weights = self.weights.reshape(self.t.size, count)
+        M = np.broadcast_to(self.M, self.h.shape[1:]).ravel()
+        found: dict = {}
+        for k in range(count):
+            key = sigma[:, k].tobytes(), weights[:, k].tobytes(), M[k]
+            if key not in found:
+                effective = sigma[:, k] / np.sqrt(weights[:, k])
+                found[key] = influence.standard_deviations(
+                    inside.ravel(), beyond.ravel(), self.t, sigma[:, k], effective, M[k]
+                )
+            found[k] = found[key]
+        x, y, u = np.stack([found[k] for k in range(count)], axis=-1).reshape(3, *shape)
+        return x, y, u
 
     def _inside(self, t):
         t = read_seconds(t, "t")
@@ -173,6 +230,7 @@ def reconstruct(
     max_acceleration: ArrayLike | None = None,
     M: float | None = None,
     method: str = "sweep",
+    robust: float | None = None,
 ) -> Reconstruction:
     """Return the motion that fits noisy samples of its position under an acceleration bound.
 
@@ -183,13 +241,17 @@ def reconstruct(
     h : array_like, shape (N + 1, ...)
         Samples, a column for each coordinate or record; nan is allowed where nothing was measured.
     sigma : array_like
-        Standard error, or N + 1 standard errors; infinity where nothing was measured.
+        Standard error, or N + 1 standard errors, one a time; for columns of different accuracy one
+        a column, shape (1, columns), or one a sample. Infinity where nothing was measured.
     max_acceleration : array_like, optional
         Acceleration bound, a number or one for each column. Give either it or `M`.
     M : float, optional
         Weight of the acceleration.
     method : {"sweep", "direct"}
         "sweep" is the method of the paper, "direct" a convex programme.
+    robust : float, optional
+        Residuals beyond this number of standard errors, such as 1.5, count linearly and not by
+        their squares (Huber), so that gross errors hardly matter.
 
     Returns
     -------
@@ -220,8 +282,8 @@ def reconstruct(
     (True, 0.5, 1.033)
     """
     t = read_record_times(t)
-    rho = read_weights(sigma, t.size)
-    h = read_samples(h, rho)
+    sigma = read_errors(sigma, h, t.size)
+    h = read_samples(h, np.isfinite(sigma))
     if method not in ("sweep", "direct"):
         raise ValueError(f'method: expected "sweep" or "direct", got {method!r}')
     if (M is None) == (max_acceleration is None):
@@ -229,14 +291,36 @@ def reconstruct(
             "give either max_acceleration, the bound, or M, the weight of the acceleration, and "
             "not both"
         )
-    if M is not None:
-        if method == "direct":
-            raise ValueError(
-                "M belongs to the sweep; the direct method takes max_acceleration alone"
-            )
-        x, y, u = SweepGains(t, sigma, M).apply(h)
-        return _result(t, h, rho, cubic_spline(t, x, y, u), method, None, float(M), False)
+    if M is not None and method == "direct":
+        raise ValueError("M belongs to the sweep; the direct method takes max_acceleration alone")
+    robust = None if robust is None else read_positive(robust, "robust", "standard errors")
+    bounds = None if M is not None else _read_bounds(max_acceleration, h)
+    if M is not None and robust is None and sigma.ndim == 1:
+        spline = cubic_spline(t, *SweepGains(t, sigma, M).apply(h))
+        return _result(t, h, sigma, spline, method, None, float(M), False, np.ones(t.size))
+    columns, fits = h.reshape(t.size, -1), []
+    errors = np.broadcast_to(sigma.reshape(t.size, -1), columns.shape)
+    for k in range(columns.shape[1]):
+        given, column = errors[:, k], columns[:, k]
 
+        def fit(effective, column=column, k=k):
+            if M is not None:
+                return cubic_spline(t, *SweepGains(t, effective, M).apply(column)), M, False
+            method_fit = sweep_fit if method == "sweep" else bounded_fit
+            return method_fit(t, column, effective**-2.0, bounds[k])
+
+        fitted, weights = fit(given), np.ones(t.size)
+        if robust is not None:
+            fitted, weights = robust_fit(fit, t, column, given, robust)
+        fits.append((*fitted, weights))
+    found_M, active = (_in_column_shape(np.array([f[j] for f in fits]), h) for j in (1, 2))
+    weights = np.stack([f[3] for f in fits], axis=1).reshape(h.shape)
+    spline = join_splines([f[0] for f in fits], h.shape[1:])
+    return _result(t, h, sigma, spline, method, max_acceleration, found_M, active, weights)
+
+
+def _read_bounds(max_acceleration, h):
+    """Return the acceleration bounds of all columns, flat."""
     bound = np.asarray(max_acceleration, dtype=float)
     if not (bound > 0).all():
         raise ValueError(
@@ -244,26 +328,20 @@ def reconstruct(
             "|u| below zero, and with 0 it is uniform: fit a straight line"
         )
     try:
-        bounds = np.broadcast_to(bound, h.shape[1:]).ravel()
+        return np.broadcast_to(bound, h.shape[1:]).ravel()
     except ValueError:
         raise ValueError(
             f"max_acceleration: expected a number or an array of shape {h.shape[1:]}, got shape "
             f"{bound.shape}"
         ) from None
-    columns = h.reshape(t.size, -1)
-    fit = sweep_fit if method == "sweep" else bounded_fit
-    fits = [fit(t, columns[:, k], rho, bounds[k]) for k in range(columns.shape[1])]
-    weight, active = (_in_column_shape(np.array([f[j] for f in fits]), h) for j in (1, 2))
-    spline = join_splines([f[0] for f in fits], h.shape[1:])
-    return _result(t, h, rho, spline, method, max_acceleration, weight, active)
 
 
-def _result(t, h, rho, spline, method, bound, M, active):
+def _result(t, h, sigma, spline, method, bound, M, active, weights):
     columns = (1,) * (h.ndim - 1)
-    residuals = np.where(rho.reshape(-1, *columns) > 0, spline(t) - h, 0)
-    sigma = np.full(rho.shape, np.inf)
-    sigma[rho > 0] = rho[rho > 0] ** -0.5
-    misfit = np.sum(rho.reshape(-1, *columns) * residuals**2, axis=0)
+    errors = sigma.reshape(t.size, *columns) if sigma.ndim == 1 else sigma
+    residuals = np.where(np.isfinite(errors), (spline(t) - h) / errors, 0)
+    shares = weights if weights.ndim == h.ndim else weights.reshape(t.size, *columns)
+    misfit = np.sum(shares * residuals**2, axis=0)
     lengths = np.diff(spline.x).reshape(-1, *columns)
     max_acceleration = np.maximum(
         np.abs(2 * spline.c[1]), np.abs(2 * spline.c[1] + 6 * spline.c[0] * lengths)
@@ -278,6 +356,7 @@ def _result(t, h, rho, spline, method, bound, M, active):
         active,
         _in_column_shape(misfit, h),
         _in_column_shape(max_acceleration, h),
+        np.broadcast_to(shares, h.shape),
         spline,
     )
 
