@@ -122,7 +122,8 @@ def stationary_filter(
 
     Notes
     -----
-    Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`.
+    Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`. With a system its `lqe` takes QN for
+    the noise of the inputs; here that is Q = B QN B^T.
     MATLAB: ``lqe``, ``kalman``; python-control: ``lqe``. Source: Theorem 4.4, example 4, problems
     4.33 - 4.41.
 
@@ -175,7 +176,8 @@ def discrete_stationary_filter(
 
     Notes
     -----
-    Keywords of python-control: `A`, `C`, `QN`, `RN` for `Phi`, `H`, `Q`, `R`.
+    Keywords of python-control: `A`, `C`, `QN`, `RN` for `Phi`, `H`, `Q`, `R`. With a system its `dlqe`
+    takes QN for the noise of the inputs; here that is Q = B QN B^T.
     The gain is that of the correction, x~+ = x~- + K (z - H x~-); the gain of the one-step
     predictor is Phi K. MATLAB: ``dlqe``; python-control: ``dlqe``. Source: Theorem 4.2, problems
     4.22 - 4.25.

@@ -91,8 +91,8 @@ def place(A: MatrixLike, B: MatrixLike, eigenvalues: Sequence[complex]) -> Place
     Parameters
     ----------
     A : array_like, shape (n, n)
-        Matrix of x' = Ax + Bu, or a python-control StateSpace (then `B` may be None). A StateSpace
-        stands for A and B: `place(sys, eigenvalues)`.
+        Matrix of x' = Ax + Bu. A python-control StateSpace stands for A and B:
+        `place(sys, eigenvalues)`.
     B : array_like, shape (n, s)
         Matrix of the control.
     eigenvalues : sequence of n numbers

@@ -167,8 +167,8 @@ def finite_lqr(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax + Bu; exact or floats. A StateSpace stands for A and B: `finite_lqr(sys,
-        G, N, F, time_to_go)`.
+        Matrix of x' = Ax + Bu; exact or floats. A StateSpace stands for A and B:
+        `finite_lqr(sys, G, N, F, time_to_go)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
@@ -272,8 +272,8 @@ def lqg(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system; exact or floats. A StateSpace stands for A, B and H: `lqg(sys, G, N,
-        Q, R)`.
+        Matrix of the system; exact or floats. A StateSpace stands for A, B and H:
+        `lqg(sys, G, N, Q, R)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     H : matrix_like, shape (m, n)

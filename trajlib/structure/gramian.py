@@ -26,8 +26,8 @@ def controllability_gramian(
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of x' = Ax + Bu; a StateSpace in place of it has its own `B`. A StateSpace stands for
-        A and B: `controllability_gramian(sys, duration)`.
+        Matrix of x' = Ax + Bu. A StateSpace stands for A and B:
+        `controllability_gramian(sys, duration)`.
     B : matrix_like, shape (n, s)
         Matrix of the control.
     duration : float or sympy.Expr
