@@ -10,6 +10,7 @@ from workbook.checks.contract.tolerance import (
     EXACT,
     MOST_FOLLOWED,
     agree,
+    exact_values,
     in_decimals,
     relative_tolerance,
     rounds_to,
@@ -42,6 +43,38 @@ x, v, r, t = sp.symbols("x v r t", real=True)
 def test_three_significant_digits(answer, value, right):
     assert rounds_to(answer, value) is right
     assert agree(answer, value, sp.Float(answer)) is right or value == 0 == answer
+
+
+@pytest.mark.parametrize(
+    "decimal, low, high",
+    [
+        ("7.17", "7.165", "7.175"),
+        ("-7.2", "-7.205", "-7.195"),
+        ("0.667", "0.6665", "0.6675"),
+        ("0.66667", "0.66617", "0.66717"),
+        ("2.667", "2.662", "2.672"),
+        ("1000", "999.5", "1005"),
+        ("1.004", "1", "1.009"),
+        ("9.99", "9.985", "9.995"),
+        ("9.996", "9.991", "10.046"),
+        ("0.0", "0", "0"),
+    ],
+)
+def test_a_decimal_stands_for_the_numbers_that_it_is_right_for(decimal, low, high):
+    ends = exact_values(sp.Float(decimal))
+    assert ends == (sp.Rational(low), sp.Rational(high))
+    for share in (sp.Rational(k, 8) for k in range(9)):
+        assert rounds_to(sp.Float(decimal), float(ends[0] + share * (ends[1] - ends[0])))
+    below, above = (end + side * abs(end) / 10**5 for end, side in zip(ends, (-1, 1)))
+    assert decimal == "0.0" or not rounds_to(sp.Float(decimal), float(below))
+    assert decimal == "0.0" or not rounds_to(sp.Float(decimal), float(above))
+
+
+def test_exponents_of_ten_are_exact():
+    for k in range(-30, 31):
+        assert exact_values(sp.Float(f"2e{k}")) == tuple(
+            sp.Rational(end) * sp.Integer(10) ** k for end in ("1.995", "2.005")
+        )
 
 
 @pytest.mark.parametrize(

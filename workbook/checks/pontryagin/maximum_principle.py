@@ -12,7 +12,6 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.tolerance import (
-    EXACT,
     agree,
     in_decimals,
     relative_tolerance,
@@ -30,7 +29,7 @@ from workbook.checks.pontryagin.sample_points import (
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates, singular_arcs
 from workbook.checks.tools.conditions import decide, exactly
 from workbook.checks.tools.numeric_functions import real_function
-from workbook.checks.tools.values import entry_uncertainties, number_at, value_at
+from workbook.checks.tools.values import entry_uncertainties, number_at, uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text, values_text
 
 #: Between what a control without a bound is compared.
@@ -210,7 +209,13 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
             value_at(claim, values, "the greatest value of H"),
             sum(parts) + sum(terms),
         )
-        if not agree(claimed, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
+        if not agree(
+            claimed,
+            wanted,
+            claim,
+            max(map(abs, [*parts, *terms])),
+            uncertain=uncertainty_at(claim, values),
+        ):
             raise Wrong(
                 f"for {rounded_text(values)} your expression gives {claimed:.4g}; "
                 + (
@@ -226,7 +231,7 @@ def _equal(claim, true, values, what):
     true = sp.expand(true)
     parts = [abs(number_at(part, values)) for part in sp.Add.make_args(true)]
     claimed, wanted = value_at(claim, values, what), number_at(true, values).real
-    if not agree(claimed, wanted, claim, size=max(parts), computed=EXACT):
+    if not agree(claimed, wanted, claim, max(parts), uncertain=uncertainty_at(claim, values)):
         if true.is_number:  # the true number would be the answer itself
             raise Wrong(f"{what} is not {claimed:.4g}, which your expression gives")
         raise Wrong(

@@ -72,8 +72,14 @@ class InTime:
             ]
 
         self._values, self._rates = compiled(claims)
-        followed = perturbed(*claims) if in_decimals(*claims) else []
-        self._changed = [[compiled(side) for side in sides] for sides in followed or ()]
+        # A state that is the derivative of the one before has no decimals of its own.
+        slopes = [k > 0 and claims[k] == _slope(claims[k - 1], time) for k in range(len(claims))]
+        written = [claim for claim, is_slope in zip(claims, slopes) if not is_slope]
+        followed = perturbed(*written) if in_decimals(*written) else []
+        self._changed = [
+            [compiled(_with_slopes(side, slopes, time)) for side in sides]
+            for sides in followed or ()
+        ]
         self.rounding = (
             relative_tolerance(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
         )
@@ -98,6 +104,14 @@ class InTime:
                 moved = [np.abs(at_instants(side[k], times, *numbers) - here) for side in sides]
                 found[k] = found[k] + np.nan_to_num(np.fmax(*moved))
         return found
+
+
+def _with_slopes(written, slopes, time):
+    """Return all states, those that are the derivative of the one before among them."""
+    parts, states = iter(written), []
+    for is_slope in slopes:
+        states.append(_slope(states[-1], time) if is_slope else next(parts))
+    return states
 
 
 class Control(Claim):

@@ -19,7 +19,7 @@ from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import cached_field
 from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.substitution import real_at
-from workbook.checks.tools.values import number_at, value_at
+from workbook.checks.tools.values import number_at, uncertainty_at, value_at
 from workbook.checks.tools.wording import (
     sample_text,
 )
@@ -195,7 +195,12 @@ def cycle_period(claim, radial, angular, radius, parameters):
                 "real number"
             )
         rate = float(turning(rest, numbers)[0])
-        if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
+        if period <= 0 or not agree(
+            rate * period,
+            math.copysign(2 * math.pi, rate),
+            claim,
+            uncertain=abs(rate) * uncertainty_at(claim, values),
+        ):
             raise Wrong(
                 f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
                 f"{period:.4g}, which is not one turn"

@@ -31,13 +31,20 @@ def dulac_function(answer, field, state, parameters, domain=None):
     """
     symbols = [*state, *parameters]
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
-    terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
+
+    def terms_of(multiplier):
+        return [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
+
+    terms = terms_of(multiplier)
     random = np.random.default_rng(9)
     points = random_columns(random, symbols, domain, 300, [multiplier, divergence])
     with np.errstate(all="ignore"):
         parts, points = _within_reach(
             [_values(e, symbols, points) for e in (*terms, divergence, multiplier)], points
         )
+    uncertain = _left_open(
+        multiplier, lambda part: _values(sp.Add(*terms_of(part)), symbols, points)
+    ) + _left_open(divergence, lambda part: _values(part, symbols, points))
     for k, point in enumerate(points.T):
         where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, point))
         if not np.all(np.isfinite(parts[:, k])):
@@ -46,7 +53,16 @@ def dulac_function(answer, field, state, parameters, domain=None):
                 "real number"
             )
         true, claimed = parts[:-2, k].sum(), parts[-2, k]
-        if not (math.isfinite(true) and agree(claimed, true, divergence, abs(parts[:-2, k]).sum())):
+        if not (
+            math.isfinite(true)
+            and agree(
+                claimed,
+                true,
+                divergence,
+                abs(parts[:-2, k]).sum(),
+                uncertain=np.broadcast_to(uncertain, len(points.T))[k],
+            )
+        ):
             raise Wrong(
                 f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
                 f"your second expression gives {claimed:.4g}"

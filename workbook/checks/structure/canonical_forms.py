@@ -24,7 +24,7 @@ from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
 from workbook.checks.references.records import controlled_pair, has_control, observed_pair
 from workbook.checks.tools.comparisons import SameEntries
-from workbook.checks.tools.values import matrix_at
+from workbook.checks.tools.values import matrix_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -178,7 +178,9 @@ def judge_form(claim, pair, form):
         shape_of_form(claimed, tolerance, form, where_text(values))
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
         own = np.array([1, *(0 - claimed[:, 0])])  # not -said: a zero would be told as -0
-        if not agree(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
+        column = list(claim[:, 0])
+        uncertain = [uncertainty_at(entry, values) for entry in column]
+        if not agree(own[1:], true[1:], column, max(abs(true)), uncertain=uncertain).all():
             # not 0: the value there is a coefficient, which is asked for
             at = max(
                 (1, -1, 2, -2, 3, 5),

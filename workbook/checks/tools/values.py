@@ -148,6 +148,8 @@ def uncertainty_at(claim, values):
 
 def uncertainties_at(claim, points):
     """Return `uncertainty_at` at many points, dicts of the same symbols, all at once."""
+    if not points:
+        return []
     symbols = list(points[0])
     if not (in_decimals(claim) and claim.free_symbols) or binds_symbols(claim):
         return [uncertainty_at(claim, values) for values in points]

@@ -215,6 +215,13 @@ CASES = [
     ),
     Case(
         "arc_transition_curve",
+        -7.2 * TURNED,
+        (ENERGY, LEFT, RANGE, WIDE),
+        "wrong",
+        "43/6 to two digits",
+    ),
+    Case(
+        "arc_transition_curve",
         -R(201, 100) * TURNED,
         (FUEL, LEFT, RANGE, WIDE),
         "wrong",
