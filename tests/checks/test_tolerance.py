@@ -8,7 +8,7 @@ import sympy as sp
 from workbook import checks
 from workbook.checks.contract.tolerance import (
     EXACT,
-    MOST_FOLLOWED,
+    MOST_EVALUATED,
     agree,
     exact_values,
     in_decimals,
@@ -119,7 +119,7 @@ def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
     assert uncertainty_at(x**0.5 + sp.Rational(1, 3) * x, {x: 4}) == 0  # nothing is rounded
     assert np.isnan(uncertainty_at(sp.Float(0.33), {}))  # a number has digits of its own
     assert np.isnan(
-        uncertainty_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1})
+        uncertainty_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_EVALUATED + 1)), {x: 1})
     )
 
 

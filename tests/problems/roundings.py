@@ -40,6 +40,8 @@ def _numbers(value):
         yield from _numbers(value.base)
     elif isinstance(value, sp.Mul):
         yield from _numbers(list(_distributed(value) or _product(value)))
+    elif isinstance(value, sp.Add):
+        yield from _numbers(_collected(value) or list(value.args))
     elif isinstance(value, sp.Basic):
         yield from _numbers(value.args)
 
@@ -51,6 +53,16 @@ def _awkward(number):
         and not number.is_integer
         and float(number) != float(f"{float(number):.1e}")
     )
+
+
+def _collected(value):
+    """Return the terms of a sum with those added up that SymPy adds if their numbers are decimals."""
+    coefficients = {}
+    for term in value.args:
+        number, rest = term.as_independent(*term.free_symbols, as_Add=False)
+        coefficients[rest] = coefficients.get(rest, 0) + number
+    fewer = len(coefficients) < len(value.args)
+    return [number * rest for rest, number in coefficients.items()] if fewer else []
 
 
 def _distributed(value):
@@ -80,8 +92,10 @@ def _put(value, decimals):
         return value
     if isinstance(value, sp.Pow):
         return sp.Pow(_put(value.base, decimals), value.exp)
-    if isinstance(value, sp.Mul) and _distributed(value):
-        return sp.Add(*(_put(term, decimals) for term in _distributed(value)))
+    terms = _distributed(value) if isinstance(value, sp.Mul) else ()
+    terms = _collected(value) if isinstance(value, sp.Add) else terms
+    if terms:
+        return sp.Add(*(_put(term, decimals) for term in terms))
     if isinstance(value, sp.Mul):
         return sp.Mul(*(_put(factor, decimals) for factor in _product(value)))
     return value.func(*(_put(part, decimals) for part in value.args))

@@ -3,12 +3,13 @@
 - Exact: what is written without decimals has to be right, up to the rounding of what is computed
   with it.
 - Decimals: a decimal d may stand for each number e with |d - e| at most half a unit of the third
-  significant digit of e, however many digits d has: 7.17 may be 43/6, 7.2 may not. So it is in
-  expressions and conditions as for a single number: there each coefficient in decimals, as SymPy
-  holds it, may be anywhere in its interval (`exact_values`), and the answer is right if such a
-  choice gives what is right. An expression is as uncertain as such a change of each of its decimals
-  makes it (`perturbed`). Where that cannot be followed, and in what is computed from numbers,
-  decimals make each term uncertain by the share `DECIMALS` of it.
+  significant digit of e, however many digits d has: 7.17 may be 43/6, 7.2 may not. In expressions
+  and conditions the same holds for each decimal, as SymPy keeps it (of 2*0.318*a it keeps 0.636*a):
+  it may be anywhere in its interval (`exact_values`), and the answer is right if some choice gives
+  what is right. A value of an expression is as uncertain as these intervals make it (`perturbed`,
+  `tools.values.left_open`); the numbers in a condition are looked for (`tools.conditions`).
+- Share: where the decimals are too many to be followed, and in a few residuals of matrices, they
+  make each term uncertain by the share `DECIMALS`, which is half a unit at worst.
 - Zero: a decimal that should be 0 has to be 0 itself. Beside larger numbers, in a vector or a
   matrix, it has the digits of a thousandth of the largest.
 - Computed: where the reference itself is known to a precision only, as by a search, that replaces
@@ -36,8 +37,9 @@ ROUNDING = 1e-9
 NEGLIGIBLE = 1e-3
 #: The terms of an expression with symbols may cancel to this share of their size.
 CANCELLED = 0.1
-#: The change of each decimal is followed in expressions that have no more of them.
-MOST_FOLLOWED = 12
+#: The change of each decimal is followed in answers that have no more of them: in those of which
+#: motions are simulated, and in those that are only evaluated.
+MOST_FOLLOWED, MOST_EVALUATED = 12, 48
 #: The change of two decimals at once is followed in expressions that have no more of them.
 MOST_TOGETHER = 3
 
@@ -52,22 +54,24 @@ def in_decimals(*written):
     )
 
 
-def perturbed(*written):
+def perturbed(*written, most=MOST_FOLLOWED):
     """Return SymPy objects with each decimal at the ends of its interval.
 
     Parameters
     ----------
     *written : sympy.Basic
         The objects; the exponent of a root is exact however it is written.
+    most : int
+        The number of decimals up to which they are changed.
 
     Returns
     -------
     list or None
         For each decimal, the same with either sign, a pair of lists of the objects: with it smaller
-        and larger. None if there are more than `MOST_FOLLOWED`.
+        and larger. None if there are more decimals than `most`.
     """
     written, decimals = _followed(written)
-    if len(decimals) > MOST_FOLLOWED:
+    if len(decimals) > most:
         return None
     return [[_perturbed_by(written, (number,), side) for side in (-1, 1)] for number in decimals]
 

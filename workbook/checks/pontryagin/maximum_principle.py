@@ -12,9 +12,9 @@ import sympy as sp
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.tolerance import (
+    EXACT,
     agree,
     in_decimals,
-    relative_tolerance,
 )
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
@@ -151,14 +151,14 @@ def maximising_control(answer, problem, costates, domain=None):
     ):
         numbers, bounds = [float(values[s]) for s in symbols], control_bounds(problem, values)
         claimed = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
-        for u, value, (low, high) in zip(controls, claimed, bounds):
-            slack = relative_tolerance(*claims) * (1 + abs(value))
+        open_ = entry_uncertainties(sp.Matrix(claims), values).ravel()
+        for u, value, (low, high), own in zip(controls, claimed, bounds, open_):
+            slack = EXACT * (1 + abs(value)) + own
             if not low - slack <= value <= high + slack:
                 raise Wrong(
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
         # What decimals leave open is a control, of which H near its maximum says little.
-        open_ = entry_uncertainties(sp.Matrix(claims), values).ravel()
         near, rivals = (
             np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
             for parts in (

@@ -158,7 +158,8 @@ class Steering:
         self.rounding = (
             relative_tolerance(*parts, computed=INTEGRATED) if others is None else INTEGRATED
         )
-        self.lasting = (1 if followed else 3) * relative_tolerance(*parts, computed=INTEGRATED)
+        #: What decimals leave open at worst, as a share.
+        self.roughly = relative_tolerance(*parts, computed=INTEGRATED)
 
     def ends(self, values):
         """When the arcs end, one after the other; None for a single expression, which goes on for
@@ -178,6 +179,19 @@ class Steering:
                     f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}"
                 )
         return ends
+
+    def ends_left_open(self, values):
+        """By how much the decimals of arcs leave open when each of them ends."""
+        numbers = [float(values[p]) for p in self.parameters]
+
+        def ends(read):
+            return np.array([until(*numbers)[0] for until in read._ends])
+
+        here = ends(self)
+        return sum(
+            (np.fmax(*(abs(ends(side) - here) for side in sides)) for sides in self.changed),
+            np.zeros(len(here)),
+        )
 
     def sections(self, values, duration):
         """Triples (begin, end, function of an array of times) between the jumps, from 0 to the
