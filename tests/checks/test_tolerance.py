@@ -15,6 +15,7 @@ from workbook.checks.contract.tolerance import (
     relative_tolerance,
     rounds_to,
 )
+from workbook.checks.structure.dual_questions import known_roots
 from workbook.checks.tools.values import uncertainty_at
 from workbook.systems import Linear
 
@@ -161,3 +162,13 @@ def test_every_check_counts_the_same_digits(judge, number, status):
 )
 def test_no_entry_hides_behind_a_larger_one_of_its_row(judge):
     assert [judge(one).status for one in (1.0, 1.004, 1.4)] == ["right", "right", "wrong"]
+
+
+def test_decimals_are_never_said_to_be_proved():
+    y = sp.Symbol("y", real=True)
+    field = [x * (1 - x**2 - y**2) - y, y * (1 - x**2 - y**2) + x]
+    proved, rounded = (checks.limit_cycles([one], field, [x, y]) for one in (1, sp.Float(1)))
+    assert proved.status == rounded.status == "right"
+    assert proved.message.endswith("proved") and rounded.message.endswith("to three digits")
+    assert known_roots([sp.Integer(1)], x, x - 1) == "proved"
+    assert known_roots([sp.Float(1)], x, x - 1).startswith("to three digits")

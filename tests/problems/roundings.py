@@ -58,17 +58,23 @@ def _awkward(number):
 def _collected(value):
     """Return the terms of a sum with those added up that SymPy adds if their numbers are decimals."""
     coefficients = {}
-    for term in value.args:
+    terms = [part for term in value.args for part in _flat(term)]
+    for term in terms:
         number, rest = term.as_independent(*term.free_symbols, as_Add=False)
         coefficients[rest] = coefficients.get(rest, 0) + number
-    fewer = len(coefficients) < len(value.args)
+    fewer = len(coefficients) < len(terms)
     return [number * rest for rest, number in coefficients.items()] if fewer else []
+
+
+def _flat(term):
+    """Return the terms that SymPy makes of one with decimals."""
+    return [part for one in _distributed(term) for part in _flat(one)] or [term]
 
 
 def _distributed(value):
     """Return the terms of a number times a sum, which SymPy makes of it if the number is a decimal."""
     number, others = value.as_independent(*value.free_symbols, as_Add=False)
-    return [number * term for term in others.args] if others.is_Add and number != 1 else []
+    return [number * term for term in others.args] if others.is_Add and number not in (0, 1) else []
 
 
 def _product(value):

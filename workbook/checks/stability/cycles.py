@@ -117,7 +117,12 @@ def limit_cycles(answer, field, state):
             "your list does not hold all of them: there is another circle around zero on which r' "
             "vanishes"
         )
-    known = "proved" if _proved(numbers, sp.Matrix(field), state) else "agrees at sample angles"
+    if in_decimals(*numbers):
+        known = "to three digits"
+    elif _proved(numbers, sp.Matrix(field), state):
+        known = "proved"
+    else:
+        known = "agrees at sample angles"
     return f"on these circles, and on no others, r' vanishes at every angle while phi' does not: {known}"
 
 
