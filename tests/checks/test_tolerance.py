@@ -8,12 +8,14 @@ import sympy as sp
 from workbook import checks
 from workbook.checks.contract.tolerance import (
     EXACT,
-    MOST_FOLLOWED,
+    MOST_EVALUATED,
     agree,
+    exact_values,
     in_decimals,
     relative_tolerance,
     rounds_to,
 )
+from workbook.checks.structure.dual_questions import known_roots
 from workbook.checks.tools.values import uncertainty_at
 from workbook.systems import Linear
 
@@ -42,6 +44,38 @@ x, v, r, t = sp.symbols("x v r t", real=True)
 def test_three_significant_digits(answer, value, right):
     assert rounds_to(answer, value) is right
     assert agree(answer, value, sp.Float(answer)) is right or value == 0 == answer
+
+
+@pytest.mark.parametrize(
+    "decimal, low, high",
+    [
+        ("7.17", "7.165", "7.175"),
+        ("-7.2", "-7.205", "-7.195"),
+        ("0.667", "0.6665", "0.6675"),
+        ("0.66667", "0.66617", "0.66717"),
+        ("2.667", "2.662", "2.672"),
+        ("1000", "999.5", "1005"),
+        ("1.004", "1", "1.009"),
+        ("9.99", "9.985", "9.995"),
+        ("9.996", "9.991", "10.046"),
+        ("0.0", "0", "0"),
+    ],
+)
+def test_a_decimal_stands_for_the_numbers_that_it_is_right_for(decimal, low, high):
+    ends = exact_values(sp.Float(decimal))
+    assert ends == (sp.Rational(low), sp.Rational(high))
+    for share in (sp.Rational(k, 8) for k in range(9)):
+        assert rounds_to(sp.Float(decimal), float(ends[0] + share * (ends[1] - ends[0])))
+    below, above = (end + side * abs(end) / 10**5 for end, side in zip(ends, (-1, 1)))
+    assert decimal == "0.0" or not rounds_to(sp.Float(decimal), float(below))
+    assert decimal == "0.0" or not rounds_to(sp.Float(decimal), float(above))
+
+
+def test_exponents_of_ten_are_exact():
+    for k in range(-30, 31):
+        assert exact_values(sp.Float(f"2e{k}")) == tuple(
+            sp.Rational(end) * sp.Integer(10) ** k for end in ("1.995", "2.005")
+        )
 
 
 @pytest.mark.parametrize(
@@ -86,7 +120,7 @@ def test_the_decimals_of_an_expression_leave_open_what_they_make_of_it():
     assert uncertainty_at(x**0.5 + sp.Rational(1, 3) * x, {x: 4}) == 0  # nothing is rounded
     assert np.isnan(uncertainty_at(sp.Float(0.33), {}))  # a number has digits of its own
     assert np.isnan(
-        uncertainty_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_FOLLOWED + 1)), {x: 1})
+        uncertainty_at(sum(sp.Float(n + 0.5) * x**n for n in range(MOST_EVALUATED + 1)), {x: 1})
     )
 
 
@@ -128,3 +162,13 @@ def test_every_check_counts_the_same_digits(judge, number, status):
 )
 def test_no_entry_hides_behind_a_larger_one_of_its_row(judge):
     assert [judge(one).status for one in (1.0, 1.004, 1.4)] == ["right", "right", "wrong"]
+
+
+def test_decimals_are_never_said_to_be_proved():
+    y = sp.Symbol("y", real=True)
+    field = [x * (1 - x**2 - y**2) - y, y * (1 - x**2 - y**2) + x]
+    proved, rounded = (checks.limit_cycles([one], field, [x, y]) for one in (1, sp.Float(1)))
+    assert proved.status == rounded.status == "right"
+    assert proved.message.endswith("proved") and rounded.message.endswith("to three digits")
+    assert known_roots([sp.Integer(1)], x, x - 1) == "proved"
+    assert known_roots([sp.Float(1)], x, x - 1).startswith("to three digits")

@@ -1,7 +1,8 @@
 """Reference answers with their awkward numbers in decimals.
 
 Rounded they are right, one per cent off they are not. A number is awkward if two digits do not give
-it: a root, pi, a third. Whole numbers stay, and so do exponents.
+it: a root, pi, a third. The numbers in a product are one, its coefficient. Whole numbers stay, and
+so do exponents.
 """
 
 import sympy as sp
@@ -37,6 +38,10 @@ def _numbers(value):
             yield value
     elif isinstance(value, sp.Pow):
         yield from _numbers(value.base)
+    elif isinstance(value, sp.Mul):
+        yield from _numbers(list(_distributed(value) or _product(value)))
+    elif isinstance(value, sp.Add):
+        yield from _numbers(_collected(value) or list(value.args))
     elif isinstance(value, sp.Basic):
         yield from _numbers(value.args)
 
@@ -48,6 +53,36 @@ def _awkward(number):
         and not number.is_integer
         and float(number) != float(f"{float(number):.1e}")
     )
+
+
+def _collected(value):
+    """Return the terms of a sum with those added up that SymPy adds if their numbers are decimals."""
+    coefficients = {}
+    terms = [part for term in value.args for part in _flat(term)]
+    for term in terms:
+        number, rest = term.as_independent(*term.free_symbols, as_Add=False)
+        coefficients[rest] = coefficients.get(rest, 0) + number
+    fewer = len(coefficients) < len(terms)
+    return [number * rest for rest, number in coefficients.items()] if fewer else []
+
+
+def _flat(term):
+    """Return the terms that SymPy makes of one with decimals."""
+    return [part for one in _distributed(term) for part in _flat(one)] or [term]
+
+
+def _distributed(value):
+    """Return the terms of a number times a sum, which SymPy makes of it if the number is a decimal."""
+    number, others = value.as_independent(*value.free_symbols, as_Add=False)
+    return [number * term for term in others.args] if others.is_Add and number not in (0, 1) else []
+
+
+def _product(value):
+    """Return the coefficient of a product without its sign, and its other factors."""
+    numbers = [factor for factor in value.args if factor.is_number]
+    others, coefficient = [f for f in value.args if f not in numbers], sp.Mul(*numbers)
+    negative = coefficient.could_extract_minus_sign()
+    return (-coefficient, -1, *others) if negative else (coefficient, *others)
 
 
 def _put(value, decimals):
@@ -63,4 +98,10 @@ def _put(value, decimals):
         return value
     if isinstance(value, sp.Pow):
         return sp.Pow(_put(value.base, decimals), value.exp)
+    terms = _distributed(value) if isinstance(value, sp.Mul) else ()
+    terms = _collected(value) if isinstance(value, sp.Add) else terms
+    if terms:
+        return sp.Add(*(_put(term, decimals) for term in terms))
+    if isinstance(value, sp.Mul):
+        return sp.Mul(*(_put(factor, decimals) for factor in _product(value)))
     return value.func(*(_put(part, decimals) for part in value.args))

@@ -665,4 +665,12 @@ ROWS = [
         "True)), -sp.sqrt(3 - beta)]",
         "in two cases",
     ),
+    right("2.26", "c_region", "(k < 0.397) | ((k > 0.397) & (k < 12.6)) | (k > 12.6)", "intervals"),
+    right(
+        "2.26", "c_region", "sp.S.Reals - sp.FiniteSet(0.397, 12.6)", "a set without two numbers"
+    ),
+    wrong(
+        "2.26", "c_region", "(k < 0.397) | ((k >= 0.397) & (k < 12.6)) | (k > 12.6)", "0.397 too"
+    ),
+    wrong("2.26", "c_region", "sp.S.Reals - sp.FiniteSet(0.4, 12.6)", "0.397 to one digit"),
 ]

@@ -1078,4 +1078,6 @@ ROWS = [
         "[np.array([[0, 1, 0], [2, 1, 0], [0, 0, 0]]), np.array([1, 1, 1])]",
         "arrays",
     ),
+    right("3.1", "c_margins", "mu <= 1.004", "a border to three digits"),
+    wrong("3.1", "c_margins", "mu < 1.004", "mu = 1 belongs to them"),
 ]

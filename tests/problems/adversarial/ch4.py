@@ -1281,4 +1281,13 @@ ROWS = [
         "by modulus and angle",
     ),
     right("4.42", "gain", "2*sp.sqrt(2)*sp.sin(sp.pi/12)", "a sine"),
+    right("4.1", "e_determined", "(p < 0.333) | (p > 0.333)", "on both sides of a decimal"),
+    right("4.1", "e_determined", "sp.S.Reals - sp.FiniteSet(0.333)", "a set without a decimal"),
+    right(
+        "4.1", "e_determined", "sp.S.Reals - sp.FiniteSet(sp.Rational(1, 3))", "a set without it"
+    ),
+    wrong("4.1", "e_determined", "(p < 0.333) | (p > 0.334)", "0.334 is more than a third"),
+    right("4.2", "b_real", "q >= 2.667", "8/3 to three digits"),
+    wrong("4.2", "b_real", "q > 2.667", "the border belongs to them"),
+    wrong("4.2", "c_other", "28.5*(3*a - 4)**2", "256/9 is 28.4 to three digits"),
 ]

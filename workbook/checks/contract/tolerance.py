@@ -2,16 +2,24 @@
 
 - Exact: what is written without decimals has to be right, up to the rounding of what is computed
   with it.
-- Decimals: a number counts to three significant digits, which is half a unit of the third digit of
-  the true number. An expression with symbols is as uncertain as such a change of each of its
-  decimals makes it (`perturbed`); where that cannot be followed, and in what is computed from
-  numbers, they make each term uncertain by such a share of it.
+- Decimals: a decimal d may stand for each number e with |d - e| at most half a unit of the third
+  significant digit of e, however many digits d has: 7.17 may be 43/6, 7.2 may not. In expressions
+  and conditions the same holds for each decimal, as SymPy keeps it (of 2*0.318*a it keeps 0.636*a):
+  it may be anywhere in its interval (`exact_values`), and the answer is right if some choice gives
+  what is right. A value of an expression is as uncertain as these intervals make it (`perturbed`,
+  `tools.values.left_open`); the numbers in a condition are looked for (`tools.conditions`).
+- Share: where the decimals are too many to be followed, and in a few residuals of matrices, they
+  make each term uncertain by the share `DECIMALS`, which is half a unit at worst.
+- Zero: a decimal that should be 0 has to be 0 itself. Beside larger numbers, in a vector or a
+  matrix, it has the digits of a thousandth of the largest.
 - Computed: where the reference itself is known to a precision only, as by a search, that replaces
   `EXACT`.
 
 Numbers are compared by `agree`, entry by entry; a residual has no digits of its own, and its
 tolerance is a share of its terms (`relative_tolerance`).
 """
+
+from decimal import Decimal
 
 import numpy as np
 import sympy as sp
@@ -22,13 +30,16 @@ EXACT = 1e-9
 REPEATED = 1e-7
 #: What three digits leave uncertain of a number, at worst: half a unit of the last digit in 1.00.
 DECIMALS = 5e-3
+#: What our own rounding may make of half a unit, as a share of it.
+ROUNDING = 1e-9
 #: A number that is a smaller share of those beside it than this has the digits that this share
 #: would have.
 NEGLIGIBLE = 1e-3
 #: The terms of an expression with symbols may cancel to this share of their size.
 CANCELLED = 0.1
-#: The change of each decimal is followed in expressions that have no more of them.
-MOST_FOLLOWED = 12
+#: The change of each decimal is followed in answers that have no more of them: in those of which
+#: motions are simulated, and in those that are only evaluated.
+MOST_FOLLOWED, MOST_EVALUATED = 12, 48
 #: The change of two decimals at once is followed in expressions that have no more of them.
 MOST_TOGETHER = 3
 
@@ -43,26 +54,24 @@ def in_decimals(*written):
     )
 
 
-def perturbed(*written):
-    """Return SymPy objects with each decimal changed by what three digits leave open.
+def perturbed(*written, most=MOST_FOLLOWED):
+    """Return SymPy objects with each decimal at the ends of its interval.
 
     Parameters
     ----------
     *written : sympy.Basic
         The objects; the exponent of a root is exact however it is written.
+    most : int
+        The number of decimals up to which they are changed.
 
     Returns
     -------
     list or None
         For each decimal, the same with either sign, a pair of lists of the objects: with it smaller
-        and larger. None if there are more than `MOST_FOLLOWED`.
-
-    Notes
-    -----
-    The share is that for any number, since SymPy multiplies: of 2*0.318*a it keeps 0.636*a.
+        and larger. None if there are more decimals than `most`.
     """
     written, decimals = _followed(written)
-    if len(decimals) > MOST_FOLLOWED:
+    if len(decimals) > most:
         return None
     return [[_perturbed_by(written, (number,), side) for side in (-1, 1)] for number in decimals]
 
@@ -103,10 +112,12 @@ def _followed(written):
 
 
 def _perturbed_by(written, numbers, side):
-    factors = {
-        signed: signed * (1 + side * DECIMALS) for number in numbers for signed in (number, -number)
-    }
-    return [part.xreplace(factors) for part in written]
+    ends = {}
+    for number in numbers:
+        end = sp.Float(exact_values(number)[side > 0], precision=number._prec)
+        end += ROUNDING * (end - number)
+        ends |= {number: end, -number: -end}
+    return [part.xreplace(ends) for part in written]
 
 
 def relative_tolerance(*written, computed=EXACT):
@@ -122,10 +133,28 @@ def relative_tolerance(*written, computed=EXACT):
     return DECIMALS if in_decimals(*written) else computed
 
 
+def exact_values(decimal):
+    """Return the ends of the interval of numbers that a decimal may stand for, as fractions.
+
+    Below a power of ten the third digit is finer: 1.00 may be from 0.9995 to 1.005. Of the numbers
+    that one such as 9.99 may stand for, those next to it count.
+    """
+    if decimal < 0:
+        return tuple(-end for end in reversed(exact_values(-decimal)))
+    number = sp.Rational(str(decimal))
+    if number == 0:
+        return number, number
+    # by Decimal, since it may be beyond what a float holds
+    power = sp.Integer(10) ** Decimal(str(decimal)).adjusted()
+    half = power / 200
+    low = max(number - half, min(power, number - half / 10))
+    return low, number + half if number + half < 10 * power else number + 10 * half
+
+
 def half_unit(size):
     """Return half a unit of the third significant digit of numbers of this size; zero for zero."""
     with np.errstate(divide="ignore"):
-        return 0.5 * (1 + 1e-9) * 10.0 ** (np.floor(np.log10(np.abs(size))) - 2)
+        return 0.5 * (1 + ROUNDING) * 10.0 ** (np.floor(np.log10(np.abs(size))) - 2)
 
 
 def rounds_to(value, true, size=0.0):

@@ -20,7 +20,7 @@ from workbook.checks.references import processes
 from workbook.checks.tools.comparisons import SameEntries, SameMembers
 from workbook.checks.tools.conditions import compare
 from workbook.checks.tools.samples import allowed_values, in_every_case
-from workbook.checks.tools.values import numbers_at
+from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import (
     entry_text,
     number_text,
@@ -255,7 +255,9 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
         claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
-            return agree(number[1], other, number[0], size, REPEATED)
+            return agree(
+                number[1], other, number[0], size, REPEATED, uncertainty_at(number[0], values)
+            )
 
         yield SameMembers(
             list(zip(claims, claimed)),

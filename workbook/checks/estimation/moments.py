@@ -11,7 +11,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Matrix, Values
-from workbook.checks.contract.tolerance import EXACT, agree
+from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import judged
 from workbook.checks.tools.comparisons import SameMembers, SameValue
 from workbook.checks.tools.samples import general_values, in_every_case
@@ -98,8 +98,13 @@ def uncorrelated(claims, first, second, vector, law, angle):
         stranger,
         lambda count, others: "there is another angle at which the covariance vanishes",
     )
-    exact = all(sp.simplify(crossed.subs(angle, claim)) == 0 for claim in claims)
-    return f"there the covariance vanishes, and nowhere else: {'proved' if exact else 'to the digits computed'}"
+    if in_decimals(*claims):
+        known = "to three digits"
+    elif all(sp.simplify(crossed.subs(angle, claim)) == 0 for claim in claims):
+        known = "proved"
+    else:
+        known = "to the digits computed"
+    return f"there the covariance vanishes, and nowhere else: {known}"
 
 
 @functools.lru_cache(maxsize=16)

@@ -18,7 +18,7 @@ from workbook.checks.references.spectra import decays
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
 from workbook.checks.tools.conditions import compare, contradiction_message, exactly
 from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
-from workbook.checks.tools.values import numbers_at
+from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import entry_text, number_text, tried_text, where_text
 
 #: The times that answers are tried at, with other values of the parameters each.
@@ -191,7 +191,9 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
         claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other):
-            return agree(number[1], other, number[0], size, REPEATED)
+            return agree(
+                number[1], other, number[0], size, REPEATED, uncertainty_at(number[0], values)
+            )
 
         yield SameMembers(
             list(zip(claims, claimed)),

@@ -17,7 +17,7 @@ from workbook.checks.references import processes, regulators
 from workbook.checks.references.fixed_modes import ON_BORDER
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
 from workbook.checks.tools.samples import allowed_values, in_every_case
-from workbook.checks.tools.values import matrix_at, numbers_at
+from workbook.checks.tools.values import matrix_at, numbers_at, uncertainty_at
 from workbook.checks.tools.wording import entry_text, number_text, point_text, where_text
 
 COUNT = 6
@@ -169,7 +169,9 @@ def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
         claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
         def fits(number, other, size=np.linalg.norm(loop)):
-            return agree(number[1], other, number[0], size, REPEATED)
+            return agree(
+                number[1], other, number[0], size, REPEATED, uncertainty_at(number[0], values)
+            )
 
         yield SameMembers(
             list(zip(claims, claimed)),

@@ -18,7 +18,7 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.numeric_functions import real_function
-from workbook.checks.tools.values import value_at
+from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text
 
 #: At so many places of states, control and parameters an equation is compared, of so many that are
@@ -48,7 +48,7 @@ def control_equation(claim, problem, domain=None):
     u = problem.control[0]
     for values, true, size in places:
         claimed = value_at(claim, values, f"{u}'")
-        if agree(claimed, true, claim, size=size, computed=EXACT):
+        if agree(claimed, true, claim, size, EXACT, uncertainty_at(claim, values)):
             continue
         if not message:
             raise Wrong(

@@ -4,10 +4,10 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.optima.best_processes import best_processes
 from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import left_open
 from workbook.checks.tools.wording import rounded_text, tried_text
 
 #: At so many shorter durations an equation for the shortest one is tried, up to this part of it,
@@ -28,13 +28,16 @@ def duration_equation(answer, problem, duration, parameters):
     claim = left - right
     if duration not in claim.free_symbols:
         raise Invalid(f"expected an equation for {duration}")
-    function, allowed = real_function(symbols, [claim]), max(1e-6, 10 * relative_tolerance(claim))
+    function = real_function(symbols, [claim])
     for values, best in best_processes(problem, parameters):
         T, numbers, where = best.duration, [float(v) for v in values.values()], rounded_text(values)
         at, *near = function(T * np.array([1, 1 - NEXT, 1 + NEXT]), *numbers)[0]
         if not np.isfinite([at, *near]).all():
             raise Wrong(f"for {where} your equation is not defined next to the shortest duration")
-        if not abs(at) <= allowed * np.abs(near).max() or at == max(near, key=abs):
+        open_ = left_open(
+            [claim], lambda parts, at=(T, *numbers): real_function(symbols, parts)(*at)[0]
+        )
+        if not abs(at) <= 1e-6 * np.abs(near).max() + open_ or at == max(near, key=abs):
             raise Wrong(f"for {where} the shortest duration does not satisfy your equation")
         shorter = T * ALMOST * np.arange(1, SHORTER + 1) / SHORTER
         left = function(shorter, *numbers)[0]

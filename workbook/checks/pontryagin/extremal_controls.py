@@ -49,7 +49,9 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
         values = dict(zip(parameters or {}, case))
         where = f"for {rounded_text(values)} " if values else ""
         ends = read.ends(values)
-        if ends and ends[-1] < float(problem.duration) * (1 - read.lasting):
+        if ends and ends[-1] < (
+            float(problem.duration) * (1 - read.rounding) - read.ends_left_open(values)[-1]
+        ):
             raise Wrong(
                 f"{where}your last arc ends at {ends[-1]:.4g}, and the process lasts longer"
             )

@@ -17,7 +17,7 @@ from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.domains import sample_cases
 from workbook.checks.tools.numeric_functions import real_function
-from workbook.checks.tools.values import value_at
+from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import prefix_text, rounded_text, tried_text
 
 #: In so many steps a motion is followed, and how well its states are known then.
@@ -51,7 +51,7 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
             at = values | {variable: sp.Float((times if by is None else controls)[k, 0], 17)}
             for name, claim, true, scale in zip(problem.state, claims, states[k, :, 0], size[:, 0]):
                 claimed = value_at(claim, at, str(name))
-                if not agree(claimed, true, claim, size=scale, computed=FOLLOWED):
+                if not agree(claimed, true, claim, scale, FOLLOWED, uncertainty_at(claim, at)):
                     raise Wrong(
                         f"for {rounded_text(at)} your {name} is {claimed:.4g}; under the law given "
                         "the motion that starts as it should "
@@ -77,7 +77,7 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
     ):
         values = dict(zip(parameters, case))
         true, claimed = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
-        if not agree(claimed, true, claim, size=size, computed=10 * FOLLOWED):
+        if not agree(claimed, true, claim, size, 10 * FOLLOWED, uncertainty_at(claim, values)):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
                 f"{prefix_text(values)}your {quantity} is {claimed:.4g}; if the constants of the law are "

@@ -7,7 +7,6 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression
-from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import Law
 from workbook.checks.references.optima import reach
@@ -17,6 +16,7 @@ from workbook.checks.references.optima.sampled_optimum import (
 )
 from workbook.checks.references.optima.state_batch import StateBatch
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
+from workbook.checks.tools.values import left_open
 from workbook.checks.tools.wording import values_text
 
 
@@ -102,8 +102,8 @@ def other_extremal_time(claim, system, target, start=None):
     reference = sampled_optimum(*synthesis_data(system, target, {}, start))
     batch, later = _line_extremals(reference)
     claimed = Law(claim, reference)(batch.x, batch.case)
-    tolerance = relative_tolerance(claim, computed=1e-6)
-    for k in np.flatnonzero(np.isfinite(later) & ~(abs(claimed - later) <= tolerance * later)):
+    open_ = left_open([claim], lambda parts: Law(*parts, reference)(batch.x, batch.case))
+    for k in np.flatnonzero(np.isfinite(later) & ~(abs(claimed - later) <= 1e-6 * later + open_)):
         point = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, batch.x[k]))
         message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         raise Wrong(

@@ -15,7 +15,6 @@ from workbook.checks.contract.tolerance import (
     EXACT,
     agree,
     in_decimals,
-    relative_tolerance,
 )
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
@@ -30,7 +29,7 @@ from workbook.checks.pontryagin.sample_points import (
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates, singular_arcs
 from workbook.checks.tools.conditions import decide, exactly
 from workbook.checks.tools.numeric_functions import real_function
-from workbook.checks.tools.values import entry_uncertainties, number_at, value_at
+from workbook.checks.tools.values import entry_uncertainties, number_at, uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text, values_text
 
 #: Between what a control without a bound is compared.
@@ -152,14 +151,14 @@ def maximising_control(answer, problem, costates, domain=None):
     ):
         numbers, bounds = [float(values[s]) for s in symbols], control_bounds(problem, values)
         claimed = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
-        for u, value, (low, high) in zip(controls, claimed, bounds):
-            slack = relative_tolerance(*claims) * (1 + abs(value))
+        open_ = entry_uncertainties(sp.Matrix(claims), values).ravel()
+        for u, value, (low, high), own in zip(controls, claimed, bounds, open_):
+            slack = EXACT * (1 + abs(value)) + own
             if not low - slack <= value <= high + slack:
                 raise Wrong(
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
         # What decimals leave open is a control, of which H near its maximum says little.
-        open_ = entry_uncertainties(sp.Matrix(claims), values).ravel()
         near, rivals = (
             np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
             for parts in (
@@ -210,7 +209,13 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
             value_at(claim, values, "the greatest value of H"),
             sum(parts) + sum(terms),
         )
-        if not agree(claimed, wanted, claim, size=max(map(abs, [*parts, *terms])), computed=EXACT):
+        if not agree(
+            claimed,
+            wanted,
+            claim,
+            max(map(abs, [*parts, *terms])),
+            uncertain=uncertainty_at(claim, values),
+        ):
             raise Wrong(
                 f"for {rounded_text(values)} your expression gives {claimed:.4g}; "
                 + (
@@ -226,7 +231,7 @@ def _equal(claim, true, values, what):
     true = sp.expand(true)
     parts = [abs(number_at(part, values)) for part in sp.Add.make_args(true)]
     claimed, wanted = value_at(claim, values, what), number_at(true, values).real
-    if not agree(claimed, wanted, claim, size=max(parts), computed=EXACT):
+    if not agree(claimed, wanted, claim, max(parts), uncertain=uncertainty_at(claim, values)):
         if true.is_number:  # the true number would be the answer itself
             raise Wrong(f"{what} is not {claimed:.4g}, which your expression gives")
         raise Wrong(

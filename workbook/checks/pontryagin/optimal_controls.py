@@ -58,7 +58,7 @@ def optimal_control(claim, problem, time, parameters=None):
         _ends_with_the_best(read, values, best, problem, where, whose)
         sections = read.sections(values, best.duration)
         path = Path(best, sections, where)
-        path.admissible(read.lasting)
+        path.admissible(read.roughly)
         others, together = (
             [
                 [
@@ -91,10 +91,10 @@ def _ends_with_the_best(read, values, best, problem, where, whose):
     much may end at another time."""
     if not (ends := read.ends(values)):
         return
-    begin, end = [0.0, *ends][-2:]
+    (begin, end), open_ = [0.0, *ends][-2:], [0.0, *read.ends_left_open(values)][-2:]
     early, late = (
-        end < best.duration * (1 - read.lasting),
-        begin > best.duration * (1 + read.lasting),
+        end < best.duration * (1 - read.rounding) - open_[1],
+        begin > best.duration * (1 + read.rounding) + open_[0],
     )
     if problem.duration is None or isinstance(problem.duration, tuple):
         own, cut = (
@@ -106,7 +106,7 @@ def _ends_with_the_best(read, values, best, problem, where, whose):
             or on_target(own.states[-1], best, read.rounding)
             > on_target(cut.states[-1], best, read.rounding)
         ):
-            own.admissible(read.lasting)
+            own.admissible(read.roughly)
             does_as_well(
                 own.times,
                 own.states,

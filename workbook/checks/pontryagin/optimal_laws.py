@@ -21,6 +21,7 @@ from workbook.checks.references.optima.direct_optimum import optima
 from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales
 from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import prefix_text
 
 #: How far from a change of its control the best process is compared with a law, as a part of the
@@ -84,9 +85,10 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
                 continue
             claimed, true = float(curve(y[k], *(float(values[p]) for p in others))[0]), y[1 - k]
             points.append({given: y[k], **{p: values[p] for p in others}})
+            uncertain = uncertainty_at(claim, points[-1])
             if not np.isfinite(claimed):
                 raise Wrong(f"for {given} = {y[k]:.4g} your curve gives no real number")
-            if not agree(claimed, true, claim, true, LOCATED):
+            if not agree(claimed, true, claim, true, LOCATED, uncertain):
                 raise Wrong(
                     f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {claimed:.4g}; the "
                     f"control of the best process {prefix_text(values)}does not change there"

@@ -29,7 +29,7 @@ from workbook.checks.references.scales import COST, TIME, judge_at_every_scale
 from workbook.checks.tools.kinks import points_at_kinks
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
-from workbook.checks.tools.values import uncertainties_at, value_at, values_at
+from workbook.checks.tools.values import uncertainties_at, uncertainty_at, value_at, values_at
 from workbook.checks.tools.wording import prefix_text
 
 #: A smaller part of a time than this is none; after so small parts of a way its growth is looked
@@ -145,8 +145,9 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
     )
     states, true = states[:, inside], true[inside]
     claimed = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
+    uncertain = uncertainties_at(claim, [values | dict(zip(starts, y)) for y in states.T])
     off = ~np.atleast_1d(
-        agree(np.nan_to_num(claimed, nan=np.inf), true, claim, best.cost_size(), COSTS)
+        agree(np.nan_to_num(claimed, nan=np.inf), true, claim, best.cost_size(), COSTS, uncertain)
     )
     for k in np.flatnonzero(off)[:1]:
         gives = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
@@ -200,7 +201,14 @@ def initial_arc_duration(claim, problem, control, value, parameters):
         first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
         true = float(sum(length for length, _ in first))
         held.append((values, true))
-        if not agree(claimed, true, claim, best.duration, ARC if true else MISSED):
+        if not agree(
+            claimed,
+            true,
+            claim,
+            best.duration,
+            ARC if true else MISSED,
+            uncertainty_at(claim, values),
+        ):
             raise Wrong(
                 f"{prefix_text(values)}you keep {control} = {value} for {claimed:.4g} at first; the best "
                 "process found does so "
@@ -279,7 +287,9 @@ def optimal_range(claim, problem, quantity, parameters=None):
         )
         true = float(np.ptp(path(np.linspace(0, best.duration, 4001))))
         claimed = value_at(claim, values, "the extent")
-        if not agree(claimed, true, claim, computed=FOLLOWED):
+        if not agree(
+            claimed, true, claim, computed=FOLLOWED, uncertain=uncertainty_at(claim, values)
+        ):
             raise Wrong(
                 f"{prefix_text(values)}your expression gives {claimed:.4g}; along the best process found "
                 f"{quantity} ranges over {'less' if claimed > true else 'more'}"

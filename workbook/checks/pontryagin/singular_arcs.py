@@ -26,7 +26,7 @@ from workbook.checks.references.singular_arcs import singular_arcs
 from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.substitution import real_at
-from workbook.checks.tools.values import value_at
+from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text
 
 # Singular arcs.
@@ -109,7 +109,9 @@ def singular_control(claim, problem, costates, control=None, domain=None):
         low, high = control_bounds(problem, values)[list(problem.control).index(arcs.control)]
         # of a control that is zero
         rounded = np.isfinite(high - low) and abs(claimed + a / b) <= POINTS * (high - low)
-        if not rounded and not agree(claimed, -a / b, claim, size=abs(a / b), computed=POINTS):
+        if not rounded and not agree(
+            claimed, -a / b, claim, abs(a / b), POINTS, uncertainty_at(claim, values)
+        ):
             raise Wrong(
                 f"at a point of a singular arc your control gives {claimed:.4g}, under which "
                 f"dH/d{arcs.control} does not stay zero"
@@ -145,7 +147,7 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
                 value_at(claim, values, str(psi)),
                 max(abs(values[one]) for one in costates),
             )
-            if not agree(claimed, values[psi], claim, size=size, computed=POINTS):
+            if not agree(claimed, values[psi], claim, size, POINTS, uncertainty_at(claim, values)):
                 raise Wrong(
                     f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your "
                     f"{psi} is {claimed:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
@@ -174,7 +176,13 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
     _without_control(claim, arcs)
     for values in _points(arcs, domain):
         claimed = value_at(claim, values, "Kelley's expression")
-        if not agree(claimed, real_at(true, values), claim, computed=POINTS):
+        if not agree(
+            claimed,
+            real_at(true, values),
+            claim,
+            computed=POINTS,
+            uncertain=uncertainty_at(claim, values),
+        ):
             raise Wrong(
                 f"at a point of a singular arc your expression gives {claimed:.4g}, which is not the "
                 "left-hand side of Kelley's condition there"

@@ -10,7 +10,6 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expressions
-from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.sampled_optimum import (
@@ -21,6 +20,7 @@ from workbook.checks.references.optima.target_families import TargetFamily
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
 from workbook.checks.tools.domains import values_inside
 from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.values import left_open
 from workbook.checks.tools.wording import values_text
 
 
@@ -103,20 +103,22 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
     target.
     """
     target = _family(system, target, ends, variable, parameters, start)
-    claimed = real_function([variable, *target.parameters], claim)
-    tolerance = relative_tolerance(*claim, computed=1e-6)
-    met = 0
+    symbols, met = [variable, *target.parameters], 0
+    claimed = real_function(symbols, claim)
     for values in target.samples():
         positions = target.arguments(values, count=24)
         points, times, _ = target.switchings(positions, values)
         given = claimed(positions, *values).T
+        open_ = left_open(
+            claim, lambda parts, at=(positions, *values): real_function(symbols, parts)(*at)
+        )
+        open_ = np.linalg.norm(np.broadcast_to(open_, given.T.shape), axis=0)
+        allowed = 1e-6 * (1 + np.linalg.norm(points, axis=1)) + open_
         for k in np.flatnonzero(np.isfinite(times)):
             met += 1
             if not np.all(np.isfinite(given[k])):
                 raise Wrong(f"{target.values_text(values, positions[k])} your point is not real")
-            if not np.linalg.norm(given[k] - points[k]) <= tolerance * (
-                1 + np.linalg.norm(points[k])
-            ):
+            if not np.linalg.norm(given[k] - points[k]) <= allowed[k]:
                 raise Wrong(
                     f"{target.values_text(values, positions[k])} the optimal motion does "
                     f"not switch at your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
@@ -136,8 +138,8 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
     Equal signs: motions cross the curve.
     """
     target = _family(system, target, ends, variable, parameters, start)
-    claimed = real_function([variable, *target.parameters], claim)
-    tolerance = relative_tolerance(*claim, computed=1e-5)
+    symbols = [variable, *target.parameters]
+    claimed = real_function(symbols, claim)
     for values in target.samples():
         positions = target.arguments(values, count=12)
         points, times, after = target.switchings(positions, values)
@@ -148,15 +150,20 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
         ) / (2 * step)
         low, high = target.plant.bounds
         given = claimed(positions, *values)
-        for name, u, numbers in (
-            ("before", low + high - after, given[0]),
-            ("after", after, given[1]),
+        open_ = left_open(
+            claim, lambda parts, at=(positions, *values): real_function(symbols, parts)(*at)
+        )
+        for name, u, numbers, own in zip(
+            ("before", "after"),
+            (low + high - after, after),
+            given,
+            np.broadcast_to(open_, given.shape),
         ):
             velocity = points @ target.plant.A.T + np.outer(u, target.plant.b)
             true = tangent[:, 0] * velocity[:, 1] - tangent[:, 1] * velocity[:, 0]
             size = np.linalg.norm(tangent, axis=1) * np.linalg.norm(velocity, axis=1)
             for k in np.flatnonzero(
-                np.isfinite(times) & ~(abs(numbers - true) <= tolerance * size)
+                np.isfinite(times) & ~(abs(numbers - true) <= 1e-5 * size + own)
             ):
                 raise Wrong(
                     f"{target.values_text(values, positions[k])} the determinant of the tangent of the curve "

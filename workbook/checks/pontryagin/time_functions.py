@@ -72,8 +72,14 @@ class InTime:
             ]
 
         self._values, self._rates = compiled(claims)
-        followed = perturbed(*claims) if in_decimals(*claims) else []
-        self._changed = [[compiled(side) for side in sides] for sides in followed or ()]
+        # A state that is the derivative of the one before has no decimals of its own.
+        slopes = [k > 0 and claims[k] == _slope(claims[k - 1], time) for k in range(len(claims))]
+        written = [claim for claim, is_slope in zip(claims, slopes) if not is_slope]
+        followed = perturbed(*written) if in_decimals(*written) else []
+        self._changed = [
+            [compiled(_with_slopes(side, slopes, time)) for side in sides]
+            for sides in followed or ()
+        ]
         self.rounding = (
             relative_tolerance(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
         )
@@ -98,6 +104,14 @@ class InTime:
                 moved = [np.abs(at_instants(side[k], times, *numbers) - here) for side in sides]
                 found[k] = found[k] + np.nan_to_num(np.fmax(*moved))
         return found
+
+
+def _with_slopes(written, slopes, time):
+    """Return all states, those that are the derivative of the one before among them."""
+    parts, states = iter(written), []
+    for is_slope in slopes:
+        states.append(_slope(states[-1], time) if is_slope else next(parts))
+    return states
 
 
 class Control(Claim):
@@ -144,7 +158,8 @@ class Steering:
         self.rounding = (
             relative_tolerance(*parts, computed=INTEGRATED) if others is None else INTEGRATED
         )
-        self.lasting = (1 if followed else 3) * relative_tolerance(*parts, computed=INTEGRATED)
+        #: What decimals leave open at worst, as a share.
+        self.roughly = relative_tolerance(*parts, computed=INTEGRATED)
 
     def ends(self, values):
         """When the arcs end, one after the other; None for a single expression, which goes on for
@@ -164,6 +179,19 @@ class Steering:
                     f"your arcs end at times that do not grow: {end:.4g} comes after {begin:.4g}"
                 )
         return ends
+
+    def ends_left_open(self, values):
+        """By how much the decimals of arcs leave open when each of them ends."""
+        numbers = [float(values[p]) for p in self.parameters]
+
+        def ends(read):
+            return np.array([until(*numbers)[0] for until in read._ends])
+
+        here = ends(self)
+        return sum(
+            (np.fmax(*(abs(ends(side) - here) for side in sides)) for sides in self.changed),
+            np.zeros(len(here)),
+        )
 
     def sections(self, values, duration):
         """Triples (begin, end, function of an array of times) between the jumps, from 0 to the

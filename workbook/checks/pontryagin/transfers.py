@@ -21,6 +21,7 @@ from workbook.checks.references.optima.transfer_optima import CLOSE, SAMPLES, Tr
 from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.conditions import compare, contradiction_message, exactly
 from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import values_text
 
 
@@ -237,7 +238,12 @@ def isochrone_radius(claim, problem, duration, count):
         radii = transfer.reach(float(sp.sympify(duration).subs(count, number)))
         if max(radii) - min(radii) > 1e-3 * max(radii):
             raise RuntimeError("this isochrone is no circle")
-        if claimed is None or not _close(claimed, float(np.mean(radii)), claim):
+        if claimed is None or not _close(
+            claimed,
+            float(np.mean(radii)),
+            claim,
+            uncertain=uncertainty_at(claim, {count: number}),
+        ):
             message = "is no real number" if claimed is None else f"is {claimed:.4g}"
             raise Wrong(
                 f"for {count} = {number} your radius {message}; the farthest starts from which the "
@@ -250,9 +256,9 @@ def isochrone_radius(claim, problem, duration, count):
 # Small things.
 
 
-def _close(claimed, true, claim, size=0.0):
+def _close(claimed, true, claim, size=0.0, uncertain=None):
     """Equality to the precision of the optimum; three digits where the claim holds decimals."""
-    return agree(claimed, true, claim, size, computed=2 * INTEGRATED)
+    return agree(claimed, true, claim, size, computed=2 * INTEGRATED, uncertain=uncertain)
 
 
 def _times(count):

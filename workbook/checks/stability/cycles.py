@@ -19,7 +19,7 @@ from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import cached_field
 from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.substitution import real_at
-from workbook.checks.tools.values import number_at, value_at
+from workbook.checks.tools.values import number_at, uncertainty_at, value_at
 from workbook.checks.tools.wording import (
     sample_text,
 )
@@ -117,7 +117,12 @@ def limit_cycles(answer, field, state):
             "your list does not hold all of them: there is another circle around zero on which r' "
             "vanishes"
         )
-    known = "proved" if _proved(numbers, sp.Matrix(field), state) else "agrees at sample angles"
+    if in_decimals(*numbers):
+        known = "to three digits"
+    elif _proved(numbers, sp.Matrix(field), state):
+        known = "proved"
+    else:
+        known = "agrees at sample angles"
     return f"on these circles, and on no others, r' vanishes at every angle while phi' does not: {known}"
 
 
@@ -195,7 +200,12 @@ def cycle_period(claim, radial, angular, radius, parameters):
                 "real number"
             )
         rate = float(turning(rest, numbers)[0])
-        if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
+        if period <= 0 or not agree(
+            rate * period,
+            math.copysign(2 * math.pi, rate),
+            claim,
+            uncertain=abs(rate) * uncertainty_at(claim, values),
+        ):
             raise Wrong(
                 f"{sample_text(values)}the angle gains {rate * period:.4g} within your time "
                 f"{period:.4g}, which is not one turn"

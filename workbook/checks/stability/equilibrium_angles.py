@@ -21,7 +21,7 @@ from workbook.checks.tools.conditions import (
     contradiction_message,
     exactly,
 )
-from workbook.checks.tools.values import number_at
+from workbook.checks.tools.values import number_at, uncertainty_at
 from workbook.checks.tools.wording import roots_text, values_text
 
 
@@ -147,7 +147,8 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
         matched = set()
         for family in claims:
             for number in range(-3, 4) if family.has(integer) else (0,):
-                given = number_at(family, values | {integer: sp.Integer(number)}, "your angle")
+                at = values | {integer: sp.Integer(number)}
+                given, uncertain = number_at(family, at, "your angle"), uncertainty_at(family, at)
                 member = f" ({integer} = {number})" if family.has(integer) else ""
                 if abs(given.imag) > 1e-9 * (1 + abs(given)):
                     raise Wrong(
@@ -161,7 +162,7 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
                 near = [
                     phi
                     for phi, true in zip(found, turned)
-                    if agree(given.real, true, family, 2 * np.pi)
+                    if agree(given.real, true, family, 2 * np.pi, uncertain=uncertain)
                 ]
                 if not near:
                     raise Wrong(

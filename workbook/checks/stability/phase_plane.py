@@ -11,13 +11,14 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
-from workbook.checks.contract.tolerance import agree, in_decimals, perturbed
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_factors
 from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.domains import endpoints, random_value
 from workbook.checks.tools.samples import random_columns
 from workbook.checks.tools.substitution import real_at
+from workbook.checks.tools.values import left_open
 from workbook.checks.tools.wording import (
     sample_text,
 )
@@ -31,13 +32,20 @@ def dulac_function(answer, field, state, parameters, domain=None):
     """
     symbols = [*state, *parameters]
     multiplier, divergence = coercion.as_expressions(answer, symbols, length=2)
-    terms = [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
+
+    def terms_of(multiplier):
+        return [sp.diff(multiplier * component, x) for component, x in zip(field, state)]
+
+    terms = terms_of(multiplier)
     random = np.random.default_rng(9)
     points = random_columns(random, symbols, domain, 300, [multiplier, divergence])
     with np.errstate(all="ignore"):
         parts, points = _within_reach(
             [_values(e, symbols, points) for e in (*terms, divergence, multiplier)], points
         )
+    uncertain = left_open(
+        [multiplier], lambda parts: _values(sp.Add(*terms_of(*parts)), symbols, points)
+    ) + left_open([divergence], lambda parts: _values(*parts, symbols, points))
     for k, point in enumerate(points.T):
         where = ", ".join(f"{s} = {x:.3g}" for s, x in zip(symbols, point))
         if not np.all(np.isfinite(parts[:, k])):
@@ -46,7 +54,16 @@ def dulac_function(answer, field, state, parameters, domain=None):
                 "real number"
             )
         true, claimed = parts[:-2, k].sum(), parts[-2, k]
-        if not (math.isfinite(true) and agree(claimed, true, divergence, abs(parts[:-2, k]).sum())):
+        if not (
+            math.isfinite(true)
+            and agree(
+                claimed,
+                true,
+                divergence,
+                abs(parts[:-2, k]).sum(),
+                uncertain=np.broadcast_to(uncertain, len(points.T))[k],
+            )
+        ):
             raise Wrong(
                 f"at {where} the divergence of the field times your multiplier is {true:.4g}; "
                 f"your second expression gives {claimed:.4g}"
@@ -96,10 +113,10 @@ def first_integral(answer, field, state, parameters, domain=None):
             "motions"
         )
     rates, sizes = (gradient * velocity).sum(axis=0), abs(gradient * velocity).sum(axis=0)
-    allowed = 1e-9 * sizes + _left_open(
-        claim,
-        lambda part: (
-            np.array([_values(sp.diff(part, x), symbols, points) for x in state]) * velocity
+    allowed = 1e-9 * sizes + left_open(
+        [claim],
+        lambda parts: (
+            np.array([_values(sp.diff(*parts, x), symbols, points) for x in state]) * velocity
         ).sum(axis=0),
     )
     worst = int(np.argmax(abs(rates) - allowed))
@@ -111,15 +128,6 @@ def first_integral(answer, field, state, parameters, domain=None):
         )
     judge_factors(slopes, state, domain, "your expression does not depend on the state")
     return "it keeps its value along the motions, at random states"
-
-
-def _left_open(claim, found):
-    """By how much the decimals of an expression leave open what is `found` of it."""
-    followed = perturbed(claim) if in_decimals(claim) else []
-    if followed is None:
-        raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
-    here = found(claim) if followed else 0.0
-    return sum(np.maximum(*(abs(found(part) - here) for (part,) in sides)) for sides in followed)
 
 
 @judged
@@ -161,8 +169,8 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
                 velocity = family(np.array([float(at[first]), y]), numbers)
                 return dy * velocity[0] - velocity[1]
 
-            allowed = 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])) + _left_open(
-                claim, turned
+            allowed = 1e-8 * (np.linalg.norm(velocity) + abs(dy * velocity[0])) + left_open(
+                [claim], lambda parts: turned(*parts)
             )
             if not abs(dy * velocity[0] - velocity[1]) <= allowed < math.inf:
                 steep = abs(velocity[0]) <= 1e-9 * abs(velocity[1])

@@ -96,7 +96,9 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
             claimed = [real_at(entry, values) for entry in matrix[:, k]]
             if any(value is None for value in claimed):
                 raise Wrong(f"{sample_text(values)}your matrix is not real")
-            if not agree(claimed, true[:, k], list(matrix[:, k]), size).all():
+            column = list(matrix[:, k])
+            uncertain = [uncertainty_at(entry, values) for entry in column]
+            if not agree(claimed, true[:, k], column, size, uncertain=uncertain).all():
                 raise Wrong(
                     f"{sample_text(values)}{deviation_rate_text(state[k], claimed, true[:, k])}"
                 )
@@ -111,7 +113,11 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
     for values, numbers, rest in family.samples(claim):
         true, claimed = float(reading(rest, numbers)[0]), real_at(claim, values)
         if claimed is None or not agree(
-            claimed, true, claim, _scale(expression, values, state, rest)
+            claimed,
+            true,
+            claim,
+            _scale(expression, values, state, rest),
+            uncertain=uncertainty_at(claim, values),
         ):
             message = "no real number" if claimed is None else f"{claimed:.4g}"
             if not values:  # the true number would be the answer itself

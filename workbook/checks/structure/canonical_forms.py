@@ -18,13 +18,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from workbook.checks.contract.claims import Matrix
-from workbook.checks.contract.tolerance import agree, relative_tolerance
+from workbook.checks.contract.tolerance import EXACT, agree, relative_tolerance
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
 from workbook.checks.references.records import controlled_pair, has_control, observed_pair
 from workbook.checks.tools.comparisons import SameEntries
-from workbook.checks.tools.values import matrix_at
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -151,10 +151,13 @@ def canonical_part_coordinates(claim, system, parameters=()):
             np.linalg.norm(h),
         )
         claimed = matrix_at(claim, values)
+        across = np.eye(len(h)) - np.outer(h, h) / (h @ h)
+        opens = [*entry_uncertainties(claim, values), 0 * h]
         for k, (row, following) in enumerate(zip(claimed, [*claimed[1:], 0 * h])):
             rate = row @ A_there
-            rest = rate - following - h * ((rate - following) @ h) / (h @ h)
-            if not np.linalg.norm(rest) <= relative_tolerance(claim) * (
+            rest = (rate - following) @ across
+            open_ = opens[k] @ abs(A_there @ across) + opens[k + 1] @ abs(across)
+            if not np.linalg.norm(rest) <= np.linalg.norm(open_) + EXACT * (
                 np.linalg.norm(rate) + np.linalg.norm(following)
             ):
                 j = int(np.argmax(abs(rest)))
@@ -178,7 +181,9 @@ def judge_form(claim, pair, form):
         shape_of_form(claimed, tolerance, form, where_text(values))
         true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
         own = np.array([1, *(0 - claimed[:, 0])])  # not -said: a zero would be told as -0
-        if not agree(own[1:], true[1:], list(claim[:, 0]), max(abs(true))).all():
+        column = list(claim[:, 0])
+        uncertain = [uncertainty_at(entry, values) for entry in column]
+        if not agree(own[1:], true[1:], column, max(abs(true)), uncertain=uncertain).all():
             # not 0: the value there is a coefficient, which is asked for
             at = max(
                 (1, -1, 2, -2, 3, 5),

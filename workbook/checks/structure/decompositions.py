@@ -124,12 +124,12 @@ def similarity_matrix(claim, system, other, parameters=()):
     for (values, one, _, _), (_, other, _, _) in zip(given.systems, wanted.systems):
         claimed = matrix_at(claim, values)
         require_invertible(claimed, tolerance, values)
-        left, right = claimed @ one, other @ claimed
+        left, right, open_ = claimed @ one, other @ claimed, entry_uncertainties(claim, values)
         size = (
             np.linalg.norm(claimed, axis=1)[:, None] * np.linalg.norm(one)
             + abs(other) @ np.linalg.norm(claimed, axis=1)[:, None]
         )
-        bad = ~(abs(left - right) <= tolerance * size)
+        bad = ~(abs(left - right) <= EXACT * size + open_ @ abs(one) + abs(other) @ open_)
         if bad.any():
             inverse = np.linalg.inv(claimed)
             off = np.linalg.norm(inverse @ one - other @ inverse)

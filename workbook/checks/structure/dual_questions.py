@@ -13,7 +13,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from workbook.checks.contract.claims import Values
-from workbook.checks.contract.tolerance import EXACT, agree
+from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.invariant_subspaces import (
     characteristic_coefficients,
@@ -22,7 +22,7 @@ from workbook.checks.references.invariant_subspaces import (
 )
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameWord
 from workbook.checks.tools.conditions import compare
-from workbook.checks.tools.values import numbers_at
+from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, values_text, where_text
 
 
@@ -165,7 +165,18 @@ def judge_kalman(claim, pair, side):
         sizes = np.maximum(np.linalg.norm(true, axis=1), 1e-4 * np.linalg.norm(true))[:, None]
 
         def message(claimed, k, j):
-            if claimed.shape == true.T.shape and agree(claimed.T, true, claim.T, sizes).all():
+            if (
+                claimed.shape == true.T.shape
+                and agree(
+                    claimed.T,
+                    true,
+                    claim.T,
+                    sizes,
+                    uncertain=[
+                        [uncertainty_at(e, values) for e in column] for column in claim.T.tolist()
+                    ],
+                ).all()
+            ):
                 return f"this is the transpose of {side.matrix}"
             asked = (
                 f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}"
@@ -210,7 +221,7 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
         scale, where = max([1e-30, *abs(every)]), where_text(values)
 
         def fits(one, other, computed=EXACT):
-            return agree(one[1], other, one[0], scale, computed)
+            return agree(one[1], other, one[0], scale, computed, uncertainty_at(one[0], values))
 
         def stranger(one):
             number = number_text(one[1])
@@ -247,6 +258,8 @@ def known_roots(claims, symbol, polynomial):
     It is proved if each is one identically: then they are different roots in general position, and
     all there are.
     """
+    if in_decimals(*claims):
+        return "to three digits, for sample values"
     left = [sp.numer(sp.together(polynomial.as_expr().subs(symbol, claim))) for claim in claims]
     return (
         "proved"

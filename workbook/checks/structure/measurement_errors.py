@@ -48,7 +48,6 @@ def augmented_system(answer, system, parameters=(), own=False):
         row.T if outputs == 1 == row.cols else row, parameters, (outputs, matrix.rows)
     )
     for values, point, _ in pair.samples_for([matrix, row]):
-        where = where_text(values)
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(point))
         said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
         x, w = slice(0, n), slice(n, None)
@@ -59,21 +58,21 @@ def augmented_system(answer, system, parameters=(), own=False):
             (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H"),
         ):
             claimed = (said_A if claim is matrix else said_H)[block]
-            _compare_block(claimed, true + 0 * claimed, claim[block], what, where)
+            _compare_block(claimed, true + 0 * claimed, claim[block], what, values)
         if own and matrix.rows == pair.order:
             _compare_block(
                 said_A[w, w],
                 true_A[w, w],
                 matrix[w, w],
                 "the last coordinate is the error itself",
-                where,
+                values,
             )
             _compare_block(
                 said_H[:, w],
                 true_H[:, w],
                 row[:, w],
                 "the last coordinate is the error itself",
-                where,
+                values,
             )
         open_ = entry_uncertainties(matrix, values)[w, w], entry_uncertainties(row, values)[:, w]
         _compare_errors(
@@ -81,7 +80,7 @@ def augmented_system(answer, system, parameters=(), own=False):
             said_H[:, w],
             open_,
             _error_derivatives(pair, point, n, matrix.rows),
-            where,
+            values,
         )
     return (
         "its outputs are those of the motions with every error of the kind, and no coordinate of "
@@ -117,8 +116,9 @@ def amplitude_from_output(claim, system, outputs, time):
     return "it gives C at every moment of motions with all kinds of starts and errors"
 
 
-def _compare_block(claimed, true, claim, what, where):
-    bad = ~agree(claimed, true, claim, max(abs(true).max(initial=0), 1.0))
+def _compare_block(claimed, true, claim, what, values):
+    uncertain, where = entry_uncertainties(claim, values), where_text(values)
+    bad = ~agree(claimed, true, claim, max(abs(true).max(initial=0), 1.0), uncertain=uncertain)
     if bad.any():
         i, j = np.argwhere(bad)[0]
         raise Wrong(f"{what}{where}; yours has {number_text(claimed[i, j])} there")

@@ -10,12 +10,12 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Matrix, Parts
-from workbook.checks.contract.tolerance import relative_tolerance
+from workbook.checks.contract.tolerance import EXACT
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.tools.comparisons import SameSides
 from workbook.checks.tools.samples import general_values, in_every_case
-from workbook.checks.tools.values import matrix_at
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, perturbed_arrays
 from workbook.checks.tools.wording import number_text, where_text
 
 
@@ -43,19 +43,24 @@ def mechanical_equations(claim, system, parameters=()):
         true_mass, *true = (
             np.array(part.subs(values), dtype=float) for part in (system.M, system.K, system.L)
         )
-        for own, wanted, name, sign in zip(claimed, true, "qu", (-1, 1)):
+        open_mass, *opens = (entry_uncertainties(part, values) for part in claim)
+        for own, wanted, open_own, name, sign in zip(claimed, true, opens, "qu", (-1, 1)):
+            uncertain = sum(
+                abs(np.linalg.solve(*other) - np.linalg.solve(mass, own))
+                for other in perturbed_arrays((mass, own), (open_mass, open_own))
+            )
             own, wanted = np.linalg.solve(mass, own), np.linalg.solve(true_mass, wanted)
             yield SameSides(
                 own,
                 wanted,
-                max(abs(wanted).max(), 1e-300),
+                EXACT * max(abs(wanted).max(), 1e-300) + uncertain + np.zeros(own.shape),
                 lambda point: (
                     f"by your equations {name}{point[1] + 1 if own.shape[1] > 1 or name == 'q' else ''} enters the "
                     f"acceleration of q{point[0] + 1} with the coefficient "
                     f"{number_text(sign * own[point])}"
                     f"{where_text(values)}, and that is not what the energies give"
                 ),
-                relative_tolerance(*claim),
+                1.0,
             )
     judge_everywhere(
         claim[0],

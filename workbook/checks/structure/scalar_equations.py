@@ -20,7 +20,7 @@ from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.records import controlled_pair, observed_pair
 from workbook.checks.tools.samples import general_values, in_every_case
-from workbook.checks.tools.values import entry_uncertainties, number_at, numbers_at
+from workbook.checks.tools.values import entry_uncertainties, number_at, numbers_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, where_text
 
 LARGEST_ORDER = 12
@@ -57,7 +57,8 @@ def canonical_coordinate(claim, system, parameters=()):
         there, b = system.A.subs(values), system.B.subs(values)
         row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, there.rows + 1)])
         true = _floats(_first_coordinate(there, b))[0]
-        if not agree(row, true, claim, np.linalg.norm(true)).all():
+        uncertain = [uncertainty_at(entry, values) for entry in claim]
+        if not agree(row, true, claim, np.linalg.norm(true), uncertain=uncertain).all():
             _explain_row(
                 row, _floats(there), _floats(b)[:, 0], relative_tolerance(claim), where_text(values)
             )

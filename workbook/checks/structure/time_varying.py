@@ -10,11 +10,11 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Matrix
-from workbook.checks.contract.tolerance import relative_tolerance
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.samples import in_every_case, signed_values
-from workbook.checks.tools.values import value_at
+from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import number_text, prefix_text, rounded_text, tried_text
 
 
@@ -128,7 +128,8 @@ def frozen_determinant(claim, system, parameters):
             np.prod([np.linalg.norm(r) for r in rows]),
             value_at(claim, values, "this determinant"),
         )
-        if not abs(claimed - np.linalg.det(rows)) <= relative_tolerance(claim) * scale:
+        uncertain = uncertainty_at(claim, values)
+        if not agree(claimed, np.linalg.det(rows), claim, scale, uncertain=uncertain):
             raise Wrong(
                 f"{prefix_text(values)}your expression gives {number_text(claimed)}, and this is not the "
                 "determinant of the rows H, HA, ... with A and H as they are then"

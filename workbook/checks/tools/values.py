@@ -12,7 +12,13 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.coercion import LARGEST
-from workbook.checks.contract.tolerance import DECIMALS, half_unit, in_decimals, perturbed
+from workbook.checks.contract.tolerance import (
+    DECIMALS,
+    MOST_EVALUATED,
+    half_unit,
+    in_decimals,
+    perturbed,
+)
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.substitution import binds_symbols, evaluated, substituted
@@ -133,7 +139,11 @@ def values_at(claim, points, what):
 
 def uncertainty_at(claim, values):
     """Return by how much the decimals of an expression change its value; nan if not known."""
-    variants = perturbed(claim) if in_decimals(claim) and sp.sympify(claim).free_symbols else None
+    variants = (
+        perturbed(claim, most=MOST_EVALUATED)
+        if in_decimals(claim) and sp.sympify(claim).free_symbols
+        else None
+    )
     if variants is None:
         return np.nan
     try:
@@ -148,10 +158,12 @@ def uncertainty_at(claim, values):
 
 def uncertainties_at(claim, points):
     """Return `uncertainty_at` at many points, dicts of the same symbols, all at once."""
+    if not points:
+        return []
     symbols = list(points[0])
     if not (in_decimals(claim) and claim.free_symbols) or binds_symbols(claim):
         return [uncertainty_at(claim, values) for values in points]
-    variants = perturbed(claim)
+    variants = perturbed(claim, most=MOST_EVALUATED)
     if variants is None:
         return [np.nan] * len(points)
     numbers = np.array([[float(values[s]) for s in symbols] for values in points]).T
@@ -181,6 +193,33 @@ def entry_uncertainties(claim, values):
     return np.array(
         [[entry(claim[i, j]) for j in range(claim.cols)] for i in range(claim.rows)]
     ).reshape(claim.shape)
+
+
+def left_open(claims, quantity):
+    """Return by how much the decimals of answers leave open a quantity that depends on them.
+
+    Parameters
+    ----------
+    claims : list of sympy.Basic
+        The answers.
+    quantity : callable
+        `quantity(claims)` is a number or an array.
+
+    Returns
+    -------
+    float or numpy.ndarray
+        The sum over the decimals.
+
+    Raises
+    ------
+    Invalid
+        If there are too many decimals to be followed.
+    """
+    followed = perturbed(*claims, most=MOST_EVALUATED) if in_decimals(*claims) else []
+    if followed is None:
+        raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
+    here = quantity(claims) if followed else 0.0
+    return sum((np.fmax(*(abs(quantity(side) - here) for side in pair)) for pair in followed), 0.0)
 
 
 def perturbed_arrays(parts, left_open):

@@ -70,6 +70,9 @@ CASES = [
     Case("possible_margins", sp.true, (WITHOUT_DECAY, mu), "wrong", "the hidden mode overlooked"),
     Case("possible_margins", mu <= 2, (BY_PLACE, mu), "wrong", "the margin of the free motion"),
     Case("possible_margins", 2, (WITHOUT_DECAY, mu), "invalid", "a number"),
+    Case("possible_margins", mu <= 2.004, (GROWTH_MOVED, mu), "right", "a border in decimals"),
+    Case("possible_margins", mu < 2.004, (GROWTH_MOVED, mu), "wrong", "it belongs to the set"),
+    Case("possible_margins", mu <= 2.006, (GROWTH_MOVED, mu), "wrong", "beyond three digits"),
     Case("possible_margins", mu <= 2, (GROWTH_MOVED, mu), "right", "a fixed mode that decays"),
     Case(
         "possible_margins", mu <= 1, (Linear(SPIRAL, M([1, 0, 0])), mu), "right", "a pair of them"

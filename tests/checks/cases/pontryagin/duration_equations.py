@@ -26,6 +26,20 @@ CASES = [
         "right",
         "an expression, decimals",
     ),
+    Case(
+        "duration_equation",
+        3.004 * sp.sqrt((x0 + v0 * T) ** 2 + y0**2) - 1.5 * T**2,
+        (MEET, T, START),
+        "right",
+        "three digits",
+    ),
+    Case(
+        "duration_equation",
+        3 * sp.sqrt((x0 + v0 * T) ** 2 + y0**2) - 1.51 * T**2,
+        (MEET, T, START),
+        "wrong",
+        "two digits",
+    ),
     Case("duration_equation", QUARTIC + T, (MEET, T, START), "wrong", "another root"),
     Case(
         "duration_equation",

@@ -63,6 +63,13 @@ CASES = [
     ),
     Case(
         "other_extremal_time",
+        -sp.sign(x1) * x2 + sp.sqrt(x2**2 - 2.008 * sp.Abs(x1)),
+        POSITIONS,
+        "wrong",
+        "two digits",
+    ),
+    Case(
+        "other_extremal_time",
         sp.Abs(x2) - sp.sqrt(x2**2 - 2 * sp.Abs(x1)),
         POSITIONS,
         "wrong",

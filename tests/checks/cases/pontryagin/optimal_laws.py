@@ -90,7 +90,8 @@ CASES = [
         "wrong",
         "these with a smooth imitation of a sign",
     ),
-    Case("optimal_law", fuel(2.0, 0.502), (FUEL, WIDE), "right", "three digits"),
+    Case("optimal_law", fuel(2.004, 0.5004), (FUEL, WIDE), "right", "three digits"),
+    Case("optimal_law", fuel(2.0, 0.502), (FUEL, WIDE), "wrong", "half a per cent of 0.5"),
     Case(
         "optimal_law",
         sp.Eq(u, fuel(2, R(1, 2))),
@@ -212,6 +213,13 @@ CASES = [
         (ENERGY, LEFT, RANGE, WIDE),
         "right",
         "where the control only bends",
+    ),
+    Case(
+        "arc_transition_curve",
+        -7.2 * TURNED,
+        (ENERGY, LEFT, RANGE, WIDE),
+        "wrong",
+        "43/6 to two digits",
     ),
     Case(
         "arc_transition_curve",

@@ -156,6 +156,8 @@ CASES = [
     Case("optimal_cost", 4 * a**2 / sp.pi, (ENERGY, PLACES), "right", "an integral"),
     Case("optimal_cost", 1.625, (FAR,), "right", "a maximum, a number"),
     Case("optimal_cost", sp.sqrt(high / low), (SWING, STIFF), "wrong", "the sign"),
+    Case("optimal_cost", 1.27 * a**2, (ENERGY, PLACES), "right", "4/pi to three digits"),
+    Case("optimal_cost", 1.28 * a**2, (ENERGY, PLACES), "wrong", "half a per cent off"),
     Case("optimal_cost", a**2 * sp.pi / 2, (ENERGY, PLACES), "wrong", "of a constant control"),
     Case("optimal_cost", 1, (FAR,), "wrong", "without the velocity"),
     Case("optimal_cost", sp.sqrt(10 * sp.Abs(a)), (CARRIAGE, AWAY), "right", "from both sides"),

@@ -42,8 +42,9 @@ CASES = [
         "wrong",
         "another ray",
     ),
+    Case("switching_curve", -0.501 * x2 * sp.Abs(x2), BRAKED, "wrong", "two digits of a constant"),
     Case(
-        "switching_curve", -0.501 * x2 * sp.Abs(x2), BRAKED, "right", "three digits of a constant"
+        "switching_curve", -0.5004 * x2 * sp.Abs(x2), BRAKED, "right", "three digits of a constant"
     ),
     Case("switching_curve", -0.49 * x2 * sp.Abs(x2), BRAKED, "wrong", "a constant too small"),
     Case("switching_curve", -0.51 * x2 * sp.Abs(x2), BRAKED, "wrong", "a constant too large"),

@@ -272,6 +272,8 @@ CASES = [
     Case("canonical_observable_part", M([[2, 1], [0, 0]]), SEEN, "invalid", "the matrix alone"),
     Case("similarity_matrix", M([[1, 0], [-1, 1]]), (SPIN, TURNED), "right", "one of many"),
     Case("similarity_matrix", M([[0, 1], [-1, -1]]), (SPIN, TURNED), "right", "another"),
+    Case("similarity_matrix", M([[7.004, 0], [-7.0, 7]]), (SPIN, TURNED), "right", "three digits"),
+    Case("similarity_matrix", M([[7.0, 0], [-7.03, 7]]), (SPIN, TURNED), "wrong", "two digits"),
     Case(
         "similarity_matrix",
         w * M([[1, 0], [-1, 1]]),

@@ -39,6 +39,13 @@ CASES = [
         "on the line",
     ),
     Case("observable_parameters", sp.Ne(v * x2, 0), FROM_BASE, "right", "a base, and off it"),
+    Case(
+        "observable_parameters",
+        sp.S.Reals - sp.FiniteSet(0),
+        BY_TWO,
+        "right",
+        "a set of values of the coordinate that matters",
+    ),
     Case("observable_parameters", sp.true, BY_TWO, "wrong", "two equations for two unknowns"),
     Case("observable_parameters", sp.Ne(x1, 0), BY_TWO, "wrong", "the other coordinate"),
     Case("observable_parameters", sp.Ne(v, 0), FROM_BASE, "wrong", "a base alone"),

@@ -23,6 +23,8 @@ NUMBERS = (Mechanical([[1]], 0, [[3]], L=[1]),)
 
 CASES = [
     Case("mechanical_equations", [[[r]], [[-g]], [-1]], ONE, "right", "divided by m r"),
+    Case("mechanical_equations", [[[r]], [[-1.004 * g]], [-1]], ONE, "right", "three digits"),
+    Case("mechanical_equations", [[[r]], [[-0.996 * g]], [-1]], ONE, "wrong", "two digits"),
     Case(
         "mechanical_equations",
         [ONE[0].M, ONE[0].K, ONE[0].L],

@@ -120,6 +120,34 @@ CASES = [
         "right",
         "a set, with a decimal",
     ),
+    Case(
+        "observable_parameters",
+        sp.Or(a < -1.41, sp.And(a > -1.41, a < 1.41), a > 1.41),
+        ROOTS,
+        "right",
+        "decimals left out by intervals",
+    ),
+    Case(
+        "observable_parameters",
+        sp.S.Reals - sp.FiniteSet(-1.414, 1.414),
+        ROOTS,
+        "right",
+        "a set that leaves out decimals",
+    ),
+    Case(
+        "observable_parameters",
+        sp.Or(a < -1.41, sp.And(a >= -1.41, a < 1.41), a > 1.41),
+        ROOTS,
+        "wrong",
+        "one of the decimals not left out",
+    ),
+    Case(
+        "observable_parameters",
+        sp.Or(a < -1.41, sp.And(a > -1.41, a < 1.4), a > 1.41),
+        ROOTS,
+        "wrong",
+        "an interval with two digits",
+    ),
     Case("observable_parameters", sp.Ne(a**2, 2), ROOTS, "right", "two irrational values"),
     Case(
         "observable_parameters", sp.Ne(sp.Abs(a), sp.sqrt(2)), ROOTS, "right", "an absolute value"

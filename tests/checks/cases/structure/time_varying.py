@@ -196,6 +196,20 @@ CASES = [
     Case("frozen_determinant", 2, (*BEAT, [w]), "right", "the same at all moments"),
     Case(
         "frozen_determinant",
+        2.004 * sp.cos(w * t) ** 2 + 2 * sp.sin(w * t) ** 2,
+        (*BEAT, [w]),
+        "right",
+        "a coefficient to three digits",
+    ),
+    Case(
+        "frozen_determinant",
+        2.009 * sp.cos(w * t) ** 2 + 2 * sp.sin(w * t) ** 2,
+        (*BEAT, [w]),
+        "wrong",
+        "a coefficient to two digits",
+    ),
+    Case(
+        "frozen_determinant",
         2 * sp.cos(w * t) ** 2 + 2 * sp.sin(w * t) ** 2,
         (*BEAT, [w]),
         "right",

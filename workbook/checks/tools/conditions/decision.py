@@ -55,6 +55,45 @@ def find_difference(readings, parameters, reference, besides=sp.true):
     return True, None
 
 
+def find_numbers(claim, intervals, parameters, reference):
+    """Return (decided, numbers) with which a claim agrees with its reference everywhere.
+
+    Parameters
+    ----------
+    claim : sympy condition
+        The claim in its symbols and in those of `intervals`.
+    intervals : dict
+        {symbol: (low, high)}, between which its number is looked for.
+    parameters : list of sympy.Symbol
+        The symbols of the claim.
+    reference : ReferenceCondition
+        Where the condition has to hold.
+
+    Returns
+    -------
+    tuple
+        Whether it could be decided, and {symbol: exact number} or None.
+    """
+    try:
+        if not reference.inside or not reference.outside:
+            raise Undecidable
+        questions = [(_Question(parameters, case), holds) for case, holds in reference.cases]
+        first = questions[0][0]
+        formulas = [first.between(*item) for item in intervals.items()]
+        same = {}  # a number such as pi has one symbol in all of them
+        for question, _ in questions[1:]:
+            question.context, question.names = first.context, {s: first.names[s] for s in intervals}
+        for question, holds in questions:
+            formulas += question.agreement(claim, intervals, holds)
+            for number, symbol in question.form.numbers.items():
+                name = question.names[symbol]
+                formulas.append(name == same.setdefault(number, name))
+        model = first.model(formulas, quantified=True)
+        return True, model and {symbol: first.value(model, symbol) for symbol in intervals}
+    except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
+        return False, None
+
+
 def _confirmed(point, readings, parameters, case, holds, reference):
     """Return whether at a point all readings are wrong, by exact evaluation."""
     symbols = [*parameters, *case.unknowns]
@@ -131,11 +170,42 @@ class _Question:
         else:
             conditions += sides
         conditions += [self._assumed(symbol) for symbol in self.names if symbol not in inner]
-        model = self._model(self._and([*conditions, case_formula]), quantified=bool(inner))
+        model = self.model([*conditions, case_formula], quantified=bool(inner))
         symbols = [*self.parameters, *(() if case.every else case.unknowns)]
-        return None if model is None else tuple(self._value(model, symbol) for symbol in symbols)
+        return None if model is None else tuple(self.value(model, symbol) for symbol in symbols)
 
-    def _model(self, question, quantified):
+    def agreement(self, claim, chosen, holds):
+        """Return formulas that, for all but the chosen numbers, a claim is `holds` in the case."""
+        z3, case = self.z3, self.case
+        claimed = self._formula(self.form.condition(claim))
+        known, first = {*self.parameters, *self.names}, len(self.form.sides)
+        assumed = self._formula(self.form.condition(case.condition))
+        numbers = {*chosen, *self.form.numbers.values()}
+        free = [symbol for symbol in self.names if symbol not in numbers]
+        outer = [symbol for symbol in free if symbol in known or not case.every]
+        inner = [symbol for symbol in free if symbol not in outer]
+        sides = [(side, self._formula(side)) for side in self.form.sides]
+        within = [formula for side, formula in sides if side.free_symbols <= numbers]
+        before, after = (
+            [formula for side, formula in part if not side.free_symbols <= numbers]
+            for part in (sides[:first], sides[first:])
+        )
+        if inner:
+            given = self._and([*after, *map(self._assumed, inner)])
+            assumed = z3.ForAll([self.names[s] for s in inner], z3.Implies(given, assumed))
+        else:
+            before += after
+        given = self._and([*before, *map(self._assumed, outer), assumed])
+        agrees = z3.Implies(given, claimed if holds else z3.Not(claimed))
+        return [*within, z3.ForAll([self.names[s] for s in outer], agrees) if outer else agrees]
+
+    def between(self, symbol, ends):
+        """Return the formula that a symbol has a value of a closed interval."""
+        low, high = (self.z3.RealVal(str(end), self.context) for end in ends)
+        return self._and([low <= self._real(symbol), self._real(symbol) <= high])
+
+    def model(self, question, quantified):
+        """Return values that fulfil formulas, or None without any."""
         z3 = self.z3
         names = (
             ("simplify", "nlqsat")
@@ -147,7 +217,7 @@ class _Question:
         ).solver()
         solver.set("rlimit", max(STEPS, TIMES_SIZE // self.size))
         solver.set("max_memory", MEGABYTES)
-        solver.add(question)
+        solver.add(*question)
         try:
             outcome = solver.check()
         except z3.Z3Exception:
@@ -190,7 +260,7 @@ class _Question:
         if symbol not in self.names:
             if symbol.is_integer or symbol.is_real is False:
                 raise Undecidable
-            self.names[symbol] = self.z3.Real(f"v{len(self.names)}", self.context)
+            self.names[symbol] = self.z3.FreshReal("v", self.context)
         return self.names[symbol]
 
     def _assumed(self, symbol):
@@ -211,9 +281,10 @@ class _Question:
     def _and(self, parts):
         return self.z3.And(self.z3.BoolVal(True, self.context), *parts)
 
-    def _value(self, model, symbol):
+    def value(self, model, symbol):
+        """Return the exact value of a symbol."""
         if symbol in self.form.circles:
-            c, s = (self._value(model, part) for part in self.form.circles[symbol])
+            c, s = (self.value(model, part) for part in self.form.circles[symbol])
             return sp.atan2(s, c) + (2 * sp.pi if symbol in self.case.angles and s < 0 else 0)
         if symbol not in self.names:
             return sp.Integer(-1 if symbol.is_negative or symbol.is_nonpositive else 1)

@@ -114,7 +114,9 @@ class _Sign:
         if self._parts is None:
             # Symbols are the data's own and functions are SymPy's (coercion.with_symbols), so the
             # code made is ours.
-            self._numeric, self._difference = sp.lambdify(symbols, difference, "mpmath"), difference
+            roots = {root: root.evalf(DIGITS) for root in difference.atoms(sp.CRootOf)}
+            self._difference = difference.xreplace(roots)
+            self._numeric = sp.lambdify(symbols, self._difference, "mpmath")
 
     def __call__(self, point):
         if self._parts is not None and all(x.is_Rational for x in point):

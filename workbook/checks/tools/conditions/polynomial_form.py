@@ -30,6 +30,11 @@ class PolynomialForm:
     def __init__(self, angles=()):
         self.sides, self.circles, self._known, self._bare, self._angles = [], {}, {}, set(), angles
 
+    @property
+    def numbers(self):
+        """The symbols that stand for numbers such as pi."""
+        return {key: w for key, w in self._known.items() if isinstance(key, sp.Expr)}
+
     def copy(self):
         """Return a copy that can be extended without changing this one."""
         other = PolynomialForm(self._angles)
@@ -145,6 +150,8 @@ class PolynomialForm:
                 sp.Rational(str(node.evalf(50))),
                 self._known.setdefault(node, sp.Dummy("number", real=True)),
             )
+            if isinstance(node, sp.CRootOf):
+                self.sides.append(sp.Eq(node.poly.as_expr().subs(node.poly.gen, w), 0))
             self.sides += [w > near - sp.Rational(1, 10**45), w < near + sp.Rational(1, 10**45)]
             return w
         if isinstance(node, (sp.cos, sp.sin, sp.tan)):
