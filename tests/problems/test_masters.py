@@ -21,6 +21,7 @@ from harness import SOLVERS, check_calls, each_part, first_verdicts, from_checks
 from hostile_values import judge_hostile_values
 from mutants import mutants
 from oracles import is_right
+from recovery import DEFINED, EVALUABLE, OWN, recovered
 from roundings import roundings
 from sympy.logic.boolalg import Boolean
 from undefined_values import NOT_ASKED, entries, entry_at, undefined_variants
@@ -68,9 +69,6 @@ CONDITIONS_IN_DATA = {
     "3.3": {"c_speed_observable"},
     "3.13": {"margins"},
 }
-#: Wrong trials that are half of what is right, where a message tells their double: at most so far
-#: turns a direction.
-HALF_RIGHT = {"5.11": {"time"}, "5.12": {"latest"}, "5.13": {"time"}}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: What only states a system solves nothing.
@@ -205,8 +203,7 @@ def test_wrong_trials_are_wrong_and_change_no_other_verdict(master):
     )
     for trial in result["trials"]:
         assert len(trial["message"]) > 20 and trial["reference"] not in trial["message"], trial
-    revealing = {trial["answer"] for trial in result["trials"] if trial["revealed"]}
-    assert revealing == HALF_RIGHT.get(master.number, set()), result["trials"]
+    assert [trial for trial in result["trials"] if trial["revealed"]] == []
 
 
 def _wrong(problem):
@@ -263,6 +260,23 @@ def _revealed_numbers(right, wrong, message):
 def _numbers(answer):
     values = [sp.sympify(entry_at(answer, path)) for path in entries(answer)]
     return [abs(complex(number)) for number in values if number.is_number]
+
+
+def test_no_answer_is_corrected_from_the_numbers_in_messages(master):
+    """A factor or a coefficient is made wrong, and a student computes it from what messages say."""
+    assert [
+        row
+        for row in result_of(master, "recovery")
+        if row[1] not in (EVALUABLE if row[3] == OWN else DEFINED)
+    ] == []
+
+
+def _recovery(problem):
+    return [
+        [name, problem.check_arguments(name)[0], *found]
+        for name in problem.reference
+        for found in recovered(problem, name)
+    ]
 
 
 def test_every_form_of_an_answer_is_right(master):
@@ -541,6 +555,7 @@ PARTS = {
     "conditions in data": _conditions_in_data,
     "rows": _rows,
     "hostile": judge_hostile_values,
+    "recovery": _recovery,
 }
 
 

@@ -86,8 +86,8 @@ def follow(law, reference, batch):
         for k in slow[~reference.beside_barrier(subset.take(slow))] if len(slow) else ():
             passed = subset.time[k] * (1 + SLOWER) + 1e-3 - left[k]
             raise Wrong(
-                f"{reference.start_text(subset, k)} the target can be reached in a time of {subset.time[k]:.4g}; "
-                f"your law has brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after "
+                f"{reference.start_text(subset, k)} your law does not lead to the target in the "
+                f"shortest time: it has brought the state to ({x[k][0]:.4g}, {x[k][1]:.4g}) after "
                 f"{passed:.4g}, and from there it cannot be reached in the time left"
             )
 

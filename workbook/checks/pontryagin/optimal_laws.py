@@ -140,8 +140,8 @@ def _says_what_is_best(law, values, best):
         here = law(states[:, [k]], times[[k]], values, best.bounds)[0]
         gives = f"{here:.4g}" if np.isfinite(here) else law.none
         raise Wrong(
-            f"{prefix_text(values)}the best process found comes to {point_text(states[:, k])} at t = "
-            f"{times[k]:.4g}; there your law gives {gives}, and the best control is another one"
+            f"{prefix_text(values)}at {point_text(states[:, k])}, a state of the best process found, "
+            f"your law gives {gives}, and the best control is another one"
         )
     _jumps_where_it_should(law, values, best)
 
@@ -167,7 +167,7 @@ def _same_at_a_scale(law, values, best, factors):
         raise Wrong(
             f"{prefix_text(values)}at {point_text(states[:, k])} your law gives "
             f"{wanted[k] / scale:.4g}. In other units the problem is the same, so that "
-            f"{prefix_text(own)}at {point_text(there[:, k])} it has to give {wanted[k]:.4g}; it gives "
+            f"{prefix_text(own)}at {point_text(there[:, k])} it has to give another value than "
             f"{claimed[k]:.4g}"
         )
 

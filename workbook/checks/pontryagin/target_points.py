@@ -118,9 +118,8 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
                 1 + np.linalg.norm(points[k])
             ):
                 raise Wrong(
-                    f"{target.values_text(values, positions[k])} the optimal motion switches {times[k]:.4g} "
-                    f"before its end, at a distance {np.linalg.norm(given[k] - points[k]):.4g} "
-                    f"from your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
+                    f"{target.values_text(values, positions[k])} the optimal motion does not switch "
+                    f"at your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
                 )
     if not met:
         raise RuntimeError("no motion that ends there switches")

@@ -121,7 +121,7 @@ def judge_at_every_scale(claim, problem, parameters, points, weight, what):
             raise Wrong(
                 f"{prefix_text(dict(zip(symbols, at[k])))}your {what} is {numbers[k]:.6g}. In other "
                 "units the problem is the same, so that "
-                f"{prefix_text(dict(zip(symbols, other[k])))}it has to be {wanted[k]:.6g}; {gives}"
+                f"{prefix_text(dict(zip(symbols, other[k])))}it has to be another number: {gives}"
             )
 
 

@@ -20,9 +20,7 @@ from workbook.checks.references.fields import cached_field
 from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import number_at, value_at
-from workbook.checks.tools.wording import (
-    sample_text,
-)
+from workbook.checks.tools.wording import other_text, sample_text
 
 CYCLES = ("stable", "unstable", "semistable")
 #: Angles at which a circle is tried; not multiples of pi/2, where single terms of a field vanish.
@@ -42,8 +40,8 @@ def polar_form(rates, field, state, polar):
             stated = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
             if not abs(stated - value) <= 1e-9 * size:
                 raise Wrong(
-                    f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your "
-                    f"expression gives {stated.real:.4g}"
+                    f"at r = {r:.3g}, phi = {phi:.3g} "
+                    + other_text(f"{name} of the motion", stated.real, value)
                 )
     return "both rates agree with the velocity of the motion at random points"
 
@@ -78,7 +76,7 @@ def radial_motion(claim, field, state, time, start):
             if not abs(stated - true) <= 1e-9 * (abs(true) + r) < math.inf:
                 raise Wrong(
                     f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes "
-                    f"at the rate {stated:.4g} there; the system demands r' = {true:.4g} at this r"
+                    f"at the rate {stated:.4g} there; at this r the system has another r'"
                 )
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 
@@ -197,8 +195,8 @@ def cycle_period(claim, radial, angular, radius, parameters):
         rate = float(turning(rest, numbers)[0])
         if period <= 0 or not agree(rate * period, math.copysign(2 * math.pi, rate), claim):
             raise Wrong(
-                f"for {sample_text(values)} the angle gains {rate * period:.4g} within your time "
-                f"{period:.4g}, which is not one turn"
+                f"for {sample_text(values)} the angle does not gain just one turn within your time "
+                f"{period:.4g}"
             )
     return "in this time the angle gains one full turn on the closed orbit"
 
@@ -241,14 +239,12 @@ def return_map_slope(claim, field, state, radius=None):
             )
         if rounds_to(claim, slope) and not in_decimals(claim):
             raise Wrong(
-                f"the expression comes close, but it is not the slope: they differ by the fraction "
-                f"{abs(float(claim) / slope - 1):.2g}"
+                "the expression agrees with the slope to three digits only; it is written exactly, "
+                "and is not equal to it"
             )
-        turn = _turn(flow, radius)
         raise Wrong(
-            f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units "
-            f"of time would grow at the mean rate {math.log(float(claim)) / turn:.4g}; linearising "
-            "r' at the cycle gives another rate"
+            f"one turn does not multiply a small deviation by {float(claim):.4g}: linearise r' at "
+            "the cycle, and let the deviation grow for one turn"
         )
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
 

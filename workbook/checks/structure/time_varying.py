@@ -15,7 +15,7 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import SameEntries, SameValue
 from workbook.checks.tools.samples import in_every_case, signed_values
 from workbook.checks.tools.values import value_at
-from workbook.checks.tools.wording import number_text, rounded_text
+from workbook.checks.tools.wording import number_text, prefix_text, rounded_text
 
 
 @judged(Expression("time", "start", "parameters"))
@@ -99,13 +99,8 @@ def output_gramian(claim, system, duration, parameters):
             claim,
             true,
             lambda claimed, i, j: (
-                f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(claimed[i, j])}; the "
-                # the true number would be the answer itself
-                f"integral is {true[i, j]:.4g}"
-                if values
-                else f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(claimed[i, j])}, "
-                "and the integral is not"
+                f"{prefix_text(values)}the entry ({i + 1}, {j + 1}) of your matrix is "
+                f"{number_text(claimed[i, j])}, and the integral is not"
             ),
             values,
             np.linalg.norm(true),
@@ -129,11 +124,9 @@ def frozen_determinant(claim, system, parameters):
             value_at(claim, values, "this determinant"),
         )
         if not abs(claimed - np.linalg.det(rows)) <= relative_tolerance(claim) * scale:
-            # The rows and not their determinant, which may be the answer itself.
-            message = ", ".join(f"({', '.join(map(number_text, r))})" for r in rows)
             raise Wrong(
-                f"at one of the moments tried the rows are {message}; {number_text(claimed)}, which your "
-                "expression gives, is not their determinant"
+                f"{prefix_text(values)}the determinant of these rows is not {number_text(claimed)}, "
+                "which your expression gives"
             )
     return "it is the determinant at all moments and parameters tried"
 
