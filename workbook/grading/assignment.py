@@ -7,6 +7,7 @@ It is one file, `assignment.toml`:
     due = 2026-10-01T23:59:00+03:00     # optional; later work is marked late
     attempt = "best"                    # or "last": which of several submissions counts
     attempts = 3                        # optional; further ones are kept but do not count
+    direction = false                   # or true: whether messages say "greater" or "less" of a number
 
     [points]                            # optional; an answer is worth 1 point unless said otherwise
     "1.15" = 10                         # a problem: shared equally by its answers
@@ -30,7 +31,7 @@ RESERVED_NAMES = {
     "grades.sqlite-shm",
     "grades.sqlite-journal",
 }
-FIELDS = {"title", "problems", "due", "attempt", "attempts", "points"}
+FIELDS = {"title", "problems", "due", "attempt", "attempts", "direction", "points"}
 
 
 class InputError(ValueError):
@@ -59,6 +60,8 @@ class Assignment:
         Which attempt counts: "best" or "last".
     attempts : int or None
         How many attempts at a problem count.
+    direction : bool
+        Whether verdicts say in which direction a number is wrong.
     """
 
     name: str
@@ -68,6 +71,12 @@ class Assignment:
     due: datetime.datetime | None = None
     attempt: str = "best"
     attempts: int | None = None
+    direction: bool = False
+
+    def exercise(self, problem):
+        """Return the exercise of a problem with the check cells of this homework."""
+        found = exercises.find(problem)
+        return found if self.direction else exercises.in_homework(found)
 
     @property
     def max_points(self):
@@ -142,6 +151,8 @@ def from_text(text, path):
         path,
         "attempts is a whole number from 1 up",
     )
+    direction = table.get("direction", False)
+    _require(type(direction) is bool, path, "direction is true or false, without quotes")
     return Assignment(
         name,
         title.strip(),
@@ -150,6 +161,7 @@ def from_text(text, path):
         due,
         attempt,
         attempts,
+        direction,
     )
 
 
