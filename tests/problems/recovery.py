@@ -42,6 +42,7 @@ EVALUABLE = {
     "conserved_quadratic_form": "the derivative along the motions",
     "cost_matrix": "the right-hand side of the Riccati equation",
     "covariance_at_time": "the covariance at the start, which is given",
+    "decomposed_system": "the characteristic polynomial of the answer",
     "decomposition": "the system in the coordinates of the answer",
     "equation_gains": "the equation along the motions of the form",
     "equilibria": "the right-hand sides at the point",
@@ -54,6 +55,7 @@ EVALUABLE = {
     "mechanical_equations": "the equations, solved for the accelerations",
     "observer_equations": "the derivative of the error",
     "observer_gain": "the characteristic polynomial of the errors",
+    "optimal_law": "the law at the state",
     "optimal_motion": "the motion at the start, which is given",
     "parallel_decomposition": "the system in the coordinates of the answer",
     "research.filter_gain": "the equation with the motion inserted",
@@ -96,16 +98,18 @@ def recovered(problem, name):
     The kind is `TRUE` if the number is the same in the messages on different answers, so that it
     does not come from them, else `OWN`.
     """
-    found = []
+    found, symbols = [], set(_symbols(list(problem.data.values())))
     for what, right, put in coefficients(problem.reference[name]):
         tries = [
             (right * factor, problem.judge_one(name, put(right * factor))) for factor in FACTORS
         ]
         if any(verdict.status != "wrong" for _, verdict in tries):
             continue
-        wrong, messages = zip(*((float(q), verdict.message) for q, verdict in tries))
+        wrong, messages = zip(
+            *((float(q), _without_point(verdict.message, symbols)) for q, verdict in tries)
+        )
         number = right not in (1, -1)
-        known = set.intersection(*map(_stated, messages))
+        known = set.intersection(*(_stated(text) for text, _ in messages))
 
         def finds(candidates, right=right, put=put):
             return any(
@@ -117,14 +121,14 @@ def recovered(problem, name):
 
         def from_both(numbers, put=put, wrong=wrong, messages=messages, number=number):
             return all(
-                finds(_candidates(message, q, put, numbers(message), number))
-                for q, message in zip(wrong, messages)
+                finds(_candidates(q, put, numbers(text), point, number))
+                for q, (text, point) in zip(wrong, messages)
             )
 
-        if from_both(lambda message, known=known: known):
-            found.append([what, TRUE, messages[0]])
-        elif from_both(_stated) or finds(_zeros(wrong, messages)):
-            found.append([what, OWN, messages[0]])
+        if from_both(lambda text, known=known: known):
+            found.append([what, TRUE, tries[0][1].message])
+        elif from_both(_stated) or finds(_zeros(wrong, [text for text, _ in messages])):
+            found.append([what, OWN, tries[0][1].message])
     return found
 
 
@@ -177,18 +181,33 @@ def _with(value, number, q):
     return value.func(*(_with(part, number, q) for part in value.args)) if value.args else value
 
 
-def _stated(message):
-    """Return the sizes of the numbers in a message, without those of the point and of positions."""
-    text = INDICES.sub("", VALUES.sub("", message))
+def _without_point(message, symbols):
+    """Return (the message without positions and values of symbols, these values by name)."""
+    point = {name: number for name, number in VALUES.findall(message) if name in symbols}
+    text = VALUES.sub(lambda found: "" if found[1] in symbols else found[0], message)
+    return INDICES.sub("", text), point
+
+
+def _symbols(part):
+    """Yield the names of the symbols in data."""
+    if isinstance(part, sp.Symbol):
+        yield part.name
+    elif isinstance(part, (list, tuple)):
+        for entry in part:
+            yield from _symbols(entry)
+
+
+def _stated(text):
+    """Return the sizes of the numbers in a text but zero."""
     return {abs(_number(part)) for part in NUMBERS.findall(text)} - {0.0}
 
 
-def _candidates(message, wrong, put, numbers, number):
+def _candidates(wrong, put, numbers, point, number):
     """Yield coefficients that follow from `numbers` of the message on an answer with a wrong one.
 
     `number` is whether the coefficient is a number of the answer, and no factor of a term.
     """
-    own, others = _own_numbers(put, wrong, dict(VALUES.findall(message)))
+    own, others = _own_numbers(put, wrong, point)
     stated = [n for n in sorted(numbers) if not any(_close(n, abs(other)) for other in others)]
     if number:
         yield from (sign * n for n in stated if n not in SIMPLE for sign in (1, -1))
@@ -231,10 +250,9 @@ def _numbers_at(value, point):
     return [number.real, number.imag]
 
 
-def _zeros(wrong, messages):
+def _zeros(wrong, texts):
     """Yield where a number that two messages of the same words have at one place, or a difference
     of two such numbers, is zero if it is linear in the coefficient."""
-    texts = [INDICES.sub("", VALUES.sub("", message)) for message in messages]
     if len({NUMBERS.sub("#", text) for text in texts}) > 1:
         return
     here, there = ([_number(part) for part in NUMBERS.findall(text)] for text in texts)

@@ -21,7 +21,7 @@ from harness import SOLVERS, check_calls, each_part, first_verdicts, from_checks
 from hostile_values import judge_hostile_values
 from mutants import mutants
 from oracles import is_right
-from recovery import DEFINED, EVALUABLE, OWN, recovered
+from recovery import DEFINED, EVALUABLE, FACTORS, NUMBERS, OWN, recovered
 from roundings import roundings
 from sympy.logic.boolalg import Boolean
 from undefined_values import NOT_ASKED, entries, entry_at, undefined_variants
@@ -68,6 +68,13 @@ CONDITIONS_IN_DATA = {
     "1.3": {"a_stable"},
     "3.3": {"c_speed_observable"},
     "3.13": {"margins"},
+}
+#: Checks of controls and motions, of which too great a control is found not to be admissible.
+OF_BOUNDED_NUMBERS = {
+    "extremal_control",
+    "maximising_control",
+    "optimal_control",
+    "optimal_motion",
 }
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
@@ -277,6 +284,27 @@ def _recovery(problem):
         for name in problem.reference
         for found in recovered(problem, name)
     ]
+
+
+def test_homework_does_not_say_in_which_direction_a_number_is_wrong(master):
+    """One message is on a number that is too great, one on a number that is too small."""
+    assert [row for row in result_of(master, "direction") if row[1] not in OF_BOUNDED_NUMBERS] == []
+
+
+def _direction(problem):
+    """Return [name, check, two messages] where the messages differ by more than their numbers."""
+    differ = []
+    for name, reference in problem.reference.items():
+        if not problem.master.answers[name].kind.startswith(("number", "expression")):
+            continue
+        value = sp.sympify(reference)
+        if not isinstance(value, sp.Expr):  # arcs of a control
+            continue
+        verdicts = [problem.judge_in_homework(name, value * factor) for factor in FACTORS]
+        texts = {NUMBERS.sub("#", verdict.message) for verdict in verdicts}
+        if {verdict.status for verdict in verdicts} == {"wrong"} and len(texts) > 1:
+            differ.append([name, problem.check_arguments(name)[0], *(v.message for v in verdicts)])
+    return differ
 
 
 def test_every_form_of_an_answer_is_right(master):
@@ -556,6 +584,7 @@ PARTS = {
     "rows": _rows,
     "hostile": judge_hostile_values,
     "recovery": _recovery,
+    "direction": _direction,
 }
 
 

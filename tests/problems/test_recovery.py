@@ -13,7 +13,7 @@ class OneAnswer:
     """A problem with one answer, right to three digits, and one message on all others."""
 
     def __init__(self, answer, message):
-        self.reference, self.message = {"a": answer}, message
+        self.reference, self.data, self.message = {"a": answer}, {"x": x}, message
 
     def judge_one(self, name, value):
         own, true = (float(sp.sympify(part).subs(x, 2.5)) for part in (value, self.reference["a"]))
@@ -26,6 +26,7 @@ class OneAnswer:
     [
         (lambda own, true: f"for x = 2.5 it is {true:.4g}; your expression gives {own:.4g}", TRUE),
         (lambda own, true: f"for x = 2.5 it is {true:.4g}", TRUE),
+        (lambda own, true: f"for x = 2.5 it has to be C = {true:.4g}", TRUE),
         (lambda own, true: f"for x = 2.5 yours is {own / true:.4g} times as great", OWN),
         (lambda own, true: f"for x = 2.5 the two sides differ by {own - true:.4g}", OWN),
         (lambda own, true: f"for x = 2.5 you lose {3 * (own - true):.4g} of what there is", OWN),
