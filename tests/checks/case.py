@@ -5,7 +5,15 @@ from operator import attrgetter
 
 from workbook import checks
 
-NOT_CHECKS = {"NotYet", "Unusable", "Verdict", "collecting", "judged", "report"}
+NOT_CHECKS = {
+    "NotYet",
+    "Unusable",
+    "Verdict",
+    "collecting",
+    "hide_direction",
+    "judged",
+    "report",
+}
 #: The names of all checks, those of the research chapters with their package.
 CHECKS = sorted({*dir(checks)} - NOT_CHECKS | {f"research.{name}" for name in dir(checks.research)})
 

@@ -18,17 +18,19 @@ FUEL = Problem(
 SOONEST = Problem(CARRIAGE, {u: (-1, 1)}, {x: 1, v: 0}, [x, v])
 GIVEN = Problem(CARRIAGE, {u: (-1, 1)}, {x: 0, v: 0}, [v], running=x + v, duration=2)
 FAST = sp.sqrt(sp.Rational(5, 2))
+#: Not what it costs, which next to the optimum is hardly more than the least cost.
+BETTER = "your control keeps to the ends; there is an admissible process with the same ends that costs less"
 SLOW = sp.sqrt(sp.Rational(5, 6))
 
 
 @pytest.mark.parametrize(
     "problem, arcs, said",
     [
-        (FUEL, [[-1, FAST], [1, 2 * FAST]], "costs 5.534; there is an admissible process"),
+        (FUEL, [[-1, FAST], [1, 2 * FAST]], BETTER),
         (
             FUEL,
             [[-1, SLOW], [0, 3 * SLOW], [1, 4 * SLOW]],
-            "costs 5.021; there is an admissible process",
+            BETTER,
         ),
         (
             FUEL,
@@ -43,7 +45,7 @@ SLOW = sp.sqrt(sp.Rational(5, 6))
         (
             SOONEST,
             [[-sp.Rational(1, 2), sp.sqrt(2)], [sp.Rational(1, 2), 2 * sp.sqrt(2)]],
-            "costs 2.828;",
+            BETTER,
         ),
         (GIVEN, [[-1, 1]], "your last arc ends at 1, and the process lasts longer"),
         (
@@ -54,7 +56,7 @@ SLOW = sp.sqrt(sp.Rational(5, 6))
         (
             GIVEN,
             [[-1, sp.Rational(99, 100)], [0, sp.Rational(101, 100)], [1, 2]],
-            "costs too much, by a share of 0.0001",
+            BETTER,
         ),
     ],
 )

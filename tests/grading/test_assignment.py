@@ -108,8 +108,8 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         ('problems = ["../ch1/p15"]', "there is no problem"),
         (
             ONE + "titel = 'x'",
-            "unknown field titel; there are attempt, attempts, due, extensions, late, points, problems, "
-            "title",
+            "unknown field titel; there are attempt, attempts, direction, due, extensions, late, points, "
+            "problems, title",
         ),
         (ONE + "title = 3", "title is one line of text"),
         (ONE + 'title = " "', "title is one line of text"),
@@ -123,6 +123,7 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         (ONE + "attempts = 0", "attempts is a whole number from 1 up"),
         (ONE + "attempts = true", "attempts is a whole number from 1 up"),
         (ONE + "attempts = 1.5", "attempts is a whole number from 1 up"),
+        (ONE + 'direction = "false"', "direction is true or false"),
         (ONE + "points = 5", "points is a table"),
         (ONE + "[points]\n1.15 = 10", "in points a problem stands in quotes"),
         (ONE + '[points]\n"1.15" = -1', 'points."1.15" is a number from 0 up'),
@@ -217,7 +218,13 @@ def test_a_handed_out_notebook_is_the_exercise_without_dead_links(tmp_path):
             for released_cell, pristine_cell in zip(
                 released["cells"], pristine["cells"], strict=True
             ):
-                assert released_cell == pristine_cell or "places" in released_cell["metadata"]
+                if "check" in pristine_cell["metadata"].get("tags", ()):
+                    source = "".join(released_cell["source"])
+                    assert source.replace("checks.hide_direction()\n", "") == "".join(
+                        pristine_cell["source"]
+                    )
+                else:
+                    assert released_cell == pristine_cell or "places" in released_cell["metadata"]
             text = "".join(cell["source"] for cell in released["cells"])
             assert "_build/" not in text and not re.search(r"\]\(\.", text)
             if site:
@@ -230,6 +237,19 @@ def test_a_handed_out_notebook_is_the_exercise_without_dead_links(tmp_path):
                     'wheel = "trajlib[workbook] @ https://example.org/course/wheels/trajlib-'
                     in text
                 )
+
+
+def test_the_direction_of_a_wrong_number_is_left_out_unless_the_homework_tells_it(tmp_path):
+    for direction in (False, True):
+        name = f"hw{direction:d}"
+        made = handing_out.make(tmp_path, name, ["5.63"], direction=direction)
+        assert made == assignments.read(tmp_path / name / "assignment.toml")
+        handed_out = exercises.read(tmp_path / name / "ch5-p63.ipynb")
+        assert made.direction == direction and handed_out.cells == made.exercise("5.63").cells
+        _, source = handed_out.code("check")[0]
+        assert ("checks.hide_direction()\nchecks.report(" in source) is not direction
+        for exercise in (exercises.find("5.63"), made.exercise("5.63")):
+            assert exercise.sources_to_run([source, "1"]) == ["", "1"]
 
 
 def test_a_handed_out_notebook_is_known_without_its_metadata(tmp_path):

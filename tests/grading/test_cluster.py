@@ -127,6 +127,7 @@ def a_task(key, problem="1.15", answers=RIGHT_1_15):
     return {
         "key": key,
         "problem": problem,
+        "direction": True,
         "sources": sources,
         "names": list(exercise.about["answers"]),
     }

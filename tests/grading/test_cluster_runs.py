@@ -76,6 +76,7 @@ def make_run(dask, number, lines=None):
         {
             "key": key,
             "problem": "1.15",
+            "direction": True,
             "sources": [str(key)],
             "names": ["a_region"],
             "student": "ada",
@@ -136,7 +137,7 @@ def test_few_tasks_are_on_their_way_and_only_the_code_is_sent(quick):
         "tls://10.0.0.2:1": 1 + coordinator.PREFETCH,
     }
     assert {frozenset(call.task) for call in dask.calls if call.task} == {
-        frozenset({"problem", "sources"})
+        frozenset({"problem", "direction", "sources"})
     }
     assert {call.address: call.settings["workers"] for call in dask.calls} == {
         "tls://10.0.0.1:1": 2,

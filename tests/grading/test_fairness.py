@@ -58,7 +58,9 @@ def graded(grader, nb, folder, name="ch1-p15.ipynb"):
     path.write_bytes(nb if isinstance(nb, bytes) else json.dumps(nb).encode())
     (submission,) = submissions.find(folder / "submitted")
     assert submission.trouble == "" and submission.problem == "1.15"
-    return grader.grade({"problem": "1.15", "sources": EXERCISE.sources_to_run(submission.cells)})
+    return grader.grade(
+        {"problem": "1.15", "direction": True, "sources": EXERCISE.sources_to_run(submission.cells)}
+    )
 
 
 def full_marks(result):

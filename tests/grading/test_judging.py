@@ -637,7 +637,7 @@ HOW_A_GRADER_ENDS = """
 from workbook.grading.grader import Grader
 from workbook.grading.preloading import ALWAYS
 with Grader(modules=ALWAYS) as grader:
-    graded = grader.grade({"problem": "1.15", "sources": ["a_region = 1"]})
+    graded = grader.grade({"problem": "1.15", "direction": True, "sources": ["a_region = 1"]})
     worker = grader._sandbox._worker
 print(graded["verdicts"]["a_region"]["status"], worker.returncode >= 0)
 """
@@ -705,3 +705,13 @@ def test_texts_of_a_notebook_are_sanitised():
         "limits: code cell 3 was stopped: it took half of the time that was left"
         in judgement.remarks
     )
+
+
+def test_a_homework_does_not_say_in_which_direction_a_number_is_wrong():
+    exercise, messages = exercises.find("5.63"), []
+    for one in (exercise, exercises.in_homework(exercise), exercise):
+        answers = {"gain": -1, "cost": 3, "eigenvalues": [-1]}
+        judgement = judge(one, Outcome("done", handed_over(answers)), Bounds())
+        messages.append(judgement.verdicts["cost"].message)
+    assert " than 3, which your expression gives" in messages[0] == messages[2]
+    assert " is not 3, which your expression gives" in messages[1]

@@ -21,6 +21,7 @@ from harness import SOLVERS, check_calls, each_part, first_verdicts, from_checks
 from hostile_values import judge_hostile_values
 from mutants import mutants
 from oracles import is_right
+from recovery import DEFINED, EVALUABLE, FACTORS, NUMBERS, OWN, recovered
 from roundings import roundings
 from sympy.logic.boolalg import Boolean
 from undefined_values import NOT_ASKED, entries, entry_at, undefined_variants
@@ -66,9 +67,13 @@ CONDITIONS_IN_DATA = {
     "3.3": {"c_speed_observable"},
     "3.13": {"margins"},
 }
-#: Wrong trials that are half of what is right, where a message tells their double: at most so far
-#: turns a direction.
-HALF_RIGHT = {"5.11": {"time"}, "5.12": {"latest"}, "5.13": {"time"}}
+#: Checks of controls and motions, of which too great a control is found not to be admissible.
+OF_BOUNDED_NUMBERS = {
+    "extremal_control",
+    "maximising_control",
+    "optimal_control",
+    "optimal_motion",
+}
 #: Options of checks that may be written as numbers in a check cell.
 TOLERANCES = {"tolerance", "horizon"}
 #: What only states a system solves nothing.
@@ -211,8 +216,7 @@ def test_wrong_trials_are_wrong_and_change_no_other_verdict(master):
         told = re.search(re.escape(trial["reference"]) + r"(?!\.?\d)", trial["message"])
         assert len(trial["message"]) > 20 and not told, trial
         assert trial["numbers"] <= MOST_NUMBERS, trial
-    revealing = {trial["answer"] for trial in result["trials"] if trial["revealed"]}
-    assert revealing == HALF_RIGHT.get(master.number, set()), result["trials"]
+    assert [trial for trial in result["trials"] if trial["revealed"]] == []
 
 
 def _wrong(problem):
@@ -276,6 +280,44 @@ def _revealed_numbers(right, wrong, message):
 def _numbers(answer):
     values = [sp.sympify(entry_at(answer, path)) for path in entries(answer)]
     return [abs(complex(number)) for number in values if number.is_number]
+
+
+def test_no_answer_is_corrected_from_the_numbers_in_messages(master):
+    """A factor or a coefficient is made wrong, and a student computes it from what messages say."""
+    assert [
+        row
+        for row in result_of(master, "recovery")
+        if row[1] not in (EVALUABLE if row[3] == OWN else DEFINED)
+    ] == []
+
+
+def _recovery(problem):
+    return [
+        [name, problem.check_arguments(name)[0], *found]
+        for name in problem.reference
+        for found in recovered(problem, name)
+    ]
+
+
+def test_homework_does_not_say_in_which_direction_a_number_is_wrong(master):
+    """One message is on a number that is too great, one on a number that is too small."""
+    assert [row for row in result_of(master, "direction") if row[1] not in OF_BOUNDED_NUMBERS] == []
+
+
+def _direction(problem):
+    """Return [name, check, two messages] where the messages differ by more than their numbers."""
+    differ = []
+    for name, reference in problem.reference.items():
+        if not problem.master.answers[name].kind.startswith(("number", "expression")):
+            continue
+        value = sp.sympify(reference)
+        if not isinstance(value, sp.Expr):  # arcs of a control
+            continue
+        verdicts = [problem.judge_in_homework(name, value * factor) for factor in FACTORS]
+        texts = {NUMBERS.sub("#", verdict.message) for verdict in verdicts}
+        if {verdict.status for verdict in verdicts} == {"wrong"} and len(texts) > 1:
+            differ.append([name, problem.check_arguments(name)[0], *(v.message for v in verdicts)])
+    return differ
 
 
 def test_every_form_of_an_answer_is_right(master):
@@ -550,6 +592,8 @@ PARTS = {
     "conditions in data": _conditions_in_data,
     "rows": _rows,
     "hostile": judge_hostile_values,
+    "recovery": _recovery,
+    "direction": _direction,
 }
 
 

@@ -14,6 +14,7 @@ __getattr__, __dir__, __all__ = lazy_names(
     {
         "contract.reporting": ["NotYet", "collecting"],
         "workbook.mistakes.reporting": ["report"],
+        "contract.direction": ["hide_direction"],
         "contract.verdict": ["Unusable", "Verdict", "judged"],
         "stability.regions": ["stability_region"],
         "stability.equilibrium": ["equilibria", "spectra", "stable_equilibria"],

@@ -7,6 +7,7 @@ It is one file, `assignment.toml`:
     due = 2026-10-01T23:59:00+03:00     # optional; later work is marked late
     attempt = "best"                    # or "last": which of several submissions counts
     attempts = 3                        # optional; further ones are kept but do not count
+    direction = false                   # or true: whether messages say "greater" or "less" of a number
 
     [points]                            # optional; an answer is worth 1 point unless said otherwise
     "1.15" = 10                         # a problem: shared equally by its answers
@@ -39,7 +40,17 @@ RESERVED_NAMES = {
     "grades.sqlite-shm",
     "grades.sqlite-journal",
 }
-FIELDS = {"title", "problems", "due", "attempt", "attempts", "points", "late", "extensions"}
+FIELDS = {
+    "title",
+    "problems",
+    "due",
+    "attempt",
+    "attempts",
+    "direction",
+    "points",
+    "late",
+    "extensions",
+}
 
 
 class InputError(ValueError):
@@ -72,6 +83,8 @@ class Assignment:
         What lateness costs; None is nothing.
     extensions : dict
         The due dates of students who have their own.
+    direction : bool
+        Whether verdicts say in which direction a number is wrong.
     """
 
     name: str
@@ -83,10 +96,16 @@ class Assignment:
     attempts: int | None = None
     late_rule: LateRule | None = None
     extensions: dict = field(default_factory=dict)
+    direction: bool = False
 
     def due_of(self, student):
         """Return the due date of a student, or None."""
         return self.extensions.get(student, self.due)
+
+    def exercise(self, problem):
+        """Return the exercise of a problem with the check cells of this homework."""
+        found = exercises.find(problem)
+        return found if self.direction else exercises.in_homework(found)
 
     @property
     def max_points(self):
@@ -157,6 +176,8 @@ def from_text(text, path):
         path,
         "attempts is a whole number from 1 up",
     )
+    direction = table.get("direction", False)
+    _require(type(direction) is bool, path, "direction is true or false, without quotes")
     return Assignment(
         name,
         title.strip(),
@@ -167,6 +188,7 @@ def from_text(text, path):
         attempts,
         _late_rule(path, due, table.get("late")),
         _extensions(path, due, table.get("extensions", {})),
+        direction,
     )
 
 

@@ -213,11 +213,19 @@ def new(
     ] = None,
     assignments: Assignments = Path("assignments"),
     site: Site = "",
+    direction: Annotated[
+        bool,
+        typer.Option(
+            "--direction", help="Messages say whether a number is too great or too small."
+        ),
+    ] = False,
 ):
     """Make a homework folder: notebooks, a README, and assignment.toml with points and dates."""
     from workbook.grading.handing_out import due_date, due_text, make
 
-    homework = make(assignments, name, numbers, title, due_date(due) if due else None, site)
+    homework = make(
+        assignments, name, numbers, title, due_date(due) if due else None, site, direction
+    )
     answers = sum(len(points) for points in homework.points.values())
     console.print(
         f"{assignments / name}: {len(homework.problems)} problems, {answers} answers, "

@@ -210,8 +210,9 @@ def _plan(copies, aside, homeworks, store, limits):
     """Note all attempts and return the `Plan`; `copies` and `aside` are those of `_by_attempt`."""
     fingerprints, pending, noted, graded_before = {}, {}, {}, 0
     for (student, name, problem, content), same in copies.items():
-        if problem not in fingerprints:
-            fingerprints[problem] = fingerprint(exercises.find(problem))
+        direction = homeworks[name].direction
+        if (problem, direction) not in fingerprints:
+            fingerprints[problem, direction] = fingerprint(homeworks[name].exercise(problem))
         # One file of several with the same content: the earliest, or where the last attempt counts
         # the latest.
         counting = (max if homeworks[name].attempt == "last" else min)(
@@ -220,23 +221,26 @@ def _plan(copies, aside, homeworks, store, limits):
         attempt = store.note_attempt(
             student, name, problem, content, counting.submitted, counting.timing
         )
-        noted[attempt] = problem, counting
+        noted[attempt] = name, problem, counting
     surplus = {
         attempt
         for name in homeworks
         for attempt in store.attempts_beyond(name, homeworks[name].attempts)
     }
-    for attempt, (problem, submission) in noted.items():
+    for attempt, (name, problem, submission) in noted.items():
         if attempt in surplus:  # it cannot count
             continue
-        if _is_graded(store.versions(attempt), fingerprints[problem], limits):
+        direction = homeworks[name].direction
+        version = fingerprints[problem, direction]
+        if _is_graded(store.versions(attempt), version, limits):
             graded_before += 1
             continue
-        exercise = exercises.find(problem)
+        exercise = homeworks[name].exercise(problem)
         pending[attempt] = {
             "key": attempt,
             "problem": problem,
-            "exercise": fingerprints[problem],
+            "direction": direction,
+            "exercise": version,
             "trouble": submission.trouble,
             "sources": exercise.sources_to_run(submission.cells),
             "names": list(exercise.about["answers"]),

@@ -74,8 +74,12 @@ class Grader:
         self._sandbox.__exit__(*error)
 
     def grade(self, task):
-        """Return the judgement, as plain data, on a task {"problem": .., "sources": [..]}."""
+        """Return the judgement, as plain data, on a task.
+
+        It is {"problem": .., "direction": whether verdicts say it, "sources": [..]}.
+        """
         exercise = exercises.find(task["problem"])
+        exercise = exercise if task["direction"] else exercises.in_homework(exercise)
         self._sandbox.start_run(
             task["sources"],
             exercise.about["answers"],

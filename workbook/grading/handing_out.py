@@ -40,7 +40,7 @@ Changing a check cell changes nothing, since answers are judged by the cells as 
 """
 
 
-def make(folder, name, problems, title=None, due=None, site=""):
+def make(folder, name, problems, title=None, due=None, site="", direction=False):
     """Write a homework into `folder`/`name`, which must not exist.
 
     Parameters
@@ -57,6 +57,8 @@ def make(folder, name, problems, title=None, due=None, site=""):
         With a time zone.
     site : str
         Address of the student edition of the site, for links to the theory.
+    direction : bool
+        Whether verdicts say in which direction a number is wrong.
 
     Returns
     -------
@@ -76,8 +78,10 @@ def make(folder, name, problems, title=None, due=None, site=""):
         )
     if target.exists():
         raise AssignmentError(f"{target} is already there; take another name or remove it")
-    files = {file_name(problem): release(problem, site) for problem in _checked(problems)}
-    files["assignment.toml"] = _toml(title or name, problems, due)
+    files = {
+        file_name(problem): release(problem, site, direction) for problem in _checked(problems)
+    }
+    files["assignment.toml"] = _toml(title or name, problems, due, direction)
     homework = assignments.from_text(files["assignment.toml"], target / "assignment.toml")
     files["README.md"] = _readme(homework)
     made = False
@@ -103,9 +107,15 @@ def file_name(problem):
     return f"ch{chapter}-p{number:0>2}.ipynb"
 
 
-def release(problem, site=""):
-    """Return the text of a student's notebook, whose references are links to `site` if given."""
+def release(problem, site="", direction=False):
+    """Return the text of a student's notebook, whose references are links to `site` if given.
+
+    Its check cells say in which direction a number is wrong, or do not.
+    """
     notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        if not direction and "check" in cell["metadata"].get("tags", ()):
+            cell["source"] = exercises.hiding_direction("".join(cell["source"]))
     if site:
         # Homework links to the student edition, which has no solutions.
         to_site = exercises.site_urls(site)
@@ -147,7 +157,7 @@ def _checked(problems):
     return problems
 
 
-def _toml(title, problems, due):
+def _toml(title, problems, due, direction):
     quoted = ", ".join(_text(problem) for problem in problems)
     points = "\n".join(
         f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
@@ -163,7 +173,9 @@ def _toml(title, problems, due):
             else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n"
         )
         + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
-        "ones do not count\n\n"
+        "ones do not count\n"
+        f"direction = {str(direction).lower()}  # true: messages say whether a number is too great or "
+        "too small, as in practice\n\n"
         f"# A problem's points are shared equally by its answers; "
         f"{_text(problems[0] + '.' + assignments.answers_of(problems[0])[0])} = 2 "
         f"would set one answer's.\n[points]\n{points}\n\n"

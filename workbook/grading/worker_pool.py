@@ -1,7 +1,8 @@
 """Worker pool: processes that each grade one notebook after the other with a `Grader`.
 
 Tasks go in and results come back as they are done, both as JSON bytes. A task is a dict with
-"problem" and "sources" (of the code cells), here also with "key" and "names" (of the answers).
+"problem", "direction" (whether verdicts say in which direction a number is wrong) and "sources" (of
+the code cells), here also with "key" and "names" (of the answers).
 """
 
 import json
@@ -33,7 +34,7 @@ def grade_all(tasks, count, settings, forkserver=None):
     Parameters
     ----------
     tasks : iterable of dict
-        With "key", "problem", "sources", "names".
+        With "key", "problem", "direction", "sources", "names".
     count : int
         Number of worker processes.
     settings : dict

@@ -8,10 +8,12 @@ its cells hold the addresses, and `add_links` makes links of them where the site
 import copy
 import json
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
+#: The report of a check cell, and what stands above it in a homework.
+REPORT, HIDING = "checks.report(", "checks.hide_direction()\n"
 PACKAGE = Path(__file__).resolve().parents[1]
 CHECKOUT = PACKAGE.parent
 
@@ -49,8 +51,12 @@ class Exercise:
 
     def sources_to_run(self, sources):
         """Return a student's code cells, with "" for check cells that have not been changed."""
-        pristine = {source.strip() for _, source in self.code("check")}
-        return ["" if source.strip() in pristine else source for source in sources]
+
+        def plain(source):  # in practice and in homework
+            return source.replace(HIDING, "").strip()
+
+        pristine = {plain(source) for _, source in self.code("check")}
+        return ["" if plain(source) in pristine else source for source in sources]
 
 
 def folder():
@@ -109,6 +115,22 @@ def find(number):
 def _read_cached(path, modified):
     """Read a file again only after a change; grading reads it for each submission."""
     return read(path)
+
+
+def in_homework(exercise):
+    """Return an exercise whose verdicts do not say in which direction a number is wrong."""
+    return replace(
+        exercise,
+        cells=tuple(
+            (role, hiding_direction(source) if role == "check" else source)
+            for role, source in exercise.cells
+        ),
+    )
+
+
+def hiding_direction(source):
+    """Return a check cell whose verdicts do not say in which direction a number is wrong."""
+    return source.replace(REPORT, HIDING + REPORT, 1)
 
 
 def notebook_path(number):

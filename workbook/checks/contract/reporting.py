@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 
 from trajlib.typesetting import typeset
+from workbook.checks.contract.direction import separate_direction
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.jupyter import runs_for_a_person, runs_in_notebook
 
@@ -89,7 +90,8 @@ def collecting():
     """
     token = _collected.set({})
     try:
-        yield _collected.get()
+        with separate_direction():
+            yield _collected.get()
     finally:
         _collected.reset(token)
 

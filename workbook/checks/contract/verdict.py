@@ -45,7 +45,8 @@ def remark(sentence):
 class Wrong(Exception):
     """Raised when an answer fails a property.
 
-    The message names the property and where it fails, with numbers, and never the answer.
+    The message names the property, where it fails, and numbers of the student's own answer: never
+    the true value, and no residual that the student could not compute from the data.
     """
 
 

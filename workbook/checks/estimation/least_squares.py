@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Expressions, Matrix
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import SameEntries, SameValue
@@ -34,8 +35,8 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
             raise Wrong(
                 "the weighted sum of the squared residuals is "
                 f"{number_text(residuals @ residuals)} at your "
-                f"estimate{where_text(values)}, and it falls when {unknowns[k]} alone is made "
-                f"{'larger' if slopes[k] > 0 else 'smaller'}"
+                f"estimate{where_text(values)}, and it falls when {unknowns[k]} alone is "
+                + directed(f"made {'larger' if slopes[k] > 0 else 'smaller'}", "changed a little")
             )
     return "no other values have a smaller weighted sum of squared residuals"
 

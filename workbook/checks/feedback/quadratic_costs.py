@@ -18,7 +18,7 @@ from workbook.checks.references.fixed_modes import ON_BORDER
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import matrix_at, numbers_at, uncertainty_at
-from workbook.checks.tools.wording import entry_text, number_text, point_text, where_text
+from workbook.checks.tools.wording import entry_text, number_text, where_text
 
 COUNT = 6
 #: What rounding leaves of a zero.
@@ -74,14 +74,12 @@ def _improved(claim, one, values):
             f"under your law not every state comes to zero{where_text(values)}: A + BK has the "
             f"eigenvalue {number_text(roots[np.argmax(roots.real)])}"
         ) from None
-    k = int(np.argmax(np.diag(cost)))
-    start = point_text(np.eye(len(cost))[k])
 
     def message(values):
+        # not what it costs: next to the best gain that is hardly more than the least cost
         return lambda *_: (
-            f"under your law every state comes to zero{where_text(values)}, and from x = {start} "
-            f"it costs {one.factor * cost[k, k]:.4g}; there is a gain with which it costs less "
-            "from some state, and more from none"
+            f"under your law every state comes to zero{where_text(values)}, but there is a gain with "
+            "which it costs less from some state, and more from none"
         )
 
     return one.gain_for(cost), message

@@ -58,8 +58,8 @@ def control_equation(claim, problem, domain=None):
             s: value for s, value in values.items() if s in reference.symbols | claim.free_symbols
         }
         raise Wrong(
-            f"for {rounded_text(shown)} dH/d{u} stays zero only if {u}' is {true:.4g}; your "
-            f"expression gives {claimed:.4g}"
+            f"for {rounded_text(shown)} your expression gives {u}' the value {claimed:.4g}, with "
+            f"which dH/d{u} does not stay zero"
         )
     return f"under it dH/d{u} stays zero, tried at {PLACES} places"
 

@@ -14,6 +14,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression, Number, YesNo
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import (
     agree,
     in_decimals,
@@ -92,10 +93,11 @@ def extremum_value(claim, functional, parameters=()):
             beyond = (claimed < best.value) != functional.maximise
             raise Wrong(
                 f"your value is {claimed:.4g}; "
-                + (
+                + directed(
                     "no motion with the given ends attains it"
                     if beyond
-                    else "there is a motion with the given ends that does better"
+                    else "there is a motion with the given ends that does better",
+                    f"it is not the {_word(functional)} one",
                 )
             )
     return f"direct optimisation finds this {_word(functional)} value"
@@ -159,8 +161,7 @@ def stationary_duration(claim, functional, duration):
         ):
             return "to three digits the best value does not change with the duration there, to first order"
     raise Wrong(
-        f"at your duration {T:.4g} the {_word(functional)} value changes with the duration at the "
-        f"rate {rate:.4g}"
+        f"at your duration {T:.4g} the {_word(functional)} value still changes with the duration"
     )
 
 
@@ -215,7 +216,7 @@ class _Motion:
                 ):
                     raise Wrong(
                         f"{self.where}{self._name(k)} is {claimed:.4g} at t = {point:.4g} for your "
-                        f"motion, and {wanted:.4g} is given"
+                        "motion, and another value is given"
                     )
 
     def is_stationary(self):
@@ -230,8 +231,7 @@ class _Motion:
                 part = "" if last - first == 1 else f" between t = {a:.4g} and t = {b:.4g} alone"
                 raise Wrong(
                     f"{self.where}your motion, varied{part} with its ends kept, changes the "
-                    "functional to "
-                    f"first order: the rate is {rate:.4g}. Along an extremal no variation does"
+                    "functional to first order. Along an extremal no variation does"
                 )
         middle = (self.begin + self.end) / 2
         for point, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
@@ -243,8 +243,8 @@ class _Motion:
                     if not abs(rate) <= self.rounding * size + left_open:
                         raise Wrong(
                             f"{self.where}{self._name(k)} is not given at t = {point:.4g}; moved "
-                            "there, the functional changes to first order: the rate is "
-                            f"{rate:.4g}. So the natural condition at this end fails"
+                            "there, the functional changes to first order. So the natural condition "
+                            "at this end fails"
                         )
 
     def is_the_best(self):

@@ -11,6 +11,7 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import (
     EXACT,
     agree,
@@ -30,7 +31,7 @@ from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.conditions import decide, exactly
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import entry_uncertainties, number_at, uncertainty_at, value_at
-from workbook.checks.tools.wording import rounded_text, values_text
+from workbook.checks.tools.wording import other_text, rounded_text, values_text
 
 #: Between what a control without a bound is compared.
 UNBOUNDED = 20.0
@@ -176,7 +177,7 @@ def maximising_control(answer, problem, costates, domain=None):
         if not found.max() >= np.nanmax(others) - 1e-9 * np.ptp(others) - 0.01 * np.ptp(found):
             raise Wrong(
                 f"for {rounded_text(values)} your control gives H = {H(*numbers, *claimed)[0]:.4g}, "
-                f"another admissible one {np.nanmax(others):.4g}"
+                "and another admissible one more"
             )
     return f"no admissible control gives a greater H, tried at {PLACES} places"
 
@@ -218,10 +219,11 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
         ):
             raise Wrong(
                 f"for {rounded_text(values)} your expression gives {claimed:.4g}; "
-                + (
+                + directed(
                     "no admissible control gives H so great a value"
                     if claimed > wanted
-                    else "there are admissible controls that give H a greater value"
+                    else "there are admissible controls that give H a greater value",
+                    "that is not the greatest value of H",
                 )
             )
     return f"it is the greatest value of H, at {PLACES} places"
@@ -234,9 +236,7 @@ def _equal(claim, true, values, what):
     if not agree(claimed, wanted, claim, max(parts), uncertain=uncertainty_at(claim, values)):
         if true.is_number:  # the true number would be the answer itself
             raise Wrong(f"{what} is not {claimed:.4g}, which your expression gives")
-        raise Wrong(
-            f"for {rounded_text(values)}, {what} is {wanted:.4g}; your expression gives {claimed:.4g}"
-        )
+        raise Wrong(f"for {rounded_text(values)}, {other_text(what, claimed, wanted)}")
 
 
 def _has_the_sign(claim, slope, control, known, domain):

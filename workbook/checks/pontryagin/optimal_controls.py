@@ -9,6 +9,7 @@ admissible, to keep to the ends, and to cost no more than the optimum that was f
 
 import numpy as np
 
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.simulation import (
     ENDING_ITSELF,
@@ -120,10 +121,11 @@ def _ends_with_the_best(read, values, best, problem, where, whose):
     if early or late:
         raise Wrong(
             f"{where}your last arc "
-            + (
+            + directed(
                 f"ends at {end:.4g}, and the process lasts longer"
                 if early
-                else f"begins at {begin:.4g}, when the process should be over"
+                else f"begins at {begin:.4g}, when the process should be over",
+                "does not end when the process should",
             )
         )
 

@@ -10,6 +10,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import Expression
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.optimal_controls import ARC, CERTAIN, MISSED, is_time_optimal
@@ -30,7 +31,7 @@ from workbook.checks.tools.kinks import points_at_kinks
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainties_at, uncertainty_at, value_at, values_at
-from workbook.checks.tools.wording import prefix_text
+from workbook.checks.tools.wording import other_text, prefix_text
 
 #: A smaller part of a time than this is none; after so small parts of a way its growth is looked
 #: at.
@@ -77,10 +78,11 @@ def optimal_cost(claim, problem, parameters=None):
             beyond = (claimed < best.cost) != problem.maximise
             raise Wrong(
                 f"{where}your value is {claimed:.4g}; "
-                + (
+                + directed(
                     "no admissible process that keeps to the ends was found that does so well"
                     if beyond
-                    else f"there is an admissible process for which it is {better}"
+                    else f"there is an admissible process for which it is {better}",
+                    "it is not that of the best process found",
                 )
             )
         if anywhere:
@@ -119,7 +121,7 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
             raise Wrong(
                 f"{prefix_text(values)}your expression goes over from one form to another, and gives "
                 f"{claimed:.4g} next to that; the {what} of the best process found is "
-                f"{'less' if claimed > true else 'greater'}"
+                + directed("less" if claimed > true else "greater", "another one")
             )
         seen.append((values, claimed, true))
     for (values, one, least), (others, other, greatest) in itertools.pairwise(seen):
@@ -155,9 +157,7 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
             f"from the start {point_text(states[:, k])} your value is {gives}; for the best "
             "process found it is "
             + (
-                "greater"
-                if true[k] > claimed[k]
-                else "less"
+                directed("greater" if true[k] > claimed[k] else "less", "another one")
                 if np.isfinite(claimed[k])
                 else "a real number"
             )
@@ -212,12 +212,13 @@ def initial_arc_duration(claim, problem, control, value, parameters):
             raise Wrong(
                 f"{prefix_text(values)}you keep {control} = {value} for {claimed:.4g} at first; the best "
                 "process found does so "
-                + (
+                + directed(
                     "longer"
                     if true > claimed
                     else "for a shorter time"
                     if true
-                    else "at no time in the beginning"
+                    else "at no time in the beginning",
+                    "for another time",
                 )
             )
     _begins_at_once(claim, held)
@@ -291,7 +292,7 @@ def optimal_range(claim, problem, quantity, parameters=None):
             claimed, true, claim, computed=FOLLOWED, uncertain=uncertainty_at(claim, values)
         ):
             raise Wrong(
-                f"{prefix_text(values)}your expression gives {claimed:.4g}; along the best process found "
-                f"{quantity} ranges over {'less' if claimed > true else 'more'}"
+                prefix_text(values)
+                + other_text(f"the range of {quantity} along the best process found", claimed, true)
             )
     return "so far it ranges along the best process found"

@@ -89,18 +89,10 @@ def does_as_well(
     if not least <= allowed + BENT * max(
         (abs(part) for sides in gained for part in sides), default=0
     ):
-        message = cost if abs(cost) > 1e-9 * best.cost_size() else 0  # what is mere rounding
-        costs = (
-            f"costs {message:.4g}"
-            if f"{message:.4g}" != f"{best.cost:.4g}"
-            else (
-                f"costs too {'little' if problem.maximise else 'much'}, by a share of "
-                f"{excess / best.cost_size():.1g}"
-            )
-        )
+        # not what it costs: next to the optimum that is hardly more than the least cost
         raise Wrong(
-            f"{where}{whose} {costs}; there is an admissible process with the same ends that costs "
-            + ("more, and the cost is to be great" if problem.maximise else "less")
+            f"{where}{whose} keeps to the ends; there is an admissible process with the same ends "
+            "that costs " + ("more, and the cost is to be great" if problem.maximise else "less")
         )
 
 
@@ -108,7 +100,13 @@ def keeps_to_the_ends(y, best, rounding, what, others=(), when=ENDING_WITH_IT):
     """Raise `Wrong` unless a process ends on the target; `others` are pairs of ends that a decimal
     leaves open."""
     if not on_target(y, best, rounding, others):
-        raise Wrong(f"{what} the state is {point_text(y[:-1])} {when}, which is not on the target")
+        # not where it is when the best process ends, as when that is may be asked for
+        state = (
+            f"{point_text(y[:-1])} {when}, which is not on the target"
+            if when == ENDING_ITSELF
+            else f"not on the target {when}"
+        )
+        raise Wrong(f"{what} the state is {state}")
 
 
 def on_target(y, best, rounding, others=()):

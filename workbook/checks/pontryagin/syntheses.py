@@ -18,6 +18,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.claims import ConditionOn, Expression
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import SAME, Law, follow
@@ -171,10 +172,11 @@ def minimal_time(claim, system, target, parameters=None, start=None):
     good = np.isfinite(claimed) & (abs(claimed - batch.time) <= allowed)
     for k in np.flatnonzero(~good):
         message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
-        how = (
+        how = directed(
             ", which no motion can do"
             if claimed[k] < batch.time[k]
-            else ", but a motion can be faster"
+            else ", but a motion can be faster",
+            ", which is not the shortest time",
         )
         raise Wrong(
             f"{reference.start_text(batch, k)} your expression gives {message}"
@@ -198,7 +200,7 @@ def reachable_initial_states(claim, system, target, parameters=None, start=None)
         raise Wrong(
             f"{reference.start_text(batch, k)} the target "
             + (
-                "can be reached in a time of " + f"{batch.time[k]:.4g}"
+                "can be reached"
                 if reached[k]
                 else "cannot be reached: a line separates it from all states that can be reached, at every time"
             )

@@ -120,8 +120,8 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
                 raise Wrong(f"{target.values_text(values, positions[k])} your point is not real")
             if not np.linalg.norm(given[k] - points[k]) <= allowed[k]:
                 raise Wrong(
-                    f"{target.values_text(values, positions[k])} the optimal motion does "
-                    f"not switch at your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
+                    f"{target.values_text(values, positions[k])} the optimal motion does not switch "
+                    f"at your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
                 )
     if not met:
         raise RuntimeError("no motion that ends there switches")

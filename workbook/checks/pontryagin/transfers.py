@@ -14,6 +14,7 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Number
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.time_functions import INTEGRATED
@@ -181,8 +182,8 @@ def switching_count(answer, problem, parameters=()):
         if claimed is None or not abs(claimed - count) <= 1e-9:
             message = "no real number" if claimed is None else f"{claimed:.4g}"
             raise Wrong(
-                f"for {values_text(values)} the fastest control switches {_times(count)}; your "
-                f"expression gives {message}"
+                f"for {values_text(values)} your expression gives {message}; the fastest control "
+                "switches another number of times"
             )
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 
@@ -191,16 +192,15 @@ def _judge_greatest_count(claim, problem):
     transfer = Transfer(problem, [x for x in problem.dynamics if problem.initial.get(x) is None])
     greatest = max(best.switchings() for _, best in transfer.samples(4 * SAMPLES))
     if claim < greatest:
-        raise Wrong(
-            "there are starts from which the fastest control switches more often than "
-            f"{_times(claim)}"
-        )
-    if claim > greatest:
-        raise Wrong(
+        how = f"there are starts from which the fastest control switches more often than {_times(claim)}"
+    elif claim > greatest:
+        how = (
             f"among {4 * SAMPLES} starts there is none from which the fastest control switches as "
             f"often as {_times(claim)}"
         )
-    return f"the fastest controls from {4 * SAMPLES} starts confirm it"
+    else:
+        return f"the fastest controls from {4 * SAMPLES} starts confirm it"
+    raise Wrong(directed(how, f"{claim} is not the greatest number of switchings"))
 
 
 @judged(Number())
@@ -220,8 +220,8 @@ def switching_interval(claim, problem, parameters):
         0 if in_decimals(claim) else 4 * max(intervals),
     ):
         raise Wrong(
-            f"fastest controls from {len(intervals)} starts do not switch at such intervals: yours "
-            "is too " + ("short" if float(claim) < min(intervals) else "long")
+            f"fastest controls from {len(intervals)} starts do not switch at such intervals"
+            + directed(f": yours is too {'short' if float(claim) < min(intervals) else 'long'}", "")
         )
     return f"the fastest controls switch at such intervals, {len(intervals)} times"
 
@@ -248,7 +248,10 @@ def isochrone_radius(claim, problem, duration, count):
             raise Wrong(
                 f"for {count} = {number} your radius {message}; the farthest starts from which the "
                 "origin can be reached in that time lie "
-                + ("farther out" if claimed is not None and claimed < min(radii) else "closer")
+                + directed(
+                    "farther out" if claimed is not None and claimed < min(radii) else "closer",
+                    "elsewhere",
+                )
             )
     return "all around the origin the starts that need this time lie at that distance"
 

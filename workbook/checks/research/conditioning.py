@@ -7,6 +7,7 @@ import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Expression, Expressions, Integer
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.values import value_at
@@ -48,8 +49,11 @@ def greatest_row_count(n, m, mu, eps):
     for rows, below in ((n, True), (n + 1, False)):
         if bool(mu < threshold(rows)) != below:
             raise Wrong(
-                f"with {rows} rows the threshold is {float(threshold(rows)):.8g}, so that {rows} "
-                "is " + ("too many" if below else "still not too many")
+                directed(
+                    f"{rows} rows are {'too many' if below else 'still not too many'} for the "
+                    "threshold",
+                    f"{n} is not the greatest number of rows for the threshold",
+                )
             )
     return (
         "with this many rows the condition number is below the threshold, with one more it is not"

@@ -40,7 +40,7 @@ def invariant_weights(claims, signal, nuisance, functional):
             for k in np.flatnonzero(np.abs(means - wanted) > slack[: len(psi)])[:1]:
                 return (
                     f"for {where}, function {k + 1} of the signal comes out of your weights as "
-                    f"{means[k]:.4g}, not as {wanted[k]:.4g}: the estimate is biased"
+                    f"{means[k]:.4g}, not as it should: the estimate is biased"
                 )
             for k in np.flatnonzero(np.abs(passes) > slack[len(psi) :])[:1]:
                 return (

@@ -141,7 +141,7 @@ def weight_for_bound(claim, times, samples, rho, D):
         ):
             raise Wrong(
                 f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} "
-                f"has the greatest acceleration {greatest:.4g}, not {values[D]:.4g}"
+                "has another greatest acceleration than D"
             )
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 
@@ -246,8 +246,8 @@ def weight_of_harmonic(claim, amplitude, omega, rho, D):
         size = values[rho] * values[amplitude] / (weight * values[omega] ** 4 + values[rho])
         if not abs(size * values[omega] ** 2 - values[D]) <= 1e-9 * values[D]:
             raise Wrong(
-                f"for {rounded_text(values)} your M = {weight:.4g} gives the greatest acceleration "
-                f"{size * values[omega] ** 2:.4g}, not {values[D]:.4g}"
+                f"for {rounded_text(values)} your M = {weight:.4g} gives another greatest "
+                "acceleration than D"
             )
     return "with this weight the greatest acceleration is D, for random measurements and bounds"
 

@@ -181,8 +181,8 @@ def range_modes(claims, matrix, sight, initial, rate, t):
             )
             if not abs(claimed - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
                 raise Wrong(
-                    f"for {rounded_text(values)} the range at {t} = {time:.3g} deviates by "
-                    f"{true:.5g}; your four terms sum up to {claimed:.5g}"
+                    f"for {rounded_text(values)} your four terms sum up to {claimed:.5g} at {t} = "
+                    f"{time:.3g}, and the range deviates by another number"
                 )
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 

@@ -8,6 +8,7 @@ import sympy as sp
 from sympy.core.relational import Relational
 
 from workbook.checks.contract.claims import ConditionOn, Expression
+from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.fields import Field
@@ -22,6 +23,9 @@ from workbook.checks.tools.conditions import (
 from workbook.checks.tools.samples import allowed_values, conjunction
 from workbook.checks.tools.values import number_at, uncertainty_at
 from workbook.checks.tools.wording import point_text, values_text
+
+#: How a level is wrong that could be greater.
+HIGHER = "V proves attraction up to this level, but also up to a higher one"
 
 
 @judged(Expression("parameters"))
@@ -47,36 +51,38 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
             _border(lambda points, c=c: level(points) < c, directions)
             for c in (0.994 * number.real, 1.008 * number.real)
         )
-        if not np.all(np.isfinite(low)):
-            raise Wrong(
-                f"{message}: the set V < c around zero is unbounded in the direction "
-                f"{point_text(directions[np.argmax(~np.isfinite(low))])}"
-            )
-        broken = _breaks(rate, directions * low[:, None], others, level, 0.994 * number.real)
-        if broken:
-            raise Wrong(f"{message}: V does not prove attraction for all of this set: {broken}")
-        if np.all(np.isfinite(high)) and not _breaks(
-            rate, directions * high[:, None], others, level, 1.008 * number.real
-        ):
-            raise Wrong(
-                f"{message}: V proves attraction up to this level, but also up to a higher one"
-            )
-        true = largest(number.real, directions * low[:, None])
+        how = _wrong_level(number, low, high, directions, rate, others, level)
+        true = None if how else largest(number.real, directions * low[:, None])
         if true is not None and not agree(
             number, float(true), claim, uncertain=uncertainty_at(claim, values)
         ):
+            how = "V does not prove attraction quite up to it" if number.real > true else HIGHER
+        if how:
             raise Wrong(
                 f"{message}: "
-                + (
-                    "V does not prove attraction quite up to it"
-                    if number.real > true
-                    else "V proves attraction up to this level, but also up to a higher one"
-                )
+                + directed(how, "it is not the greatest level up to which V proves attraction")
             )
     return (
         "up to this level the derivative of V is nowhere positive and no other equilibrium is "
         "met, and beyond it this ends"
     )
+
+
+def _wrong_level(number, low, high, directions, rate, others, level):
+    """Return how a level is wrong, from the borders of the sets below and above it, or ""."""
+    if not np.all(np.isfinite(low)):
+        return (
+            "the set V < c around zero is unbounded in the direction "
+            f"{point_text(directions[np.argmax(~np.isfinite(low))])}"
+        )
+    broken = _breaks(rate, directions * low[:, None], others, level, 0.994 * number.real)
+    if broken:
+        return f"V does not prove attraction for all of this set: {broken}"
+    if np.all(np.isfinite(high)) and not _breaks(
+        rate, directions * high[:, None], others, level, 1.008 * number.real
+    ):
+        return HIGHER
+    return ""
 
 
 @judged(ConditionOn("state", "parameters"))

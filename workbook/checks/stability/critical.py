@@ -161,9 +161,9 @@ def unbounded_motion(answer, field, state, parameters, time, constants=(), progr
             ):
                 k = int(np.argmax(off))
                 raise Wrong(
-                    f"the equations are not satisfied: {part[k]}' is {rate[k].real:.4g} along your "
-                    f"motion, and they ask for {(matrix @ x)[k].real:.4g}{where_text(values)}, "
-                    f"{time} = {moment}"
+                    f"the equations are not satisfied: along your motion {part[k]}' is "
+                    f"{rate[k].real:.4g}, and the right-hand side is another number"
+                    f"{where_text(values)}, {time} = {moment}"
                 )
         early, late = (
             max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)
@@ -202,8 +202,8 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
             true = late @ begin
             if not np.linalg.norm(claimed - true) <= 1e-7 * np.linalg.norm(begin):
                 raise Wrong(
-                    f"the motion from {point_text(begin)} has come to {point_text(true + 0.0)} "
-                    f"after a long time{where_text(values)}; your limit is {point_text(claimed.real)}"
+                    f"the motion from {point_text(begin)} does not come to your limit "
+                    f"{point_text(claimed.real)}{where_text(values)}"
                 )
     return "motions from several starts come to these states"
 

@@ -20,9 +20,7 @@ from workbook.checks.references.fields import cached_field
 from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import number_at, uncertainty_at, value_at
-from workbook.checks.tools.wording import (
-    sample_text,
-)
+from workbook.checks.tools.wording import other_text, sample_text
 
 CYCLES = ("stable", "unstable", "semistable")
 #: Angles at which a circle is tried; not multiples of pi/2, where single terms of a field vanish.
@@ -42,8 +40,8 @@ def polar_form(rates, field, state, polar):
             stated = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
             if not abs(stated - value) <= 1e-9 * size:
                 raise Wrong(
-                    f"at r = {r:.3g}, phi = {phi:.3g} the motion has {name} = {value:.4g}; your "
-                    f"expression gives {stated.real:.4g}"
+                    f"at r = {r:.3g}, phi = {phi:.3g} "
+                    + other_text(f"{name} of the motion", stated.real, value)
                 )
     return "both rates agree with the velocity of the motion at random points"
 
@@ -207,8 +205,8 @@ def cycle_period(claim, radial, angular, radius, parameters):
             uncertain=abs(rate) * uncertainty_at(claim, values),
         ):
             raise Wrong(
-                f"{sample_text(values)}the angle gains {rate * period:.4g} within your time "
-                f"{period:.4g}, which is not one turn"
+                f"{sample_text(values)}the angle does not gain just one turn within your time "
+                f"{period:.4g}"
             )
     return "in this time the angle gains one full turn on the closed orbit"
 
@@ -251,14 +249,12 @@ def return_map_slope(claim, field, state, radius=None):
             )
         if rounds_to(claim, slope) and not in_decimals(claim):
             raise Wrong(
-                f"the expression comes close, but it is not the slope: they differ by the fraction "
-                f"{abs(float(claim) / slope - 1):.2g}"
+                "the expression agrees with the slope to three digits only; it is written exactly, "
+                "and is not equal to it"
             )
-        turn = _turn(flow, radius)
         raise Wrong(
-            f"a small deviation multiplied by {float(claim):.4g} in each turn of {turn:.4g} units "
-            f"of time would grow at the mean rate {math.log(float(claim)) / turn:.4g}; linearising "
-            "r' at the cycle gives another rate"
+            f"one turn does not multiply a small deviation by {float(claim):.4g}: linearise r' at "
+            "the cycle, and let the deviation grow for one turn"
         )
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
 

@@ -22,7 +22,7 @@ from workbook.checks.tools.conditions import (
     exactly,
 )
 from workbook.checks.tools.values import number_at, uncertainty_at
-from workbook.checks.tools.wording import roots_text, values_text
+from workbook.checks.tools.wording import other_text, roots_text, values_text
 
 
 @judged
@@ -104,9 +104,12 @@ def angle_linearisation(claim, field, state, parameters, angle, deviations):
                         f"{symbol} = {value}" for symbol, value in zip(deviations, deviation)
                     )
                     raise Wrong(
-                        f"for {values_text(values)} and the stationary angle {phi:.4g} a deviation "
-                        f"{message} changes phi'' to first order by another value than your "
-                        f"expression, {claimed.real:.4g}"
+                        f"for {values_text(values)}, at a stationary angle, "
+                        + other_text(
+                            f"the change of phi'' to first order by a deviation {message}",
+                            claimed.real,
+                            true,
+                        )
                     )
     return "to first order the right-hand side changes so, at all stationary angles of several sets of parameters"
 

@@ -268,10 +268,9 @@ def _judge_values(claims, values, flow, found, wanted, integer, what):
                     f"the right-hand sides are {rates} there"
                 )
             if not any(point is near[0] for point in wanted):
-                rate = _growth(flow, near[0])
                 raise Wrong(
-                    f"at your value {number:.4g}{message} the largest real part of a root of the "
-                    f"characteristic equation is {rate:.4g}{where_text(values)}"
+                    f"your value {number:.4g}{message} is a stationary solution, but none of the "
+                    f"{what}{where_text(values)}: look at the real parts of the roots there"
                 )
             claimed.append(near[0])
     if any(not any(point is other for other in claimed) for point in wanted):

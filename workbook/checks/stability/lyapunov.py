@@ -17,7 +17,7 @@ from workbook.checks.tools.conditions import (
 )
 from workbook.checks.tools.samples import allowed_values, in_every_case, sample_values
 from workbook.checks.tools.values import number_at
-from workbook.checks.tools.wording import values_text
+from workbook.checks.tools.wording import other_text, values_text
 
 
 @judged(Expression("state", "parameters"))
@@ -44,8 +44,12 @@ def lyapunov_derivative(claim, function, field, state, parameters=()):
                     for s, v in [*zip(state, point), *((p, float(v)) for p, v in values.items())]
                 )
                 raise Wrong(
-                    f"at {where} the function changes along the motion at the rate {true:.4g}; "
-                    f"your expression gives {claimed.real:.4g}"
+                    f"at {where} "
+                    + other_text(
+                        "the rate at which the function changes along the motion",
+                        claimed.real,
+                        true,
+                    )
                 )
     return "it is the rate at which the function changes along the motions, at random states"
 
@@ -97,10 +101,10 @@ def rate_on_vanishing_set(answer, function, field, state, parameters=()):
         return True if zero.holds(values.values()) else None
 
     def message(values, holds):
-        claimed = number_at(claim, values)
-        return (
-            f"at {values_text(values)} the derivative of V is zero, and {state[-1]} changes there "
-            f"at the rate {float(true.subs(values)):.4g}; your expression gives {claimed.real:.4g}"
+        return f"at {values_text(values)} the derivative of V is zero, and there " + other_text(
+            f"the rate of {state[-1]}",
+            number_at(claim, values).real,
+            float(true.subs(values)),
         )
 
     same = ReferenceCondition(

@@ -52,8 +52,8 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
             wanted = complex(sp.sympify(expression).subs(at).evalf(20))
             if not abs(position[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
                 raise Wrong(
-                    f"this is not the program: {where} your {symbol} is {position[symbol].real:.4g}, "
-                    f"prescribed is {wanted.real:.4g}"
+                    f"this is not the program: {where} your {symbol} is "
+                    f"{position[symbol].real:.4g}, and another value is prescribed"
                 )
         for symbol, rate, right_side in zip(state, rates, field):
             left = number_at(rate, at, f"the derivative of your {symbol}")
@@ -67,8 +67,8 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
                 < np.inf
             ):
                 raise Wrong(
-                    f"the equation for {symbol}' does not hold: {where} its left-hand side is "
-                    f"{left.real:.4g}, its right-hand side {sum(terms).real:.4g}"
+                    f"the equation for {symbol}' does not hold: {where} the derivative of your "
+                    f"{symbol} is {left.real:.4g}, and the right-hand side is another number"
                 )
     return "it is the program, and all equations hold at random times and parameters"
 

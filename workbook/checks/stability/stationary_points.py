@@ -27,8 +27,8 @@ from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import (
     deviation_rate_text,
+    other_text,
     point_text,
-    roots_text,
     sample_text,
     tried_text,
     values_text,
@@ -119,12 +119,11 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
             _scale(expression, values, state, rest),
             uncertain=uncertainty_at(claim, values),
         ):
-            message = "no real number" if claimed is None else f"{claimed:.4g}"
-            if not values:  # the true number would be the answer itself
-                raise Wrong(f"the value at the stationary solution is not {message}")
-            raise Wrong(
-                f"{sample_text(values)}the value is {true:.4g}; your expression gives {message}"
-            )
+            what = "the value at the stationary solution"
+            if claimed is None or not values:
+                message = "no real number" if claimed is None else f"{claimed:.4g}"
+                raise Wrong(f"{what} is another one than {message}")
+            raise Wrong(f"{sample_text(values)}{other_text(what, claimed, true)}")
     return f"it is the value at the stationary solution{tried_text(parameters)}"
 
 
@@ -142,8 +141,8 @@ def stationary_stability(claim, field, state, parameters, domain=None):
             raise RuntimeError("the first approximation does not decide here")
         if claim != ("unstable" if largest > 0 else "asymptotically stable"):
             raise Wrong(
-                f"this does not agree with the first approximation: {sample_text(values)}its "
-                f"{'roots are' if len(eigenvalues) > 1 else 'root is'} {roots_text(eigenvalues)}"
+                f"{sample_text(values)}this does not agree with the first approximation: look at "
+                "the signs of the real parts of its roots"
             )
     return f"it agrees with the roots of the first approximation{tried_text(parameters)}"
 
@@ -166,8 +165,7 @@ def stationary_type(answer, field, state, parameters, domain=None):
         kind = _kind(matrix)
         if claim != kind:
             raise Wrong(
-                f"this does not agree with the first approximation: {sample_text(values)}its "
-                f"roots are {roots_text(np.linalg.eigvals(matrix))}"
+                f"{sample_text(values)}the roots of the first approximation are not those of a {claim}"
             )
     return f"it agrees with the roots of the first approximation{tried_text(parameters)}"
 

@@ -23,6 +23,7 @@ from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
 from workbook.checks.references.records import controlled_pair, has_control, observed_pair
+from workbook.checks.structure.similar_systems import place_of_difference
 from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.values import entry_uncertainties, matrix_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, where_text
@@ -184,15 +185,10 @@ def judge_form(claim, pair, form):
         column = list(claim[:, 0])
         uncertain = [uncertainty_at(entry, values) for entry in column]
         if not agree(own[1:], true[1:], column, max(abs(true)), uncertain=uncertain).all():
-            # not 0: the value there is a coefficient, which is asked for
-            at = max(
-                (1, -1, 2, -2, 3, 5),
-                key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))),
-            )
+            at = place_of_difference(own, true)
             raise Wrong(
                 f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that "
-                f"of A is {number_text(np.polyval(true, at))}, that of your matrix "
-                f"{number_text(np.polyval(own, at))}"
+                f"of your matrix is {number_text(np.polyval(own, at))}, and that of A another number"
             )
     judge_everywhere(
         claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"

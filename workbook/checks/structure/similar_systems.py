@@ -90,15 +90,11 @@ def difference_text(A, new_A, part, part_output, values, side):
     if A is not None:
         own, true = np.poly(new_A), np.poly(A)
         if not np.allclose(own, true, rtol=1e-6, atol=1e-6 * max(abs(true))):
-            # not 0: the value there is a coefficient, which is asked for
-            at = max(
-                (1, -1, 2, -2, 3, 5),
-                key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))),
-            )
+            at = place_of_difference(own, true)
             there, here = (number_text(np.polyval(poly, at)) for poly in (true, own))
             message = (
-                f"det(lambda E - A) at lambda = {at} is {there} for the given matrix and {here} "
-                "for yours"
+                f"det(lambda E - A) at lambda = {at} is {here} for your matrix, and another number "
+                "for the given one"
                 if there != here
                 else "by rounding, your matrix has other eigenvalues; exact numbers would be safe"
             )
@@ -111,6 +107,14 @@ def difference_text(A, new_A, part, part_output, values, side):
             "controls have another influence there"
         )
     return f"no change of variables turns the given system into yours{where_text(values)}: it has other functions z(t)"
+
+
+def place_of_difference(own, true):
+    """Return where two polynomials differ; not 0, where the value is a coefficient of each."""
+    return max(
+        (1, -1, 2, -2, 3, 5),
+        key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))),
+    )
 
 
 def _observable(A, H):

@@ -99,13 +99,8 @@ def output_gramian(claim, system, duration, parameters):
             claim,
             true,
             lambda claimed, i, j: (
-                f"for {rounded_text(values)} the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(claimed[i, j])}; the "
-                # the true number would be the answer itself
-                f"integral is {true[i, j]:.4g}"
-                if values
-                else f"the entry ({i + 1}, {j + 1}) of your matrix is {number_text(claimed[i, j])}, "
-                "and the integral is not"
+                f"{prefix_text(values)}the entry ({i + 1}, {j + 1}) of your matrix is "
+                f"{number_text(claimed[i, j])}, and the integral is not"
             ),
             values,
             np.linalg.norm(true),

@@ -23,7 +23,7 @@ import sympy as sp
 from workbook.checks.contract.tolerance import EXACT, agree, in_decimals
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.values import matrix_at, truth_at, uncertainty_at, value_at
-from workbook.checks.tools.wording import distinct_texts, rounded_text
+from workbook.checks.tools.wording import other_text, rounded_text
 
 
 @dataclass
@@ -71,10 +71,8 @@ class SameValue:
         ):
             if self.constant or not self.values:
                 raise Wrong(f"{self.what} is another number than {value:.4g}")
-            true_text, text = distinct_texts(self.true, value)
             raise Wrong(
-                f"for {rounded_text(self.values)}, {self.what} is {true_text}; your expression gives "
-                f"{text}"
+                f"for {rounded_text(self.values)}, {other_text(self.what, value, self.true)}"
             )
 
 

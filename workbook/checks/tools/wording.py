@@ -2,6 +2,8 @@
 
 import math
 
+from workbook.checks.contract.direction import directed
+
 
 def number_text(number):
     """Return a real or complex number for a message: `0.5`, `-1 + 2i`."""
@@ -13,14 +15,16 @@ def number_text(number):
     )
 
 
-def distinct_texts(*numbers):
-    """Return texts of real numbers with as many digits, at least four, as distinguish them."""
-    texts = [f"{number:.4g}" for number in numbers]
-    for digits in range(5, 16):
-        if len(set(texts)) > 1:
-            break
-        texts = [f"{number:.{digits}g}" for number in numbers]
-    return texts
+def other_text(what, own, true):
+    """Return that a quantity is another number than an answer gives, which alone is named.
+
+    The text is `the cost is less than 7.249, which your expression gives`, or without the direction
+    `the cost is not 7.249, which ...`. The number has as many digits as distinguish it from the true
+    one, at least four.
+    """
+    text = next((t for t in (f"{own:.{n}g}" for n in range(4, 17)) if float(t) != float(true)), own)
+    how = directed("greater than" if true > own else "less than", "not")
+    return f"{what} is {how} {text}, which your expression gives"
 
 
 def roots_text(roots):

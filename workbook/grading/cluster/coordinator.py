@@ -210,7 +210,11 @@ class _Run:
         arguments = (
             ()
             if task is None
-            else (json.dumps({part: task[part] for part in ("problem", "sources")}).encode(),)
+            else (
+                json.dumps(
+                    {part: task[part] for part in ("problem", "direction", "sources")}
+                ).encode(),
+            )
         )
         future = self._client.submit(
             function,

@@ -43,7 +43,7 @@ def main(root=Path("/autograder")):
     earlier = _earlier(root / "submission_metadata.json")
     with tempfile.TemporaryDirectory() as scratch:
         matched, aside, remarks = _submitted(root / "submission", Path(scratch), homework)
-        attempts = _graded(matched)
+        attempts = _graded(matched, homework)
     # All that was handed in at once is one attempt: of two notebooks for a problem the better one
     # counts.
     score = of_student(
@@ -128,7 +128,7 @@ def _submitted(folder, scratch, homework):
     return list(matched.values()), aside, remarks
 
 
-def _graded(matched):
+def _graded(matched, homework):
     """Run and judge each notebook; return an `Attempt` for each."""
     if os.getuid() != 0:
         raise SystemExit(
@@ -139,7 +139,7 @@ def _graded(matched):
     attempts = []
     with OwnUser(pwd.getpwnam(USER), limits) as sandbox:
         for number, (problem, submission) in enumerate(matched):
-            exercise = exercises.find(problem)
+            exercise = homework.exercise(problem)
             if submission.trouble:
                 judgement = unreadable_notebook(exercise, submission.trouble)
             else:

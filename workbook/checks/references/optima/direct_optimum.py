@@ -19,6 +19,7 @@ import itertools
 import numpy as np
 import sympy as sp
 
+from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.direct_guesses import DirectGuesses
 from workbook.checks.references.optima.direct_programme import BARRIERS, FINE, kinds_of
 from workbook.checks.references.optima.radau import integrals
@@ -149,7 +150,8 @@ class Optimum:
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        return "the best process found ends " + ("earlier" if duration > self.duration else "later")
+        how = directed("earlier" if duration > self.duration else "later", "at another time")
+        return f"the best process found ends {how}"
 
     def size(self):
         """Return the size of the states."""

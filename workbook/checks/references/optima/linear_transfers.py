@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 
+from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.convex_targets import ConvexTarget
 from workbook.checks.references.optima.fastest_times import FastestTimes
 from workbook.checks.references.optima.linear_plant import Plant
@@ -141,8 +142,9 @@ class LinearTransfer(TransferSystem):
         return first if sum(b < t for b in breaks) % 2 == 0 else sum(self.bounds) - first
 
     def time_message(self, start, claimed, true):
-        return (
+        return directed(
             "that is not enough for any admissible control"
             if claimed < true
-            else "an admissible control arrives earlier"
+            else "an admissible control arrives earlier",
+            "that is not the least time of an admissible control",
         )

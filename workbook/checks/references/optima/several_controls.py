@@ -15,6 +15,7 @@ import casadi as ca
 import numpy as np
 import sympy as sp
 
+from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.runge_kutta import rk4
 
 #: Arcs at first and at most, and steps of each: where processes are only compared, and where they
@@ -87,7 +88,8 @@ class Optimum:
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        return "the best process found ends " + ("earlier" if duration > self.duration else "later")
+        how = directed("earlier" if duration > self.duration else "later", "at another time")
+        return f"the best process found ends {how}"
 
     def cost_size(self):
         """Return the size of the terms of the cost."""

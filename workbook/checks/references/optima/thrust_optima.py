@@ -19,6 +19,7 @@ import functools
 import numpy as np
 import sympy as sp
 
+from workbook.checks.contract.direction import directed
 from workbook.checks.tools.domains import sample_cases
 
 #: At so many instants a process is sampled, and how well the equations of its ends are solved.
@@ -263,10 +264,11 @@ class ThrustOptimum:
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        return (
+        return directed(
             "the point can come there earlier"
             if duration > self.duration
-            else "no direction of the thrust brings the point there so early, or it misses then"
+            else "no direction of the thrust brings the point there so early, or it misses then",
+            "that is not the earliest time at which the point can come there",
         )
 
     def size(self):
