@@ -361,8 +361,7 @@ def _short_text(answer):
 def _parse(handed_over, names):
     """Return (encoded, unreadable, remarks, whether cells were stopped) for the answers `names`.
 
-    Bytes that have not the form of `run_cells` count as nothing handed over. What happened to the
-    cells of answers is for `report` (`cell_watch`).
+    Bytes not of the form of `run_cells` count as nothing. `report` gets the notes on cells.
     """
     try:
         outcome = json.loads(handed_over)
