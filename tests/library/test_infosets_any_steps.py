@@ -13,6 +13,7 @@ from trajlib.infosets import (
     Region,
     SupportPolygons,
 )
+from trajlib.infosets.cells import Cells
 
 K, MU, FULL = 6.0, (-1.0, 3.0), 2 * np.pi
 KINDS = ["random", "extreme", "one turn", "late", "turned over"]
@@ -127,6 +128,37 @@ def test_true_state_is_kept(seed):
 def test_true_state_is_kept_in_many_motions(first):
     for seed in range(first, first + 20):
         follow(seed)
+
+
+def test_every_step_keeps_the_inequalities_of_the_proof(monkeypatch):
+    """(9.6) and (9.6a) for all pairs of rows: what a section is given to, with the leads."""
+    checked = []
+
+    def watched(grid, values, reach):
+        checked.append(reach)
+        return hulls(grid, values, reach)
+
+    hulls = Cells._hulls
+    monkeypatch.setattr(Cells, "_hulls", watched)
+    random, grid = np.random.default_rng(0), None
+    for step in random.choice([0.05, 0.3, 1.0, 2.7], 60):
+        if not grid or len(grid.values) > 120:
+            grid = Cells(np.zeros(4), K, MU, (90, 150), 2.0, 600, (0.0, 0.3))
+        lead, speed_lead = grid._heading_lead, grid._speed_lead
+        slowest = grid.speeds - 1 - 2 * speed_lead + MU[0] * step
+        turn = K * step / np.maximum(slowest, grid.speed_bounds()[0] + MU[0] * step)
+        before = grid._row
+        grid.advance(step, grid._elapsed + step)
+        q, reach = before - grid._row, checked[-1]
+        wider = step * (MU[1] - MU[0]) / 2
+        assert 2 * speed_lead + 2 * q >= wider + 2 * grid._speed_lead - 1e-9 and reach.shape == (
+            len(turn),
+            2 * q + 1,
+        )
+        for shift in range(2 * q + 1):
+            new_lead = grid._heading_lead[shift : shift + len(turn)]
+            spread = (lead + reach[:, shift]) * grid.heading_step
+            assert (spread >= turn + new_lead * grid.heading_step - 1e-7).all()
 
 
 @pytest.mark.parametrize("dt, headings", [(1.0, 600), (0.05, 600), (0.7, 97), (1.0, 2000)])

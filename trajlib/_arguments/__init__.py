@@ -2,6 +2,6 @@
 
 An error names the argument, what was expected and what was got; TypeError where the kind is wrong,
 ValueError where the value is. The modules are `symbols` (symbols, expressions, vector fields),
-`numbers` (numbers, times, names, arrays), `matrices` (exact or floats, the pairs (A, H) and (A, B))
-and `covariances`.
+`numbers` (numbers, times, names, arrays), `matrices` (exact or floats, the pairs (A, H) and (A, B)),
+`covariances` and `integration` (method and budget).
 """
