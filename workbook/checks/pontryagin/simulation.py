@@ -36,7 +36,13 @@ class Path:
             times = begin + h / 2 * np.arange(2 * steps + 1)
             claimed = u(times).tolist()
             for k in range(1, 2 * steps, 2):
-                y = _step(best.field, claimed[k - 1 : k + 2], y, h)
+                try:
+                    y = _step(best.field, claimed[k - 1 : k + 2], y, h)
+                except OverflowError:  # Python's powers raise it, where NumPy's are infinite
+                    raise Wrong(
+                        f"{where}under your control the numbers become too large to be computed "
+                        f"with, at t = {times[k]:.4g}"
+                    ) from None
                 self.times.append(times[k + 1])
                 self.states.append(y)
                 self.controls.append((times[k], claimed[k]))
@@ -91,9 +97,10 @@ def does_as_well(
         (abs(part) for sides in gained for part in sides), default=0
     ):
         message = cost if abs(cost) > 1e-9 * best.cost_size() else 0  # what is mere rounding
+        message, least_cost = message + best.units.constant, best.cost + best.units.constant
         costs = (
             f"costs {message:.4g}"
-            if f"{message:.4g}" != f"{best.cost:.4g}"
+            if f"{message:.4g}" != f"{least_cost:.4g}"
             else (
                 f"costs too {'little' if problem.maximise else 'much'}, by a share of "
                 f"{excess / best.cost_size():.1g}"
