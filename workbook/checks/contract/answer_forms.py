@@ -25,9 +25,9 @@ def vector_entries(answer):
     """Return the components of a vector in any of its usual forms, or None if it is none."""
     answer = unwrapped(answer)
     if isinstance(answer, np.ndarray):
-        return list(answer.ravel()) if answer.ndim <= 1 or 1 in answer.shape else None
+        return list(answer.ravel()) if is_vector(answer) else None
     if isinstance(answer, sp.MatrixBase):
-        return list(answer) if 1 in answer.shape else None
+        return list(answer) if is_vector(answer) else None
     if isinstance(answer, dict):
         return list(answer.values())
     if isinstance(answer, (list, tuple, sp.Tuple)):
@@ -38,6 +38,11 @@ def vector_entries(answer):
             return nested[0]  # a row
         return list(answer)
     return None
+
+
+def is_vector(array):
+    """Return whether an array or a matrix is a list of numbers: a row, a column, or empty."""
+    return len(array.shape) <= 1 or bool({0, 1} & set(array.shape))
 
 
 def unwrapped(answer):

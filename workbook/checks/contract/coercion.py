@@ -36,7 +36,7 @@ def as_expression(answer, symbols=()):
     Parameters
     ----------
     answer : object
-        A number of any kind, an expression, or an `sp.Lambda` of the symbols.
+        A number of any kind, an expression, an `sp.Poly`, or an `sp.Lambda` of the symbols.
     symbols : list of sympy.Symbol
         The data's own symbols, which replace those of the answer with the same names.
 
@@ -54,6 +54,8 @@ def as_expression(answer, symbols=()):
         raise Invalid(f"expected an expression, got {kind_of(answer)}")
     if isinstance(answer, (int, float, complex, np.number)):
         answer = sp.sympify(answer.item() if isinstance(answer, np.number) else answer)
+    if isinstance(answer, sp.Poly):
+        answer = answer.as_expr()
     if isinstance(answer, sp.Eq):
         raise Invalid("expected an expression, got an equation: of `x = 2*y` give `2*y` alone")
     if not isinstance(answer, sp.Expr):

@@ -3,7 +3,12 @@
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.answer_forms import has_logical_cases, is_logical, kind_of
+from workbook.checks.contract.answer_forms import (
+    has_logical_cases,
+    is_logical,
+    is_vector,
+    kind_of,
+)
 from workbook.checks.contract.coercion import with_symbols
 from workbook.checks.contract.magnitude import grows_too_fast
 from workbook.checks.contract.verdict import Invalid, remark
@@ -119,9 +124,10 @@ def _listed_numbers(answer):
     """Return the numbers in a list, a set, an array or a column, or None if others are in it."""
     parts = (
         list(answer.ravel())
-        if isinstance(answer, np.ndarray)
+        if isinstance(answer, np.ndarray) and is_vector(answer)
         else list(answer)
-        if isinstance(answer, (list, tuple, set, frozenset, sp.Tuple, sp.MatrixBase))
+        if isinstance(answer, (list, tuple, set, frozenset, sp.Tuple))
+        or (isinstance(answer, sp.MatrixBase) and is_vector(answer))
         else [None]
     )
     numbers = (int, float, np.number, sp.Expr)

@@ -4,6 +4,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
+from workbook.checks.contract.answer_forms import is_vector
 from workbook.checks.contract.verdict import Invalid
 
 VECTORS = (list, tuple, sp.Tuple, sp.MatrixBase, np.ndarray)
@@ -27,9 +28,9 @@ def members(answer, expected, single=()):
     Invalid
         If it is anything else.
     """
-    if isinstance(answer, np.ndarray):
+    if isinstance(answer, np.ndarray) and is_vector(answer):
         return answer.ravel().tolist()
-    if isinstance(answer, sp.MatrixBase) and (1 in answer.shape or 0 in answer.shape):
+    if isinstance(answer, sp.MatrixBase) and is_vector(answer):
         return list(answer)
     if (
         isinstance(answer, (list, tuple, set, frozenset, sp.Tuple, sp.FiniteSet))

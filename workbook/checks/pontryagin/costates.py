@@ -11,7 +11,6 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
-from workbook.checks.references.optima.transfer_optima import Transfer
 from workbook.checks.tools.wording import prefix_text
 
 #: To which share a control between its bounds is known.
@@ -28,7 +27,8 @@ def optimal_costate(claims, problem, time, parameters=None):
     free = np.array(free_at_the_start(problem, parameters))
     for values, best in best_processes(problem, parameters):
         where = prefix_text(values)
-        largest = np.abs(np.nan_to_num(costate.values(best.times, values))).max()
+        units = best.units.cost / (best.units.states * np.ones(len(best.start) - 1))
+        largest = np.abs(np.nan_to_num(costate.values(best.times, values)).T / units).max()
         for k, t in enumerate(best.times):
             psi, slope = (part(t * (1 - 1e-7), values) for part in (costate.values, costate.rates))
             if not np.all(np.isfinite([*psi, *slope])):
@@ -43,6 +43,7 @@ def optimal_costate(claims, problem, time, parameters=None):
                 full,
                 slope,
                 *along,
+                units,
                 largest,
                 list(problem.dynamics),
                 f"{where}at t = {t:.4g}",
@@ -55,15 +56,15 @@ def optimal_costate(claims, problem, time, parameters=None):
         _, final, normals = best.jacobians(best.states[:, -1], best.controls[-1])
         psi, begin = costate.values(ENDING * best.duration, values), costate.values(0.0, values)
         _transversal(
-            psi + sign * final[0],
-            normals,
-            costate.rounding * (largest + np.abs(final).sum()),
+            (psi + sign * final[0]) / units,
+            normals / units if len(normals) else normals,
+            costate.rounding * (largest + np.abs(final / units).sum()),
             f"{where}at the end your costates are {point_text(psi)}",
-            costate.uncertain(ENDING * best.duration, values)[0],
+            costate.uncertain(ENDING * best.duration, values)[0] / units,
         )
         if not np.all(
             np.abs(begin[free])
-            <= 10 * costate.rounding * largest + costate.uncertain(0.0, values)[0][free]
+            <= (10 * costate.rounding * largest * units + costate.uncertain(0.0, values)[0])[free]
         ):
             raise Wrong(
                 f"{where}at the beginning your costates are {point_text(begin)}; what is free "
@@ -80,7 +81,7 @@ def optimal_switching(claim, problem, time):
 
     The time of the transfer is minimised or maximised.
     """
-    function, ((_, best),) = InTime([claim], time, ()), Transfer(problem).samples()
+    function, ((_, best),) = InTime([claim], time, ()), best_processes(problem)
     found = best.switching_function()
     size = max(abs(value) for _, value in found)
     for t, true in found:
@@ -98,16 +99,17 @@ def optimal_switching(claim, problem, time):
     return "it is dH/du along the best process, with the costate followed back from the end"
 
 
-def _adjoint(full, slope, best, y, u, rounding, largest, state, there, left_open):
+def _adjoint(full, slope, best, y, u, rounding, units, largest, state, there, left_open):
     terms = -best.jacobians(y, u)[0].T * full
-    size, wanted = np.abs(terms).sum() + largest / best.duration, terms.sum(axis=1)
+    size = np.abs(terms / units[:, None]).sum() + largest / best.duration
+    wanted = terms.sum(axis=1)
     allowed = (
-        10 * rounding * size
+        10 * rounding * size * units
         + left_open[1]
         + np.abs(best.jacobians(y, u)[0].T) @ np.append(left_open[0], 0)
     )
     if not np.all(np.abs(slope - wanted) <= allowed):
-        j = int(np.argmax(np.abs(slope - wanted)))
+        j = int(np.argmax(np.abs(slope - wanted) / units))
         raise Wrong(
             f"{there} the adjoint equation for {state[j]} does not hold: with your costates it "
             "demands another derivative than theirs"
@@ -133,7 +135,7 @@ def _greatest(full, best, y, u, rounding, duration, there, left_open):
     _stationary(full, best, y, u, left_open, there)
     open_H = left_open @ np.abs(fields[0])
     if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (
-        size + 1
+        size + best.units.cost / best.units.time
     ) + open_H:
         raise Wrong(f"{there} H with your costates is not what a free duration demands")
 
@@ -153,7 +155,8 @@ def _equal_at_jumps(costate, best, values, sign, where):
             )
         )
         before, after = (best.field(y, u) for u in kinds)
-        allowed = 10 * costate.rounding * (np.abs(full) @ (np.abs(before) + np.abs(after)) + 1)
+        unit = best.units.cost / best.units.time
+        allowed = 10 * costate.rounding * (np.abs(full) @ (np.abs(before) + np.abs(after)) + unit)
         if not abs(full @ (after - before)) <= allowed + left_open @ np.abs(after - before):
             raise Wrong(
                 f"{where}where the optimal control jumps H has two values with your costates, one "
@@ -163,7 +166,7 @@ def _equal_at_jumps(costate, best, values, sign, where):
 
 def _stationary(full, best, y, u, left_open, there):
     """dH/du = 0 where the control lies between its bounds."""
-    step = 1e-4 * (1 + abs(u))
+    step = 1e-4 * (best.units.control + abs(u))
     if not best.bounds[0] < u - 9 * step < u + 9 * step < best.bounds[1]:
         return
     before, here, after = (best.field(np.append(y, 0), u + side * step) for side in (-1, 0, 1))
@@ -190,5 +193,5 @@ def _transversal(rest, normals, allowed, what, left_open):
 def _others(best, u):
     """Controls with which that of the optimum is compared."""
     low, high = best.bounds
-    around = u + (1 + abs(u)) * np.array([-1, -0.1, 0.1, 1])
+    around = u + (best.units.control + abs(u)) * np.array([-1, -0.1, 0.1, 1])
     return [*np.clip(around, low, high), *(v for v in (low, high) if np.isfinite(v))]

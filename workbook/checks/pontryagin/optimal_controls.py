@@ -26,6 +26,7 @@ from workbook.checks.references.optima.best_processes import (
     best_processes,
     free_at_the_start,
 )
+from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.wording import prefix_text
 
@@ -147,7 +148,10 @@ def _jumps_where_it_should(sections, best, rounding, where):
                 f"{where}at t = {point:.4g} the best control jumps; yours takes values between"
             )
     for inner, k, end in ((1, 0, SUDDEN * best.duration), (-2, -1, (1 - SUDDEN) * best.duration)):
-        held, slack = controls[k], max(rounding, SAME) * max(abs(controls[k]), SAME)
+        held, slack = (
+            controls[k],
+            max(rounding, SAME) * max(abs(controls[k]), SAME * best.units.control),
+        )
         if abs(controls[inner] - held) < slack and (
             point := _slowly(sections, times[inner], held, end, None, slack, best.duration)
         ):
@@ -232,7 +236,3 @@ def _leap(sections, first, last, same):
         48,
     )[1]
     return _values(sections, point)[0] - held
-
-
-def is_time_optimal(problem):
-    return problem.running == 1 and problem.final == 0 and problem.duration is None

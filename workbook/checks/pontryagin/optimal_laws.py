@@ -112,7 +112,7 @@ def _says_what_is_best(law, values, best):
     largest = np.abs(best.states).max(axis=1, initial=0, keepdims=True)
     far = (np.abs(states) > AWAY * largest).any(axis=0)
     times, states, controls = times[far], states[:, far], controls[far]
-    width = high - low if np.isfinite(high - low) else 1 + np.abs(controls)
+    width = high - low if np.isfinite(high - low) else best.units.control + np.abs(controls)
     n, (steps,) = len(states), (BESIDE[roughly] * (np.abs(states) + 0.02 * largest)[None],)
     shifts = np.array(
         [s for s in itertools.product((-1, 0, 1), repeat=n) if n < 3 or np.count_nonzero(s) < 2]

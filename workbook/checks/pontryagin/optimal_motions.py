@@ -6,7 +6,6 @@ The data are those of `optimal_controls`.
 import numpy as np
 
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.optimal_controls import is_time_optimal
 from workbook.checks.pontryagin.simulation import (
     keeps_to_the_ends,
     meets_once,
@@ -22,6 +21,7 @@ from workbook.checks.references.optima.best_processes import (
     best_processes,
     free_at_the_start,
 )
+from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.wording import prefix_text
 
 #: Where rates are no linear functions of the control, it is tried at so many places between its
@@ -43,7 +43,7 @@ def optimal_motion(claims, problem, time, parameters=None):
     # A motion that arrives at the least time is optimal, whatever it does before.
     only_time = is_time_optimal(problem)
     for values, best in best_processes(problem, parameters):
-        where, slack = prefix_text(values), motion.rounding * best.size()
+        where, slack = prefix_text(values), motion.rounding * best.size() * best.units.states
         start = motion.values(0.0, values)
         if not np.all(
             (np.abs(start - best.start[:-1]) <= slack + motion.uncertain(0.0, values)[0])[given]
@@ -57,7 +57,7 @@ def optimal_motion(claims, problem, time, parameters=None):
                 )
                 if (
                     not abs(after - before)
-                    <= motion.uncertain(t * (1 - 1e-6), values)[0][j] + slack
+                    <= (motion.uncertain(t * (1 - 1e-6), values)[0] + slack)[j]
                 ):
                     raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
         if problem.first_return:
@@ -77,7 +77,8 @@ def optimal_motion(claims, problem, time, parameters=None):
         )
         differences = np.abs(np.array(states)[:, :-1].T - best.states)
         if not (
-            only_time or np.all(differences <= 3 * slack + motion.uncertain(best.times, values)[0])
+            only_time
+            or np.all(differences.T <= 3 * slack + motion.uncertain(best.times, values)[0].T)
         ):
             raise Wrong(
                 f"{where}your motion is one that the system can have, but another one with the "
@@ -93,14 +94,18 @@ def _possible(motion, t, values, best, problem, where):
     y, rate = motion.values(near, values), motion.rates(near, values)
     if not np.all(np.isfinite([*y, *rate])):
         raise Wrong(f"{where}your motion is not real at t = {t:.4g}")
-    scale = 10 * motion.rounding * (1 + np.abs(best.states).max() * (1 + 1 / best.duration))
+    units = best.units.states * np.ones(len(y))
+    largest = (np.abs(best.states).T / units).max()
+    scale = 10 * motion.rounding * (1 + largest * (1 + best.units.time / best.duration))
+    scale = scale * units / best.units.time
     open_y, open_rate = motion.uncertain(near, values)
     if open_y.any():
         middle = np.mean(np.nan_to_num(best.bounds, posinf=0, neginf=0))
-        scale += (open_rate + np.abs(best.jacobians(y, middle)[0])[:-1, : len(y)] @ open_y).sum()
-    off = np.abs(_nearest_rates(best, y, rate) - rate)
+        moved = open_rate + np.abs(best.jacobians(y, middle)[0])[:-1, : len(y)] @ open_y
+        scale += (moved / units).sum() * units
+    off = np.abs(_nearest_rates(best, y, rate / units) * units - rate)
     if not np.all(off <= scale):
-        j = int(np.argmax(off))
+        j = int(np.argmax(off / units))
         others = "" if len(y) == 1 else ", with the other rates that it has there"
         raise Wrong(
             f"{where}at t = {t:.4g} your motion has "
@@ -111,12 +116,16 @@ def _possible(motion, t, values, best, problem, where):
 
 
 def _nearest_rates(best, y, rate):
-    """Of the rates of the states that admissible controls give, those nearest to `rate`."""
+    """Of the rates of the states that admissible controls give, those nearest to `rate`; all in the
+    units of the states, the control in its own."""
+    unit = best.units.control
 
     def rates(u):
-        return np.array([best.field(np.append(y, 0), one)[:-1] for one in u]).T
+        return np.array(
+            [best.field(np.append(y, 0), unit * v)[:-1] / best.units.states for v in u]
+        ).T
 
-    low, high = best.bounds
+    low, high = (bound / unit for bound in best.bounds)
     zero, one, two = rates([0.0, 1.0, 2.0]).T
     slope = one - zero
     if np.allclose(two - one, slope, rtol=1e-12, atol=1e-12) and np.allclose(

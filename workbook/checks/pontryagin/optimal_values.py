@@ -13,7 +13,7 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.optimal_controls import ARC, CERTAIN, MISSED, is_time_optimal
+from workbook.checks.pontryagin.optimal_controls import ARC, CERTAIN, MISSED
 from workbook.checks.pontryagin.simulation import (
     COSTS,
     point_text,
@@ -26,6 +26,7 @@ from workbook.checks.references.optima.best_processes import (
     best_processes_at,
 )
 from workbook.checks.references.optima.transfer_optima import SAMPLES
+from workbook.checks.references.optima.units import constant_of, is_time_optimal, without_constant
 from workbook.checks.references.scales import COST, TIME, judge_at_every_scale
 from workbook.checks.tools.kinks import points_at_kinks
 from workbook.checks.tools.line_search import bisect
@@ -58,24 +59,30 @@ def optimal_cost(claim, problem, parameters=None):
         and len(set(starts)) == len(starts)
         and all(start in (parameters or {}) for start in starts)
     )
+    # A constant hides no digits of an exact answer; of decimals it does.
+    constant = sp.S.Zero if in_decimals(claim) else constant_of(problem)
+    varying = claim - constant
     cost_of = (
-        real_function([*starts, *(p for p in parameters if p not in starts)], [claim])
+        real_function([*starts, *(p for p in parameters if p not in starts)], [varying])
         if anywhere
         else None
     )
     found = best_processes(problem, parameters, 2 * SAMPLES)
-    for (values, best), claimed, open_ in _evaluated(claim, found, "the cost"):
+    for (values, best), claimed, open_ in _evaluated(varying, found, "the cost"):
         where = prefix_text(values)
+        left_out = float(constant.subs(values))
+        kept = best.units.constant - left_out
         right = functools.partial(
             agree,
-            true=best.cost,
+            true=best.cost + kept,
             written=claim,
             size=best.cost_size(),
             computed=COSTS,
             uncertain=open_,
         )
-        if not (right(claimed) or right(claimed := value_at(claim, values, "the cost"))):
-            beyond = (claimed < best.cost) != problem.maximise
+        if not (right(claimed) or right(claimed := value_at(varying, values, "the cost"))):
+            claimed += left_out
+            beyond = (claimed < best.cost + best.units.constant) != problem.maximise
             raise Wrong(
                 f"{where}your value is {claimed:.4g}; "
                 + directed(
@@ -86,9 +93,12 @@ def optimal_cost(claim, problem, parameters=None):
                 )
             )
         if anywhere:
-            _left_over(claim, cost_of, values, best, starts, parameters)
-    _right_next_to_bends(claim, problem, parameters, found, "cost")
-    judge_at_every_scale(claim, problem, parameters, [values for values, _ in found], COST, "value")
+            _left_over(varying, cost_of, values, best, starts, parameters, kept)
+    _right_next_to_bends(varying, problem, parameters, found, "cost")
+    scaled = problem if in_decimals(claim) else without_constant(problem)
+    judge_at_every_scale(
+        varying, scaled, parameters, [values for values, _ in found], COST, "value"
+    )
     return "it is the value for the best process found"
 
 
@@ -135,7 +145,7 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
             )
 
 
-def _left_over(claim, cost_of, values, best, starts, parameters):
+def _left_over(claim, cost_of, values, best, starts, parameters, kept):
     """Raise `Wrong` where a claim for all starts is not what the rest of the best process costs."""
     states, true = best.left()
     inside = np.all(
@@ -145,7 +155,7 @@ def _left_over(claim, cost_of, values, best, starts, parameters):
         ],
         axis=0,
     )
-    states, true = states[:, inside], true[inside]
+    states, true = states[:, inside], true[inside] + kept
     claimed = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
     uncertain = uncertainties_at(claim, [values | dict(zip(starts, y)) for y in states.T])
     off = ~np.atleast_1d(

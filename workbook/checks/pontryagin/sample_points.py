@@ -139,6 +139,8 @@ def is_in_domain(values, domain):
 
 
 def as_difference(part, symbols):
+    if isinstance(part, sp.Or):  # where one of several vanishes their product does
+        return sp.prod([as_difference(one, symbols) for one in part.args])
     if isinstance(part, sp.Eq):
         return coercion.as_expression(part.lhs, symbols) - coercion.as_expression(part.rhs, symbols)
     return coercion.as_expression(part, symbols)

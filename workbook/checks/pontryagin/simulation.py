@@ -36,7 +36,13 @@ class Path:
             times = begin + h / 2 * np.arange(2 * steps + 1)
             claimed = u(times).tolist()
             for k in range(1, 2 * steps, 2):
-                y = _step(best.field, claimed[k - 1 : k + 2], y, h)
+                try:
+                    y = _step(best.field, claimed[k - 1 : k + 2], y, h)
+                except OverflowError:  # Python's powers raise it, where NumPy's are infinite
+                    raise Wrong(
+                        f"{where}under your control the numbers become too large to be computed "
+                        f"with, at t = {times[k]:.4g}"
+                    ) from None
                 self.times.append(times[k + 1])
                 self.states.append(y)
                 self.controls.append((times[k], claimed[k]))

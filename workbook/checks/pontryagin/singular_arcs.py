@@ -51,14 +51,15 @@ def singular_order(claim, problem, costates, control=None):
 def singular_surface(answer, problem, costates, control=None, domain=None):
     """Check the surface of the singular arcs in states and parameters.
 
-    It is an equation, or a list of equations that hold together.
+    It is an equation, or a list of equations that hold together; equations joined by Or, of which
+    one holds, count as one.
     """
     arcs = _arcs(problem, costates, control)
     symbols = [*problem.state, *problem.parameters]
     claims = [
         as_difference(part, symbols)
         for part in members(
-            answer, "an equation in the states, or several", single=(sp.Expr, sp.Eq)
+            answer, "an equation in the states, or several", single=(sp.Expr, sp.Eq, sp.Or)
         )
     ]
     surface = ZeroSet(claims, list(problem.state), list(problem.parameters))

@@ -121,6 +121,7 @@ class Control(Claim):
     def coerce(answer, symbols, time):
         if isinstance(answer, (np.ndarray, sp.MatrixBase)):
             answer = answer.tolist()
+        _refuse_sums(answer)
         if (
             _is_list(answer)
             and len(answer)
@@ -245,7 +246,15 @@ def _slope(expression, time):
     return sp.diff(expression, time).replace(sp.DiracDelta, lambda *_: sp.S.Zero)
 
 
+def _refuse_sums(answer):
+    """Refuse at once what would be added up anew at each of many instants."""
+    parts = sp.flatten(answer) if _is_list(answer) else [answer]
+    if any(isinstance(part, sp.Basic) and part.has(sp.Sum) for part in parts):
+        raise Invalid("the answer contains a sum that is not worked out; write it without `sp.Sum`")
+
+
 def _one_or_several(answer, symbols):
+    _refuse_sums(list(answer) if isinstance(answer, (sp.MatrixBase, np.ndarray)) else answer)
     several = _is_list(answer) or isinstance(answer, (sp.MatrixBase, np.ndarray))
     return coercion.as_expressions(answer if several else [answer], symbols)
 

@@ -16,6 +16,8 @@ from sympy.polys.polyerrors import BasePolynomialError
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare
 from workbook.checks.tools.wording import values_text
 
+#: A real part computed in floats has its sign where it is a greater share of the roots than this.
+SURE = 1e-3
 #: For how many points it is kept whether they are stable.
 MOST_CACHED = 8192
 
@@ -93,6 +95,37 @@ def _rational(matrix):
     return matrix.applyfunc(lambda entry: others.get(entry, entry)), {
         symbol: entry for entry, symbol in others.items()
     }
+
+
+def _is_hurwitz(current):
+    """Return whether all roots have negative real parts, by the exact Routh reduction."""
+    current = current if current[0] > 0 else [-c for c in current]
+    while len(current) > 1:
+        if any(c <= 0 for c in current):
+            return False
+        ratio = current[0] / current[1]
+        current = [
+            c - ratio * (current[k + 1] if k % 2 == 0 and k + 1 < len(current) else 0)
+            for k, c in enumerate(current)
+        ][1:]
+    return True
+
+
+def _has_root_right(coefficients):
+    """Return, exactly, whether a polynomial with rational coefficients has a root with Re > 0.
+
+    The roots on the imaginary axis are those of its common factor with p(-s), whose other roots lie
+    symmetrically: a polynomial in s^2 times a power of s.
+    """
+    s = sp.Dummy("s")
+    p = sp.Poly(coefficients, s)
+    common = sp.gcd(p, p.compose(sp.Poly(-s, s)))
+    if not _is_hurwitz(p.quo(common).all_coeffs()):
+        return True
+    even = common.terms_gcd()[1]
+    squares = sp.Poly(even.all_coeffs()[::2], s)
+    squares = squares.quo(sp.gcd(squares, squares.diff(s)))
+    return bool(squares.degree() > 0 and squares.count_roots(None, 0) < squares.degree())
 
 
 class Spectrum:
@@ -218,20 +251,21 @@ class Spectrum:
             return None
         if self.margin and abs(self._largest(values)) < 1e-9:
             return None
-        current = current if current[0] > 0 else [-c for c in current]
-        while len(current) > 1:
-            if any(c <= 0 for c in current):
-                return False
-            ratio = current[0] / current[1]
-            current = [
-                c - ratio * (current[k + 1] if k % 2 == 0 and k + 1 < len(current) else 0)
-                for k, c in enumerate(current)
-            ][1:]
-        return True
+        return _is_hurwitz(current)
 
     def is_unstable(self, values):
-        """Return whether a root has a positive real part, by more than rounding."""
-        return None if self._coefficients(values)[0] == 0 else bool(self._largest(values) > 1e-7)
+        """Return whether a root has a positive real part.
+
+        None where the order drops, or where that can only be computed, and rounding would decide.
+        """
+        current = self._coefficients(values)
+        if current[0] == 0:
+            return None
+        largest = self._largest(values)
+        if abs(largest) > SURE:
+            return bool(largest > 0)
+        rational = [sp.Rational(c) for c in current if isinstance(c, (Fraction, sp.Rational))]
+        return _has_root_right(rational) if len(rational) == len(current) else None
 
     def _largest(self, values):
         """Return the largest real part of a root beyond the margin, relative to their size."""
@@ -248,5 +282,8 @@ class Spectrum:
             return "so says Routh's scheme, with coefficients beyond 1e308"
         # Roots computed in floating point: below this the point lies on the imaginary axis, which
         # without a margin Routh has decided.
-        text = f"{largest:.4g}" if abs(largest) >= 1e-7 else "0" if self.margin else "exactly 0"
+        near = abs(largest) < 1e-7 and (
+            self.margin or not (self.is_stable(values) or self.is_unstable(values))
+        )
+        text = f"{largest:.4g}" if not near else "0" if self.margin else "exactly 0"
         return f"the largest real part of a root is {text}"

@@ -1,3 +1,4 @@
+import numpy as np
 import sympy as sp
 from case import Case
 
@@ -65,6 +66,9 @@ CASES = [
     row("observer_gain", [], WITHOUT_GROWTH, "right", "there is none"),
     row("observer_gain", [], WITHOUT_DECAY, "right", "none has this margin", margin=3),
     row("observer_gain", [], WITHOUT_DECAY, "right", "not every polynomial", **WANTED),
+    row("observer_gain", M([]), WITHOUT_DECAY, "right", "an empty matrix", **WANTED),
+    row("observer_gain", np.array([]), WITHOUT_DECAY, "right", "an empty array", **WANTED),
+    row("observer_gain", M([]), BY_PLACE, "wrong", "an empty matrix, and there is one"),
     row(
         "observer_gain",
         [p + 1, p + 5],

@@ -36,9 +36,38 @@ FAR = Problem(
     duration=1,
     maximise=True,
 )
+# The same in a unit of cost that makes it small, and a least cost that is zero.
+SMALL = Problem({x: u}, {u: (-1, 1)}, {x: sp.Rational(1, 2)}, [], running=x**2 / 10**6, duration=1)
+NOTHING = Problem({x: u}, {u: (-1, 1)}, {x: 0}, [x], running=x**2, duration=1)
+NO_BOUNDS = Problem({x: u}, {u: (None, None)}, {x: 0}, [x - 1], running=u**2, duration=1)
+n = sp.Symbol("n", integer=True)
 
 
 CASES = [
+    Case(
+        "optimal_control",
+        [[-1, sp.Rational(1, 2)], [0, 1]],
+        (SMALL, t),
+        "right",
+        "a cost in a small unit",
+    ),
+    Case(
+        "optimal_control",
+        [[-1, sp.Rational(1, 2)], [0.1, 1]],
+        (SMALL, t),
+        "wrong",
+        "a cost in a small unit, and a control past zero",
+    ),
+    Case("optimal_control", 0, (NOTHING, t), "right", "a least cost of zero"),
+    Case("optimal_control", 1e-4, (NOTHING, t), "wrong", "a least cost of zero, and a small one"),
+    Case("optimal_control", 1e160, (NO_BOUNDS, t), "wrong", "beyond what floats can square"),
+    Case(
+        "optimal_control",
+        sp.Sum(t**n / sp.factorial(n), (n, 0, 50)),
+        (NO_BOUNDS, t),
+        "invalid",
+        "a sum that is not worked out",
+    ),
     Case(
         "optimal_control",
         Piecewise((high, t < TURN), (low, True)),

@@ -67,7 +67,21 @@ CARRIAGE = Problem(
     running=1 + sp.Rational(3, 4) * sp.Abs(u),
 )
 
+TINY = Problem({x: u}, {u: (-1, 1)}, {x: sp.Rational(1, 2)}, [], running=x**2 / 10**6, duration=1)
+NOTHING = Problem({x: u}, {u: (-1, 1)}, {x: 0}, [x], running=x**2, final=1000, duration=1)
+
+
 CASES = [
+    Case("optimal_cost", sp.Rational(1, 24 * 10**6), (TINY,), "right", "a small unit"),
+    Case("optimal_cost", sp.Rational(1, 23 * 10**6), (TINY,), "wrong", "a small unit"),
+    Case("optimal_cost", 1000, (NOTHING,), "right", "zero and a constant"),
+    Case(
+        "optimal_cost",
+        1000 + sp.Rational(1, 10**4),
+        (NOTHING,),
+        "wrong",
+        "small beside the constant, and too much",
+    ),
     Case("initial_arc_duration", SPOT, (ROBOT, v, 0, BEHIND), "right", "a turn on the spot"),
     Case(
         "initial_arc_duration",

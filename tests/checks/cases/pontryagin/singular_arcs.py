@@ -63,6 +63,20 @@ CASES = [
     Case("singular_order", 4, (FULLER, TWO), "wrong", "the derivative's own"),
     Case("singular_order", "two", (FULLER, TWO), "invalid", "a word"),
     Case("singular_surface", x1, (SQUARE, TWO), "right", "one of the states"),
+    Case(
+        "singular_surface",
+        sp.Eq(x1, 0) | sp.Eq(2 * x1, 0, evaluate=False),
+        (SQUARE, TWO),
+        "right",
+        "equations of which one holds",
+    ),
+    Case(
+        "singular_surface",
+        sp.Eq(x1, 0) | sp.Eq(x2, 0),
+        (SQUARE, TWO),
+        "wrong",
+        "one equation too many",
+    ),
     Case("singular_surface", [x1, x2], (FULLER, TWO), "right", "a point"),
     Case(
         "singular_surface",

@@ -33,6 +33,20 @@ WEIGHTS = (rho, M)
 plain = sp.Symbol
 
 CASES = [
+    Case(
+        "research.transition_polynomial",
+        sp.PurePoly(P, lam),
+        POLYNOMIAL,
+        "right",
+        "as `charpoly` returns it",
+    ),
+    Case(
+        "research.transition_polynomial",
+        sp.Poly(2 * P, lam),
+        POLYNOMIAL,
+        "wrong",
+        "a polynomial object with a factor",
+    ),
     Case("research.transition_polynomial", P, POLYNOMIAL, "right", "by powers of lambda - 1"),
     Case("research.transition_polynomial", sp.expand(P), POLYNOMIAL, "right", "multiplied out"),
     Case(

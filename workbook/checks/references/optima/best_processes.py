@@ -4,15 +4,18 @@ Of a transfer in least or greatest time of a kind known to `transfer_optima` or 
 optimum has a formula or a search of its own; of any other problem it comes from `direct_optimum`,
 or, with more than one control, from `several_controls`, which gives durations and arcs alone. The
 others give it with the same attributes: `duration`, `cost`, `times`, `states` (a column for each
-time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`.
+time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`, `units`. All search in the
+units of `units.restated`; a constant of the cost is in none of these numbers.
 """
 
 from workbook.checks.references.optima.direct_optimum import optima
 from workbook.checks.references.optima.several_controls import optima as optima_of_several
 from workbook.checks.references.optima.thrust_optima import thrust_optima
 from workbook.checks.references.optima.transfer_optima import SAMPLES, Transfer, Unknown
+from workbook.checks.references.optima.units import in_good_units
 
 
+@in_good_units
 def best_processes(problem, parameters=None, count=SAMPLES):
     """Return pairs ({parameter: value}, optimum).
 
@@ -40,6 +43,7 @@ def best_processes(problem, parameters=None, count=SAMPLES):
     return optima(problem, parameters)
 
 
+@in_good_units
 def best_processes_at(problem, parameters, points):
     """Return the same at given points, dicts from the parameters to numbers."""
     if len(problem.controls) > 1:

@@ -23,6 +23,7 @@ from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.direct_guesses import DirectGuesses
 from workbook.checks.references.optima.direct_programme import BARRIERS, FINE, kinds_of
 from workbook.checks.references.optima.radau import integrals
+from workbook.checks.references.optima.units import Units, in_good_units
 from workbook.checks.tools.domains import sample_cases
 
 #: A free duration lies between these.
@@ -37,8 +38,11 @@ SHORT = 1e-4
 STARTS = 6
 #: Up to what two costs are the same.
 SAME = 1e-9
+#: Terms of a cost that are smaller than this count as so large: a least cost may be zero.
+SMALLEST = 1e-3
 
 
+@in_good_units
 def optima(problem, parameters=None, points=None):
     """Return pairs ({parameter: value}, `Optimum`).
 
@@ -89,7 +93,7 @@ class Optimum:
 
     #: To what share the cost is known next to parameters for which an arc vanishes: a short one may
     #: be missed.
-    MISSED = 5e-4
+    MISSED, units = 5e-4, Units()
 
     def __init__(self, search, case, cost, times, states, controls, arcs):
         self.cost, self.duration, self.controls, self.arcs = cost, times[-1], controls, arcs
@@ -164,7 +168,7 @@ class Optimum:
             for y in (self.states[:, 0], self.states[:, -1])
         ]
         rates = [self.field(np.append(y, 0), u)[-1] for y, u in zip(self.states.T, self.controls)]
-        return float(max(abs(self.cost), *ends, np.abs(rates).mean() * self.duration))
+        return float(max(SMALLEST, abs(self.cost), *ends, np.abs(rates).mean() * self.duration))
 
 
 class _Search(DirectGuesses):

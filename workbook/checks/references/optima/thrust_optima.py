@@ -20,6 +20,7 @@ import numpy as np
 import sympy as sp
 
 from workbook.checks.contract.direction import directed
+from workbook.checks.references.optima.units import Units
 from workbook.checks.tools.domains import sample_cases
 
 #: At so many instants a process is sampled, and how well the equations of its ends are solved.
@@ -101,7 +102,7 @@ def _read(problem):
 class ThrustOptimum:
     """The fastest transfer, with the attributes of `direct_optimum.Optimum`."""
 
-    bounds, MISSED = (-np.inf, np.inf), 0.0
+    bounds, MISSED, units = (-np.inf, np.inf), 0.0, Units()
 
     def __init__(self, numbers, problem, held):
         self.begin, self.target, self.thrust, self.pull = (

@@ -21,6 +21,7 @@ import sympy as sp
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_transfers import LinearTransfer
 from workbook.checks.references.optima.transfer_systems import HomogeneousTransfer, ScalarTransfer
+from workbook.checks.references.optima.units import Units
 
 #: For how many sets of parameters an answer is tried.
 SAMPLES = 10
@@ -293,6 +294,8 @@ class _Optimum:
 
     The last entry of `start` and `field` is the time that has passed.
     """
+
+    units = Units()
 
     def __init__(self, system, start, slowest, meetings=1):
         self.system, self.begin, self.slowest, self.meetings = system, start, slowest, meetings

@@ -1,0 +1,36 @@
+"""Where the solver z3 is absent no right condition is refused: it cannot be decided, and samples agree."""
+
+import sys
+
+import pytest
+import sympy as sp
+from case import check_named
+from test_cases import CASES, LONG
+
+from workbook.checks.contract.verdict import UNCHECKED
+from workbook.checks.references.spectra import Spectrum
+
+pytestmark = pytest.mark.slow
+
+CONDITIONS = [
+    case
+    for case in CASES
+    if case.verdict == "right"
+    and isinstance(case.answer, sp.logic.boolalg.Boolean)
+    and check_named(case.check).__module__.split(".")[-2] not in LONG
+]
+
+
+@pytest.mark.parametrize("case", CONDITIONS, ids=lambda case: f"{case.check}: {case.note}")
+def test_no_right_condition_is_refused(case, monkeypatch):
+    monkeypatch.setitem(sys.modules, "z3", None)
+    verdict = check_named(case.check)(case.answer, *case.data, **dict(case.options))
+    assert verdict.status in ("right", UNCHECKED), verdict.message
+
+
+def test_a_root_next_to_the_axis_is_decided_exactly(monkeypatch):
+    monkeypatch.setitem(sys.modules, "z3", None)
+    e = sp.Symbol("epsilon", real=True)
+    spectrum = Spectrum(sp.Matrix([[0, 1], [-1, e]]), [e], 0)
+    at = [spectrum.is_unstable({e: sp.Rational(k, 5 * 10**6)}) for k in (-1, 0, 1)]
+    assert at == [False, False, True]

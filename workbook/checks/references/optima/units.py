@@ -1,0 +1,361 @@
+"""Units in which a problem of optimal control is solved, and its optimum in the student's units.
+
+A search has tolerances and initial guesses for numbers of size one. The units are those in which
+the coefficients, bounds, ends and initial values of the statement are nearest to one: their
+logarithms solve linear equations in the sense of least squares, so that a problem stated in other
+units is solved as the same numbers. Units near one are one, and most problems are solved as they are
+stated. A constant in the cost is left out.
+"""
+
+import dataclasses
+import functools
+import itertools
+from typing import NamedTuple
+
+import numpy as np
+import sympy as sp
+
+from workbook.checks.tools.domains import sample_cases
+
+#: A unit whose logarithm is smaller than this is one: the search is robust enough. Others are powers
+#: of ten.
+PLAIN = 1.5
+#: So many terms of a product of sums are looked at.
+MOST_TERMS = 64
+TIME, COST = sp.Dummy("time"), sp.Dummy("cost")
+
+
+class Units(NamedTuple):
+    """Units of times, of the states, of the control and of costs, and what is added to the cost."""
+
+    time: float = 1.0
+    states: np.ndarray | float = 1.0
+    control: float = 1.0
+    cost: float = 1.0
+    constant: float = 0.0
+
+
+def in_good_units(search):
+    """Let a search for optima, `search(problem, parameters, ...)`, see a problem in good units."""
+
+    @functools.wraps(search)
+    def searched(problem, parameters=None, *rest):
+        table = tuple(parameters.items()) if isinstance(parameters, dict) else ()
+        named = any(x in (parameters or ()) for x in problem.state)
+        other, units, constant = restated(problem, table, named)
+        found = search(other, parameters, *rest)
+        if other is problem:
+            return found
+        return [
+            (values, OptimumInUnits(best, units._replace(constant=float(constant.subs(values)))))
+            for values, best in found
+        ]
+
+    return searched
+
+
+def is_time_optimal(problem):
+    """Return whether a cost is the duration, in any units and with any constant."""
+    return bool(
+        problem.duration is None
+        and problem.running.is_number
+        and problem.running > 0
+        and not problem.final.free_symbols & set(problem.state)
+    )
+
+
+def constant_of(problem):
+    """Return the part of a cost that is the same for all processes, an expression in parameters."""
+    fixed = None if isinstance(problem.duration, tuple) else problem.duration
+    running = 0 if fixed is None else fixed * _constant(problem.running, problem)
+    return _constant(problem.final, problem) + running
+
+
+@functools.lru_cache(maxsize=64)
+def without_constant(problem):
+    """Return a problem without the part of its cost that is the same for all processes."""
+    if constant_of(problem) == 0:
+        return problem
+    fixed = problem.duration is not None and not isinstance(problem.duration, tuple)
+    return dataclasses.replace(
+        problem,
+        running=problem.running - (_constant(problem.running, problem) if fixed else 0),
+        final=problem.final - _constant(problem.final, problem),
+    )
+
+
+def _constant(expression, problem):
+    return sp.sympify(expression).as_independent(*problem.state, *problem.control, as_Add=True)[0]
+
+
+@functools.lru_cache(maxsize=64)
+def restated(problem, parameters, only_cost=False):
+    """Return a problem in good units, without a constant in its cost, these units, and the constant.
+
+    Parameters
+    ----------
+    problem : pontryagin.Problem
+        The problem, which is returned itself where nothing changes.
+    parameters : tuple
+        Pairs of a parameter and its domain.
+    only_cost : bool
+        Whether the units of the states are to be kept, whose symbols stand for initial values, too.
+    """
+    bare, constant = without_constant(problem), constant_of(problem)
+    factors = _factors(bare, dict(parameters), only_cost)
+    if all(factor == 1 for factor in factors.values()):
+        return bare, Units(), constant
+    put = {s: s * f for s, f in factors.items() if f != 1 and s not in (TIME, COST)}
+
+    def value(expression, factor=1):
+        expression = sp.sympify(expression)
+        return expression.subs(put, simultaneous=True) / factor if put else expression / factor
+
+    time, cost = factors[TIME], factors[COST]
+    pair = isinstance(problem.duration, tuple)
+    ends = [
+        None if end is None else end / time
+        for end in (problem.duration if pair else (problem.duration,))
+    ]
+    states = {x: factors[x] for x in problem.state}
+    other = dataclasses.replace(
+        bare,
+        dynamics={x: value(f, states[x] / time) for x, f in problem.dynamics.items()},
+        controls={
+            u: tuple(bound / factors[u] for bound in bounds)
+            for u, bounds in problem.controls.items()
+        },
+        initial={x: None if v is None else v / states[x] for x, v in problem.initial.items()},
+        terminal=[_of_size_one(value(gap), dict(parameters)) for gap in problem.terminal],
+        running=value(bare.running, cost / time),
+        final=value(bare.final, cost),
+        duration=tuple(ends) if pair else ends[0],
+    )
+    numbers = np.array([float(f) for f in states.values()])
+    return (
+        other,
+        Units(float(time), numbers, float(factors[problem.control[0]]), float(cost)),
+        constant,
+    )
+
+
+def _factors(problem, parameters, only_cost):
+    """Return the units as exact numbers, by symbol."""
+    symbols = [*problem.state, *problem.control, TIME, COST]
+    logs = dict.fromkeys(symbols, 0.0)
+    if len(problem.control) == 1 and not only_cost:
+        logs = _Sizes(problem, parameters).solution(symbols)
+    factors = {s: _unit(log) for s, log in logs.items()}
+    _keep_plain(problem, factors)
+    if is_time_optimal(problem):
+        factors[COST] = problem.running * factors[TIME]
+    return factors
+
+
+def _keep_plain(problem, factors):
+    """Change units so that x1' = x2, x' = u and x' = 1 are so in these units, too."""
+    for x, rate in problem.dynamics.items():
+        if rate == 1:
+            factors[x] = factors[TIME]
+        elif rate in factors and rate != x:
+            factors[rate] = factors[x] / factors[TIME]
+
+
+def _of_size_one(gap, parameters):
+    """Return what vanishes on the target times a power of ten, so that its terms have size one."""
+    logs = [log for log, _ in _Sizes(None, parameters).terms(gap)]
+    return gap / _unit(np.mean(logs)) if logs else gap
+
+
+def _unit(log):
+    return sp.Integer(10) ** round(log) if abs(log) > PLAIN else sp.S.One
+
+
+class _Sizes:
+    """Equations for the logarithms of units: each term of the statement should have size one."""
+
+    def __init__(self, problem, parameters):
+        cases = np.abs(np.array(sample_cases(parameters), dtype=float))
+        self._known = {
+            p: float(np.mean(np.log10(column[column > 0]))) if (column > 0).any() else 0.0
+            for p, column in zip(parameters, cases.T)
+        }
+        self._equations = []
+        self._units = {TIME, COST} if problem is None else {*problem.state, *problem.control}
+        if problem is None:
+            return
+        for x, rate in problem.dynamics.items():
+            self._equate(rate, {x: 1, TIME: -1})
+        for s, value in [
+            *problem.initial.items(),
+            *((u, bound) for u, pair in problem.controls.items() for bound in pair),
+            *((TIME, end) for end in _ends(problem)),
+        ]:
+            if value is not None and value.is_finite is not False:
+                self._equate(value, {s: 1})
+        self._equate(problem.running, {COST: 1, TIME: -1})
+        self._equate(problem.final, {COST: 1})
+        for gap in problem.terminal:
+            self._equate(gap, {sp.Dummy(): 1})
+
+    def solution(self, symbols):
+        """Return the logarithms of the units of symbols, the smallest that fit best."""
+        known = list(dict.fromkeys([*symbols, *(s for _, w in self._equations for s in w)]))
+        rows = np.array([[float(w.get(s, 0)) for s in known] for _, w in self._equations])
+        right = -np.array([log for log, _ in self._equations])
+        found = np.linalg.lstsq(rows, right, rcond=1e-9)[0]
+        return dict(zip(known, found[: len(symbols)]))
+
+    def _equate(self, expression, unit):
+        for log, weights in self.terms(sp.sympify(expression)):
+            self._equations.append(
+                (log, {s: weights.get(s, 0) - unit.get(s, 0) for s in {**weights, **unit}})
+            )
+
+    def terms(self, expression):
+        """Return the terms of an expression: pairs of a logarithm and {symbol: exponent}."""
+        if expression.is_number:
+            size = abs(complex(expression))
+            return [(float(np.log10(size)), {})] if 0 < size < np.inf else []
+        if expression.is_Symbol:
+            if expression in self._units:
+                return [(0.0, {expression: 1.0})]
+            return [(self._known.get(expression, 0.0), {})]
+        if isinstance(expression, (sp.Add, sp.Max, sp.Min)):
+            return [term for part in expression.args for term in self.terms(part)]
+        if isinstance(expression, sp.Piecewise):
+            return [term for part, _ in expression.args for term in self.terms(part)]
+        if isinstance(expression, sp.Abs):
+            return self.terms(expression.args[0])
+        if isinstance(expression, sp.Mul):
+            chosen = itertools.product(*map(self.terms, expression.args))
+            return [_product(terms) for terms in itertools.islice(chosen, MOST_TERMS)]
+        if isinstance(expression, sp.Pow) and expression.exp.is_number:
+            power = float(expression.exp)
+            return [
+                (power * log, {s: power * w for s, w in weights.items()})
+                for log, weights in self.terms(expression.base)
+            ]
+        if not isinstance(expression, (sp.sign, sp.Heaviside)):
+            for part in expression.args:
+                self._equate(part, {})
+        return [(0.0, {})]
+
+
+def _product(terms):
+    weights = {}
+    for _, own in terms:
+        for s, w in own.items():
+            weights[s] = weights.get(s, 0.0) + w
+    return sum(log for log, _ in terms), weights
+
+
+def _ends(problem):
+    return problem.duration if isinstance(problem.duration, tuple) else (problem.duration,)
+
+
+class OptimumInUnits:
+    """An optimum that was found in good units, in those of the statement.
+
+    What a target makes vanish, `gap`, and its `size` stay in good units. The constant of the cost is
+    in none of its numbers; `units` has it.
+    """
+
+    def __init__(self, best, units):
+        self._best, self.units = best, units
+
+    def __getattr__(self, name):
+        return getattr(self._best, name)
+
+    def _good(self, y):
+        return np.append(np.asarray(y[:-1]) / self.units.states, y[-1] / self.units.cost)
+
+    @property
+    def _sizes(self):
+        """The units of the states and of the cost."""
+        return np.append(np.ones(len(self._best.start) - 1) * self.units.states, self.units.cost)
+
+    @property
+    def duration(self):
+        return self._best.duration * self.units.time
+
+    @property
+    def cost(self):
+        return self._best.cost * self.units.cost
+
+    @property
+    def times(self):
+        return np.asarray(self._best.times) * self.units.time
+
+    @property
+    def states(self):
+        return (np.asarray(self._best.states).T * self.units.states).T
+
+    @property
+    def controls(self):
+        return np.asarray(self._best.controls) * self.units.control
+
+    @property
+    def start(self):
+        return self._best.start * self._sizes
+
+    @property
+    def bounds(self):
+        return tuple(bound * self.units.control for bound in self._best.bounds)
+
+    @property
+    def arcs(self):
+        if self.units.time == self.units.control == 1:
+            return self._best.arcs
+        return [
+            (None if u is None else u * self.units.control, *(t * self.units.time for t in ends))
+            for u, *ends in self._best.arcs
+        ]
+
+    def changes(self):
+        """Return where arcs follow one another, as `direct_optimum.Optimum.changes` does."""
+        return [
+            (k, *(None if u is None else u * self.units.control for u in kinds))
+            for k, *kinds in getattr(self._best, "changes", list)()
+        ]
+
+    def left(self):
+        """Return states on the way, and the remaining cost there."""
+        states, cost = self._best.left()
+        return (np.asarray(states).T * self.units.states).T, cost * self.units.cost
+
+    def field(self, y, u):
+        """Return the rates of the states and of the cost."""
+        rates = self._best.field(self._good(y), u / self.units.control)
+        return rates * self._sizes / self.units.time
+
+    def gap(self, y):
+        """Return what vanishes at the end, in good units."""
+        return self._best.gap(self._good(y))
+
+    def total(self, y):
+        """Return the cost of a process that ends in y, without its constant."""
+        return self._best.total(self._good(y)) * self.units.cost
+
+    def jacobians(self, y, u):
+        """Return derivatives in the states, as `direct_optimum.Optimum.jacobians` does."""
+        states, sizes = self._sizes[:-1], self._sizes
+        field, final, gap = self._best.jacobians(np.asarray(y) / states, u / self.units.control)
+        return (
+            field * sizes[:, None] / states / self.units.time,
+            final * self.units.cost / states,
+            gap / states if len(gap) else gap,
+        )
+
+    def cost_size(self):
+        """Return the size of the terms of the cost, without its constant."""
+        return self._best.cost_size() * self.units.cost
+
+    def duration_message(self, duration):
+        """Return the text on a wrong duration."""
+        return "the best process found ends " + ("earlier" if duration > self.duration else "later")
+
+    def switching_function(self):
+        """Return pairs (time, dH/du), the costate being followed back from the end."""
+        unit = self.units.cost / self.units.time / self.units.control
+        return [(t * self.units.time, value * unit) for t, value in self._best.switching_function()]
