@@ -58,6 +58,7 @@ def test_modules_of_functions_that_a_notebook_names_are_preloaded():
     assert more == {
         "trajlib.stability.hurwitz",
         "trajlib._arguments.matrices",
+        "trajlib._arguments.state_space",
         "trajlib._arguments.symbols",
         "trajlib._typing",
     }, "with what it imports itself"
