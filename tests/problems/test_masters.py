@@ -81,6 +81,9 @@ RECORDS = (
     "workbook.systems",
     "trajlib.pontryagin.optimal_control",
     "trajlib.pontryagin.problem.statement",
+    # a check that leaves a constant out of a cost states the problem anew, which reads its arguments
+    "trajlib.pontryagin.problem.arguments",
+    "trajlib._arguments.symbols",
 )
 #: And what loads a library solves nothing either.
 LAZY = "trajlib._lazy"

@@ -40,6 +40,11 @@ def vector_entries(answer):
     return None
 
 
+def is_empty_list(answer):
+    """Return whether an answer is the list of no numbers; a dict without entries is none."""
+    return vector_entries(answer) == [] and not isinstance(answer, dict)
+
+
 def is_vector(array):
     """Return whether an array or a matrix is a list of numbers: a row, a column, or empty."""
     return len(array.shape) <= 1 or bool({0, 1} & set(array.shape))

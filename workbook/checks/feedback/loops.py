@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.answer_forms import vector_entries
+from workbook.checks.contract.answer_forms import is_empty_list
 from workbook.checks.contract.claims import Claim, MatrixOrVector, Parts
 from workbook.checks.contract.tolerance import EXACT, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
@@ -33,14 +33,14 @@ class Gain(MatrixOrVector):
     list."""
 
     def read(self, answer, data):
-        return None if vector_entries(answer) == [] else super().read(answer, data)
+        return None if is_empty_list(answer) else super().read(answer, data)
 
 
 class Gains(Claim):
     """A list of two matrices of the `shapes` given; None for an empty list."""
 
     def read(self, answer, data):
-        if vector_entries(answer) == []:
+        if is_empty_list(answer):
             return None
         pair = Parts(
             *(

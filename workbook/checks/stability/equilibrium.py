@@ -146,7 +146,7 @@ def _judge_spectrum(written, matrix, point):
         if not close:
             raise Wrong(
                 f"at {point_text(point)} the sum of your eigenvalues is "
-                f"{number_text(sum(numbers))}, and that of the diagonal elements of A is another one"
+                f"{number_text(sum(numbers))}, which is not the sum of the diagonal elements of A"
             )
         left.remove(min(close, key=lambda value: abs(value - number)))
 

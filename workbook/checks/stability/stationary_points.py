@@ -122,7 +122,7 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
             what = "the value at the stationary solution"
             if claimed is None or not values:
                 message = "no real number" if claimed is None else f"{claimed:.4g}"
-                raise Wrong(f"{what} is another one than {message}")
+                raise Wrong(f"{what} is not {message}")
             raise Wrong(f"{sample_text(values)}{other_text(what, claimed, true)}")
     return f"it is the value at the stationary solution{tried_text(parameters)}"
 
