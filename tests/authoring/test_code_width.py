@@ -11,7 +11,7 @@ ROOT = Path(__file__).resolve().parents[2]
 CELL = re.compile(r"^(`{3,})\{code-cell\}[^\n]*\n(.*?)^\1[ \t]*$", re.M | re.S)
 PAGES = [
     *master_paths(ROOT / "solutions"),
-    *sorted((ROOT / "book").glob("ch*.md")),
+    *sorted((ROOT / "book").glob("ch*/*.md")),
     *sorted((ROOT / "book" / "errata").glob("ch*.md")),
 ]
 

@@ -24,7 +24,7 @@ LETTER = re.compile(r"(?<=[a-z] )[A-HJ-Z](?![\w'’&+/-])|(?<=[a-z] )[w-z](?![\w
 #: Spectra in 4.17, a condition, keys of the keyboard, a choice that the class of a lecturer has.
 NAMES = {
     "solutions/ch4/p17.md": set("ABCDEF"),
-    "book/ch5.md": {"C"},
+    "book/ch5/example_circle.md": {"C"},
     "book/guides/lecturer.md": set("AB"),
 }
 

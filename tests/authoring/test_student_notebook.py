@@ -69,7 +69,11 @@ def test_references_to_the_book_are_listed(links):
 
 def test_the_last_cell_names_chapters_of_equations():
     """The last cell names the chapter of each equation that the notebook refers to."""
-    for number, reference in ("2.12", "(2.7)"), ("2.20", "(2.4)"), ("3.25", "(2.6)"):
+    for number, reference, page in (
+        ("2.12", "(2.7)", "decomposition"),
+        ("2.20", "(2.4)", "canonical_forms"),
+        ("3.25", "(2.6)", "decomposition"),
+    ):
         *others, last = student_notebook(
             read(ROOT / "solutions" / master_file(number)), Links(ROOT)
         )["cells"]
@@ -78,7 +82,7 @@ def test_the_last_cell_names_chapters_of_equations():
             rf"numbers such as [^\n]*{re.escape(reference)}[(), .\d]* name equations of chapter 2\.",
             last["source"],
         )
-        assert [reference, f"book/ch2.html#eq-{reference[1:-1].replace('.', '-')}"] in last[
+        assert [reference, f"book/ch2/{page}.html#eq-{reference[1:-1].replace('.', '-')}"] in last[
             "metadata"
         ]["places"]
 

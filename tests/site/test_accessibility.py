@@ -5,7 +5,7 @@ from selenium_axe_python import Axe
 
 PAGES = [
     "book/index.html",
-    "book/ch1.html",
+    "book/ch1/hurwitz.html",
     "book/problems.html",
     "book/topics.html",
     "book/glossary.html",
@@ -101,7 +101,7 @@ def test_icons_that_are_drawn_before_our_script_runs(browser, addresses, faults)
         browser.driver.execute_cdp_cmd("Page.removeScriptToEvaluateOnNewDocument", script)
 
 
-@pytest.mark.parametrize("page", ["book/ch1.html", "solutions/ch1/p15.html"])
+@pytest.mark.parametrize("page", ["book/ch1/hurwitz.html", "solutions/ch1/p15.html"])
 def test_a_page_in_the_dark_theme(browser, addresses, faults, page):
     assert (
         faults(

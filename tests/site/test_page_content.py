@@ -8,7 +8,7 @@ from bs4 import BeautifulSoup
 from trajlib.typesetting import GREEK, TYPEWRITTEN
 
 full = pytest.mark.parametrize("pages", ["full"], indirect=True)
-PROBLEM, CHAPTER = "solutions/ch*/p*.html", "book/ch*.html"
+PROBLEM, SECTION = "solutions/ch*/p*.html", "book/ch*/*.html"
 
 
 def matching(pages, *patterns):
@@ -28,7 +28,7 @@ GREEK_NAME = re.compile(rf"\b({'|'.join(GREEK)})(?![a-z])")
 def test_results_are_typeset(pages):
     """Outputs have no typewritten powers, products, roots or Greek letters, and no warnings."""
     faults, shown = {}, 0
-    for path, page in matching(pages, PROBLEM, CHAPTER, "book/errata/ch*.html").items():
+    for path, page in matching(pages, PROBLEM, SECTION, "book/errata/ch*.html").items():
         found = [warning.get_text()[:80] for warning in page.select(".cell_output .stderr")]
         for output in page.select(".cell_output"):
             shown += len(output.select(".math"))
@@ -50,7 +50,7 @@ def test_units_are_upright(pages):
     """After a number m/s is a unit; alone, in the head of a column, it would be two variables."""
     faults = {
         path.name: found
-        for path, page in matching(pages, PROBLEM, CHAPTER, "book/lectures/*.html").items()
+        for path, page in matching(pages, PROBLEM, SECTION, "book/lectures/*.html").items()
         if (
             found := re.findall(
                 r".{,40}<i>m</i>/<i>s</i>|, <i>k?m</i></p>",
@@ -71,7 +71,7 @@ PYTHON_NOTATION = re.compile(
 def test_no_value_is_shown_in_python_notation(pages):
     faults, shown = {}, 0
     for path, page in matching(
-        pages, PROBLEM, CHAPTER, "book/errata/ch*.html", "book/lectures/*.html"
+        pages, PROBLEM, SECTION, "book/errata/ch*.html", "book/lectures/*.html"
     ).items():
         lines = [
             line
@@ -91,7 +91,7 @@ def test_no_output_is_plain_text(pages):
     """Results and tables are typeset; two numbers in a line have a comma between them."""
     faults = {}
     for path, page in matching(
-        pages, PROBLEM, CHAPTER, "book/errata/ch*.html", "book/lectures/*.html"
+        pages, PROBLEM, SECTION, "book/errata/ch*.html", "book/lectures/*.html"
     ).items():
         found = [output.get_text()[:80] for output in page.select(".cell_output pre")]
         for line in page.select(".cell_output > p"):
@@ -108,7 +108,7 @@ def test_no_output_is_plain_text(pages):
 @full
 def test_every_picture_is_an_svg_with_number_caption_and_alternative_text(pages):
     faults, seen = [], 0
-    for path, page in matching(pages, PROBLEM, CHAPTER).items():
+    for path, page in matching(pages, PROBLEM, SECTION).items():
         numbers = []
         for picture in page.select(".cell_output img"):
             seen += 1

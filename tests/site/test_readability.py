@@ -42,7 +42,7 @@ PICTURES = """Promise.all([...document.querySelectorAll('article figure img')].m
         "solutions/ch4/p20.html",
         "solutions/ch5/p19.html",
         "solutions/ch7/p03.html",
-        "book/ch5.html",
+        "book/ch5/least_time.html",
     ],
 )
 def test_the_letters_of_a_picture_are_legible_on_a_phone(browser, addresses, page):
@@ -146,7 +146,9 @@ INKS = """(() => {
     })()"""
 
 
-@pytest.mark.parametrize("page", ["solutions/ch1/p15.html", "book/ch1.html", "book/index.html"])
+@pytest.mark.parametrize(
+    "page", ["solutions/ch1/p15.html", "book/ch1/hurwitz.html", "book/index.html"]
+)
 def test_the_dark_theme_is_printed_as_dark_ink_on_white(browser, addresses, page):
     browser.resize(1280, 900)
     browser.open(f"{addresses['http']}/{page}")

@@ -7,7 +7,7 @@ LABEL = re.compile(r"^\s*:label:\s*(\S+)\s*$|^\(([\w-]+)\)=\s*$", re.M)
 
 
 class Links:
-    """Addresses of the labels of the book, below the site's root: "book/ch1.html#thm-1-2".
+    """Addresses of the labels of the book, below the site's root: "book/ch1/hurwitz.html#thm-1-2".
 
     Parameters
     ----------

@@ -150,7 +150,7 @@ def add_links(notebook, url_of):
     notebook : dict
         A student notebook in nbformat 4.5.
     url_of : callable
-        Maps an address below the site's root, such as "book/ch1.html#thm-1-2", to a URL.
+        Maps an address below the site's root, such as "book/ch1/hurwitz.html#thm-1-2", to a URL.
 
     Returns
     -------

@@ -2,7 +2,7 @@
 
 A master writes a picture's caption as a paragraph in emphasis under the cell that draws it; in a
 student's notebook it is under the picture that replaces the cell. In the page both become one
-<figure>: "Figure 5.9a" on a problem's page, "Figure 5.1" in a chapter. The alternative text is the
+<figure>: "Figure 5.9a" on a problem's page, "Figure 1" on any other. The alternative text is the
 first sentence of the caption.
 """
 
@@ -16,7 +16,6 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 from workbook.authoring.drawing_cells import alt_text
 from workbook_site import catalogue
 
-CHAPTER = re.compile(r"book/ch(\d+)")
 SIZE = re.compile(r'viewBox="0 0 ([\d.]+) ([\d.]+)"')
 
 
@@ -66,8 +65,7 @@ class CaptionFigures(SphinxPostTransform):
         problem = catalogue.of(self.env).get(self.env.docname)
         if problem is not None:
             return f"Figure {problem.number}{ascii_lowercase[k] if count > 1 else ''}"
-        chapter = CHAPTER.fullmatch(self.env.docname)
-        return f"Figure {chapter[1]}.{k + 1}" if chapter else f"Figure {k + 1}"
+        return f"Figure {k + 1}"
 
 
 def _makes_pictures(node):
