@@ -54,24 +54,24 @@ def in_decimals(*written):
     )
 
 
-def perturbed(*written, most=MOST_FOLLOWED):
+def perturbed(*written, max_count=MOST_FOLLOWED):
     """Return SymPy objects with each decimal at the ends of its interval.
 
     Parameters
     ----------
     *written : sympy.Basic
         The objects; the exponent of a root is exact however it is written.
-    most : int
+    max_count : int
         The number of decimals up to which they are changed.
 
     Returns
     -------
     list or None
         For each decimal, the same with either sign, a pair of lists of the objects: with it smaller
-        and larger. None if there are more decimals than `most`.
+        and larger. None if there are more decimals than `max_count`.
     """
     written, decimals = _followed(written)
-    if len(decimals) > most:
+    if len(decimals) > max_count:
         return None
     return [[_perturbed_by(written, (number,), side) for side in (-1, 1)] for number in decimals]
 

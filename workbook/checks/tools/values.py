@@ -140,7 +140,7 @@ def values_at(claim, points, what):
 def uncertainty_at(claim, values):
     """Return by how much the decimals of an expression change its value; nan if not known."""
     variants = (
-        perturbed(claim, most=MOST_EVALUATED)
+        perturbed(claim, max_count=MOST_EVALUATED)
         if in_decimals(claim) and sp.sympify(claim).free_symbols
         else None
     )
@@ -163,7 +163,7 @@ def uncertainties_at(claim, points):
     symbols = list(points[0])
     if not (in_decimals(claim) and claim.free_symbols) or binds_symbols(claim):
         return [uncertainty_at(claim, values) for values in points]
-    variants = perturbed(claim, most=MOST_EVALUATED)
+    variants = perturbed(claim, max_count=MOST_EVALUATED)
     if variants is None:
         return [np.nan] * len(points)
     numbers = np.array([[float(values[s]) for s in symbols] for values in points]).T
@@ -215,7 +215,7 @@ def left_open(claims, quantity):
     Invalid
         If there are too many decimals to be followed.
     """
-    followed = perturbed(*claims, most=MOST_EVALUATED) if in_decimals(*claims) else []
+    followed = perturbed(*claims, max_count=MOST_EVALUATED) if in_decimals(*claims) else []
     if followed is None:
         raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
     here = quantity(claims) if followed else 0.0
