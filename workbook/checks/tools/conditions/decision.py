@@ -12,7 +12,7 @@ import operator
 import sympy as sp
 from sympy.core.relational import Relational
 
-from workbook.checks.tools.conditions.evaluation import HOW, allowed, prepared, sign
+from workbook.checks.tools.conditions.evaluation import OPERATORS, allowed, prepared, sign
 from workbook.checks.tools.conditions.polynomial_form import PolynomialForm, Undecidable
 
 #: z3's own steps before a question counts as undecided: so many, or more where its polynomials are
@@ -80,14 +80,14 @@ def find_numbers(claim, intervals, parameters, reference):
         questions = [(_Question(parameters, case), holds) for case, holds in reference.cases]
         first = questions[0][0]
         formulas = [first.between(*item) for item in intervals.items()]
-        same = {}  # a number such as pi has one symbol in all of them
+        shared_names = {}  # a number such as pi has one symbol in all of them
         for question, _ in questions[1:]:
             question.context, question.names = first.context, {s: first.names[s] for s in intervals}
         for question, holds in questions:
             formulas += question.agreement(claim, intervals, holds)
             for number, symbol in question.form.numbers.items():
                 name = question.names[symbol]
-                formulas.append(name == same.setdefault(number, name))
+                formulas.append(name == shared_names.setdefault(number, name))
         model = first.model(formulas, quantified=True)
         return True, model and {symbol: first.value(model, symbol) for symbol in intervals}
     except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
@@ -97,13 +97,19 @@ def find_numbers(claim, intervals, parameters, reference):
 def _confirmed(point, readings, parameters, case, holds, reference):
     """Return whether at a point all readings are wrong, by exact evaluation."""
     symbols = [*parameters, *case.unknowns]
-    here = point[: len(parameters)]
+    parameter_values = point[: len(parameters)]
     if not all(allowed(p, sign(x)) for p, x in zip(symbols, point)):
         return False
-    if any(prepared(reading, tuple(parameters)).holds(here) == holds for reading in readings):
+    if any(
+        prepared(reading, tuple(parameters)).holds(parameter_values) == holds
+        for reading in readings
+    ):
         return False
     if case.every:
-        return reference.at is not None and reference.at(dict(zip(parameters, here))) is holds
+        return (
+            reference.at is not None
+            and reference.at(dict(zip(parameters, parameter_values))) is holds
+        )
     return prepared(case.condition, tuple(symbols)).holds(point)
 
 
@@ -154,13 +160,15 @@ class _Question:
         claims = [self._formula(self.form.condition(reading)) for reading in readings]
         conditions = [z3.Not(claim) if holds else claim for claim in claims]
         conditions.append(self._formula(self.form.condition(besides)))
-        known = {*self.parameters, *self.names}
+        claim_symbols = {*self.parameters, *self.names}
         first = len(self.form.sides)
         case_formula = self._formula(
             self.form.condition(case.condition) if case.every else condition
         )
         sides = [self._formula(side) for side in self.form.sides]
-        inner = [symbol for symbol in self.names if symbol not in known] if case.every else []
+        inner = (
+            [symbol for symbol in self.names if symbol not in claim_symbols] if case.every else []
+        )
         if inner:
             conditions += sides[:first]
             assumed = [*sides[first:], *(self._assumed(symbol) for symbol in inner)]
@@ -178,26 +186,29 @@ class _Question:
         """Return formulas that, for all but the chosen numbers, a claim is `holds` in the case."""
         z3, case = self.z3, self.case
         claimed = self._formula(self.form.condition(claim))
-        known, first = {*self.parameters, *self.names}, len(self.form.sides)
+        claim_symbols, first = {*self.parameters, *self.names}, len(self.form.sides)
         assumed = self._formula(self.form.condition(case.condition))
         numbers = {*chosen, *self.form.numbers.values()}
         free = [symbol for symbol in self.names if symbol not in numbers]
-        outer = [symbol for symbol in free if symbol in known or not case.every]
+        outer = [symbol for symbol in free if symbol in claim_symbols or not case.every]
         inner = [symbol for symbol in free if symbol not in outer]
         sides = [(side, self._formula(side)) for side in self.form.sides]
-        within = [formula for side, formula in sides if side.free_symbols <= numbers]
+        number_conditions = [formula for side, formula in sides if side.free_symbols <= numbers]
         before, after = (
             [formula for side, formula in part if not side.free_symbols <= numbers]
             for part in (sides[:first], sides[first:])
         )
         if inner:
-            given = self._and([*after, *map(self._assumed, inner)])
-            assumed = z3.ForAll([self.names[s] for s in inner], z3.Implies(given, assumed))
+            assumptions = self._and([*after, *map(self._assumed, inner)])
+            assumed = z3.ForAll([self.names[s] for s in inner], z3.Implies(assumptions, assumed))
         else:
             before += after
-        given = self._and([*before, *map(self._assumed, outer), assumed])
-        agrees = z3.Implies(given, claimed if holds else z3.Not(claimed))
-        return [*within, z3.ForAll([self.names[s] for s in outer], agrees) if outer else agrees]
+        assumptions = self._and([*before, *map(self._assumed, outer), assumed])
+        agrees = z3.Implies(assumptions, claimed if holds else z3.Not(claimed))
+        return [
+            *number_conditions,
+            z3.ForAll([self.names[s] for s in outer], agrees) if outer else agrees,
+        ]
 
     def between(self, symbol, ends):
         """Return the formula that a symbol has a value of a closed interval."""
@@ -233,7 +244,7 @@ class _Question:
         if isinstance(node, Relational):
             above, below = (self._polynomial(part) for part in _as_fraction(node.lhs - node.rhs))
             side = above if isinstance(node, (sp.Eq, sp.Ne)) else above * below
-            return z3.And(below != 0, HOW[type(node)](side, 0))
+            return z3.And(below != 0, OPERATORS[type(node)](side, 0))
         parts = [self._formula(part) for part in node.args]
         join = {
             sp.And: z3.And,
@@ -266,15 +277,15 @@ class _Question:
     def _assumed(self, symbol):
         return self._and(
             [
-                how(self.names[symbol], 0)
-                for assumed, how in (
+                operation(self.names[symbol], 0)
+                for holds, operation in (
                     (symbol.is_positive, operator.gt),
                     (symbol.is_negative, operator.lt),
                     (symbol.is_nonnegative, operator.ge),
                     (symbol.is_nonpositive, operator.le),
                     (symbol.is_nonzero, operator.ne),
                 )
-                if assumed
+                if holds
             ]
         )
 

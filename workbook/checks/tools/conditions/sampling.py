@@ -39,22 +39,24 @@ def try_samples(readings, parameters, reference):
     symbols = tuple(parameters)
     claims = [prepared(reading, symbols) for reading in readings]
     holds_at = reference.at or _holds_at(parameters, reference)
-    seen = {}
+    cache = {}
 
     def at(values):
         point = tuple(values.values())
-        if point not in seen:
-            seen[point] = holds_at(values)
-        return seen[point]
+        if point not in cache:
+            cache[point] = holds_at(values)
+        return cache[point]
 
-    known = [prepared(case.condition, symbols) for case, _ in reference.cases if not case.unknowns]
+    case_conditions = [
+        prepared(case.condition, symbols) for case, _ in reference.cases if not case.unknowns
+    ]
     points = (
         reference.points()
         if reference.points
         else (
             dict(zip(parameters, (*base[:varied], x, *base[varied + 1 :])))
             for base, varied in _lines(parameters)
-            for x in _along(base, varied, parameters, [claims[0], *known], at)
+            for x in _along(base, varied, parameters, [claims[0], *case_conditions], at)
         )
     )
     count = 0
@@ -101,13 +103,13 @@ def _along(base, varied, parameters, conditions, at):
     def point(x):
         return (*base[:varied], x, *base[varied + 1 :])
 
-    def fits(x):
+    def is_allowed(x):
         return allowed(parameters[varied], sign(x))
 
     # Far out only what is exact can be trusted.
     far = [1e3, 1e6] if len(conditions) > 1 else []
     sizes = [_near(x, 1000) for x in [*np.geomspace(1 / 50, 40, 24), *far]]
-    grid = sorted(x for size in sizes for x in (size, -size) if fits(x))
+    grid = sorted(x for size in sizes for x in (size, -size) if is_allowed(x))
     true, claimed = (
         _changes(lambda x: at(dict(zip(parameters, point(x)))), grid),
         _changes(lambda x: conditions[0].holds(point(x)), grid),
@@ -116,15 +118,15 @@ def _along(base, varied, parameters, conditions, at):
         [*true, *claimed],
         [_near(x, 10**12) for c in conditions for x in c.borders(base, varied)],
     )
-    # What bisection finds in the reference is one of these again, or a border that the reference knows less
-    # well.
+    # What bisection finds in the reference is one of these again, or a border that it locates less
+    # precisely.
     exact = [*roots, *claimed]
     ordered = sorted(
         {*exact, *(x for x in true if all(abs(x - root) > abs(x) / 500 for root in exact))}
     )
     sides = [_near(float(x) * (1 + e), 10**9) for x in changes for e in (1e-3, -1e-3)]
     between = [(x + y) / 2 for x, y in itertools.pairwise(ordered) if y - x > (1 + abs(x)) / 10**9]
-    on = [
+    at_changes = [
         near
         for x in {*roots, *changes}
         if abs(x - (near := _near(x, 5000))) < sp.Rational(1, 10**9)
@@ -132,7 +134,9 @@ def _along(base, varied, parameters, conditions, at):
     beyond = [ordered[0] - 1, ordered[-1] + 1] if ordered and far else []
     turns = TURNS if conditions[0].condition.atoms(sp.sin, sp.cos, sp.tan) else []
     return sorted(
-        x for x in {*grid, *sides, *between, *on, *beyond, *turns, sp.Integer(0)} if fits(x)
+        x
+        for x in {*grid, *sides, *between, *at_changes, *beyond, *turns, sp.Integer(0)}
+        if is_allowed(x)
     )
 
 
