@@ -74,7 +74,7 @@ class Transfer:
                 "control"
             )
         (self.control,), self.bounds = problem.controls, bounds
-        self._decided, self._found = _kept(self._key())
+        self._decided, self._found = _cached_results(self._key())
         scale = sp.Dummy("scale", positive=True)
         if len(state) == 1:
             self._kind = ScalarTransfer
@@ -102,10 +102,10 @@ class Transfer:
     def at(self, values, **options):
         """Return the optimum for given values of the parameters."""
 
-        def put(e):
+        def substituted(e):
             return e.subs(values, simultaneous=True)
 
-        start = np.array([float(put(e)) for e in self.initial])
+        start = np.array([float(substituted(e)) for e in self.initial])
         # State symbols that stand for the start are values of parameters, never to be replaced in
         # the dynamics.
         free = {p: v for p, v in values.items() if p not in self.dynamics}
@@ -128,7 +128,7 @@ class Transfer:
         return self._found[count]
 
     def _sampled(self, count):
-        solvable, samples = filter(self.solvable, _drawn(self.parameters, 400 * count)), []
+        solvable, samples = filter(self.solvable, _random_values(self.parameters, 400 * count)), []
         while len(samples) < count:
             fresh = [
                 (values, self.at(values))
@@ -233,7 +233,8 @@ class Transfer:
     def _modes_allow(self, start):
         """Return, exactly, whether the control can undo the start's part along each growing mode."""
         return all(
-            low < -sum(map(operator.mul, left, start)) < high for left, low, high in self._modes
+            low < -sum(map(operator.mul, left_vector, start)) < high
+            for left_vector, low, high in self._modes
         )
 
     @functools.cached_property
@@ -248,12 +249,12 @@ class Transfer:
             raise RuntimeError("a linear system without a constant part was expected")
         modes = []
         for value, _, vectors in matrix.T.eigenvects():
-            for left in vectors if value.is_real and value >= 0 else ():
-                effect = (left.T * column)[0]
+            for left_vector in vectors if value.is_real and value >= 0 else ():
+                effect = (left_vector.T * column)[0]
                 pushes = [effect * b for b in self.bounds]
                 modes.append(
                     (
-                        left,
+                        left_vector,
                         *sorted(
                             push / value if value else sp.oo * sp.sign(push) if push else 0
                             for push in pushes
@@ -264,7 +265,7 @@ class Transfer:
 
 
 @functools.lru_cache(maxsize=64)
-def _kept(key):
+def _cached_results(key):
     """Return what is known of a transfer: which starts can reach the target, and its samples.
 
     Every answer is tried at the same ones.
@@ -272,7 +273,7 @@ def _kept(key):
     return {}, {}
 
 
-def _drawn(parameters, count):
+def _random_values(parameters, count):
     random = np.random.default_rng(51)
     for k in range(count):
         scale = (sp.S.One, sp.Rational(1, 4), sp.Integer(3))[k % 3]

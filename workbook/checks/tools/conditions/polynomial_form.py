@@ -49,7 +49,7 @@ class PolynomialForm:
             return node
         if isinstance(node, Relational):
             if not is_finite(node):
-                return _beyond_all(node)
+                return _compared_with_infinity(node)
             defined, difference = [], rational(node.lhs - node.rhs)
             for angle in difference.free_symbols.intersection(self._angles):
                 angle_bound = angle - difference / difference.coeff(angle)
@@ -156,7 +156,7 @@ class PolynomialForm:
             self.sides += [w > near - sp.Rational(1, 10**45), w < near + sp.Rational(1, 10**45)]
             return w
         if isinstance(node, (sp.cos, sp.sin, sp.tan)):
-            return self._turned(node, defined)
+            return self._trigonometric_term(node, defined)
         raise Undecidable
 
     def _ordered(self, angle, relation, bound, defined):
@@ -206,7 +206,7 @@ class PolynomialForm:
             )
         return self._symbols[key]
 
-    def _turned(self, node, defined):
+    def _trigonometric_term(self, node, defined):
         (angle,) = node.args
         if not angle.is_Symbol:
             expanded = sp.expand_trig(node)
@@ -259,7 +259,7 @@ def is_finite(relation):
     return not relation.has(sp.oo, -sp.oo)
 
 
-def _beyond_all(relation):
+def _compared_with_infinity(relation):
     """Return the truth of a comparison with infinity, which every number is below."""
     value = relation.subs(dict.fromkeys(relation.free_symbols, 0))
     if value not in (sp.true, sp.false):
