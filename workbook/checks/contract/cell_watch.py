@@ -1,8 +1,8 @@
-"""What a notebook's cells did to its names, so far as `report` has to say it.
+"""Names of a notebook that cells failed to assign or have overwritten, for `report`.
 
 After a cell that fails, its answers keep their values of an earlier run: they are listed in
 `stopped`, so that `report` does not judge the old value again. `b_null = x2 = 0` overwrites the
-symbol x2 of the data cell: then every answer with x2 is wrong, however it is mended, until the data
+symbol x2 of the data cell: then every answer with x2 is wrong, until the data
 cell runs again. Such names are listed in `overwritten`.
 
 In Jupyter `start` watches the cells. For a check cell that runs before its answer cell, names that

@@ -24,23 +24,22 @@ from decimal import Decimal
 import numpy as np
 import sympy as sp
 
-#: What the rounding of our own arithmetic may make of something exact, as a share of its size.
+#: Relative tolerance for exact answers (rounding only).
 EXACT = 1e-9
-#: The same of an eigenvalue that comes twice: the root of what rounding is.
+#: Relative tolerance for a double eigenvalue, whose error is the square root of rounding.
 REPEATED = 1e-7
-#: What three digits leave uncertain of a number, at worst: half a unit of the last digit in 1.00.
+#: Largest relative uncertainty of a number with three digits: half a unit of the last in 1.00.
 DECIMALS = 5e-3
-#: What our own rounding may make of half a unit, as a share of it.
+#: Relative tolerance of half a unit itself (rounding only).
 ROUNDING = 1e-9
-#: A number that is a smaller share of those beside it than this has the digits that this share
-#: would have.
+#: A number smaller than this share of its neighbours is compared to three digits of that share.
 NEGLIGIBLE = 1e-3
 #: The terms of an expression with symbols may cancel to this share of their size.
 CANCELLED = 0.1
-#: The change of each decimal is followed in answers that have no more of them: in those of which
-#: motions are simulated, and in those that are only evaluated.
+#: Most decimals of an answer whose changes are computed one by one: if motions are simulated,
+#: and if the answer is only evaluated.
 MOST_FOLLOWED, MOST_EVALUATED = 12, 48
-#: The change of two decimals at once is followed in expressions that have no more of them.
+#: Most decimals of an expression whose changes are computed in pairs.
 MOST_TOGETHER = 3
 
 

@@ -78,7 +78,7 @@ class Field:
         return point
 
     def _refined(self, starts, steps=60):
-        """Return the same for many starts, the columns of an array: a list of points and None."""
+        """Return the equilibria reached from many starts, columns of an array, with None for failures."""
         x, points = starts.copy(), [None] * starts.shape[1]
         value, active = self._at(x), np.arange(starts.shape[1])
         with np.errstate(all="ignore"):

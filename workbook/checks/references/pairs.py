@@ -1,6 +1,6 @@
 """Pairs of a matrix A and an output z = H x with parameters: their unobservable states.
 
-For all values at once observability means that Kalman's determinant is not zero, or for several
+For all values at once observability means that the Kalman determinant is not zero, or for several
 outputs the sum of the squares of all its minors; at one point it is decided, exactly, by
 `invariant_subspaces`.
 """
@@ -119,7 +119,7 @@ class Pair:
         return self.systems_for(())
 
     def systems_for(self, claim):
-        """Return the same at every one of `samples_for` an answer."""
+        """Return (values, A, H, unobservable basis) at every one of `samples_for` an answer."""
         return [
             (
                 values,
@@ -140,7 +140,7 @@ class Pair:
 
     @functools.cached_property
     def _determinant(self):
-        """Kalman's determinant, or the sum of the squares of all minors; zero if not observable."""
+        """The Kalman determinant, or the sum of the squares of all minors; zero if not observable."""
         rows = self._derivative_rows()
         square = rows if rows.shape[0] == rows.shape[1] else rows.transpose() * rows
         return sp.Poly(square.domain.to_sympy(square.charpoly()[-1]), *self.parameters, domain="QQ")
@@ -183,7 +183,7 @@ class Pair:
         return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
 
     def _derivative_rows(self):
-        """Return Kalman's matrix, of the derivatives of the output at t = 0, without denominators."""
+        """Return the Kalman matrix, of the derivatives of the output at t = 0, without denominators."""
         A, H = (self._cleared(quotients) for quotients in self._quotients)
         rows = [H]
         while len(rows) < self.order:

@@ -109,7 +109,7 @@ def transition(process, duration):
 
 @functools.lru_cache(maxsize=256)
 def _transition(A, Q, n, duration):
-    """Return the same in continuous time, cached: its exponentials take most of the time."""
+    """Return (F, N) in continuous time, cached: the exponentials take most of the time."""
     from scipy.linalg import expm
 
     A, Q = (np.frombuffer(part).reshape(n, n) for part in (A, Q))

@@ -100,7 +100,7 @@ class StationaryAngles:
         return samples
 
     def samples_for(self, claims):
-        """Return the samples, and more for cases of an answer that these do not meet."""
+        """Return the samples, and more for cases of an answer that these do not cover."""
         return [values for values in in_every_case(self.samples, claims) if len(self.rest(values))]
 
     @functools.cached_property

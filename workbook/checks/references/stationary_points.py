@@ -190,7 +190,7 @@ class StationaryPoints:
         Parameters
         ----------
         claim : object
-            The answer; samples are added for cases of it that the others do not meet.
+            The answer; samples are added for cases of it that the others do not cover.
         count : int
             The number of samples.
         need_rest : bool

@@ -126,7 +126,7 @@ class SameEntries:
 
 @dataclass
 class SameTruth:
-    """A condition is as true as a property.
+    """A condition holds exactly where a property does.
 
     Parameters
     ----------
@@ -155,7 +155,7 @@ class SameTruth:
 
 @dataclass
 class SameMembers:
-    """Of several things all are named and no more, in any order; returns the matched ones.
+    """The answer names all true members and no others, in any order; returns those matched.
 
     Parameters
     ----------

@@ -45,7 +45,7 @@ def best_processes(problem, parameters=None, count=SAMPLES):
 
 @in_scaled_units
 def best_processes_at(problem, parameters, points):
-    """Return the same at given points, dicts from the parameters to numbers."""
+    """Return pairs (point, optimum) at points, dicts from the parameters to numbers."""
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters, points)
     pairs = thrust_optima(problem, parameters, points)

@@ -42,7 +42,7 @@ class DirectGuesses(DirectProgramme):
         return [(None, pieces)], self._packed(self._start(case, 0.1), states, controls, [duration])
 
     def _followed(self, case, duration, parts):
-        """Return states at Radau's points, and speeds, under a control that is constant on parts."""
+        """Return states at the Radau points, and speeds, under a control that is constant on parts."""
         pieces, degree = COARSE
         y, t, states, speeds = self._start(case, 0.1), 0.0, [], []
         for k, u in enumerate(np.repeat(parts, pieces // PARTS)):

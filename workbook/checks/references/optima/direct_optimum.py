@@ -1,6 +1,6 @@
 """The best process of a problem with any cost by direct optimisation, without costates.
 
-The states are polynomials on pieces of the duration that satisfy the equations at Radau's points.
+The states are polynomials on pieces of the duration that satisfy the equations at the Radau points.
 First the control is constant on many equal pieces. This is an admissible process, so that no error
 of the discretisation makes it look better than any process is, and it shows the arcs: where the
 control lies on a bound, vanishes with an absolute value in the cost, or is inside. Then these arcs

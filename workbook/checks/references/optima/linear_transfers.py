@@ -58,7 +58,7 @@ class LinearTransfer(TransferSystem):
         self._found.update(zip(starts, zip(time.tolist(), angle.tolist())))
 
     def _refined(self, x, time, angle, step=1e-6):
-        """Return the same to about ten digits, by Newton's iteration."""
+        """Refine least times and angles to about ten digits, by Newton's iteration."""
 
         def miss(time, angle):
             return self._back.farthest(directions(angle), time, -1) - x

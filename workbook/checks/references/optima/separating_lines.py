@@ -81,7 +81,7 @@ class SeparatingLines:
         return time, angle
 
     def _newton_refined(self, time, angle, x, case, inside, step=1e-6):
-        """Return the same to more digits from outside D, also at a corner of R(T).
+        """Refine the time and the line from outside D, also at a corner of R(T).
 
         In turn the best line at a time, and the time at which this line no longer separates are computed.
         """
@@ -95,10 +95,10 @@ class SeparatingLines:
         return np.where(accepted, T, time), np.where(accepted, theta, angle)
 
     def _touching(self, x, case, inside, low, high, theta, step=1e-5):
-        """Return the same by Newton's iteration, in turn for the time and for the best line then.
+        """Return (time, angle, proved) by Newton's iteration, alternating between time and line.
 
-        The third result is where this was proved, to the precision of the halvings: before, that line
-        separates, and after, none.
+        It is proved, to the precision of the bisection, where that line separates before the time and
+        none does after it.
         """
         start, T, rows = theta, (low + high) / 2, np.arange(len(x))
 
@@ -133,7 +133,7 @@ class SeparatingLines:
         return T, theta, np.isin(rows, proved[none])
 
     def _halved(self, x, case, inside, low, high, theta):
-        """Return the same by bisection, whatever the shape of the distance."""
+        """Return time and angle by bisection, whatever the shape of the distance."""
         centre = theta
         for iteration in range(18):
             middle = (low + high) / 2

@@ -304,7 +304,7 @@ class _Search:
         )
 
     def _arc(self, steps):
-        """Return the state at the end of an arc, by the method of Runge and Kutta, as a function."""
+        """Return the state at the end of an arc, by the Runge-Kutta method, as a function."""
         n, size, count = self._counts[0], self._size, self._counts[1]
         y, length, u, p = (
             ca.SX.sym(*symbol) for symbol in (("y", n), ("T", 1), ("u", size), ("p", count))

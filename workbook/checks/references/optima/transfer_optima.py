@@ -266,10 +266,7 @@ class Transfer:
 
 @functools.lru_cache(maxsize=64)
 def _cached_results(key):
-    """Return what is known of a transfer: which starts can reach the target, and its samples.
-
-    Every answer is tried at the same ones.
-    """
+    """Return the cached reachability of starts of a transfer, and its samples, for all answers."""
     return {}, {}
 
 

@@ -36,7 +36,7 @@ class Units(NamedTuple):
 
 
 def in_scaled_units(search):
-    """Let a search for optima, `search(problem, parameters, ...)`, see a problem in good units."""
+    """Decorate `search(problem, parameters, ...)` so that it gets the problem in scaled units."""
 
     @functools.wraps(search)
     def searched(problem, parameters=None, *options):
@@ -90,7 +90,7 @@ def _constant(expression, problem):
 
 @functools.lru_cache(maxsize=64)
 def scaled_problem(problem, parameters, only_cost=False):
-    """Return a problem in good units, without a constant in its cost, these units, and the constant.
+    """Return a problem in scaled units, without a constant in its cost, these units, and the constant.
 
     Parameters
     ----------
@@ -259,9 +259,9 @@ def _ends(problem):
 
 
 class OptimumInUnits:
-    """An optimum that was found in good units, in those of the statement.
+    """An optimum that was found in scaled units, in those of the statement.
 
-    What a target makes vanish, `gap`, and its `size` stay in good units. The constant of the cost is
+    What a target makes vanish, `gap`, and its `size` stay in scaled units. The constant of the cost is
     in none of its numbers; `units` has it.
     """
 
@@ -334,7 +334,7 @@ class OptimumInUnits:
         return rates * self._sizes / self.units.time
 
     def gap(self, y):
-        """Return what vanishes at the end, in good units."""
+        """Return what vanishes at the end, in scaled units."""
         return self._best.gap(self._scaled_state(y))
 
     def total(self, y):

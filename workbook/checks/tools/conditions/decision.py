@@ -306,9 +306,9 @@ class _Question:
         return sp.rootof(sp.Poly(coefficients[::-1], sp.Symbol("t")), value.index() - 1)
 
 
-@functools.lru_cache(maxsize=128)  # the same truth is asked about again and again
+@functools.lru_cache(maxsize=128)  # one reference judges many answers
 def _polynomial_case(condition, angles):
-    """Return a condition made polynomial, and its form: the same symbols each time it is asked."""
+    """Return a polynomial condition and its form, cached so that its symbols stay the same."""
     form = PolynomialForm(angles)
     return form, form.condition(condition)
 
