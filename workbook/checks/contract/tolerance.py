@@ -192,20 +192,24 @@ def agree(values, true, written, size=0.0, computed=EXACT, uncertain=None):
     -------
     bool or numpy.ndarray of bool
     """
-    wrong = np.asarray(values) - true
-    beside = NEGLIGIBLE * size if wrong.shape else 0  # a number alone has the digits of its own
+    difference = np.asarray(values) - true
+    # a number alone has the digits of its own
+    negligible_size = NEGLIGIBLE * size if difference.shape else 0
     allowed = computed * np.maximum(np.abs(true), size)
     if in_decimals(written):
         has_symbols = np.vectorize(lambda e: bool(sp.sympify(e).free_symbols), otypes=[bool])(
             _entries(written)
         )
-        open_ = DECIMALS * np.maximum(np.abs(true), CANCELLED * size)
+        uncertainty = DECIMALS * np.maximum(np.abs(true), CANCELLED * size)
         if uncertain is not None:
-            open_ = np.where(np.isfinite(uncertain), uncertain, open_)
+            uncertainty = np.where(np.isfinite(uncertain), uncertain, uncertainty)
         allowed = np.maximum(
-            allowed, np.where(has_symbols, open_, half_unit(np.maximum(np.abs(true), beside)))
+            allowed,
+            np.where(
+                has_symbols, uncertainty, half_unit(np.maximum(np.abs(true), negligible_size))
+            ),
         )
-    correct = (np.abs(wrong.real) <= allowed) & (np.abs(wrong.imag) <= allowed)
+    correct = (np.abs(difference.real) <= allowed) & (np.abs(difference.imag) <= allowed)
     return correct if correct.shape else bool(correct)
 
 

@@ -220,8 +220,8 @@ def steady_exists(process):
     process = as_process(process)
     size = u**2 + w**2 - 1 if process.discrete else u
     unobservable, uncontrollable = (
-        _dependent(u + sp.I * w, matrix, below)
-        for matrix, below in ((process.A, process.H), (process.A.T, process.Q))
+        _dependent(u + sp.I * w, matrix, lower_block)
+        for matrix, lower_block in ((process.A, process.H), (process.A.T, process.Q))
     )
     none_exists = sp.Or(sp.And(size >= 0, unobservable), sp.And(sp.Eq(size, 0), uncontrollable))
 
@@ -230,8 +230,8 @@ def steady_exists(process):
             return None
         numeric_process = process.subs(values)
         unobservable, uncontrollable = (
-            np.concatenate(fixed_eigenvalues(pair_of(matrix, below)))
-            for matrix, below in (
+            np.concatenate(fixed_eigenvalues(pair_of(matrix, lower_block)))
+            for matrix, lower_block in (
                 (numeric_process.A, numeric_process.H),
                 (numeric_process.A.T, numeric_process.Q),
             )
@@ -247,9 +247,9 @@ def steady_exists(process):
     )
 
 
-def _dependent(s, A, below):
+def _dependent(s, A, lower_block):
     """Return the condition that the columns of s - A above a matrix are dependent."""
-    pencil = (s * sp.eye(A.rows) - A).col_join(below)
+    pencil = (s * sp.eye(A.rows) - A).col_join(lower_block)
     minors = (
         pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
         for rows in itertools.combinations(range(pencil.rows), A.rows)

@@ -103,22 +103,24 @@ def judge_at_every_scale(claim, problem, parameters, points, weight, quantity):
     if not factors_of_scales:
         return
     symbols = [s for s in points[0] if s in claim.free_symbols]
-    roughly = any(
+    has_decimal_exponent = any(
         power.exp.is_Float and not float(4 * power.exp).is_integer()
         for power in claim.atoms(sp.Pow)
     )
-    function, wide = (kind(symbols, [claim]) for kind in (real_function, multiprecision_function))
+    function, multiprecision = (
+        kind(symbols, [claim]) for kind in (real_function, multiprecision_function)
+    )
     at = np.array([[float(point[s]) for s in symbols] for point in points])
     numbers = function(*at.T)[0]
     # An exponent in decimals has three digits: over many powers of ten they decide nothing.
-    for factors in factors_of_scales[:: len(SCALES) if roughly else 1]:
+    for factors in factors_of_scales[:: len(SCALES) if has_decimal_exponent else 1]:
         scaled_points = at * [float(factors[s]) for s in symbols]
         scaled_values, expected = function(*scaled_points.T)[0], numbers * float(factors[weight])
         for k in first_difference(
             scaled_values,
             expected,
-            DECIMALS if roughly else EXACT,
-            lambda k, scaled=scaled_points: wide(*scaled[k])[0],
+            DECIMALS if has_decimal_exponent else EXACT,
+            lambda k, scaled=scaled_points: multiprecision(*scaled[k])[0],
         ):
             raise Wrong(
                 f"{prefix_text(dict(zip(symbols, at[k])))}your {quantity} is {numbers[k]:.6g}. In other "
@@ -128,22 +130,22 @@ def judge_at_every_scale(claim, problem, parameters, points, weight, quantity):
             )
 
 
-def first_difference(numbers, expected, share, wide):
+def first_difference(numbers, expected, share, recompute):
     """Return the index of the first wrong number, in a list, or an empty list.
 
     Parameters
     ----------
     numbers, expected : numpy.ndarray
-        The numbers; those that floats could not compute are replaced by those of `wide`.
+        The numbers; those that floats could not compute are replaced by those of `recompute`.
     share : float
-        The tolerance, relative to a number and to what is mere rounding beside the rest.
-    wide : callable
-        `wide(k)` computes a number anew, as in `multiprecision_function`.
+        The tolerance, relative to a number, and at least rounding relative to the largest.
+    recompute : callable
+        `recompute(k)` computes a number in more digits, as in `multiprecision_function`.
     """
     size = np.abs(expected)
     slack = share * np.maximum(size, ROUNDING * np.nanmax(size, initial=0))
     for k in np.flatnonzero(np.isfinite(expected) & ~(abs(numbers - expected) <= slack)):
-        numbers[k] = wide(k)
+        numbers[k] = recompute(k)
         if not abs(numbers[k] - expected[k]) <= slack[k]:
             return [k]
     return []

@@ -285,8 +285,8 @@ class Spectrum:
             return "so says Routh's scheme, with coefficients beyond 1e308"
         # Roots computed in floating point: below this the point lies on the imaginary axis, which
         # without a margin Routh has decided.
-        near = abs(largest) < 1e-7 and (
+        on_axis = abs(largest) < 1e-7 and (
             self.margin or not (self.is_stable(values) or self.is_unstable(values))
         )
-        text = f"{largest:.4g}" if not near else "0" if self.margin else "exactly 0"
+        text = f"{largest:.4g}" if not on_axis else "0" if self.margin else "exactly 0"
         return f"the largest real part of a root is {text}"

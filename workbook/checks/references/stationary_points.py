@@ -180,8 +180,10 @@ class StationaryPoints:
         size = max(np.abs(reference).max(), 1e-12)
         uncertain = [None] * len(reference) if uncertain is None else uncertain
         return all(
-            agree(r + d, r, expression, size, uncertain=open_)
-            for d, r, expression, open_ in zip(difference, reference, written, uncertain)
+            agree(r + d, r, expression, size, uncertain=uncertainty_of_entry)
+            for d, r, expression, uncertainty_of_entry in zip(
+                difference, reference, written, uncertain
+            )
         )
 
     def samples(self, claim=(), count=7, need_rest=True, alone=True):

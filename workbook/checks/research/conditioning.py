@@ -46,11 +46,11 @@ def greatest_row_count(n, m, mu, eps):
     def threshold(rows):
         return 1 / ((sp.sqrt(m) * (2 * m - 3) * (4 * rows + 27) + 11) * eps)
 
-    for rows, below in ((n, True), (n + 1, False)):
-        if bool(mu < threshold(rows)) != below:
+    for rows, is_below in ((n, True), (n + 1, False)):
+        if bool(mu < threshold(rows)) != is_below:
             raise Wrong(
                 directed(
-                    f"{rows} rows are {'too many' if below else 'still not too many'} for the "
+                    f"{rows} rows are {'too many' if is_below else 'still not too many'} for the "
                     "threshold",
                     f"{n} is not the greatest number of rows for the threshold",
                 )

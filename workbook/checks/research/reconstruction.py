@@ -135,10 +135,10 @@ def weight_for_bound(claim, times, samples, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
-        ((open_,),) = entry_uncertainties(sp.Matrix([[claim]]), values)
+        ((uncertainty,),) = entry_uncertainties(sp.Matrix([[claim]]), values)
         greatest, *accelerations = (
             abs(_middle(t, *_least_cost(t, h, values[rho], max(perturbed_weight, weight / 2))))
-            for perturbed_weight in (weight, weight - open_, weight + open_)
+            for perturbed_weight in (weight, weight - uncertainty, weight + uncertainty)
         )
         if not abs(greatest - values[D]) <= 1e-8 * values[D] + max(
             abs(acceleration - greatest) for acceleration in accelerations

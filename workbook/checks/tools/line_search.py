@@ -49,7 +49,7 @@ def golden_section(function, centre, width, steps, sufficient=np.inf):
     return np.where(at_a > at_b, a, b)
 
 
-def bisect(like_first, first, last, turns):
+def bisect(like_first, first, last, halvings):
     """Return (first, last) after halving the intervals between them, each row its own.
 
     Parameters
@@ -58,7 +58,7 @@ def bisect(like_first, first, last, turns):
         `like_first(points, rows)` returns at which points the rows are as at their first ends.
     first, last : numpy.ndarray
         The ends.
-    turns : int
+    halvings : int
         The number of halvings.
 
     Notes
@@ -67,9 +67,9 @@ def bisect(like_first, first, last, turns):
     itself takes the time.
     """
     rows = np.arange(len(first))
-    while turns > 0:
+    while halvings > 0:
         depth = min(
-            turns,
+            halvings,
             6
             if len(rows) < 4
             else 4
@@ -93,5 +93,5 @@ def bisect(like_first, first, last, turns):
         for width in parts // 2 ** np.arange(1, depth + 1):
             at += width * is_like_first[rows, at + width - 1]
         first, last = ends[rows, at], ends[rows, at + 1]
-        turns -= depth
+        halvings -= depth
     return first, last

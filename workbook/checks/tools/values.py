@@ -225,10 +225,10 @@ def left_open(claims, quantity):
 
 def perturbed_arrays(parts, left_open):
     """Yield the arrays with one entry larger by its uncertainty, for each inexact entry."""
-    for k, open_ in enumerate(left_open):
-        for index in zip(*np.nonzero(open_)):
+    for k, uncertainty in enumerate(left_open):
+        for index in zip(*np.nonzero(uncertainty)):
             perturbed_part = parts[k].copy()
-            perturbed_part[index] += open_[index]
+            perturbed_part[index] += uncertainty[index]
             yield (*parts[:k], perturbed_part, *parts[k + 1 :])
 
 

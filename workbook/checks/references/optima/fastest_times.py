@@ -91,10 +91,14 @@ class FastestTimes(SeparatingLines):
         starts = [(far, *start) for start in np.column_stack([x.round(SAME), case]).tolist()]
         if len(self._cache) > KEPT:
             self._cache.clear()
-        fresh = np.array(
+        new_indices = np.array(
             [k for k, start in enumerate(starts) if start not in self._cache], dtype=int
         )
-        for group in np.split(fresh, range(TOGETHER, len(fresh), TOGETHER)) if len(fresh) else ():
+        for group in (
+            np.split(new_indices, range(TOGETHER, len(new_indices), TOGETHER))
+            if len(new_indices)
+            else ()
+        ):
             solved = self._solve(x[group], case[group], inside[group], far)
             rows = np.column_stack([getattr(solved, name) for name in FOUND]).tolist()
             self._cache.update(zip([starts[k] for k in group], rows))
@@ -169,7 +173,7 @@ class FastestTimes(SeparatingLines):
                     line,
                     *rows_of(todo, x, case, inside),
                 )
-            hit = np.where(outward, largest >= 0, largest <= 0)
+            meets = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
                 # A distance that falls and rises again may have been zero in between, if it does so
                 # steeply enough.
@@ -191,20 +195,20 @@ class FastestTimes(SeparatingLines):
                     )
                 )
             distances = np.array([distances[1], distance])
-            if hit.any():
-                rows, is_outward = todo[hit], outward[hit]
+            if meets.any():
+                rows, is_outward = todo[meets], outward[meets]
                 high[rows] = T
                 # From inside, a direction between those tried may have got through one or two of
                 # the times before.
                 low[rows] = np.where(
                     is_outward, TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0
                 )
-                theta[rows] = line_before[hit] if careful else self._middle(before[:, hit])
+                theta[rows] = line_before[meets] if careful else self._middle(before[:, meets])
                 if is_outward.any():
                     outward_rows, gap_now, gap_before = (
                         rows[is_outward],
-                        gap[:, hit][:, is_outward],
-                        before[:, hit][:, is_outward],
+                        gap[:, meets][:, is_outward],
+                        before[:, meets][:, is_outward],
                     )
                     with np.errstate(all="ignore"):
                         share = np.where(gap_now >= 0, -gap_before / (gap_now - gap_before), np.inf)
@@ -212,7 +216,7 @@ class FastestTimes(SeparatingLines):
                     second[outward_rows] = self._angles[
                         self._second_maximum(gap_now, theta[outward_rows])
                     ]
-                unmet = ~hit
+                unmet = ~meets
                 todo, support, outward, state, gap = (
                     todo[unmet],
                     support[:, unmet],
@@ -351,7 +355,7 @@ class FastestTimes(SeparatingLines):
     def missing(self, x, case, remaining_time, inside):
         """Return the distance from the target at the best time within `remaining_time`."""
         n, p, steps = len(x), directions(self._angles), 16
-        best, when, angle = np.full(n, np.inf), remaining_time, np.zeros(n)
+        best, best_time, angle = np.full(n, np.inf), remaining_time, np.zeros(n)
         rows, sign = np.repeat(p, n, axis=0), np.tile(np.where(inside, 1, -1), len(p))
         support = self._supports(p, x, case)
         for T in remaining_time * (np.arange(1, steps + 1) / steps)[:, None]:
@@ -363,7 +367,7 @@ class FastestTimes(SeparatingLines):
             )
             top = np.where(inside, -gaps.max(axis=0), gaps.max(axis=0))
             better = top < best
-            best, when = np.where(better, top, best), np.where(better, T, when)
+            best, best_time = np.where(better, top, best), np.where(better, T, best_time)
             angle = np.where(better, self._angles[gaps.argmax(axis=0)], angle)
         width = np.full(n, WIDE)
 
@@ -373,6 +377,6 @@ class FastestTimes(SeparatingLines):
             return np.where(inside[rows], -gap, gap)
 
         closest_times = golden_section(
-            lambda T, rows: -distance(T, rows), when, remaining_time / steps, steps=12
+            lambda T, rows: -distance(T, rows), best_time, remaining_time / steps, steps=12
         )
-        return np.minimum(distance(closest_times), distance(when))
+        return np.minimum(distance(closest_times), distance(best_time))

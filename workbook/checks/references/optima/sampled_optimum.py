@@ -84,7 +84,7 @@ class SampledOptimum(SampledStarts):
             batch = self.kept[decimals] = self._batch(BESIDE_DECIMALS if decimals else BESIDE)
         return batch
 
-    def _batch(self, beside):
+    def _batch(self, relative_offset):
         if "near" not in self.kept:
             count = 100 if len(self.cases) == 1 else 24
             spread_batch = self._safe(self.solve(*self._points(count)))
@@ -96,7 +96,7 @@ class SampledOptimum(SampledStarts):
         if near is None:
             return spread_batch
         middle, direction, case = near
-        shift = beside * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
+        shift = relative_offset * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
         sides = np.concatenate([middle + shift, middle - shift])
         case = np.concatenate([case, case])
         keep = self.allowed(sides, case)

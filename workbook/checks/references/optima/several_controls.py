@@ -226,9 +226,9 @@ class _Search:
             ),
         ):
             guesses = [
-                _packed([*base[:position], (INSERTED, np.array(rival)), *base[position:]])
+                _packed([*base[:position], (INSERTED, np.array(control)), *base[position:]])
                 for position in positions
-                for rival in itertools.product(*bounds.T)
+                for control in itertools.product(*bounds.T)
             ]
             rates = (
                 1

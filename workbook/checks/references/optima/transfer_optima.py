@@ -130,17 +130,17 @@ class Transfer:
     def _sampled(self, count):
         solvable, samples = filter(self.solvable, _random_values(self.parameters, 400 * count)), []
         while len(samples) < count:
-            fresh = [
+            candidates = [
                 (values, self.at(values))
                 for values in itertools.islice(solvable, count - len(samples))
             ]
-            if not fresh:
+            if not candidates:
                 raise RuntimeError("too few starts from which the target can be reached were met")
-            for system in {best.system for _, best in fresh}:
-                system.foresee([best.begin for _, best in fresh if best.system is system])
+            for system in {best.system for _, best in candidates}:
+                system.foresee([best.begin for _, best in candidates if best.system is system])
             samples += [
                 (values, best)
-                for values, best in fresh
+                for values, best in candidates
                 if math.isfinite(best.duration) and best.duration > 0
             ]
         # next to zero too: a smooth function is not the sign of its argument there

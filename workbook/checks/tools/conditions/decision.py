@@ -23,7 +23,7 @@ STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
 LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
 
 
-def find_difference(readings, parameters, reference, besides=sp.true):
+def find_difference(readings, parameters, reference, restriction=sp.true):
     """Return (decided, difference) of a claim and its reference.
 
     Parameters
@@ -34,8 +34,8 @@ def find_difference(readings, parameters, reference, besides=sp.true):
         Its symbols.
     reference : ReferenceCondition
         Where the condition has to hold.
-    besides : sympy condition
-        What the point has to satisfy besides.
+    restriction : sympy condition
+        A condition that the point also has to satisfy.
 
     Returns
     -------
@@ -46,7 +46,7 @@ def find_difference(readings, parameters, reference, besides=sp.true):
         if not reference.inside or not reference.outside:
             raise Undecidable
         for case, holds in reference.cases:
-            point = _Question(parameters, case).answer(readings, holds, besides)
+            point = _Question(parameters, case).answer(readings, holds, restriction)
             if point is not None:
                 difference = _simplified(point, readings, parameters, case, holds, reference)
                 return (True, difference) if difference else (False, None)
@@ -128,9 +128,9 @@ def _simplified(point, readings, parameters, case, holds, reference):
     # With unknowns every coordinate hangs on the others, so the point stays as it is.
     for k, x in enumerate(point if not case.unknowns or case.every else ()):
         for q in (1, 2, 10, 100, 1000):
-            near = sp.Rational(round(float(x) * q), q) if abs(float(x)) < 1e12 else x
-            simpler = (*point[:k], near, *point[k + 1 :])
-            if near == x or confirm(simpler):
+            rational = sp.Rational(round(float(x) * q), q) if abs(float(x)) < 1e12 else x
+            simpler = (*point[:k], rational, *point[k + 1 :])
+            if rational == x or confirm(simpler):
                 point = simpler
                 break
     return dict(zip(parameters, point)), holds
@@ -151,7 +151,7 @@ class _Question:
         self.z3, self.context, self.parameters, self.case = z3, z3.Context(), parameters, case
         self.names, self.form, self.size = {}, PolynomialForm(case.angles), 10
 
-    def answer(self, readings, holds, besides):
+    def answer(self, readings, holds, restriction):
         """Return exact numbers of the parameters and the unknowns, or None without such a point."""
         z3, case = self.z3, self.case
         if not case.every:
@@ -159,7 +159,7 @@ class _Question:
             self.form = self.form.copy()
         claims = [self._formula(self.form.condition(reading)) for reading in readings]
         conditions = [z3.Not(claim) if holds else claim for claim in claims]
-        conditions.append(self._formula(self.form.condition(besides)))
+        conditions.append(self._formula(self.form.condition(restriction)))
         claim_symbols = {*self.parameters, *self.names}
         first = len(self.form.sides)
         case_formula = self._formula(
@@ -242,9 +242,11 @@ class _Question:
         if node in (sp.true, sp.false):
             return z3.BoolVal(bool(node), self.context)
         if isinstance(node, Relational):
-            above, below = (self._polynomial(part) for part in _as_fraction(node.lhs - node.rhs))
-            side = above if isinstance(node, (sp.Eq, sp.Ne)) else above * below
-            return z3.And(below != 0, OPERATORS[type(node)](side, 0))
+            numerator, denominator = (
+                self._polynomial(part) for part in _as_fraction(node.lhs - node.rhs)
+            )
+            side = numerator if isinstance(node, (sp.Eq, sp.Ne)) else numerator * denominator
+            return z3.And(denominator != 0, OPERATORS[type(node)](side, 0))
         parts = [self._formula(part) for part in node.args]
         join = {
             sp.And: z3.And,

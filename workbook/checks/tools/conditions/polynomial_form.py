@@ -78,25 +78,25 @@ class PolynomialForm:
 
         That is known only if nothing else that is not real is added to or multiplied with the root.
         """
-        under = [part for part in defined if isinstance(part, sp.Ge)]
-        remaining = [part for part in defined if part not in under]
+        root_conditions = [part for part in defined if isinstance(part, sp.Ge)]
+        remaining = [part for part in defined if part not in root_conditions]
         w = next(
             (
                 w
                 for key, w in self._symbols.items()
-                if isinstance(key, tuple) and key[:2] == ("root", under[0].lhs)
+                if isinstance(key, tuple) and key[:2] == ("root", root_conditions[0].lhs)
             ),
             None,
         )
         if (
             w is None
-            or not len(terms) == len(under) == 1
+            or not len(terms) == len(root_conditions) == 1
             or not terms[0].is_polynomial(w)
             or sp.degree(terms[0], w) != 1
             or not terms[0].expand().coeff(w).is_number
         ):
             raise Undecidable
-        return sp.And(*remaining, sp.Or(sp.Not(under[0]), sp.Ne(terms[0], 0)))
+        return sp.And(*remaining, sp.Or(sp.Not(root_conditions[0]), sp.Ne(terms[0], 0)))
 
     def _term(self, node, defined):
         if node.is_Symbol:
@@ -171,11 +171,12 @@ class PolynomialForm:
             for f in (sp.cos, sp.sin)
         )
         equal = sp.And(sp.Eq(c, cosine), sp.Eq(s, sine))
-        above = sp.And(sine >= 0, sp.Or(low <= 0, sp.Ne(cosine, 1)))  # no zero but a whole turn
+        # an angle zero, not a whole turn
+        in_upper_half = sp.And(sine >= 0, sp.Or(low <= 0, sp.Ne(cosine, 1)))
         less = sp.Or(
-            sp.And(s >= 0, sp.Not(above)),
-            sp.And(s >= 0, above, c > cosine),
-            sp.And(s < 0, sp.Not(above), c < cosine),
+            sp.And(s >= 0, sp.Not(in_upper_half)),
+            sp.And(s >= 0, in_upper_half, c > cosine),
+            sp.And(s < 0, sp.Not(in_upper_half), c < cosine),
         )
         if -math.pi < low < 0 and high < math.pi:
             less, equal = sp.And(sine >= 0, less), sp.And(sine >= 0, equal)
@@ -200,9 +201,11 @@ class PolynomialForm:
         if key not in self._symbols:
             w = self._symbols[key] = sp.Dummy("w", real=True)
             positive, negative = where(w)
-            below = sp.fraction(sp.together(base))[1]
+            denominator = sp.fraction(sp.together(base))[1]
             self.sides.append(
-                sp.Or(sp.And(base >= 0, positive), sp.And(base < 0, negative), sp.Eq(below, 0))
+                sp.Or(
+                    sp.And(base >= 0, positive), sp.And(base < 0, negative), sp.Eq(denominator, 0)
+                )
             )
         return self._symbols[key]
 
