@@ -69,7 +69,7 @@ class SingularArcs:
     def __init__(self, problem, control, costates):
         self.problem, self.control, self.costates = problem, control, list(costates)
         self.state, self.parameters = list(problem.state), list(problem.parameters)
-        self.others = [u for u in problem.control if u != control]
+        self.other_controls = [u for u in problem.control if u != control]
         H = hamiltonian(problem, costates)
         self._flow = dict(problem.dynamics) | {
             psi: -sp.diff(H, y) for psi, y in zip(costates, self.state)
@@ -92,7 +92,7 @@ class SingularArcs:
             and all(e.subs(dict.fromkeys(self.costates, 0)) == 0 for e in self._equations)
         )
         self._costate = np.array([s in self.costates for s in self._unknown])
-        fixed_symbols = [*self.parameters, *self.others]
+        fixed_symbols = [*self.parameters, *self.other_controls]
         self._values = real_function([*self._unknown, *fixed_symbols], self._equations)
         self._slopes = real_function(
             [*self._unknown, *fixed_symbols],
@@ -100,7 +100,7 @@ class SingularArcs:
         )
         self._gain = real_function(
             [*self._unknown, *fixed_symbols],
-            [sp.diff(H, u).subs(self._known_costates) for u in self.others],
+            [sp.diff(H, u).subs(self._known_costates) for u in self.other_controls],
         )
         #: The derivative of order 2q without the control, and the factor of the control in it.
         last = (
@@ -125,7 +125,7 @@ class SingularArcs:
                     None if b.is_finite is False else float(b.subs(values))
                     for b in self.problem.controls[u]
                 )
-                for u in self.others
+                for u in self.other_controls
             ]
             start = [random_value(random, s, domain) for s in self._unknown]
             # Neither bound of the other controls always comes first.
@@ -145,7 +145,9 @@ class SingularArcs:
                     (gain >= -1e-9) == (u == high)
                     for gain, u, (_, high) in zip(gains, bound_values, ends)
                 ):
-                    values |= dict(zip(self._unknown, point)) | dict(zip(self.others, bound_values))
+                    values |= dict(zip(self._unknown, point)) | dict(
+                        zip(self.other_controls, bound_values)
+                    )
                     samples.append(
                         values | {s: float(e.subs(values)) for s, e in self._known_costates.items()}
                     )
@@ -161,7 +163,10 @@ class SingularArcs:
         """
         unknown_costates = [s for s in self._unknown if s in self.costates]
         for bound_values in itertools.product(
-            *([float(b.subs(values)) for b in self.problem.controls[u]] for u in self.others)
+            *(
+                [float(b.subs(values)) for b in self.problem.controls[u]]
+                for u in self.other_controls
+            )
         ):
             point = [0.0 if s in unknown_costates else values[s] for s in self._unknown]
             fixed_values = [*(values[p] for p in self.parameters), *bound_values]

@@ -117,7 +117,7 @@ class Optimum:
             if previous[0] is None or previous[0] != following[0]
         ]
 
-    def left(self):
+    def remaining_costs(self):
         """Return states away from changes and the last arc, and the remaining cost there."""
         degree = FINE[1]
         rates = np.array(

@@ -39,9 +39,8 @@ class FastestTimes(SeparatingLines):
 
     def __init__(self, plant, convex):
         super().__init__(plant, convex)
-        #: What has been found from a start, since the same law in other words leads through the
-        #: same states.
-        self._cache = {}
+        #: Results by start, since equivalent laws lead through the same states.
+        self._solved_starts = {}
 
     @functools.cached_property
     def _near_supports(self):
@@ -89,10 +88,10 @@ class FastestTimes(SeparatingLines):
         x, case = np.asarray(x, dtype=float), np.asarray(case)
         inside = self.convex.inside(x, case)
         starts = [(far, *start) for start in np.column_stack([x.round(SAME), case]).tolist()]
-        if len(self._cache) > KEPT:
-            self._cache.clear()
+        if len(self._solved_starts) > KEPT:
+            self._solved_starts.clear()
         new_indices = np.array(
-            [k for k, start in enumerate(starts) if start not in self._cache], dtype=int
+            [k for k, start in enumerate(starts) if start not in self._solved_starts], dtype=int
         )
         for group in (
             np.split(new_indices, range(TOGETHER, len(new_indices), TOGETHER))
@@ -101,8 +100,10 @@ class FastestTimes(SeparatingLines):
         ):
             solved = self._solve(x[group], case[group], inside[group], far)
             rows = np.column_stack([getattr(solved, name) for name in FOUND]).tolist()
-            self._cache.update(zip([starts[k] for k in group], rows))
-        solved = np.array([self._cache[start] for start in starts]).reshape(-1, len(FOUND)).T
+            self._solved_starts.update(zip([starts[k] for k in group], rows))
+        solved = (
+            np.array([self._solved_starts[start] for start in starts]).reshape(-1, len(FOUND)).T
+        )
         return StateBatch(x=x, case=case, inside=inside, **dict(zip(FOUND, solved)))
 
     def _solve(self, x, case, inside, far, careful=False):

@@ -79,20 +79,20 @@ class SampledOptimum(SampledStarts):
 
     def batch(self, decimals):
         """Return starts spread over the plane, and pairs on both sides of the switching curves."""
-        batch = self.kept.get(decimals)
+        batch = self.cache.get(decimals)
         if batch is None:
-            batch = self.kept[decimals] = self._batch(BESIDE_DECIMALS if decimals else BESIDE)
+            batch = self.cache[decimals] = self._batch(BESIDE_DECIMALS if decimals else BESIDE)
         return batch
 
     def _batch(self, relative_offset):
-        if "near" not in self.kept:
+        if "near" not in self.cache:
             count = 100 if len(self.cases) == 1 else 24
             spread_batch = self._safe(self.solve(*self._points(count)))
-            self.kept["spread"] = spread_batch
-            self.kept["near"] = self._between(
+            self.cache["spread"] = spread_batch
+            self.cache["near"] = self._between(
                 spread_batch, lambda batch: batch.control, 28 if len(self.cases) == 1 else 7
             )
-        spread_batch, near = self.kept["spread"], self.kept["near"]
+        spread_batch, near = self.cache["spread"], self.cache["near"]
         if near is None:
             return spread_batch
         middle, direction, case = near
@@ -125,10 +125,10 @@ class SampledOptimum(SampledStarts):
         Also on both sides of a target with a border; far out too if the target is a point, which the
         optimum meets as well as nearby.
         """
-        starts = self.kept.get("next")
+        starts = self.cache.get("next")
         if starts is None:
             self.batch(False)
-            curves = [self.kept["near"]]
+            curves = [self.cache["near"]]
             if self.convex.point:
                 random = np.random.default_rng(8)
                 x, case = (
@@ -141,7 +141,7 @@ class SampledOptimum(SampledStarts):
             parts = [self._sides(near, 0.02) for near in curves if near is not None]
             if self.convex.g is not None:
                 parts.append(self._sides(self._on_target(16), 0.0))
-            starts = self.kept["next"] = StateBatch.concatenated(parts) if parts else None
+            starts = self.cache["next"] = StateBatch.concatenated(parts) if parts else None
         return starts
 
     def extremals(self):
@@ -151,16 +151,16 @@ class SampledOptimum(SampledStarts):
         None for another target. For a linear plant an extremal is optimal if an admissible control can hold
         the state on the target.
         """
-        if "followed back" not in self.kept:
+        if "followed back" not in self.cache:
             parts = (
                 [self._followed_back(k) for k in range(len(self.cases))]
                 if self.convex.point
                 else [None]
             )
-            self.kept["followed back"] = (
+            self.cache["followed back"] = (
                 None if None in parts else tuple(map(StateBatch.concatenated, zip(*parts)))
             )
-        return self.kept["followed back"]
+        return self.cache["followed back"]
 
     def _followed_back(self, case):
         plant, end = self.plant, self.convex.corner(case)
@@ -246,7 +246,7 @@ class SampledOptimum(SampledStarts):
 
     def border(self, decimals):
         """Return starts in reach and out of reach, many of them on both sides of the border between."""
-        border = self.kept.get(("border", decimals))
+        border = self.cache.get(("border", decimals))
         if border is None:
             spread_batch = self.solve(
                 *self._points(100 if len(self.cases) == 1 else 40, seed=5), far=True
@@ -268,7 +268,7 @@ class SampledOptimum(SampledStarts):
                 keep = self.allowed(sides, cases)
                 parts.append(self.solve(sides[keep], cases[keep], far=True))
             border = StateBatch.concatenated(parts)
-            self.kept[("border", decimals)] = border
+            self.cache[("border", decimals)] = border
         return border
 
     def on_border(self, batch):

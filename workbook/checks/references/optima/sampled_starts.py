@@ -25,7 +25,7 @@ class SampledStarts(FastestTimes):
             ConvexTarget(target, state, list(self.parameters), self.cases),
         )
         # whether some starts are out of reach: not known yet
-        self.kept, self._limited = {}, None
+        self.cache, self._limited = {}, None
         self._rings = {}
 
     def _points(self, count, seed=4):

@@ -320,8 +320,8 @@ class _Optimum:
             float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
         )
 
-    def left(self):
-        """Return states on the way, and the time that is left there."""
+    def remaining_costs(self):
+        """Return states on the way, and the remaining time there."""
         return self.states, self.duration - self.times
 
     def duration_message(self, duration):

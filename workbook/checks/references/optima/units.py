@@ -323,9 +323,9 @@ class OptimumInUnits:
             for k, *kinds in getattr(self._best, "changes", list)()
         ]
 
-    def left(self):
+    def remaining_costs(self):
         """Return states on the way, and the remaining cost there."""
-        states, cost = self._best.left()
+        states, cost = self._best.remaining_costs()
         return (np.asarray(states).T * self.units.states).T, cost * self.units.cost
 
     def field(self, y, u):
