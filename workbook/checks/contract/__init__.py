@@ -1,1 +1,1 @@
-"""What a check is: verdicts, reports, how answers are read, and how they cross to a grader."""
+"""Contract of checks: verdicts, reports, reading of answers and their encoding for a grader."""

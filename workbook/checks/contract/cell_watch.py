@@ -1,8 +1,8 @@
-"""What a notebook's cells did to its names, so far as `report` has to say it.
+"""Names of a notebook that cells failed to assign or have overwritten, for `report`.
 
 After a cell that fails, its answers keep their values of an earlier run: they are listed in
 `stopped`, so that `report` does not judge the old value again. `b_null = x2 = 0` overwrites the
-symbol x2 of the data cell: then every answer with x2 is wrong, however it is mended, until the data
+symbol x2 of the data cell: then every answer with x2 is wrong, until the data
 cell runs again. Such names are listed in `overwritten`.
 
 In Jupyter `start` watches the cells. For a check cell that runs before its answer cell, names that
@@ -24,7 +24,7 @@ stopped = {}
 overwritten = {}
 _data = {}
 _before = {}
-_students = {}
+_student_values = {}
 
 ASSIGNED = re.compile(r"^([A-Za-z_][\w, ]*?)\s*(?::[^=\n]+)?=(?!=)", re.M)
 MAX_NAME = 60
@@ -59,7 +59,7 @@ def before_cell(namespace, source):
 
 
 def after_cell(namespace, source, error):
-    """List the answers of a cell that has run if it stopped, or if names of the data are lost.
+    """List the answers of a cell that stopped, or after which data are overwritten.
 
     Parameters
     ----------
@@ -72,15 +72,15 @@ def after_cell(namespace, source, error):
     """
     if error is None and IMPORT in source and "checks.report(" not in source:
         _data.update({name: namespace[name] for name in _bound(source) if name in namespace})
-    lost = _lost_data(namespace)
+    overwritten_data = _overwritten_data(namespace)
     for name, value in _before.items():
         stopped.pop(name, None)
         overwritten.pop(name, None)
         if error is not None and namespace.get(name) is value:
             # a metaclass of the student's may hide the name
             stopped[name] = type.__dict__["__name__"].__get__(type(error))
-        elif lost:
-            overwritten[name] = lost
+        elif overwritten_data:
+            overwritten[name] = overwritten_data
 
 
 def recall(stopped_cells, overwritten_names):
@@ -97,9 +97,9 @@ def recall(stopped_cells, overwritten_names):
     overwritten.clear()
     overwritten.update(
         {
-            name: lost
-            for name, lost in overwritten_names.items()
-            if type(lost) is list and all(map(_is_word, lost))
+            name: names
+            for name, names in overwritten_names.items()
+            if type(names) is list and all(map(_is_word, names))
         }
     )
 
@@ -121,14 +121,16 @@ def _before_cell(shell, source):
         for name in names:
             shell.user_ns.setdefault(name, ...)
         # checks get the data as the data cell set them, here as in a grader
-        lost = _lost_data(shell.user_ns)
-        _students.update({name: shell.user_ns[name] for name in lost if name in shell.user_ns})
-        shell.user_ns.update({name: _data[name] for name in lost})
+        overwritten_data = _overwritten_data(shell.user_ns)
+        _student_values.update(
+            {name: shell.user_ns[name] for name in overwritten_data if name in shell.user_ns}
+        )
+        shell.user_ns.update({name: _data[name] for name in overwritten_data})
 
 
 def _after_cell(shell, result):
-    shell.user_ns.update(_students)
-    _students.clear()
+    shell.user_ns.update(_student_values)
+    _student_values.clear()
     after_cell(
         shell.user_ns, result.info.raw_cell, result.error_before_exec or result.error_in_exec
     )
@@ -138,7 +140,7 @@ def _is_word(name):
     return type(name) is str and len(name) <= MAX_NAME and name.isascii() and name.isidentifier()
 
 
-def _lost_data(namespace):
+def _overwritten_data(namespace):
     return [name for name, value in _data.items() if not _same(value, namespace.get(name))]
 
 

@@ -87,18 +87,18 @@ def _ends_undefined(part):
 
 def _applied(function, symbols):
     """Return the value of a `Lambda` at the symbols of its names, or else the first ones."""
-    known = {symbol.name: symbol for symbol in symbols}
+    by_name = {symbol.name: symbol for symbol in symbols}
     variables = function.signature
     if not all(isinstance(variable, sp.Symbol) for variable in variables) or len(variables) > len(
         symbols
     ):
         raise Invalid(
-            f"expected an expression, or `sp.Lambda` of {', '.join(known)}"
-            if known
+            f"expected an expression, or `sp.Lambda` of {', '.join(by_name)}"
+            if by_name
             else "expected a number, got an `sp.Lambda`"
         )
-    named = all(variable.name in known for variable in variables)
-    at = [known[v.name] for v in variables] if named else list(symbols)[: len(variables)]
+    named = all(variable.name in by_name for variable in variables)
+    at = [by_name[v.name] for v in variables] if named else list(symbols)[: len(variables)]
     value = function.expr.xreplace(dict(zip(variables, at)))
     if not isinstance(value, sp.Expr) or isinstance(value, sp.MatrixBase):
         raise Invalid("expected an expression, or `sp.Lambda` with one as its value")
@@ -113,13 +113,13 @@ def with_symbols(answer, symbols):
     Invalid
         If it contains other symbols or functions, or what is too large to be computed with.
     """
-    known = {symbol.name: symbol for symbol in symbols}
+    by_name = {symbol.name: symbol for symbol in symbols}
     functions = {str(f.func) for f in answer.atoms(sp.core.function.AppliedUndef)}
-    foreign = sorted({s.name for s in answer.free_symbols if s.name not in known} | functions)
+    foreign = sorted({s.name for s in answer.free_symbols if s.name not in by_name} | functions)
     if foreign:
         raise Invalid(
             f"the answer contains {', '.join(foreign)}; expected only "
-            + (", ".join(sorted(known)) if known else "numbers")
+            + (", ".join(sorted(by_name)) if by_name else "numbers")
         )
     if any(len(limits) < 3 for integral in answer.atoms(sp.Integral) for limits in integral.limits):
         raise Invalid(
@@ -157,7 +157,7 @@ def with_symbols(answer, symbols):
             "the answer grows too fast to be computed with: an exponent, an angle or the argument "
             f"of a factorial is too large already where the symbols are {2**SYMBOL_BITS}"
         )
-    return answer.xreplace({s: known[s.name] for s in answer.free_symbols})
+    return answer.xreplace({s: by_name[s.name] for s in answer.free_symbols})
 
 
 def as_number(answer):
@@ -175,11 +175,11 @@ def as_number(answer):
 def as_integer(answer):
     """Return a whole number: `3`, `3.0` and `Integer(3)` are the same."""
     value = as_number(answer)
-    whole = int(sp.floor(value + sp.Rational(1, 2)))
+    nearest = int(sp.floor(value + sp.Rational(1, 2)))
     # a difference, since SymPy holds Float(3) and Integer(3) for two numbers
-    if value - whole != 0:
+    if value - nearest != 0:
         raise Invalid(f"expected a whole number, got {sp.N(value, 6)}")
-    return whole
+    return nearest
 
 
 def as_expressions(answer, symbols=(), length=None):

@@ -99,9 +99,9 @@ def as_condition(answer, symbols):
             raise Invalid(
                 "the condition contains an undefined value (nan, a division by zero, or oo - oo)"
             )
-    if odd := answer.atoms(*NOT_IN_CONDITIONS):
+    if unsupported := answer.atoms(*NOT_IN_CONDITIONS):
         raise Invalid(
-            f"the condition contains {', '.join(sorted({type(part).__name__ for part in odd}))}, "
+            f"the condition contains {', '.join(sorted({type(part).__name__ for part in unsupported}))}, "
             "which cannot be judged here; write it without"
         )
     if grows_too_fast(answer, FAR_BITS) or any(
@@ -148,15 +148,15 @@ def _chosen(cases):
     value, where = cases[0]
     if not is_logical(value):
         raise Invalid("the cases of a condition have to be conditions, True or False")
-    rest = _chosen(cases[1:]) if cases[1:] else sp.false
-    return sp.Or(sp.And(where, value), sp.And(sp.Not(where), rest))
+    remaining = _chosen(cases[1:]) if cases[1:] else sp.false
+    return sp.Or(sp.And(where, value), sp.And(sp.Not(where), remaining))
 
 
-def _written_out(condition, known):
+def _written_out(condition, counts):
     """Count the relations of a condition and of its negation, written with And and Or alone."""
-    if condition not in known:
+    if condition not in counts:
         parts = [
-            _written_out(part, known)
+            _written_out(part, counts)
             for part in condition.args
             if isinstance(part, sp.logic.boolalg.Boolean)
         ]
@@ -167,14 +167,14 @@ def _written_out(condition, known):
         elif isinstance(condition, sp.Not):
             sizes = parts[0][::-1]
         elif isinstance(condition, sp.Implies):
-            (was, was_not), (then, then_not) = parts
-            sizes = was_not + then, was + then_not
+            (premise, negated_premise), (conclusion, negated_conclusion) = parts
+            sizes = negated_premise + conclusion, premise + negated_conclusion
         else:  # Xor, ITE and the like need each part with its negation
             sizes = parts[0]
             for part in parts[1:]:
                 sizes = (sum(sizes) + sum(part),) * 2
-        known[condition] = sizes
-    return known[condition]
+        counts[condition] = sizes
+    return counts[condition]
 
 
 def _is_undefined(side):

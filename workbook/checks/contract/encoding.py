@@ -239,8 +239,8 @@ def _write_dict(walk, value):
 
 def key_step(key, i):
     """Return the step to a value of a dict: its key if that is short and plain."""
-    plain = (type(key) is str and len(key) <= 40) or (type(key) is int and abs(key) < 10**9)
-    return f"[{key!r}]" if plain else f".values[{i}]"
+    is_plain = (type(key) is str and len(key) <= 40) or (type(key) is int and abs(key) < 10**9)
+    return f"[{key!r}]" if is_plain else f".values[{i}]"
 
 
 def is_plain_key(node):

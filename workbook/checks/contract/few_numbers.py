@@ -58,8 +58,8 @@ def with_few_numbers(message, answer):
     points = POINT.findall(message)
     if not points or len(numbers_in(message)) <= MOST_NUMBERS:
         return message
-    others = len(numbers_in(POINT.sub("", message)))
-    share = max((MOST_NUMBERS - others) // len(points), 1)
+    count_outside = len(numbers_in(POINT.sub("", message)))
+    share = max((MOST_NUMBERS - count_outside) // len(points), 1)
     names = _symbol_names(answer)
     return POINT.sub(lambda point: _shortened(point[0].split(", "), names, share), message)
 
@@ -74,5 +74,5 @@ def _symbol_names(answer):
 
 def _shortened(values, names, share):
     by_use = sorted(values, key=lambda value: value.partition(" ")[0] not in names)
-    kept = [value for value in values if value in by_use[:share]]
-    return ", ".join(kept if len(kept) == len(values) else [*kept, "..."])
+    shown = [value for value in values if value in by_use[:share]]
+    return ", ".join(shown if len(shown) == len(values) else [*shown, "..."])

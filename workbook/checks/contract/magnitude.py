@@ -17,24 +17,24 @@ _PERIODIC = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 _FACTORIAL = (sp.factorial, sp.gamma, sp.binomial)
 
 
-def size(node, known):
+def size(node, sizes):
     """Return bounds on log2 of the absolute value of a node.
 
     Parameters
     ----------
     node : sympy.Expr
         Any expression.
-    known : dict
-        Sizes of its parts that are known already; it is extended.
+    sizes : dict
+        Sizes of subexpressions computed before; it is extended.
 
     Returns
     -------
     tuple
         (up, down, whether it has symbols) with -down <= log2 |node| <= up, unless a sum cancels.
     """
-    if node not in known:
-        known[node] = _measure(node, known)
-    return known[node]
+    if node not in sizes:
+        sizes[node] = _measure(node, sizes)
+    return sizes[node]
 
 
 def grows_too_fast(node, bits=SYMBOL_BITS):
@@ -47,34 +47,34 @@ def grows_too_fast(node, bits=SYMBOL_BITS):
     bits : int
         The size of its symbols: they are 2**bits or 2**-bits.
     """
-    known = dict.fromkeys(node.free_symbols, (bits, bits, True))
+    sizes = dict.fromkeys(node.free_symbols, (bits, bits, True))
     for part in node.atoms(sp.Integral, sp.Sum):  # their variables run up to the limits
         for variable, *limits in (limits for limits in part.limits if len(limits) > 1):
-            ups, downs, _ = zip(*(size(limit, known) for limit in limits))
-            known[variable] = max(SYMBOL_BITS, *ups), max(SYMBOL_BITS, *downs), True
+            ups, downs, _ = zip(*(size(limit, sizes) for limit in limits))
+            sizes[variable] = max(SYMBOL_BITS, *ups), max(SYMBOL_BITS, *downs), True
     return any(
-        part.free_symbols and not _inner(part, known) <= 1 for part in sp.preorder_traversal(node)
+        part.free_symbols and not _inner(part, sizes) <= 1 for part in sp.preorder_traversal(node)
     )
 
 
-def _inner(node, known):
+def _inner(node, sizes):
     """Return the bits of an exponent, angle or argument of a factorial, relative to the limit."""
     if isinstance(node, sp.Pow) and node.base is not sp.E:
-        return 0 if node.exp.is_Number else size(node.exp, known)[0] / math.log2(MAX_EXPONENT)
+        return 0 if node.exp.is_Number else size(node.exp, sizes)[0] / math.log2(MAX_EXPONENT)
     if isinstance(node, _FACTORIAL):
-        return max(size(arg, known)[0] for arg in node.args) / math.log2(MAX_EXPONENT)
+        return max(size(arg, sizes)[0] for arg in node.args) / math.log2(MAX_EXPONENT)
     if isinstance(node, (sp.Pow, *_EXPONENTIAL, *_PERIODIC)):
-        return size(node.args[-1], known)[0] / INNER_BITS
+        return size(node.args[-1], sizes)[0] / INNER_BITS
     return 0
 
 
-def _measure(node, known):
+def _measure(node, sizes):
     if node.is_Number:
         return log2(node), -log2(node), False
     if not node.args:
         # pi and the like
         return (2, 1, False) if node.is_number else (SYMBOL_BITS, SYMBOL_BITS, True)
-    ups, downs, symbolic = zip(*(size(arg, known) for arg in node.args))
+    ups, downs, symbolic = zip(*(size(arg, sizes) for arg in node.args))
     return *_composed(node, ups, downs), any(symbolic)
 
 

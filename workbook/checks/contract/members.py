@@ -62,8 +62,8 @@ def families(answer, integer, expected):
         # there are solutions for some parameters only, as the problem says
         answer = answer.base_set
     if isinstance(answer, sp.Intersection):
-        real, *others = [part for part in answer.args if part != sp.S.Reals]
-        answer = answer if others else real
+        real, *other_sets = [part for part in answer.args if part != sp.S.Reals]
+        answer = answer if other_sets else real
     if isinstance(answer, sp.Union):
         return [part for member in answer.args for part in families(member, integer, expected)]
     if (

@@ -69,8 +69,10 @@ def spend_on_powers(walk, monomials):
 
 def check_args(walk, row, args):
     """Refuse arguments that the node of this row does not take."""
-    wanted = row.takes + (row.more,) * (len(args) - len(row.takes)) if row.more else row.takes
-    if len(args) != len(wanted) or not all(fits(arg) for fits, arg in zip(wanted, args)):
+    predicates = row.takes + (row.more,) * (len(args) - len(row.takes)) if row.more else row.takes
+    if len(args) != len(predicates) or not all(
+        accepts(arg) for accepts, arg in zip(predicates, args)
+    ):
         types = ", ".join(type(arg).__name__ for arg in args[:4])
         raise walk.error(
             f"is {row.cls.__name__} of ({types}{', ...' * (len(args) > 4)}), which is not an answer"

@@ -24,23 +24,22 @@ from decimal import Decimal
 import numpy as np
 import sympy as sp
 
-#: What the rounding of our own arithmetic may make of something exact, as a share of its size.
+#: Relative tolerance for exact answers (rounding only).
 EXACT = 1e-9
-#: The same of an eigenvalue that comes twice: the root of what rounding is.
+#: Relative tolerance for a double eigenvalue, whose error is the square root of rounding.
 REPEATED = 1e-7
-#: What three digits leave uncertain of a number, at worst: half a unit of the last digit in 1.00.
+#: Largest relative uncertainty of a number with three digits: half a unit of the last in 1.00.
 DECIMALS = 5e-3
-#: What our own rounding may make of half a unit, as a share of it.
+#: Relative tolerance of half a unit itself (rounding only).
 ROUNDING = 1e-9
-#: A number that is a smaller share of those beside it than this has the digits that this share
-#: would have.
+#: A number smaller than this share of its neighbours is compared to three digits of that share.
 NEGLIGIBLE = 1e-3
 #: The terms of an expression with symbols may cancel to this share of their size.
 CANCELLED = 0.1
-#: The change of each decimal is followed in answers that have no more of them: in those of which
-#: motions are simulated, and in those that are only evaluated.
+#: Most decimals of an answer whose changes are computed one by one: if motions are simulated,
+#: and if the answer is only evaluated.
 MOST_FOLLOWED, MOST_EVALUATED = 12, 48
-#: The change of two decimals at once is followed in expressions that have no more of them.
+#: Most decimals of an expression whose changes are computed in pairs.
 MOST_TOGETHER = 3
 
 
@@ -54,24 +53,24 @@ def in_decimals(*written):
     )
 
 
-def perturbed(*written, most=MOST_FOLLOWED):
+def perturbed(*written, max_count=MOST_FOLLOWED):
     """Return SymPy objects with each decimal at the ends of its interval.
 
     Parameters
     ----------
     *written : sympy.Basic
         The objects; the exponent of a root is exact however it is written.
-    most : int
+    max_count : int
         The number of decimals up to which they are changed.
 
     Returns
     -------
     list or None
         For each decimal, the same with either sign, a pair of lists of the objects: with it smaller
-        and larger. None if there are more decimals than `most`.
+        and larger. None if there are more decimals than `max_count`.
     """
     written, decimals = _followed(written)
-    if len(decimals) > most:
+    if len(decimals) > max_count:
         return None
     return [[_perturbed_by(written, (number,), side) for side in (-1, 1)] for number in decimals]
 
@@ -193,20 +192,24 @@ def agree(values, true, written, size=0.0, computed=EXACT, uncertain=None):
     -------
     bool or numpy.ndarray of bool
     """
-    wrong = np.asarray(values) - true
-    beside = NEGLIGIBLE * size if wrong.shape else 0  # a number alone has the digits of its own
+    difference = np.asarray(values) - true
+    # a number alone has the digits of its own
+    negligible_size = NEGLIGIBLE * size if difference.shape else 0
     allowed = computed * np.maximum(np.abs(true), size)
     if in_decimals(written):
         has_symbols = np.vectorize(lambda e: bool(sp.sympify(e).free_symbols), otypes=[bool])(
             _entries(written)
         )
-        open_ = DECIMALS * np.maximum(np.abs(true), CANCELLED * size)
+        uncertainty = DECIMALS * np.maximum(np.abs(true), CANCELLED * size)
         if uncertain is not None:
-            open_ = np.where(np.isfinite(uncertain), uncertain, open_)
+            uncertainty = np.where(np.isfinite(uncertain), uncertain, uncertainty)
         allowed = np.maximum(
-            allowed, np.where(has_symbols, open_, half_unit(np.maximum(np.abs(true), beside)))
+            allowed,
+            np.where(
+                has_symbols, uncertainty, half_unit(np.maximum(np.abs(true), negligible_size))
+            ),
         )
-    correct = (np.abs(wrong.real) <= allowed) & (np.abs(wrong.imag) <= allowed)
+    correct = (np.abs(difference.real) <= allowed) & (np.abs(difference.imag) <= allowed)
     return correct if correct.shape else bool(correct)
 
 

@@ -46,9 +46,9 @@ class Law:
     @staticmethod
     def _tabulated(ends, reference):
         key = ("table", str(ends.variable), ends.interval)
-        if key not in reference.kept:
-            reference.kept[key] = [ends.table(case) for case in reference.cases]
-        return reference.kept[key]
+        if key not in reference.cache:
+            reference.cache[key] = [ends.table(case) for case in reference.cases]
+        return reference.cache[key]
 
     def __call__(self, x, case):
         values = [*x.T, *self._cases[case].T]

@@ -122,8 +122,8 @@ def _line_extremals(reference):
     Hamiltonian; the first of all is the fastest one. Starts next to a border of their set are left
     out.
     """
-    if "extremals" in reference.kept:
-        return reference.kept["extremals"]
+    if "extremals" in reference.cache:
+        return reference.cache["extremals"]
     plant, (points, case) = reference.plant, reference._points(1000, seed=7)
     c, d = reference.convex._c[0], reference.convex._d[0]
     times = 60 * (np.arange(0, 1501) / 1500) ** 1.5
@@ -163,8 +163,8 @@ def _line_extremals(reference):
     first = ends[:, 0].copy()
     ends[ends <= first[:, None] * (1 + 1e-6) + 1e-6] = np.inf
     keep = ~doubtful & np.isfinite(first) & (first > 0.02)
-    reference.kept["extremals"] = (
+    reference.cache["extremals"] = (
         StateBatch(x=points, case=case, time=first).take(keep),
         ends.min(axis=1)[keep],
     )
-    return reference.kept["extremals"]
+    return reference.cache["extremals"]

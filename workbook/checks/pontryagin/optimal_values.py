@@ -147,7 +147,7 @@ def _right_next_to_bends(claim, problem, parameters, found, what):
 
 def _left_over(claim, cost_of, values, best, starts, parameters, kept):
     """Raise `Wrong` where a claim for all starts is not what the rest of the best process costs."""
-    states, true = best.left()
+    states, true = best.remaining_costs()
     inside = np.all(
         [
             (y > float(parameters[s].inf)) & (y < float(parameters[s].sup))

@@ -150,7 +150,7 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
             )
             if not agree(claimed, values[psi], claim, size, POINTS, uncertainty_at(claim, values)):
                 raise Wrong(
-                    f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.others)})} your "
+                    f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.other_controls)})} your "
                     f"{psi} is {claimed:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
                     "or H does not"
                 )

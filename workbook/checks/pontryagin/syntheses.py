@@ -87,7 +87,7 @@ def _time_optimal(claim, data, curve):
         )
     _judge_next_to_curves(others, reference, control)
     _judge_change(law, reference, batch, control)
-    followed = reference.kept.setdefault("followed", set())
+    followed = reference.cache.setdefault("followed", set())
     if (claim, str(curve)) not in followed:
         follow(law, reference, batch)
         followed.add((claim, str(curve)))

@@ -31,22 +31,24 @@ class _Constants(Pair):
         self._rows = rows
 
     @functools.cached_property
-    def _seen(self):
-        return Case(sp.And(self._given, sp.Not(self._lost))), Case(sp.And(self._given, self._lost))
+    def _observability_cases(self):
+        return Case(sp.And(self._defined, sp.Not(self._rank_deficient))), Case(
+            sp.And(self._defined, self._rank_deficient)
+        )
 
     @functools.cached_property
-    def _lost(self):
+    def _rank_deficient(self):
         minors = {
             sp.factor(
-                self._rows.extract(list(some), list(range(self.order))).det(method="berkowitz")
+                self._rows.extract(list(rows), list(range(self.order))).det(method="berkowitz")
             )
-            for some in itertools.combinations(range(self.outputs), self.order)
+            for rows in itertools.combinations(range(self.outputs), self.order)
         }
-        return sp.And(*(sp.Eq(_plain(minor), 0) for minor in minors))
+        return sp.And(*(sp.Eq(_squarefree(minor), 0) for minor in minors))
 
 
-def _plain(product):
-    """Return the product of the different factors."""
+def _squarefree(product):
+    """Return the product of the distinct factors."""
     return (
         sp.prod([factor for factor, _ in sp.factor_list(product)[1]]) if product != 0 else product
     )
@@ -55,5 +57,8 @@ def _plain(product):
 def _cleared(row):
     """Return a row times a function without zeros, so that its entries are polynomials."""
     parts = [sp.fraction(sp.together(entry)) for entry in row]
-    below = {denominator for _, denominator in parts}
-    return [sp.expand(above * sp.prod(below - {denominator})) for above, denominator in parts]
+    denominators = {denominator for _, denominator in parts}
+    return [
+        sp.expand(numerator * sp.prod(denominators - {denominator}))
+        for numerator, denominator in parts
+    ]

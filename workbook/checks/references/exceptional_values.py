@@ -17,7 +17,7 @@ from workbook.checks.tools.wording import values_text
 MOST_OPERATIONS = 600
 
 
-def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
+def judge_everywhere(matrix, parameters, domain, undefined, dependent=None):
     """Raise `Wrong` if a matrix fails at some values of the parameters.
 
     Parameters
@@ -26,8 +26,8 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
         The answer.
     parameters : list of sympy.Symbol
         Its parameters.
-    given : callable
-        `given()` returns the condition on them; it is called only if the matrix holds a parameter.
+    domain : callable
+        `domain()` returns the condition on them; it is called only if the matrix holds a parameter.
     undefined, dependent : str
         Messages for values where the matrix is undefined and where its columns are dependent; without
         the latter dependent columns are accepted.
@@ -36,7 +36,7 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
     if not used or matrix.has(sp.nan, sp.zoo, sp.oo) or sp.count_ops(matrix) > MOST_OPERATIONS:
         return
     # As it is written: with (k**2 - 1)/(k - 1) in the point of k + 1 it has no value for k = 1.
-    below = [sp.denom(sp.together(sp.nsimplify(entry, rational=True))) for entry in matrix]
+    denominators = [sp.denom(sp.together(sp.nsimplify(entry, rational=True))) for entry in matrix]
     matrix = matrix.applyfunc(
         lambda entry: (
             sp.cancel(sp.nsimplify(entry, rational=True))
@@ -45,8 +45,8 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
         )
     )
     conditions, vanishing = (
-        {undefined: sp.And(*(sp.Ne(part, 0) for part in below))},
-        [(undefined, sp.Mul(*set(below)))],
+        {undefined: sp.And(*(sp.Ne(part, 0) for part in denominators))},
+        [(undefined, sp.Mul(*set(denominators)))],
     )
     if dependent:
         minors = [
@@ -62,7 +62,7 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
     for failure, function in vanishing:
         if not (function.is_rational_function(*used) or function.has(*_JUMPING)):
             for values in _sign_changes(function, used):
-                if given().subs(values) == sp.true:
+                if domain().subs(values) == sp.true:
                     raise Wrong(
                         f"{failure} for a value near {values_text(values)}, where the answer is to "
                         "serve too"
@@ -72,7 +72,7 @@ def judge_everywhere(matrix, parameters, given, undefined, dependent=None):
             compare(
                 condition,
                 parameters,
-                exactly(sp.true, given()),
+                exactly(sp.true, domain()),
                 lambda values, holds: (
                     f"{failure} for {values_text(values)}, where the answer is to serve too"
                 ),
@@ -101,8 +101,10 @@ def judge_factors(expressions, variables, domain, failure):
     for factor in sorted(set.intersection(*shared) if shared else (), key=sp.default_sort_key):
         symbols = sorted(factor.free_symbols, key=str)
         if symbols and not factor.has(*variables):
-            given = sp.And(*(domain[s].as_relational(s) for s in symbols if domain and s in domain))
-            _, point = decide(sp.Ne(factor, 0), symbols, exactly(sp.true, given))
+            condition = sp.And(
+                *(domain[s].as_relational(s) for s in symbols if domain and s in domain)
+            )
+            _, point = decide(sp.Ne(factor, 0), symbols, exactly(sp.true, condition))
             if point:
                 raise Wrong(
                     f"{failure} for {values_text(point[0])}, where the answer is to serve too"

@@ -26,9 +26,9 @@ class Field:
     def __init__(self, field, state, values=None):
         self.state = list(state)
         self.expressions = [sp.sympify(component).subs(values or {}) for component in field]
-        left = set().union(*(e.free_symbols for e in self.expressions)) - set(self.state)
-        if left:
-            raise ValueError(f"the field still contains {left}")
+        foreign = set().union(*(e.free_symbols for e in self.expressions)) - set(self.state)
+        if foreign:
+            raise ValueError(f"the field still contains {foreign}")
         self._function = sp.lambdify(self.state, self.expressions, "numpy")
 
     def __call__(self, point):
@@ -78,42 +78,42 @@ class Field:
         return point
 
     def _refined(self, starts, steps=60):
-        """Return the same for many starts, the columns of an array: a list of points and None."""
+        """Return the equilibria reached from many starts, columns of an array, with None for failures."""
         x, points = starts.copy(), [None] * starts.shape[1]
-        value, left = self._at(x), np.arange(starts.shape[1])
+        value, active = self._at(x), np.arange(starts.shape[1])
         with np.errstate(all="ignore"):
             for _ in range(steps):
-                left = left[np.isfinite(value[:, left]).all(axis=0)]
-                move, solved = _solved(self._jacobians(x[:, left]), -value[:, left])
-                left, move = left[solved], move[:, solved]
-                arrived = np.linalg.norm(move, axis=0) < 1e-13 * (
-                    1 + np.linalg.norm(x[:, left], axis=0)
+                active = active[np.isfinite(value[:, active]).all(axis=0)]
+                move, solved = _solved(self._jacobians(x[:, active]), -value[:, active])
+                active, move = active[solved], move[:, solved]
+                converged = np.linalg.norm(move, axis=0) < 1e-13 * (
+                    1 + np.linalg.norm(x[:, active], axis=0)
                 )
-                for k in left[arrived]:
+                for k in active[converged]:
                     points[k] = x[:, k].copy()
-                left, move = left[~arrived], move[:, ~arrived]
-                if not len(left):
+                active, move = active[~converged], move[:, ~converged]
+                if not len(active):
                     break
-                x[:, left] += self._shortened(
-                    move, x[:, left], np.linalg.norm(value[:, left], axis=0)
+                x[:, active] += self._shortened(
+                    move, x[:, active], np.linalg.norm(value[:, active], axis=0)
                 )
-                value[:, left] = self._at(x[:, left])
+                value[:, active] = self._at(x[:, active])
         # Steps that do not shrink lead nowhere, however small the field has become: exp(x) falls
         # without end.
         return points
 
     def _shortened(self, move, x, size):
         """Return Newton steps halved, at most 30 times, until the field is not larger than `size`."""
-        move, long = move.copy(), np.arange(move.shape[1])
+        move, active = move.copy(), np.arange(move.shape[1])
         for _ in range(30):
-            trial = self._at(x[:, long] + move[:, long])
-            smaller = np.isfinite(trial).all(axis=0) & (
-                np.linalg.norm(trial, axis=0) < size[long] * (1 + 1e-9)
+            trial = self._at(x[:, active] + move[:, active])
+            decreased = np.isfinite(trial).all(axis=0) & (
+                np.linalg.norm(trial, axis=0) < size[active] * (1 + 1e-9)
             )
-            long = long[~smaller]
-            if not len(long):
+            active = active[~decreased]
+            if not len(active):
                 break
-            move[:, long] /= 2
+            move[:, active] /= 2
         return move
 
     def equilibria(self, starts=240, seed=3, reach=None):
@@ -131,8 +131,8 @@ class Field:
         equilibria = []
         for point in self._refined(np.array(points).T):
             if point is not None and all(
-                np.linalg.norm(point - other) > 1e-6 * (1 + np.linalg.norm(other))
-                for other in equilibria
+                np.linalg.norm(point - equilibrium) > 1e-6 * (1 + np.linalg.norm(equilibrium))
+                for equilibrium in equilibria
             ):
                 equilibria.append(point)
         return sorted(equilibria, key=tuple)
@@ -141,10 +141,10 @@ class Field:
         """Return the state after `duration`, or None if the motion leaves a ball before."""
         from scipy.integrate import solve_ivp
 
-        def outside(_, x):
+        def boundary(_, x):
             return escape - np.linalg.norm(x)
 
-        outside.terminal = True
+        boundary.terminal = True
         with np.errstate(all="ignore"):
             path = solve_ivp(
                 self.velocity,
@@ -153,7 +153,7 @@ class Field:
                 method="DOP853",
                 rtol=1e-9,
                 atol=1e-12,
-                events=outside,
+                events=boundary,
             )
         return None if path.t[-1] < duration else path.y[:, -1]
 

@@ -63,11 +63,11 @@ def common_margin(equation):
     With v(d/dt) x = w(d/dt) u, z = m(d/dt) x a common root of v and w is uncontrollable, one of v and m
     unobservable.
     """
-    left, *others = (
+    left, *polynomials = (
         sp.Poly(side, equation.symbol)
         for side in (equation.left, equation.right, equation.measured)
     )
-    roots = [root for other in others for root in sp.gcd(left, other).all_roots()]
+    roots = [root for polynomial in polynomials for root in sp.gcd(left, polynomial).all_roots()]
     return -max(map(sp.re, roots), key=float) if roots else None
 
 

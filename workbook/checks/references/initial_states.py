@@ -24,13 +24,17 @@ from workbook.checks.tools.conditions import Case
 MOST_FUNCTIONS = 16
 
 
-def initial_states_of(A, H, L, parameters=(), of=None):
+def initial_states_of(A, H, L, parameters=(), selected=None):
     """Return the `InitialStates` of matrices as the data give them.
 
-    `of` are the positions of the unknowns that are asked for, if not all.
+    `selected` are the indices of the unknowns whose observability is asked for, by default all.
     """
-    return _known_starts(
-        sp.ImmutableMatrix(A), sp.ImmutableMatrix(H), sp.ImmutableMatrix(L), tuple(parameters), of
+    return _cached_initial_states(
+        sp.ImmutableMatrix(A),
+        sp.ImmutableMatrix(H),
+        sp.ImmutableMatrix(L),
+        tuple(parameters),
+        selected,
     )
 
 
@@ -49,8 +53,8 @@ def initial_states_of_varying(A, H, time, parameters=()):
 
 
 @functools.lru_cache(maxsize=64)
-def _known_starts(A, H, L, parameters, of):
-    return InitialStates(A, H, L, parameters, of)
+def _cached_initial_states(A, H, L, parameters, selected):
+    return InitialStates(A, H, L, parameters, selected)
 
 
 class InitialStates(Pair):
@@ -59,11 +63,11 @@ class InitialStates(Pair):
     `unobservable` are now vectors u; L is a matrix of numbers.
     """
 
-    def __init__(self, A, H, L, parameters, of=None):
+    def __init__(self, A, H, L, parameters, selected=None):
         super().__init__(A, H, parameters)
         if L.rows != A.rows:
             raise ValueError(f"starts of shape {L.shape} belong to no system of order {A.rows}")
-        self.unknowns, self._of = L.cols, of
+        self.unknowns, self._selected = L.cols, selected
         self.starts = [[_fraction(entry) for entry in L.row(i)] for i in range(L.rows)]
 
     def unobservable_at(self, point):
@@ -83,35 +87,35 @@ class InitialStates(Pair):
         unknowns = [relation[: self.unknowns] for relation in relations]
         return (
             unknowns
-            if self._of is None
-            else echelon([[vector[i] for i in self._of] for vector in unknowns])[0]
+            if self._selected is None
+            else echelon([[vector[i] for i in self._selected] for vector in unknowns])[0]
         )
 
     @functools.cached_property
-    def _seen(self):
-        """The cases in which no unobservable u has a part in what is asked, and in which one has."""
-        if self._of is None:
-            return super()._seen
+    def _observability_cases(self):
+        """The `Case` without and the one with unobservable u in the selected unknowns."""
+        if self._selected is None:
+            return super()._observability_cases
         u = sp.symbols(f"u:{self.unknowns}", real=True, cls=sp.Dummy)
         unobservable = sp.And(
-            self._given,
+            self._defined,
             *(sp.Eq(row, 0) for row in self._derivative_rows().to_Matrix() * sp.Matrix(u)),
         )
-        asked = sp.Or(*(sp.Ne(u[i], 0) for i in self._of))
-        return Case(sp.And(self._given, sp.Not(sp.And(unobservable, asked))), u, every=True), Case(
-            sp.And(unobservable, asked), u
-        )
+        selected_nonzero = sp.Or(*(sp.Ne(u[i], 0) for i in self._selected))
+        return Case(
+            sp.And(self._defined, sp.Not(sp.And(unobservable, selected_nonzero))), u, every=True
+        ), Case(sp.And(unobservable, selected_nonzero), u)
 
     def dimension_at(self, values):
-        if self._of is None or all(value.is_Rational for value in values.values()):
+        if self._selected is None or all(value.is_Rational for value in values.values()):
             return super().dimension_at(values)
         rows = self._rows_at(values)
-        others = [i for i in range(self.unknowns) if i not in self._of]
+        remaining = [i for i in range(self.unknowns) if i not in self._selected]
         rank = int(np.linalg.matrix_rank(rows, tol=1e-9))
         return (
-            len(self._of)
+            len(self._selected)
             - rank
-            + (int(np.linalg.matrix_rank(rows[:, others], tol=1e-9)) if others else 0)
+            + (int(np.linalg.matrix_rank(rows[:, remaining], tol=1e-9)) if remaining else 0)
         )
 
     def state_of(self, vector):

@@ -52,24 +52,24 @@ def kernel(rows, columns):
 
 def echelon(rows):
     """Return the reduced echelon form without zero rows, and the columns of its pivots."""
-    left, done, pivots = [list(row) for row in rows], [], []
-    for column in range(len(left[0]) if left else 0):
-        chosen = next((row for row in left if row[column]), None)
+    remaining, reduced, pivots = [list(row) for row in rows], [], []
+    for column in range(len(remaining[0]) if remaining else 0):
+        chosen = next((row for row in remaining if row[column]), None)
         if chosen is None:
             continue
-        left.remove(chosen)
+        remaining.remove(chosen)
         inverse = ONE / chosen[column]
         chosen = [inverse * entry for entry in chosen]
-        left, done = (
+        remaining, reduced = (
             [
                 [a - row[column] * b for a, b in zip(row, chosen)] if row[column] else row
                 for row in part
             ]
-            for part in (left, done)
+            for part in (remaining, reduced)
         )
-        done.append(chosen)
+        reduced.append(chosen)
         pivots.append(column)
-    return done, pivots
+    return reduced, pivots
 
 
 def product(rows, vector):

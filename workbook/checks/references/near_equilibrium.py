@@ -24,7 +24,9 @@ def stability_from_motions(flow, radius=0.05, duration=200.0):
         start = random.normal(size=len(flow.state))
         # a motion may come to zero from one side and leave it on the other
         for side in (radius, -radius):
-            trends.append(_trend(flow, measure, side * start / np.linalg.norm(start), duration))
+            trends.append(
+                _amplitude_ratio(flow, measure, side * start / np.linalg.norm(start), duration)
+            )
     low, high = min(trends) - 1, max(trends) - 1
     if high == np.inf:
         return (
@@ -44,14 +46,14 @@ def stability_from_motions(flow, radius=0.05, duration=200.0):
     raise RuntimeError(f"motions near zero do not decide: {reason}")
 
 
-def _trend(flow, measure, start, duration, escape=1.0):
-    """Return the ratio of the amplitudes late and midway in a motion; inf if it escapes."""
+def _amplitude_ratio(flow, measure, start, duration, escape=1.0):
+    """Return the ratio of the final amplitude of a motion to that midway; inf if it escapes."""
     from scipy.integrate import solve_ivp
 
-    def outside(_, x):
+    def boundary(_, x):
         return escape - np.linalg.norm(x)
 
-    outside.terminal = True
+    boundary.terminal = True
     times = np.concatenate([np.linspace(end - 0.1, end, 600) for end in (0.5, 1.0)]) * duration
     with np.errstate(all="ignore"):
         path = solve_ivp(
@@ -62,10 +64,10 @@ def _trend(flow, measure, start, duration, escape=1.0):
             rtol=1e-9,
             atol=1e-12,
             t_eval=times,
-            events=outside,
+            events=boundary,
         )
     if path.t_events[0].size:
         return np.inf
     amplitudes = np.linalg.norm(measure @ path.y, axis=0)
-    middle, late = amplitudes[:600].max(), amplitudes[600:].max()
-    return late / middle if middle > 1e-8 else 0.0
+    midway, final = amplitudes[:600].max(), amplitudes[600:].max()
+    return final / midway if midway > 1e-8 else 0.0

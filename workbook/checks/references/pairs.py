@@ -1,6 +1,6 @@
 """Pairs of a matrix A and an output z = H x with parameters: their unobservable states.
 
-For all values at once observability means that Kalman's determinant is not zero, or for several
+For all values at once observability means that the Kalman determinant is not zero, or for several
 outputs the sum of the squares of all its minors; at one point it is decided, exactly, by
 `invariant_subspaces`.
 """
@@ -82,14 +82,16 @@ class Pair:
         ]
         if not cases(claim):
             return samples
-        known = [values for values, _ in self.samples]
-        more = [
+        sampled_values = [values for values, _ in self.samples]
+        added = [
             (values, point_of(values))
-            for values in in_every_case(known, claim, self.generic_condition)[len(known) :]
+            for values in in_every_case(sampled_values, claim, self.generic_condition)[
+                len(sampled_values) :
+            ]
         ]
         return samples + [
             (values, point, self.unobservable_at(point))
-            for values, point in more
+            for values, point in added
             if self.at(point) is not None
         ]
 
@@ -117,7 +119,7 @@ class Pair:
         return self.systems_for(())
 
     def systems_for(self, claim):
-        """Return the same at every one of `samples_for` an answer."""
+        """Return (values, A, H, unobservable basis) at every one of `samples_for` an answer."""
         return [
             (
                 values,
@@ -138,35 +140,37 @@ class Pair:
 
     @functools.cached_property
     def _determinant(self):
-        """Kalman's determinant, or the sum of the squares of all minors; zero if not observable."""
+        """The Kalman determinant, or the sum of the squares of all minors; zero if not observable."""
         rows = self._derivative_rows()
         square = rows if rows.shape[0] == rows.shape[1] else rows.transpose() * rows
         return sp.Poly(square.domain.to_sympy(square.charpoly()[-1]), *self.parameters, domain="QQ")
 
     def reference(self, holds):
         """Return the `ReferenceCondition` that all unknowns are observable, or are not."""
-        all_seen, something_unseen = self._seen
-        inside, outside = (all_seen, something_unseen) if holds else (something_unseen, all_seen)
+        observable_case, unobservable_case = self._observability_cases
+        inside, outside = (
+            (observable_case, unobservable_case) if holds else (unobservable_case, observable_case)
+        )
 
         def at(values):
             return (
                 None
-                if self._given.subs(values) is sp.false
+                if self._defined.subs(values) is sp.false
                 else (self.dimension_at(values) == 0) == holds
             )
 
         return ReferenceCondition((inside,), (outside,), at)
 
     @functools.cached_property
-    def _given(self):
+    def _defined(self):
         """The condition that the matrices are defined."""
         return sp.And(*(sp.Ne(poly.as_expr(), 0) for poly in self._denominators))
 
     @functools.cached_property
-    def _seen(self):
+    def _observability_cases(self):
         """The `Case` in which all unknowns are observable, and the one in which something is not."""
         zero = sp.Eq(self._determinant.as_expr(), 0)
-        return Case(sp.And(self._given, sp.Not(zero))), Case(sp.And(self._given, zero))
+        return Case(sp.And(self._defined, sp.Not(zero))), Case(sp.And(self._defined, zero))
 
     def dimension_at(self, values):
         """Return the number of independent unobservable states at exact values of the parameters."""
@@ -179,7 +183,7 @@ class Pair:
         return rows / np.maximum(np.linalg.norm(rows, axis=1, keepdims=True), 1e-300)
 
     def _derivative_rows(self):
-        """Return Kalman's matrix, of the derivatives of the output at t = 0, without denominators."""
+        """Return the Kalman matrix, of the derivatives of the output at t = 0, without denominators."""
         A, H = (self._cleared(quotients) for quotients in self._quotients)
         rows = [H]
         while len(rows) < self.order:
@@ -190,10 +194,12 @@ class Pair:
         """Return the matrix times its common denominator, over the ring of polynomials."""
         ring = sp.QQ[tuple(self.parameters)]
         common = functools.reduce(
-            lambda one, other: one.lcm(other), (below for _, below in quotients)
+            lambda multiple, denominator: multiple.lcm(denominator),
+            (denominator for _, denominator in quotients),
         )
         entries = [
-            ring.from_sympy((above * common.quo(below)).as_expr()) for above, below in quotients
+            ring.from_sympy((numerator * common.quo(denominator)).as_expr())
+            for numerator, denominator in quotients
         ]
         rows = [entries[k : k + self.order] for k in range(0, len(entries), self.order)]
         return DomainMatrix(rows, (len(rows), self.order), ring)
@@ -217,11 +223,11 @@ def _value(poly, point):
 
 @functools.lru_cache(maxsize=512)
 def _compiled(poly):
-    """Return a rational polynomial as (a number, a whole polynomial as a function).
+    """Return a rational polynomial as (a number, an integer polynomial as a function).
 
     Fractions stay fractions in its code.
     """
-    factor, whole = poly.clear_denoms(convert=True)
-    return Fraction(int(factor)), Fraction(int(whole.LC())) if whole.is_ground else sp.lambdify(
-        poly.gens, whole.as_expr(), []
-    )
+    factor, integer_poly = poly.clear_denoms(convert=True)
+    return Fraction(int(factor)), Fraction(
+        int(integer_poly.LC())
+    ) if integer_poly.is_ground else sp.lambdify(poly.gens, integer_poly.as_expr(), [])

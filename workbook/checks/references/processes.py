@@ -109,7 +109,7 @@ def transition(process, duration):
 
 @functools.lru_cache(maxsize=256)
 def _transition(A, Q, n, duration):
-    """Return the same in continuous time, cached: its exponentials take most of the time."""
+    """Return (F, N) in continuous time, cached: the exponentials take most of the time."""
     from scipy.linalg import expm
 
     A, Q = (np.frombuffer(part).reshape(n, n) for part in (A, Q))
@@ -135,10 +135,10 @@ def joint_moments(process, times):
     """Return mean and covariance of the states at several times, stacked."""
     n, moments_at = len(process.A), [moments(process, time) for time in times]
     covariance = np.zeros((n * len(times), n * len(times)))
-    for i, early in enumerate(times):
-        for k, late in enumerate(times):
-            if early <= late:
-                block = transition(process, late - early)[0] @ moments_at[i][1]
+    for i, start in enumerate(times):
+        for k, end in enumerate(times):
+            if start <= end:
+                block = transition(process, end - start)[0] @ moments_at[i][1]
                 covariance[k * n : (k + 1) * n, i * n : (i + 1) * n] = block
                 covariance[i * n : (i + 1) * n, k * n : (k + 1) * n] = block.T
     return np.vstack([mean for mean, _ in moments_at]), covariance
@@ -192,8 +192,10 @@ def steady_covariances(process):
 
 def filter_gain(process, covariance):
     """Return the gain K of the best correction K (z - Hx) at this error covariance."""
-    spread = process.H @ covariance @ process.H.T + process.R if process.discrete else process.R
-    return np.linalg.solve(spread.T, process.H @ covariance.T).T
+    innovation_covariance = (
+        process.H @ covariance @ process.H.T + process.R if process.discrete else process.R
+    )
+    return np.linalg.solve(innovation_covariance.T, process.H @ covariance.T).T
 
 
 def error_covariance(process, gain):
@@ -218,18 +220,21 @@ def steady_exists(process):
     process = as_process(process)
     size = u**2 + w**2 - 1 if process.discrete else u
     unobservable, uncontrollable = (
-        _dependent(u + sp.I * w, matrix, below)
-        for matrix, below in ((process.A, process.H), (process.A.T, process.Q))
+        _dependent(u + sp.I * w, matrix, lower_block)
+        for matrix, lower_block in ((process.A, process.H), (process.A.T, process.Q))
     )
     none_exists = sp.Or(sp.And(size >= 0, unobservable), sp.And(sp.Eq(size, 0), uncontrollable))
 
     def at(values):
         if not all(value.is_Rational for value in values.values()):
             return None
-        one = process.subs(values)
+        numeric_process = process.subs(values)
         unobservable, uncontrollable = (
-            np.concatenate(fixed_eigenvalues(pair_of(matrix, below)))
-            for matrix, below in ((one.A, one.H), (one.A.T, one.Q))
+            np.concatenate(fixed_eigenvalues(pair_of(matrix, lower_block)))
+            for matrix, lower_block in (
+                (numeric_process.A, numeric_process.H),
+                (numeric_process.A.T, numeric_process.Q),
+            )
         )
         rates = [
             abs(values) - 1 if process.discrete else values.real
@@ -242,9 +247,9 @@ def steady_exists(process):
     )
 
 
-def _dependent(s, A, below):
+def _dependent(s, A, lower_block):
     """Return the condition that the columns of s - A above a matrix are dependent."""
-    pencil = (s * sp.eye(A.rows) - A).col_join(below)
+    pencil = (s * sp.eye(A.rows) - A).col_join(lower_block)
     minors = (
         pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz")
         for rows in itertools.combinations(range(pencil.rows), A.rows)

@@ -38,13 +38,13 @@ def _(system: Mechanical, parameters=()):
 
 
 @observed_pair.register
-def _(system: WithError, parameters=(), of=None):
-    """`of` are the positions of those unknowns that are asked for, if not all of them."""
-    both = augmented(system)
+def _(system: WithError, parameters=(), selected=None):
+    """`selected` are the indices of the unknowns whose observability is asked for, by default all."""
+    joint = augmented(system)
     if not system.start:
-        return observed_pair(both, parameters)
+        return observed_pair(joint, parameters)
     return initial_states_of(
-        both.A, both.H, sp.diag(sp.eye(system.A.rows), system.start), parameters, of
+        joint.A, joint.H, sp.diag(sp.eye(system.A.rows), system.start), parameters, selected
     )
 
 

@@ -42,25 +42,25 @@ class Regulator:
     def least(self, time=0.0):
         """Return the matrix S of the least cost from a state at a time."""
         if np.isfinite(self.duration):
-            return self._with_an_end(self.duration - time)
+            return self._finite_horizon_cost(self.duration - time)
         return (
-            self._of_observable_part()
+            self._cost_of_observable_part()
             if self.anywhere
             else processes.steady_covariances(self._dual)[0]
         )
 
-    def _with_an_end(self, left):
+    def _finite_horizon_cost(self, remaining_time):
         from scipy.linalg import expm
 
         push = self.B @ np.linalg.solve(self.N, self.B.T)
-        both = expm(-left * np.block([[self.A, -push], [-self.G, -self.A.T]])) @ np.vstack(
-            [np.eye(len(self.A)), self.F]
-        )
+        solution = expm(
+            -remaining_time * np.block([[self.A, -push], [-self.G, -self.A.T]])
+        ) @ np.vstack([np.eye(len(self.A)), self.F])
         n = len(self.A)
-        cost = np.linalg.solve(both[:n].T, both[n:].T)
+        cost = np.linalg.solve(solution[:n].T, solution[n:].T)
         return (cost + cost.T) / 2
 
-    def _of_observable_part(self):
+    def _cost_of_observable_part(self):
         exact = [
             sp.Matrix(matrix).applyfunc(lambda x: sp.nsimplify(x, rational=True))
             for matrix in (self.A, self.G)
@@ -75,7 +75,7 @@ class Regulator:
         )
         if not len(observable):
             return 0 * self.A
-        rest = Quadratic(
+        observable_part = Quadratic(
             *map(
                 sp.Matrix,
                 (
@@ -86,7 +86,7 @@ class Regulator:
                 ),
             )
         )
-        return observable.T @ Regulator(rest, {}).least() @ observable
+        return observable.T @ Regulator(observable_part, {}).least() @ observable
 
 
 def dual(problem):

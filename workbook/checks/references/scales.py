@@ -81,7 +81,7 @@ def _scales(stated, parameters):
     ]
 
 
-def judge_at_every_scale(claim, problem, parameters, points, weight, what):
+def judge_at_every_scale(claim, problem, parameters, points, weight, quantity):
     """Raise `Wrong` for an expression that does not scale with the problem.
 
     Parameters
@@ -96,52 +96,57 @@ def judge_at_every_scale(claim, problem, parameters, points, weight, what):
         {symbol: number} each.
     weight : sympy.Symbol
         A symbol of the scalings.
-    what : str
+    quantity : str
         The quantity, for the message.
     """
     factors_of_scales = scales(problem, parameters)
     if not factors_of_scales:
         return
     symbols = [s for s in points[0] if s in claim.free_symbols]
-    roughly = any(
+    has_decimal_exponent = any(
         power.exp.is_Float and not float(4 * power.exp).is_integer()
         for power in claim.atoms(sp.Pow)
     )
-    function, wide = (kind(symbols, [claim]) for kind in (real_function, multiprecision_function))
+    function, multiprecision = (
+        kind(symbols, [claim]) for kind in (real_function, multiprecision_function)
+    )
     at = np.array([[float(point[s]) for s in symbols] for point in points])
     numbers = function(*at.T)[0]
     # An exponent in decimals has three digits: over many powers of ten they decide nothing.
-    for factors in factors_of_scales[:: len(SCALES) if roughly else 1]:
-        other = at * [float(factors[s]) for s in symbols]
-        there, wanted = function(*other.T)[0], numbers * float(factors[weight])
+    for factors in factors_of_scales[:: len(SCALES) if has_decimal_exponent else 1]:
+        scaled_points = at * [float(factors[s]) for s in symbols]
+        scaled_values, expected = function(*scaled_points.T)[0], numbers * float(factors[weight])
         for k in first_difference(
-            there, wanted, DECIMALS if roughly else EXACT, lambda k, other=other: wide(*other[k])[0]
+            scaled_values,
+            expected,
+            DECIMALS if has_decimal_exponent else EXACT,
+            lambda k, scaled=scaled_points: multiprecision(*scaled[k])[0],
         ):
             raise Wrong(
-                f"{prefix_text(dict(zip(symbols, at[k])))}your {what} is {numbers[k]:.6g}. In other "
+                f"{prefix_text(dict(zip(symbols, at[k])))}your {quantity} is {numbers[k]:.6g}. In other "
                 "units the problem is the same, but there your expression is another "
-                f"{what}: {prefix_text(dict(zip(symbols, other[k])))}it is "
-                + (f"{there[k]:.6g}" if np.isfinite(there[k]) else "no real number")
+                f"{quantity}: {prefix_text(dict(zip(symbols, scaled_points[k])))}it is "
+                + (f"{scaled_values[k]:.6g}" if np.isfinite(scaled_values[k]) else "no real number")
             )
 
 
-def first_difference(numbers, wanted, share, wide):
+def first_difference(numbers, expected, share, recompute):
     """Return the index of the first wrong number, in a list, or an empty list.
 
     Parameters
     ----------
-    numbers, wanted : numpy.ndarray
-        The numbers; those that floats could not compute are replaced by those of `wide`.
+    numbers, expected : numpy.ndarray
+        The numbers; those that floats could not compute are replaced by those of `recompute`.
     share : float
-        The tolerance, relative to a number and to what is mere rounding beside the rest.
-    wide : callable
-        `wide(k)` computes a number anew, as in `multiprecision_function`.
+        The tolerance, relative to a number, and at least rounding relative to the largest.
+    recompute : callable
+        `recompute(k)` computes a number in more digits, as in `multiprecision_function`.
     """
-    size = np.abs(wanted)
+    size = np.abs(expected)
     slack = share * np.maximum(size, ROUNDING * np.nanmax(size, initial=0))
-    for k in np.flatnonzero(np.isfinite(wanted) & ~(abs(numbers - wanted) <= slack)):
-        numbers[k] = wide(k)
-        if not abs(numbers[k] - wanted[k]) <= slack[k]:
+    for k in np.flatnonzero(np.isfinite(expected) & ~(abs(numbers - expected) <= slack)):
+        numbers[k] = recompute(k)
+        if not abs(numbers[k] - expected[k]) <= slack[k]:
             return [k]
     return []
 
@@ -161,9 +166,9 @@ class _Weights(dict):
         """Demand that an expression has a weight; zero has every one."""
         if expression == 0 or expression.is_infinite:
             return
-        own = self.of(expression)
+        expression_weight = self.of(expression)
         if weight is not None:
-            self._equations.append(own - weight)
+            self._equations.append(expression_weight - weight)
 
     def of(self, expression):
         """Return the weight of an expression in those of its symbols; terms of sums need equal ones."""
@@ -179,11 +184,11 @@ class _Weights(dict):
             return self.of(expression.args[0])
         if not isinstance(expression, (sp.Add, sp.Function, sp.Pow)):
             raise _Other
-        first, *others = map(self.of, expression.args)
+        first, *other_weights = map(self.of, expression.args)
         self._equations += (
-            [other - first for other in others]
+            [other_weight - first for other_weight in other_weights]
             if isinstance(expression, sp.Add)
-            else [first, *others]
+            else [first, *other_weights]
         )
         return first if isinstance(expression, sp.Add) else sp.S.Zero
 

@@ -69,35 +69,38 @@ class SingularArcs:
     def __init__(self, problem, control, costates):
         self.problem, self.control, self.costates = problem, control, list(costates)
         self.state, self.parameters = list(problem.state), list(problem.parameters)
-        self.others = [u for u in problem.control if u != control]
+        self.other_controls = [u for u in problem.control if u != control]
         H = hamiltonian(problem, costates)
         self._flow = dict(problem.dynamics) | {
             psi: -sp.diff(H, y) for psi, y in zip(costates, self.state)
         }
-        self._known = known_costates(problem, costates)
+        self._known_costates = known_costates(problem, costates)
         self.derivatives, self.highest = self._derivatives(sp.expand(sp.diff(H, control)))
         self.order = None if self.highest is None else len(self.derivatives) // 2
         equations = list(self.derivatives)
         if problem.duration is None:
             equations.append(H.subs(control, 0))
-        self._equations = [e for e in (sp.expand(e.subs(self._known)) for e in equations) if e != 0]
-        self._unknown = [s for s in (*self.state, *self.costates) if s not in self._known]
+        self._equations = [
+            e for e in (sp.expand(e.subs(self._known_costates)) for e in equations) if e != 0
+        ]
+        self._unknown = [s for s in (*self.state, *self.costates) if s not in self._known_costates]
         #: Whether the equations say nothing of the size of the costates, which may be any then, but
         #: not zero.
         self._scalable = (
             bool(self._equations)
-            and not any(self._known.values())
+            and not any(self._known_costates.values())
             and all(e.subs(dict.fromkeys(self.costates, 0)) == 0 for e in self._equations)
         )
         self._costate = np.array([s in self.costates for s in self._unknown])
-        given = [*self.parameters, *self.others]
-        self._values = real_function([*self._unknown, *given], self._equations)
+        fixed_symbols = [*self.parameters, *self.other_controls]
+        self._values = real_function([*self._unknown, *fixed_symbols], self._equations)
         self._slopes = real_function(
-            [*self._unknown, *given],
+            [*self._unknown, *fixed_symbols],
             [sp.diff(e, s) for e in self._equations for s in self._unknown],
         )
         self._gain = real_function(
-            [*self._unknown, *given], [sp.diff(H, u).subs(self._known) for u in self.others]
+            [*self._unknown, *fixed_symbols],
+            [sp.diff(H, u).subs(self._known_costates) for u in self.other_controls],
         )
         #: The derivative of order 2q without the control, and the factor of the control in it.
         last = (
@@ -105,7 +108,7 @@ class SingularArcs:
             if self.highest is None
             else [self.highest.subs(control, 0), sp.diff(self.highest, control)]
         )
-        self._last = real_function([*self._unknown, *given], last)
+        self._last = real_function([*self._unknown, *fixed_symbols], last)
 
     @cached_points
     def points(self, domain=None):
@@ -122,27 +125,31 @@ class SingularArcs:
                     None if b.is_finite is False else float(b.subs(values))
                     for b in self.problem.controls[u]
                 )
-                for u in self.others
+                for u in self.other_controls
             ]
             start = [random_value(random, s, domain) for s in self._unknown]
             # Neither bound of the other controls always comes first.
-            for others in list(itertools.product(*ends))[:: (-1) ** k]:
+            for bound_values in list(itertools.product(*ends))[:: (-1) ** k]:
                 point = (
-                    self._near(start, [*values.values(), *others]) if None not in others else None
+                    self._closest_solution(start, [*values.values(), *bound_values])
+                    if None not in bound_values
+                    else None
                 )
                 if point is None or not self._inside(point, domain):
                     continue
-                gains = self._gain(*point, *values.values(), *others)
-                rest, factor = self._last(*point, *values.values(), *others)
-                if abs(factor) <= VANISHES * (1 + abs(rest)) and abs(rest) > VANISHES:
+                gains = self._gain(*point, *values.values(), *bound_values)
+                remainder, factor = self._last(*point, *values.values(), *bound_values)
+                if abs(factor) <= VANISHES * (1 + abs(remainder)) and abs(remainder) > VANISHES:
                     continue  # no control keeps S at zero here
                 if all(
                     (gain >= -1e-9) == (u == high)
-                    for gain, u, (_, high) in zip(gains, others, ends)
+                    for gain, u, (_, high) in zip(gains, bound_values, ends)
                 ):
-                    values |= dict(zip(self._unknown, point)) | dict(zip(self.others, others))
+                    values |= dict(zip(self._unknown, point)) | dict(
+                        zip(self.other_controls, bound_values)
+                    )
                     samples.append(
-                        values | {s: float(e.subs(values)) for s, e in self._known.items()}
+                        values | {s: float(e.subs(values)) for s, e in self._known_costates.items()}
                     )
                     break
             if len(samples) == ENOUGH:
@@ -154,64 +161,75 @@ class SingularArcs:
 
         `values` holds all symbols but these.
         """
-        left = [s for s in self._unknown if s in self.costates]
-        for others in itertools.product(
-            *([float(b.subs(values)) for b in self.problem.controls[u]] for u in self.others)
+        unknown_costates = [s for s in self._unknown if s in self.costates]
+        for bound_values in itertools.product(
+            *(
+                [float(b.subs(values)) for b in self.problem.controls[u]]
+                for u in self.other_controls
+            )
         ):
-            point = [0.0 if s in left else values[s] for s in self._unknown]
-            given = [*(values[p] for p in self.parameters), *others]
-            constant = self._values(*point, *given)
-            slopes = self._slopes(*point, *given).reshape(len(constant), -1)
-            matrix = slopes[:, [self._unknown.index(s) for s in left]]
+            point = [0.0 if s in unknown_costates else values[s] for s in self._unknown]
+            fixed_values = [*(values[p] for p in self.parameters), *bound_values]
+            constant = self._values(*point, *fixed_values)
+            slopes = self._slopes(*point, *fixed_values).reshape(len(constant), -1)
+            matrix = slopes[:, [self._unknown.index(s) for s in unknown_costates]]
             # An equation between states alone, or nearly, is as large as it may become next to the
             # point.
             general = self._slopes(
-                *(1.0 if s in left else values[s] for s in self._unknown), *given
+                *(1.0 if s in unknown_costates else values[s] for s in self._unknown), *fixed_values
             )
             size = np.abs(general.reshape(slopes.shape)).max(axis=1) + np.abs(constant)
             matrix, constant = matrix / size[:, None], constant / size
             if self._scalable:
-                if self._scaled(matrix, point, given, left, share):
+                if self._solvable_with_unit_costates(
+                    matrix, point, fixed_values, unknown_costates, share
+                ):
                     return True
                 continue
             costates = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
-            rest = matrix @ costates + constant
+            residual = matrix @ costates + constant
             if np.all(
-                np.abs(rest) <= share * (1 + np.abs(matrix) @ np.abs(costates))
-            ) and self._kept(matrix, constant, point, given, left, share):
+                np.abs(residual) <= share * (1 + np.abs(matrix) @ np.abs(costates))
+            ) and self._solvable_with_control(
+                matrix, constant, point, fixed_values, unknown_costates, share
+            ):
                 return True
         return False
 
-    def _scaled(self, matrix, point, given, left, share):
+    def _solvable_with_unit_costates(self, matrix, point, fixed_values, unknown_costates, share):
         """Return whether costates of length 1 solve the equations and a control keeps S at zero."""
         costates = np.linalg.svd(matrix)[2][-1]
         full = np.array(point, dtype=float)
-        full[[self._unknown.index(s) for s in left]] = costates
-        rest, factor = self._last(*full, *given)
+        full[[self._unknown.index(s) for s in unknown_costates]] = costates
+        remainder, factor = self._last(*full, *fixed_values)
         return bool(
             np.all(np.abs(matrix @ costates) <= share * (np.abs(matrix) @ np.abs(costates)))
-            and (abs(factor) > share * (1 + abs(rest)) or abs(rest) <= share)
+            and (abs(factor) > share * (1 + abs(remainder)) or abs(remainder) <= share)
         )
 
-    def _kept(self, matrix, constant, point, given, left, share):
+    def _solvable_with_control(
+        self, matrix, constant, point, fixed_values, unknown_costates, share
+    ):
         """Return whether for some costates that satisfy the equations a control keeps S at zero."""
-        at = [self._unknown.index(s) for s in left]
+        at = [self._unknown.index(s) for s in unknown_costates]
 
         def last(costates):
             full = np.array(point, dtype=float)
             full[at] = costates
-            return self._last(*full, *given)
+            return self._last(*full, *fixed_values)
 
-        zero = last(np.zeros(len(left)))
-        slopes = np.array([last(row) - zero for row in np.eye(len(left))]).reshape(len(left), 2)
+        zero = last(np.zeros(len(unknown_costates)))
+        slopes = np.array([last(row) - zero for row in np.eye(len(unknown_costates))]).reshape(
+            len(unknown_costates), 2
+        )
         solution = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
         _, sizes, basis = np.linalg.svd(matrix)
         free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()) :]
-        (rest, factor), turns = zero + solution @ slopes, free @ slopes
+        (remainder, factor), changes = zero + solution @ slopes, free @ slopes
         size = 1 + np.abs(slopes).max(initial=0)
-        if max(abs(factor), np.abs(turns[:, 1]).max(initial=0)) > share * size:
+        if max(abs(factor), np.abs(changes[:, 1]).max(initial=0)) > share * size:
             return True
-        return abs(rest) <= share * size or np.abs(turns[:, 0]).max(initial=0) > share * size
+        return abs(remainder) <= share * size or np.abs(changes[:, 0]).max(initial=0) > share * size
 
     def _derivatives(self, first):
         derivatives = [first]
@@ -222,29 +240,29 @@ class SingularArcs:
                     sp.S.Zero,
                 )
             )
-            entered = sp.simplify(sp.diff(following, self.control).subs(self._known)) != 0
+            entered = sp.simplify(sp.diff(following, self.control).subs(self._known_costates)) != 0
             if entered and len(derivatives) % 2 == 0:
-                return derivatives, following.subs(self._known)
+                return derivatives, following.subs(self._known_costates)
             derivatives.append(following.subs(self.control, 0))
         return derivatives, None
 
-    def _near(self, start, given):
+    def _closest_solution(self, start, fixed_values):
         """Return the point near a start where the equations hold, by steps of least length, or None."""
         point = np.array(start, dtype=float)
         for _ in range(STEPS):
-            rest = self._values(*point, *given)
-            slopes = self._slopes(*point, *given).reshape(len(rest), -1)
+            residual = self._values(*point, *fixed_values)
+            slopes = self._slopes(*point, *fixed_values).reshape(len(residual), -1)
             if self._scalable:
                 costates = np.where(self._costate, point, 0.0)
-                rest, slopes = (
-                    np.append(rest, costates @ costates - 1),
+                residual, slopes = (
+                    np.append(residual, costates @ costates - 1),
                     np.vstack([slopes, 2 * costates]),
                 )
-            if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+            if not (np.isfinite(residual).all() and np.isfinite(slopes).all()):
                 return None
-            if np.all(np.abs(rest) <= SOLVED * (np.abs(slopes) @ (1 + np.abs(point)))):
+            if np.all(np.abs(residual) <= SOLVED * (np.abs(slopes) @ (1 + np.abs(point)))):
                 return point
-            point = point - np.linalg.lstsq(slopes, rest, rcond=1e-12)[0]
+            point = point - np.linalg.lstsq(slopes, residual, rcond=1e-12)[0]
         return None
 
     def _inside(self, point, domain):

@@ -22,7 +22,7 @@ SURE = 1e-3
 MOST_CACHED = 8192
 
 
-def compare_region(answer, system, parameters, what, margin=0, unstable=False):
+def compare_region(answer, system, parameters, description, margin=0, unstable=False):
     """Compare a claimed region with the stable polynomials, or the unstable ones.
 
     Parameters
@@ -33,7 +33,7 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
         The polynomial or the matrix.
     parameters : list of sympy.Symbol
         Its parameters.
-    what : str
+    description : str
         The property, for the message.
     margin : number
         The border is where the largest real part is -margin; with a margin both sides are accepted.
@@ -47,9 +47,9 @@ def compare_region(answer, system, parameters, what, margin=0, unstable=False):
 
     def message(values, holds):
         position = (
-            f"outside your region, yet it is {what}"
+            f"outside your region, yet it is {description}"
             if holds
-            else f"inside your region, yet it is not {what}"
+            else f"inside your region, yet it is not {description}"
         )
         return f"the point {values_text(values)} lies {position}: {spectrum.describe(values)}"
 
@@ -87,13 +87,13 @@ def _rational(matrix):
 
     SymPy cannot order the factors of its characteristic polynomial otherwise.
     """
-    others = {
+    symbols = {
         entry: sp.Dummy("entry", real=True)
         for entry in matrix
         if entry.free_symbols and not entry.is_rational_function(*entry.free_symbols)
     }
-    return matrix.applyfunc(lambda entry: others.get(entry, entry)), {
-        symbol: entry for entry, symbol in others.items()
+    return matrix.applyfunc(lambda entry: symbols.get(entry, entry)), {
+        symbol: entry for entry, symbol in symbols.items()
     }
 
 
@@ -134,9 +134,9 @@ class Spectrum:
     def __init__(self, system, parameters, margin):
         self.parameters, self.margin = list(parameters), sp.nsimplify(margin)
         if isinstance(system, sp.MatrixBase):
-            system, meant = _rational(system)
+            system, entries = _rational(system)
             characteristic = system.charpoly()
-            symbol, polynomial = characteristic.gen, characteristic.as_expr().xreplace(meant)
+            symbol, polynomial = characteristic.gen, characteristic.as_expr().xreplace(entries)
         else:
             (symbol,) = system.free_symbols - set(parameters)
             polynomial = sp.sympify(system)
@@ -174,12 +174,14 @@ class Spectrum:
         )
         minors = [self._terms[0]]
         for k in range(1, n + 1):
-            rational, meant = _rational(hurwitz[:k, :k])
+            rational, entries = _rational(hurwitz[:k, :k])
             matrix = DomainMatrix.from_Matrix(rational)
             # The characteristic polynomial of a matrix of order k ends with (-1)^k times its
             # determinant.
             minors.append(
-                sp.expand((-1) ** k * matrix.domain.to_sympy(matrix.charpoly()[-1]).xreplace(meant))
+                sp.expand(
+                    (-1) ** k * matrix.domain.to_sympy(matrix.charpoly()[-1]).xreplace(entries)
+                )
             )
         for sign in (1, -1):
             signs.append(
@@ -231,10 +233,11 @@ class Spectrum:
         if not all(poly.domain.is_ZZ or poly.domain.is_QQ for poly in polys):
             return None
         # Whole coefficients, so that fractions stay fractions in the code that is made of them.
-        wholes, cleared = zip(*(poly.clear_denoms(convert=True) for poly in polys))
+        denominators, cleared = zip(*(poly.clear_denoms(convert=True) for poly in polys))
         function = sp.lambdify(self.parameters, [poly.as_expr() for poly in cleared], [])
         return lambda *point: [
-            Fraction(value) / int(whole) for value, whole in zip(function(*point), wholes)
+            Fraction(value) / int(denominator)
+            for value, denominator in zip(function(*point), denominators)
         ]
 
     def is_stable(self, values):
@@ -282,8 +285,8 @@ class Spectrum:
             return "so says Routh's scheme, with coefficients beyond 1e308"
         # Roots computed in floating point: below this the point lies on the imaginary axis, which
         # without a margin Routh has decided.
-        near = abs(largest) < 1e-7 and (
+        on_axis = abs(largest) < 1e-7 and (
             self.margin or not (self.is_stable(values) or self.is_unstable(values))
         )
-        text = f"{largest:.4g}" if not near else "0" if self.margin else "exactly 0"
+        text = f"{largest:.4g}" if not on_axis else "0" if self.margin else "exactly 0"
         return f"the largest real part of a root is {text}"

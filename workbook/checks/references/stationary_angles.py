@@ -37,12 +37,12 @@ class StationaryAngles:
         self.parameters = list(parameters)
         force = sp.sympify(field[1])
         names = [phi, *self.parameters]
-        still = {rate: 0}
-        self._force = sp.lambdify(names, force.subs(still), "numpy")
-        self._slope = sp.lambdify(names, sp.diff(force, phi).subs(still), "numpy")
-        self._curvature = sp.lambdify(names, sp.diff(force, phi, 2).subs(still), "numpy")
-        self._friction = sp.lambdify(names, sp.diff(force, rate).subs(still), "numpy")
-        self._known = {}
+        at_rest = {rate: 0}
+        self._force = sp.lambdify(names, force.subs(at_rest), "numpy")
+        self._slope = sp.lambdify(names, sp.diff(force, phi).subs(at_rest), "numpy")
+        self._curvature = sp.lambdify(names, sp.diff(force, phi, 2).subs(at_rest), "numpy")
+        self._friction = sp.lambdify(names, sp.diff(force, rate).subs(at_rest), "numpy")
+        self._slopes_at = {}
 
     def _numbers(self, values):
         return [float(values[p]) for p in self.parameters]
@@ -70,12 +70,12 @@ class StationaryAngles:
 
     def slopes(self, values):
         """Return the `derivatives` at all stationary angles."""
-        asked = tuple(values[p] for p in self.parameters)
-        if asked not in self._known:
-            if len(self._known) == MOST_KEPT:
-                self._known.clear()
-            self._known[asked] = [self.derivatives(values, phi) for phi in self.rest(values)]
-        return self._known[asked]
+        key = tuple(values[p] for p in self.parameters)
+        if key not in self._slopes_at:
+            if len(self._slopes_at) == MOST_KEPT:
+                self._slopes_at.clear()
+            self._slopes_at[key] = [self.derivatives(values, phi) for phi in self.rest(values)]
+        return self._slopes_at[key]
 
     def derivatives(self, values, phi):
         """Return the derivatives of f at a stationary angle with respect to phi and phi'."""
@@ -100,7 +100,7 @@ class StationaryAngles:
         return samples
 
     def samples_for(self, claims):
-        """Return the samples, and more for cases of an answer that these do not meet."""
+        """Return the samples, and more for cases of an answer that these do not cover."""
         return [values for values in in_every_case(self.samples, claims) if len(self.rest(values))]
 
     @functools.cached_property

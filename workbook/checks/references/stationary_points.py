@@ -33,7 +33,7 @@ END = 1e-7
 
 def stationary_points_of(field, state, parameters, domain):
     """Return the `StationaryPoints` of the data, the same for the same data."""
-    return _known(
+    return _cached_points(
         tuple(map(sp.sympify, field)),
         tuple(state),
         tuple(parameters),
@@ -42,7 +42,7 @@ def stationary_points_of(field, state, parameters, domain):
 
 
 @functools.lru_cache(maxsize=16)
-def _known(field, state, parameters, domain):
+def _cached_points(field, state, parameters, domain):
     return StationaryPoints(field, state, parameters, dict(domain))
 
 
@@ -52,14 +52,17 @@ class StationaryPoints:
     def __init__(self, field, state, parameters, domain):
         self.state, self.parameters, self.domain = list(state), list(parameters), dict(domain or {})
         expressions = [sp.sympify(component) for component in field]
-        left = set().union(*(e.free_symbols for e in expressions)) - {*self.state, *self.parameters}
-        if left:
-            raise ValueError(f"the field still contains {left}")
+        foreign = set().union(*(e.free_symbols for e in expressions)) - {
+            *self.state,
+            *self.parameters,
+        }
+        if foreign:
+            raise ValueError(f"the field still contains {foreign}")
         self.field = expressions
         self._square = len(expressions) == len(self.state)
         self._function = self._compiled(expressions)
-        # The numerators have the same zeros inside the domain, and Newton's method likes them
-        # better.
+        # The numerators have the same zeros inside the domain, and Newton's method converges
+        # better on them.
         self._numerators = self._compiled(
             [sp.numer(sp.together(component)) for component in expressions]
         )
@@ -71,7 +74,7 @@ class StationaryPoints:
         self._starts = np.array(
             [[random_value(random, x, self.domain) for x in self.state] for _ in range(STARTS)]
         ).T
-        self._settled = {}
+        self._newton_results = {}
 
     def _compiled(self, expressions):
         slopes = (
@@ -96,14 +99,14 @@ class StationaryPoints:
 
         They are points (n, columns, starts) and which of them are stationary points in the domain.
         """
-        asked = (numbers.tobytes(), numbers.shape, starts, steps)
-        if asked not in self._settled:
-            if len(self._settled) == MOST_KEPT:
-                self._settled.clear()
-            self._settled[asked] = self._settle(numbers, starts, steps)
-        return self._settled[asked]
+        key = (numbers.tobytes(), numbers.shape, starts, steps)
+        if key not in self._newton_results:
+            if len(self._newton_results) == MOST_KEPT:
+                self._newton_results.clear()
+            self._newton_results[key] = self._newton_from_starts(numbers, starts, steps)
+        return self._newton_results[key]
 
-    def _settle(self, numbers, starts, steps):
+    def _newton_from_starts(self, numbers, starts, steps):
         x = np.repeat(self._starts[:, None, :starts], numbers.shape[1], axis=1)
         fixed = numbers[:, :, None]
         for _ in range(steps):
@@ -124,24 +127,24 @@ class StationaryPoints:
                         else trial[k]
                     )
             x = trial
-        settled = np.all(
+        converged = np.all(
             abs(_newton(_evaluated(self._function, x, fixed))) < 1e-9 * (1 + abs(x)), axis=0
         )
         x = self.reduced(x)
-        return x, settled & self.inside(x)
+        return x, converged & self.inside(x)
 
     def rests(self, numbers):
         """Return the list of stationary points in the domain for every column of parameter values."""
-        x, good = self.settle(numbers, starts=STARTS, steps=40)
-        return [_different(x[:, j, good[j]]) for j in range(x.shape[1])]
+        x, is_point = self.settle(numbers, starts=STARTS, steps=40)
+        return [_distinct_columns(x[:, j, is_point[j]]) for j in range(x.shape[1])]
 
     def first_rests(self, numbers):
         """Return the stationary point for every column of parameters, and whether it exists."""
-        x, good = self.settle(numbers, starts=32, steps=40)
-        first = np.take_along_axis(x, np.argmax(good, axis=1)[None, :, None], axis=2)
-        if np.any(good & (abs(x - first) > 1e-5 * (1 + abs(first))).any(axis=0)):
+        x, is_point = self.settle(numbers, starts=32, steps=40)
+        first = np.take_along_axis(x, np.argmax(is_point, axis=1)[None, :, None], axis=2)
+        if np.any(is_point & (abs(x - first) > 1e-5 * (1 + abs(first))).any(axis=0)):
             raise RuntimeError("there are several stationary points in the domain")
-        return first[:, :, 0], good.any(axis=1)
+        return first[:, :, 0], is_point.any(axis=1)
 
     def reduced(self, points):
         """Return points with their angles in their intervals."""
@@ -164,21 +167,23 @@ class StationaryPoints:
                 result &= points[k] < high - (END if interval.right_open else -END)
         return result
 
-    def same(self, point, rest, written, uncertain=None):
+    def same(self, point, reference, written, uncertain=None):
         """Return whether a claimed point is this stationary point.
 
         To three significant digits if it is written in decimals, which may change the coordinates by
         `uncertain`.
         """
-        difference = point - rest
+        difference = point - reference
         for k, angle in enumerate(self._angles):
             if angle:
                 difference[k] = (difference[k] + math.pi) % (2 * math.pi) - math.pi
-        size = max(np.abs(rest).max(), 1e-12)
-        uncertain = [None] * len(rest) if uncertain is None else uncertain
+        size = max(np.abs(reference).max(), 1e-12)
+        uncertain = [None] * len(reference) if uncertain is None else uncertain
         return all(
-            agree(r + d, r, expression, size, uncertain=open_)
-            for d, r, expression, open_ in zip(difference, rest, written, uncertain)
+            agree(r + d, r, expression, size, uncertain=uncertainty_of_entry)
+            for d, r, expression, uncertainty_of_entry in zip(
+                difference, reference, written, uncertain
+            )
         )
 
     def samples(self, claim=(), count=7, need_rest=True, alone=True):
@@ -187,7 +192,7 @@ class StationaryPoints:
         Parameters
         ----------
         claim : object
-            The answer; samples are added for cases of it that the others do not meet.
+            The answer; samples are added for cases of it that the others do not cover.
         count : int
             The number of samples.
         need_rest : bool
@@ -196,34 +201,40 @@ class StationaryPoints:
             Whether there has to be one; otherwise the third is the list of all points of the domain, and
             values without a point are taken, too.
         """
-        tries, numbers = self._tries
-        rests = self._rests_of_tries if need_rest else [[None]] * len(tries)
-        chosen = [k for k, stationary in enumerate(rests) if stationary]
+        candidates, numbers = self._candidates
+        points_of_candidates = (
+            self._points_of_candidates if need_rest else [[None]] * len(candidates)
+        )
+        chosen = [k for k, stationary in enumerate(points_of_candidates) if stationary]
         if not chosen:
             raise RuntimeError(
                 "no sample values of the parameters have a stationary point in the domain"
             )
         # Samples with the most points first: these are the ones where a point can be missed.
-        most = sorted(chosen, key=lambda k: -len(rests[k]))[:count]
-        without = [k for k, stationary in enumerate(rests) if not stationary]
-        taken = [
+        richest = sorted(chosen, key=lambda k: -len(points_of_candidates[k]))[:count]
+        without_points = [k for k, stationary in enumerate(points_of_candidates) if not stationary]
+        samples = [
             (
                 {
                     p: sp.Rational(x.numerator, x.denominator)
-                    for p, x in zip(self.parameters, tries[k])
+                    for p, x in zip(self.parameters, candidates[k])
                 },
                 numbers[:, k],
-                rests[k],
+                points_of_candidates[k],
             )
-            for k in (most if alone else [*most, *chosen[:count], *without[:count]])
+            for k in (richest if alone else [*richest, *chosen[:count], *without_points[:count]])
         ]
-        known = [values for values, *_ in taken]
-        for values in in_every_case(known, claim, self.given)[len(known) :] if cases(claim) else ():
+        sampled_values = [values for values, *_ in samples]
+        for values in (
+            in_every_case(sampled_values, claim, self.given)[len(sampled_values) :]
+            if cases(claim)
+            else ()
+        ):
             column = self.numbers(values)
             stationary = [] if column is None else self.rests(column)[0] if need_rest else [None]
             if column is not None and (stationary or not alone):
-                taken.append((values, column[:, 0], stationary))
-        for values, column, stationary in taken:
+                samples.append((values, column[:, 0], stationary))
+        for values, column, stationary in samples:
             if alone and len(stationary) > 1:
                 raise RuntimeError(
                     f"{sample_text(values)}there are {len(stationary)} stationary points in the domain"
@@ -231,7 +242,7 @@ class StationaryPoints:
             yield values, column, stationary[0] if alone else stationary
 
     @functools.cached_property
-    def _tries(self):
+    def _candidates(self):
         """Candidate values of the parameters: rationals in rows, floats in columns."""
         count = 30 if self.parameters else 1
         # Multiples of irrational numbers are spread evenly, every few of them that follow one
@@ -243,29 +254,33 @@ class StationaryPoints:
             )
             % 1
         )
-        tries = [
+        candidates = [
             [
                 simple_rational(random_value(None, p, self.domain, share), p, self.domain)
                 for p, share in zip(self.parameters, row)
             ]
             for row in shares
         ]
-        return tries, np.array(tries, dtype=float).T.reshape(len(self.parameters), len(tries))
+        return candidates, np.array(candidates, dtype=float).T.reshape(
+            len(self.parameters), len(candidates)
+        )
 
     @functools.cached_property
-    def _rests_of_tries(self):
-        return self.rests(self._tries[1])
+    def _points_of_candidates(self):
+        return self.rests(self._candidates[1])
 
     @functools.cached_property
     def given(self):
         """The condition of the domain on the parameters."""
-        return sp.And(*(_within(p, interval_of(p, self.domain)) for p in self.parameters))
+        return sp.And(
+            *(_interval_condition(p, interval_of(p, self.domain)) for p in self.parameters)
+        )
 
     @functools.cached_property
     def at_rest(self):
         """The condition that a state lies in the domain and the right-hand sides vanish there."""
         return sp.And(
-            *(_within(x, interval_of(x, self.domain)) for x in self.state),
+            *(_interval_condition(x, interval_of(x, self.domain)) for x in self.state),
             *(sp.Eq(component, 0) for component in self.field),
         )
 
@@ -283,7 +298,7 @@ class StationaryPoints:
         return np.array([[float(values[p])] for p in self.parameters])
 
 
-def _within(symbol, interval):
+def _interval_condition(symbol, interval):
     """Return the condition that a symbol lies in an interval; of an angle, by sine or cosine."""
     turns = {
         sp.Interval.Lopen(-sp.pi, sp.pi): sp.true,
@@ -294,7 +309,7 @@ def _within(symbol, interval):
     return turns[interval] if interval in turns else interval.as_relational(symbol)
 
 
-def _different(points):
+def _distinct_columns(points):
     """Return the columns of an array without those close to an earlier one: a list."""
     different = []
     while points.shape[1]:

@@ -24,14 +24,14 @@ def bound_violating_error(claim, matrix, state, factor):
     if not np.abs(e).max() > 0:
         raise Wrong("without an error nothing is wrong: both sides are zero")
     values = np.linalg.svd(H, compute_uv=False)
-    found = np.linalg.norm(np.linalg.lstsq(H, e, rcond=None)[0])
+    error_norm = np.linalg.norm(np.linalg.lstsq(H, e, rcond=None)[0])
     bound = (
         values[0] / values[-1] * np.linalg.norm(e) / np.linalg.norm(H @ x + e) * np.linalg.norm(x)
     )
-    if not found >= float(factor) * bound * (1 - 1e-9):
+    if not error_norm >= float(factor) * bound * (1 - 1e-9):
         raise Wrong(
-            f"the estimate is wrong by {found:.4g} and the printed bound is {bound:.4g}: it is "
-            f"exceeded {found / bound:.3g} times, not {float(factor):g} times"
+            f"the estimate is wrong by {error_norm:.4g} and the printed bound is {bound:.4g}: it is "
+            f"exceeded {error_norm / bound:.3g} times, not {float(factor):g} times"
         )
     return "the estimate is wrong by more than the printed bound, as many times as was asked"
 
@@ -46,11 +46,11 @@ def greatest_row_count(n, m, mu, eps):
     def threshold(rows):
         return 1 / ((sp.sqrt(m) * (2 * m - 3) * (4 * rows + 27) + 11) * eps)
 
-    for rows, below in ((n, True), (n + 1, False)):
-        if bool(mu < threshold(rows)) != below:
+    for rows, is_below in ((n, True), (n + 1, False)):
+        if bool(mu < threshold(rows)) != is_below:
             raise Wrong(
                 directed(
-                    f"{rows} rows are {'too many' if below else 'still not too many'} for the "
+                    f"{rows} rows are {'too many' if is_below else 'still not too many'} for the "
                     "threshold",
                     f"{n} is not the greatest number of rows for the threshold",
                 )

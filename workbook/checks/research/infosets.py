@@ -50,7 +50,7 @@ def common_point_exists(answer, sides, bounds):
     The symbols of the bounds have positive values.
     """
     symbols = _symbols(bounds)
-    here = sp.And(*(symbol > 0 for symbol in symbols))
+    domain = sp.And(*(symbol > 0 for symbol in symbols))
 
     def reason(values, holds):
         return f"for {values_text(values)} " + (
@@ -60,7 +60,7 @@ def common_point_exists(answer, sides, bounds):
         )
 
     needed = _necessary(sides.as_immutable(), tuple(map(sp.sympify, bounds)))
-    agreement = compare(answer, symbols, exactly(needed, here), reason)
+    agreement = compare(answer, symbols, exactly(needed, domain), reason)
     return f"it agrees with the bounds on all pairs and triples of sides: {agreement}"
 
 
@@ -69,39 +69,41 @@ def _symbols(bounds):
 
 
 def _corners(sides, bounds, values):
-    """All corners at numbers for the symbols, shape (count, 2)."""
+    """Return all corners at values of the symbols, of shape (count, 2)."""
     a = np.array(sides.tolist(), dtype=float)
     b = np.array([float(sp.sympify(bound).subs(values)) for bound in bounds])
-    found = []
+    corners = []
     for i, j in itertools.combinations(range(len(b)), 2):
         pair = a[[i, j]]
         if abs(np.linalg.det(pair)) > ROUNDING:
             corner = np.linalg.solve(pair, b[[i, j]])
             if (a @ corner <= b + ROUNDING * (1 + np.abs(b).max())).all():
-                found.append(corner)
-    if not found:
+                corners.append(corner)
+    if not corners:
         raise Wrong("for some values of the symbols the polygon has no corner")
-    return np.array(found)
+    return np.array(corners)
 
 
 @functools.lru_cache(maxsize=32)
 def _necessary(sides, bounds):
-    """The conditions sum lambda_i b_i >= 0 for all lambda >= 0 of two or three sides with sum
-    lambda_i a_i = 0."""
+    """Return the conditions of Farkas' lemma over pairs and triples of sides.
+
+    sum lambda_i b_i >= 0 for all lambda >= 0 with sum lambda_i a_i = 0.
+    """
     rows = [sides.row(i) for i in range(sides.rows)]
-    turns = {
+    cross_products = {
         (i, j): sp.simplify(rows[i][0] * rows[j][1] - rows[i][1] * rows[j][0])
         for i, j in itertools.combinations(range(len(rows)), 2)
     }
-    found = [
+    conditions = [
         sp.simplify(rows[j].norm() * bounds[i] + rows[i].norm() * bounds[j]) >= 0
-        for (i, j), turn in turns.items()
-        if turn == 0 and rows[i].dot(rows[j]) < 0
+        for (i, j), cross_product in cross_products.items()
+        if cross_product == 0 and rows[i].dot(rows[j]) < 0
     ]
     for i, j, k in itertools.combinations(range(len(rows)), 3):
-        weights = [turns[j, k], -turns[i, k], turns[i, j]]
+        weights = [cross_products[j, k], -cross_products[i, k], cross_products[i, j]]
         signs = {sp.sign(weight) for weight in weights}
         if len(signs) == 1 and signs != {sp.S.Zero}:
             total = sum(abs(weight) * bounds[n] for weight, n in zip(weights, (i, j, k)))
-            found.append(sp.simplify(total / abs(weights[0])) >= 0)
-    return sp.And(*found)
+            conditions.append(sp.simplify(total / abs(weights[0])) >= 0)
+    return sp.And(*conditions)

@@ -34,38 +34,40 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
     )
     for values in in_every_case(_inside(nodes), claim, between):
         values = values | places
-        found = dict(zip(names, (_polynomial(powers, nodes, values, order) for order in (0, 1))))
-        true = complex(sp.sympify(quantity).subs(found | values).evalf())
+        interpolant_values = dict(
+            zip(names, (_polynomial(powers, nodes, values, order) for order in (0, 1)))
+        )
+        true = complex(sp.sympify(quantity).subs(interpolant_values | values).evalf())
         yield SameValue(
             claim,
             true.real if abs(true.imag) < 1e-12 else math.nan,
             "the quantity that was asked for",
             values,
-            abs(true) + max(map(abs, found.values())),
+            abs(true) + max(map(abs, interpolant_values.values())),
         )
     return f"the polynomial through the table gives the same at {SAMPLES} places"
 
 
 def _powers(motion, nodes):
-    """The coefficients of the polynomial by powers of all variables."""
+    """Return the coefficients of the polynomial in powers of all variables."""
     grid = np.meshgrid(*([float(node) for node in axis] for axis in nodes.values()), indexing="ij")
     rows = np.stack([axis.ravel() for axis in grid], axis=1)
     exact = [sp.sympify(motion).subs(dict(zip(nodes, _exactly(nodes, row)))) for row in rows]
-    found = np.array([float(value) for value in exact]).reshape(grid[0].shape)
+    coefficients = np.array([float(value) for value in exact]).reshape(grid[0].shape)
     for k, axis in enumerate(nodes.values()):
         vandermonde = np.vander([float(node) for node in axis], increasing=True)
-        found = np.moveaxis(
-            np.linalg.solve(vandermonde, np.moveaxis(found, k, 0).reshape(len(axis), -1)).reshape(
-                len(axis), *np.delete(found.shape, k)
-            ),
+        coefficients = np.moveaxis(
+            np.linalg.solve(
+                vandermonde, np.moveaxis(coefficients, k, 0).reshape(len(axis), -1)
+            ).reshape(len(axis), *np.delete(coefficients.shape, k)),
             0,
             k,
         )
-    return found
+    return coefficients
 
 
 def _exactly(nodes, row):
-    """The nodes that a row of decimals stands for."""
+    """Return the exact nodes closest to a row of decimals."""
     return [
         min(axis, key=lambda node: abs(float(node) - point))
         for axis, point in zip(nodes.values(), row)
@@ -73,20 +75,23 @@ def _exactly(nodes, row):
 
 
 def _polynomial(powers, nodes, values, order):
-    """Its value, or its derivative by the first variable."""
-    found = powers
+    """Return the value of the polynomial, or of its derivative by the first variable."""
+    coefficients = powers
     for k, symbol in reversed(list(enumerate(nodes))):
-        row = np.array([float(values[symbol]) ** n for n in range(found.shape[-1])])
+        row = np.array([float(values[symbol]) ** n for n in range(coefficients.shape[-1])])
         if k == 0 and order:
             row = np.array(
-                [n * float(values[symbol]) ** (n - 1) if n else 0.0 for n in range(found.shape[-1])]
+                [
+                    n * float(values[symbol]) ** (n - 1) if n else 0.0
+                    for n in range(coefficients.shape[-1])
+                ]
             )
-        found = found @ row
-    return float(found)
+        coefficients = coefficients @ row
+    return float(coefficients)
 
 
 def _inside(nodes):
-    """Random places between the nodes."""
+    """Yield random points between the nodes."""
     random = np.random.default_rng(SEED)
     for _ in range(SAMPLES):
         yield {

@@ -29,23 +29,28 @@ def invariant_weights(claims, signal, nuisance, functional):
             )
             for rows in (signal, nuisance)
         )
-        wanted = np.array([float(sp.sympify(number).subs(values)) for number in functional])
-        conditions, right = np.vstack([psi, theta]), np.append(wanted, np.zeros(len(theta)))
+        functional_values = np.array(
+            [float(sp.sympify(number).subs(values)) for number in functional]
+        )
+        conditions, right = (
+            np.vstack([psi, theta]),
+            np.append(functional_values, np.zeros(len(theta))),
+        )
         true = np.linalg.pinv(conditions) @ right
 
         def message(claimed, i, j):
             weights, where = claimed[:, 0].real, rounded_text(values)
-            means, passes = psi @ weights, theta @ weights
+            means, nuisance_factors = psi @ weights, theta @ weights
             slack = 1e-6 * np.abs(conditions) @ np.abs(weights)
-            for k in np.flatnonzero(np.abs(means - wanted) > slack[: len(psi)])[:1]:
+            for k in np.flatnonzero(np.abs(means - functional_values) > slack[: len(psi)])[:1]:
                 return (
                     f"for {where}, function {k + 1} of the signal comes out of your weights as "
                     f"{means[k]:.4g}, not as it should: the estimate is biased"
                 )
-            for k in np.flatnonzero(np.abs(passes) > slack[len(psi) :])[:1]:
+            for k in np.flatnonzero(np.abs(nuisance_factors) > slack[len(psi) :])[:1]:
                 return (
                     f"for {where}, function {k + 1} of the nuisance comes through your weights "
-                    f"with the factor {passes[k]:.4g}"
+                    f"with the factor {nuisance_factors[k]:.4g}"
                 )
             return (
                 f"for {where}, your weights are unbiased and ignore the nuisance, but their sum of "

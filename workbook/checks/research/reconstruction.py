@@ -41,7 +41,7 @@ def transition_polynomial(claim, transition, lam, kappa):
             "for"
         )
     (symbol,), n, random = lam.free_symbols, transition.rows, np.random.default_rng(61)
-    what, power = (
+    expression_text, power = (
         ("det(lambda E - A)", 0)
         if lam == symbol
         else (f"det(lambda E - A)/lambda^{n // 2}", n // 2)
@@ -55,11 +55,13 @@ def transition_polynomial(claim, transition, lam, kappa):
         yield SameValue(
             claim,
             true.real,
-            what if power == 0 else f"{what} at lambda = {number_text(point)}",
+            expression_text
+            if power == 0
+            else f"{expression_text} at lambda = {number_text(point)}",
             {symbol: at, kappa: stiffness},
             abs(true) + 1,
         )
-    return f"it is {what} for random {symbol} and {kappa}"
+    return f"it is {expression_text} for random {symbol} and {kappa}"
 
 
 @judged(Number())
@@ -101,7 +103,7 @@ def spline_acceleration(claim, times, samples, rho=None, M=None):
     The samples have the equal weight rho; without weights the easiest motion through the
     samples is meant.
     """
-    for values, t, h in _drawn(times, samples, *filter(None, (rho, M))):
+    for values, t, h in _random_samples(times, samples, *filter(None, (rho, M))):
         states = _least_cost(t, h, values.get(rho), values.get(M))
         yield SameValue(
             claim,
@@ -110,14 +112,16 @@ def spline_acceleration(claim, times, samples, rho=None, M=None):
             values,
             np.abs(h).max() / t[1] ** 2,
         )
-    which = "easiest motion through the samples" if rho is None else "motion with the least cost"
-    return f"it is that of the {which}, for random values of all symbols"
+    motion_text = (
+        "easiest motion through the samples" if rho is None else "motion with the least cost"
+    )
+    return f"it is that of the {motion_text}, for random values of all symbols"
 
 
 @judged(Expressions("times", "samples", "rho", "M", length=lambda data: len(data["times"])))
 def spline_positions(claims, times, samples, rho, M):
     """Check the positions at the samples of the motion of least cost."""
-    for values, t, h in _drawn(times, samples, rho, M):
+    for values, t, h in _random_samples(times, samples, rho, M):
         x, _ = _least_cost(t, h, values[rho], values[M])
         for k, claim in enumerate(claims):
             yield SameValue(claim, x[k], f"x{k}", values, np.abs(h).max())
@@ -131,13 +135,13 @@ def weight_for_bound(claim, times, samples, rho, D):
         weight = value_at(claim, values, "M")
         if weight <= 0:
             raise Wrong(f"for {rounded_text(values)} your M = {weight:.4g} is not positive")
-        ((open_,),) = entry_uncertainties(sp.Matrix([[claim]]), values)
-        greatest, *others = (
-            abs(_middle(t, *_least_cost(t, h, values[rho], max(one, weight / 2))))
-            for one in (weight, weight - open_, weight + open_)
+        ((uncertainty,),) = entry_uncertainties(sp.Matrix([[claim]]), values)
+        greatest, *accelerations = (
+            abs(_middle(t, *_least_cost(t, h, values[rho], max(perturbed_weight, weight / 2))))
+            for perturbed_weight in (weight, weight - uncertainty, weight + uncertainty)
         )
         if not abs(greatest - values[D]) <= 1e-8 * values[D] + max(
-            abs(other - greatest) for other in others
+            abs(acceleration - greatest) for acceleration in accelerations
         ):
             raise Wrong(
                 f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} "
@@ -188,10 +192,10 @@ def bounded_misfit(claim, times, samples, rho, D):
         )
         free = np.array([np.inf, np.inf])
         limits = np.append(free, np.full(step.size, values[D]))
-        found = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
+        solution = lsq_linear(rows, h, (-limits, limits), method="bvls", tol=1e-14)
         yield SameValue(
             claim,
-            2 * values[rho] * found.cost,
+            2 * values[rho] * solution.cost,
             "the least misfit",
             values,
             values[rho] * np.sum(h**2),
@@ -208,11 +212,11 @@ def filter_gain(claim, omega, rho, M):
     """
     for values in in_every_case(random_values([omega, rho, M], SEED), claim):
         gain = value_at(claim, values, "the factor")
-        left = values[M] * values[omega] ** 4 * gain + values[rho] * (gain - 1)
-        if not abs(left) <= 1e-9 * (values[M] * values[omega] ** 4 + values[rho]):
+        residual = values[M] * values[omega] ** 4 * gain + values[rho] * (gain - 1)
+        if not abs(residual) <= 1e-9 * (values[M] * values[omega] ** 4 + values[rho]):
             raise Wrong(
                 f"for {rounded_text(values)}, at t = 0, your motion leaves M x'''' + rho (x - h) = "
-                f"{left:.4g}"
+                f"{residual:.4g}"
             )
     return "x = g h satisfies the equation, for random frequencies and weights"
 
@@ -257,14 +261,16 @@ def _matrix(transition, kappa, value):
 
 
 def _split(transition, kappa, value):
-    """(w1 - w2)^2 for the two values w of lambda + 1/lambda: its sign changes where pairs of
-    eigenvalues meet."""
+    """Return (w1 - w2)^2 for the two values w of lambda + 1/lambda.
+
+    Its sign changes where pairs of eigenvalues meet.
+    """
     _, first, second, _, _ = np.poly(_matrix(transition, kappa, value))
     return first**2 - 4 * (second - 2)
 
 
 def _least_cost(t, h, rho, M):
-    """Positions and velocities at the samples; M None: through the samples."""
+    """Return positions and velocities at the samples; with M None the motion is through them."""
     n = t.size
     cost = np.zeros((2 * n, 2 * n))
     for k, tau in enumerate(np.diff(t)):
@@ -282,19 +288,19 @@ def _least_cost(t, h, rho, M):
 
 
 def _middle(t, x, y):
-    """The acceleration at the second sample, from the cubic before it."""
+    """Return the acceleration at the second sample, from the cubic before it."""
     tau = t[1] - t[0]
     return (6 * (x[0] - x[1]) / tau + 2 * y[0] + 4 * y[1]) / tau
 
 
-def _symbols(times, samples, *more):
-    found = set().union(*(sp.sympify(part).free_symbols for part in [*times, *samples]))
-    return sorted(found, key=str) + list(more)
+def _symbols(times, samples, *further_symbols):
+    symbols = set().union(*(sp.sympify(part).free_symbols for part in [*times, *samples]))
+    return sorted(symbols, key=str) + list(further_symbols)
 
 
-def _drawn(times, samples, *more):
-    """Random positive values of all symbols, with times and samples as arrays."""
-    for values in random_values(_symbols(times, samples, *more), SEED):
+def _random_samples(times, samples, *further_symbols):
+    """Yield random positive values of all symbols, with times and samples as arrays."""
+    for values in random_values(_symbols(times, samples, *further_symbols), SEED):
         yield (
             values,
             *(
@@ -305,8 +311,8 @@ def _drawn(times, samples, *more):
 
 
 def _bounded(times, samples, rho, D):
-    """The same with a bound D that is active, for the direct method too."""
+    """Yield random samples with an active bound D, active for the direct method too."""
     random = np.random.default_rng(65)
-    for values, t, h in _drawn(times, samples, rho):
+    for values, t, h in _random_samples(times, samples, rho):
         values[D] = random.uniform(0.1, 0.6) * abs(_middle(t, *_least_cost(t, h, 1.0, None)))
         yield values, t, h

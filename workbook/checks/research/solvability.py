@@ -27,35 +27,35 @@ MOMENTS = 12
 ZERO = 1e-8
 
 
-@judged(Expression("system.A", "left_out"))
-def bias_of_estimate(claim, system, unknowns, wanted, left_out):
-    """Check the error of the estimate of `wanted` if the unknown `left_out` is taken for zero.
+@judged(Expression("system.A", "neglected"))
+def bias_of_estimate(claim, system, unknowns, estimated, neglected):
+    """Check the error of the estimate of the unknown `estimated` if `neglected` is set to zero.
 
-    The unknown `left_out` is constant.
+    `neglected` is a constant unknown.
     """
-    j, k = list(unknowns).index(wanted), list(unknowns).index(left_out)
-    kept = [i for i in range(system.A.rows) if i != k]
-    for values in in_every_case(random_values([*_symbols(system.A), left_out], 73), claim):
+    j, k = list(unknowns).index(estimated), list(unknowns).index(neglected)
+    remaining = [i for i in range(system.A.rows) if i != k]
+    for values in in_every_case(random_values([*_symbols(system.A), neglected], 73), claim):
         rows = _rows(system.A, system.H, values, np.linspace(0, 4, 3 * MOMENTS))
-        found = np.linalg.lstsq(rows[:, kept], rows[:, k] * values[left_out], rcond=None)[0]
+        bias = np.linalg.lstsq(rows[:, remaining], rows[:, k] * values[neglected], rcond=None)[0]
         yield SameValue(
             claim,
-            found[kept.index(j)],
-            f"the error of the estimate of {wanted}",
+            bias[remaining.index(j)],
+            f"the error of the estimate of {estimated}",
             values,
-            abs(values[left_out]),
+            abs(values[neglected]),
             1e-7,
         )
     return "least squares without this unknown is wrong by it, for random values of the symbols"
 
 
 @judged(Expression("system.A", "tau", "delta"))
-def worst_case_error(claim, system, unknowns, wanted, tau, delta):
-    """Check the greatest error of `wanted` from three measurements with errors up to delta.
+def worst_case_error(claim, system, unknowns, estimated, tau, delta):
+    """Check the greatest error of the unknown `estimated` from three measurements with errors up to delta.
 
     The measurements are taken at 0, tau, 2 tau.
     """
-    j = list(unknowns).index(wanted)
+    j = list(unknowns).index(estimated)
     for values in in_every_case(random_values([*_symbols(system.A), tau, delta], 74), claim):
         fastest = np.abs(np.linalg.eigvals(_array(system.A, values))).max()
         # between an eighth and seven eighths of half a period
@@ -68,7 +68,7 @@ def worst_case_error(claim, system, unknowns, wanted, tau, delta):
         yield SameValue(
             claim,
             max(abs(error) for error in corners),
-            f"the greatest error of {wanted}",
+            f"the greatest error of {estimated}",
             values,
             0,
             1e-7,
@@ -88,11 +88,11 @@ def unobservable_by_bearings(answer, relative, t):
         for time in np.linspace(0, 2.5, MOMENTS):
             x, y = (float(part.subs(values | {t: time})) for part in relative)
             dx, dy = direction[:2] + time * direction[2:]
-            turned = (x * dy - y * dx) / (x * x + y * y)
-            if not abs(turned) <= ZERO:
+            bearing_rate = (x * dy - y * dx) / (x * x + y * y)
+            if not abs(bearing_rate) <= ZERO:
                 raise Wrong(
                     f"for {rounded_text(values)}, scaled to length 1, your change turns the "
-                    f"bearing at t = {time:.3g} by {turned:.3g} rad per unit"
+                    f"bearing at t = {time:.3g} by {bearing_rate:.3g} rad per unit"
                 )
     (x, y), (dx, dy) = relative, (sp.diff(part, t) for part in relative)
     judge_everywhere(
@@ -113,10 +113,11 @@ def range_observable(answer, relative, t, T, turn):
     """
     symbols = [*_symbols(sp.Matrix(relative), t), t, T, *turn]
     after = [part - change * (t - T) for part, change in zip(relative, turn)]
-    # the targets left over by the bearings before T are those whose relative motion is `relative`
-    # times a factor
-    message = _without(after[0] * relative[1] - after[1] * relative[0], t - T)
-    here = sp.And(t > T, sp.Or(*(sp.Ne(part, 0) for part in after)))
+    # the bearings before T leave the relative motion open up to a factor of `relative`
+    bearing_change = _without_positive_factor(
+        after[0] * relative[1] - after[1] * relative[0], t - T
+    )
+    domain = sp.And(t > T, sp.Or(*(sp.Ne(part, 0) for part in after)))
 
     def reason(values, holds):
         return f"for {values_text(values)} a small change of the range " + (
@@ -125,14 +126,13 @@ def range_observable(answer, relative, t, T, turn):
             else "does not change the bearing, yet your condition holds"
         )
 
-    agreement = compare(answer, symbols, exactly(sp.Ne(message, 0), here), reason)
+    agreement = compare(answer, symbols, exactly(sp.Ne(bearing_change, 0), domain), reason)
     return f"it agrees with the change of the bearing: {agreement}"
 
 
 @functools.lru_cache(maxsize=16)
-def _without(expression, positive):
-    """Data divided by a factor that is positive, so that there are fewer terms: kept for all
-    verdicts."""
+def _without_positive_factor(expression, positive):
+    """Return an expression without a positive factor, for fewer terms; cached for all answers."""
     factors = sp.Mul.make_args(sp.factor(sp.expand(expression)))
     return sp.Mul(*(factor for factor in factors if factor not in (positive, -positive)))
 
@@ -171,13 +171,16 @@ def range_modes(claims, matrix, sight, initial, rate, t):
     """Check the four coefficients of 1, t, cos(rate t), sin(rate t) in the deviation of a range."""
     symbols = [*_symbols(matrix), *sight, *initial]
     for values in in_every_case(random_values(symbols, 79), claims):
-        now = [value_at(claim, values, "a coefficient") for claim in claims]
+        coefficients = [value_at(claim, values, "a coefficient") for claim in claims]
         w, start = values[rate], np.array([values[s] for s in initial])
-        times, towards = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
-        for time, move in zip(times, _moves(matrix, values, times)):
-            true = towards @ (move @ start)[: len(sight)]
+        times, direction = np.linspace(0.1, 7, MOMENTS), np.array([values[s] for s in sight])
+        for time, transition in zip(times, _transitions(matrix, values, times)):
+            true = direction @ (transition @ start)[: len(sight)]
             claimed = (
-                now[0] + now[1] * time + now[2] * math.cos(w * time) + now[3] * math.sin(w * time)
+                coefficients[0]
+                + coefficients[1] * time
+                + coefficients[2] * math.cos(w * time)
+                + coefficients[3] * math.sin(w * time)
             )
             if not abs(claimed - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
                 raise Wrong(
@@ -214,11 +217,11 @@ def stations_insufficient(answer, matrix, first, second):
     vanish.
     """
     symbols = [*first, *second]
-    given = sp.And(
+    domain = sp.And(
         *(sp.Eq(sum(n**2 for n in sight), 1) for sight in (first, second)),
         *(sp.Ne(n, 0) for n in symbols),
     )
-    unseen = _unseen_along(
+    unobservable = _unobservable_along(
         matrix.subs({s: sp.Rational(2, 3) for s in _symbols(matrix)}), first, second
     )
 
@@ -230,35 +233,40 @@ def stations_insufficient(answer, matrix, first, second):
         )
 
     reference = exactly(
-        unseen, given, points=lambda: (dict(zip(symbols, pair)) for pair in _pairs_of_directions())
+        unobservable,
+        domain,
+        points=lambda: (dict(zip(symbols, pair)) for pair in _pairs_of_directions()),
     )
     agreement = compare(answer, symbols, reference, message)
     return f"it agrees with the rank, for directions in general position and in special ones: {agreement}"
 
 
-def _unseen_along(matrix, *sights):
-    """The condition under which ranges along all of the directions miss a motion of x' = A x
-    (PBH test)."""
+def _unobservable_along(matrix, *sights):
+    """Return the condition that ranges along all directions leave a motion of x' = A x unobservable.
+
+    By the PBH test.
+    """
     rows = sp.Matrix([[*sight, *[0] * (matrix.rows - len(sight))] for sight in sights])
-    found = []
+    conditions = []
     for _, _, vectors in matrix.eigenvects():
-        seen = rows * sp.Matrix.hstack(*vectors)
+        outputs = rows * sp.Matrix.hstack(*vectors)
         minors = [
-            seen.extract(list(chosen), list(range(seen.cols))).det()
-            for chosen in itertools.combinations(range(seen.rows), seen.cols)
+            outputs.extract(list(chosen), list(range(outputs.cols))).det()
+            for chosen in itertools.combinations(range(outputs.rows), outputs.cols)
         ]
-        found.append(
+        conditions.append(
             sp.And(
                 *(sp.Eq(part, 0) for minor in minors for part in sp.expand(minor).as_real_imag())
             )
         )
-    return sp.Or(*found)
+    return sp.Or(*conditions)
 
 
 def _pairs_of_directions(count=48):
-    """Pairs of unit vectors of fractions, none of whose components vanish, each pair in a row:
-    general ones, the same and the opposite direction, mirrored and perpendicular ones, close ones
-    and those with two components in proportion.
+    """Yield pairs of rational unit vectors without zero components, each pair in one list.
+
+    General pairs, equal and opposite directions, mirrored and perpendicular ones, close ones, and
+    pairs with two components in proportion.
     """
     random = np.random.default_rng(82)
 
@@ -270,51 +278,50 @@ def _pairs_of_directions(count=48):
             (1 - a * a - b * b) / (1 + a * a + b * b),
         ]
 
-    def drawn():
+    def random_fraction():
         return sp.Rational(
             int(random.choice((-1, 1)) * random.integers(1, 12)), int(random.integers(13, 17))
         )
 
     for number in range(count):
-        a, b, factor, k = drawn(), drawn(), drawn(), number // 8 % 3
-        one = unit(a, b)
-        mirror = [-n if i == k else n for i, n in enumerate(one)]
-        # a and b turn about the first one's axis: these are orthonormal
-        across = [
+        a, b, factor, k = random_fraction(), random_fraction(), random_fraction(), number // 8 % 3
+        first = unit(a, b)
+        mirror = [-n if i == k else n for i, n in enumerate(first)]
+        # orthonormal with `first`
+        perpendicular = [
             1 - 2 * a * a / (1 + a * a + b * b),
             -2 * a * b / (1 + a * a + b * b),
             -2 * a / (1 + a * a + b * b),
         ]
-        other = [
-            one,
-            [-n for n in one],
+        second = [
+            first,
+            [-n for n in first],
             mirror,
             [-n for n in mirror],
-            across,
+            perpendicular,
             unit(a * sp.Rational(101, 100), b),
             unit(factor * a, factor * b),
-            unit(drawn(), drawn()),
+            unit(random_fraction(), random_fraction()),
         ][number % 8]
-        turned = [*one[k:], *one[:k]], [*other[k:], *other[:k]]
-        if all(turned[0]) and all(turned[1]):
-            yield turned[0] + turned[1]
+        rotated = [*first[k:], *first[:k]], [*second[k:], *second[:k]]
+        if all(rotated[0]) and all(rotated[1]):
+            yield rotated[0] + rotated[1]
 
 
 def _rows(matrix, output, values, times):
-    """The stacked matrix of the measurements at the given times."""
-    return np.concatenate(_array(output, values) @ _moves(matrix, values, times))
+    """Return the stacked matrix of the measurements at times."""
+    return np.concatenate(_array(output, values) @ _transitions(matrix, values, times))
 
 
-def _moves(matrix, values, times):
-    """The matrices that take the initial state to the states at the given times, stacked along the
-    first axis."""
+def _transitions(matrix, values, times):
+    """Return the state-transition matrices at times, stacked along the first axis."""
     from scipy.linalg import expm
 
     return expm(_array(matrix, values) * times[:, None, None])
 
 
 def _direction(claim, values):
-    """The vector at the given values, scaled to length 1."""
+    """Return the vector at values of the symbols, scaled to length 1."""
     numbers = np.array(
         [value_at(part, values, f"component {k}") for k, part in enumerate(claim, 1)]
     )
@@ -325,8 +332,8 @@ def _direction(claim, values):
     return numbers / np.linalg.norm(numbers)
 
 
-def _symbols(matrix, *without):
-    return sorted(matrix.free_symbols - set(without), key=str)
+def _symbols(matrix, *excluded):
+    return sorted(matrix.free_symbols - set(excluded), key=str)
 
 
 def _array(matrix, values):

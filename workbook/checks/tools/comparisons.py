@@ -36,7 +36,7 @@ class SameValue:
         The answer.
     true : float
         The true value.
-    what : str
+    quantity : str
         The quantity, for the message.
     values : dict
         {symbol: value}.
@@ -51,16 +51,16 @@ class SameValue:
 
     claim: sp.Expr
     true: float
-    what: str
+    quantity: str
     values: dict
     size: float = 0.0
     computed: float = EXACT
     constant: bool = False
 
     def judge(self):
-        value = value_at(self.claim, self.values, self.what)
+        value = value_at(self.claim, self.values, self.quantity)
         if not cmath.isfinite(self.true):
-            raise RuntimeError(f"{self.what} could not be computed")
+            raise RuntimeError(f"{self.quantity} could not be computed")
         if not agree(
             value,
             self.true,
@@ -70,9 +70,9 @@ class SameValue:
             uncertainty_at(self.claim, self.values),
         ):
             if self.constant or not self.values:
-                raise Wrong(f"{self.what} is another number than {value:.4g}")
+                raise Wrong(f"{self.quantity} is another number than {value:.4g}")
             raise Wrong(
-                f"for {rounded_text(self.values)}, {other_text(self.what, value, self.true)}"
+                f"for {rounded_text(self.values)}, {other_text(self.quantity, value, self.true)}"
             )
 
 
@@ -126,7 +126,7 @@ class SameEntries:
 
 @dataclass
 class SameTruth:
-    """A condition is as true as a property.
+    """A condition holds exactly where a property does.
 
     Parameters
     ----------
@@ -155,19 +155,19 @@ class SameTruth:
 
 @dataclass
 class SameMembers:
-    """Of several things all are named and no more, in any order; returns the matched ones.
+    """The answer names all true members and no others, in any order; returns those matched.
 
     Parameters
     ----------
     claimed, true : list
         The members named in the answer and the true ones.
-    fits : callable
-        `fits(member, other)`: whether a named member is a true one.
+    matches : callable
+        `matches(member, reference)`: whether a named member is a true one.
     extra : callable
         `extra(member)` builds the message on a named member that is none of the true ones.
     missing : callable
-        `missing(count, others)` builds the message if of the true members only so many are named and
-        the others are not.
+        `missing(count, unmatched)` builds the message if only `count` of the true members are named;
+        `unmatched` are the others.
     repeated : callable, optional
         `repeated(member)` builds the message on a member named before; without it members may be
         named again.
@@ -175,23 +175,29 @@ class SameMembers:
 
     claimed: list
     true: list
-    fits: Callable
+    matches: Callable
     extra: Callable
     missing: Callable
     repeated: Callable | None = None
 
     def judge(self):
-        matched, left = [], list(range(len(self.true)))
+        matched, unmatched = [], list(range(len(self.true)))
         for member in self.claimed:
-            near = [k for k, other in enumerate(self.true) if self.fits(member, other)]
-            if not near:
+            matches = [
+                k for k, reference in enumerate(self.true) if self.matches(member, reference)
+            ]
+            if not matches:
                 raise Wrong(self.extra(member))
-            if self.repeated and not set(near) & set(left):
+            if self.repeated and not set(matches) & set(unmatched):
                 raise Wrong(self.repeated(member))
-            left = [k for k in left if k not in (near[:1] if self.repeated else near)]
-            matched.append(self.true[near[0]])
-        if left:
-            raise Wrong(self.missing(len(self.true) - len(left), [self.true[k] for k in left]))
+            unmatched = [
+                k for k in unmatched if k not in (matches[:1] if self.repeated else matches)
+            ]
+            matched.append(self.true[matches[0]])
+        if unmatched:
+            raise Wrong(
+                self.missing(len(self.true) - len(unmatched), [self.true[k] for k in unmatched])
+            )
         return matched
 
 
@@ -205,18 +211,18 @@ class SameWord:
         The word of the answer and the right one.
     reason : str
         The reason, which the message holds either way.
-    contrary : str
+    prefix : str
         What precedes it in the message if the word is wrong.
     """
 
     claim: object
     true: object
     reason: str
-    contrary: str = ""
+    prefix: str = ""
 
     def judge(self):
         if self.claim != self.true:
-            raise Wrong(self.contrary + self.reason)
+            raise Wrong(self.prefix + self.reason)
         return self.reason
 
 

@@ -40,13 +40,13 @@ def points_at_kinks(claim, points):
     symbols = list(points[0])
     function = real_function(symbols, [claim])
     ends = np.array([[float(point[s]) for s in symbols] for point in points])
-    begin, way, every = ends[:-1], np.diff(ends, axis=0), np.arange(len(ends) - 1)
+    begin, segment, rows = ends[:-1], np.diff(ends, axis=0), np.arange(len(ends) - 1)
 
     def values(parts):
-        at = begin[:, None] + way[:, None] * parts[..., None]
+        at = begin[:, None] + segment[:, None] * parts[..., None]
         return at, np.broadcast_to(function(*np.moveaxis(at, -1, 0))[0], parts.shape)
 
-    first, width, strength = np.zeros(len(every)), np.ones(len(every)), []
+    first, width, strength = np.zeros(len(rows)), np.ones(len(rows)), []
     for _ in range(ROUNDS):
         parts = first[:, None] + width[:, None] * np.arange(PARTS + 1) / PARTS
         try:
@@ -55,17 +55,15 @@ def points_at_kinks(claim, points):
             return []
         differences = np.nan_to_num(np.abs(np.diff(numbers, ORDER, axis=1)), nan=np.inf)
         top = differences.argmax(axis=1)
-        strength.append(
-            differences[every, top] / np.nanmax(np.abs(numbers), axis=1, initial=1e-300)
-        )
-        first, width = parts[every, top], ORDER * width / PARTS
+        strength.append(differences[rows, top] / np.nanmax(np.abs(numbers), axis=1, initial=1e-300))
+        first, width = parts[rows, top], ORDER * width / PARTS
     # Looked at so much closer, what is smooth bends less by the power ORDER, a corner by the first
     # or the second one.
-    bent = (strength[1] > strength[0] * (ORDER / PARTS) ** 2.5) & (strength[1] > NONE)
+    has_kink = (strength[1] > strength[0] * (ORDER / PARTS) ** 2.5) & (strength[1] > NONE)
     at, numbers = values(np.clip((first + width / 2)[:, None] + [-ASIDE, ASIDE], 0, 1))
     return [
         dict(zip(symbols, at[k, side].tolist()))
-        for k in sorted(np.flatnonzero(bent), key=lambda k: -strength[JUDGED][k])[:MOST]
+        for k in sorted(np.flatnonzero(has_kink), key=lambda k: -strength[JUDGED][k])[:MOST]
         for side in range(
             1 if abs(numbers[k, 1] - numbers[k, 0]) <= SAME * abs(numbers[k, 0]) else 2
         )

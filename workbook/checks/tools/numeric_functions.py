@@ -101,18 +101,18 @@ def _compiled(symbols, e):
         function = sp.lambdify(
             symbols, _printable(e), [{"select": _first_of}, *libraries], docstring_limit=0
         )
-        known = {
+        globals_by_name = {
             name: function.__globals__.get(name, getattr(builtins, name, None))
             for name in function.__code__.co_names
         }
-        odd = {
+        unsupported = {
             name
-            for name, value in known.items()
+            for name, value in globals_by_name.items()
             if value is None or getattr(value, "__module__", None) == "math"
         }
         # Some of these are attributes, as in `logical_and.reduce`.
-        if not odd or not any(
-            step.opname == "LOAD_GLOBAL" and step.argval in odd
+        if not unsupported or not any(
+            step.opname == "LOAD_GLOBAL" and step.argval in unsupported
             for step in dis.get_instructions(function)
         ):
             return function

@@ -22,16 +22,16 @@ MOST_KEPT = 32
 
 def cached_points(search):
     """Cache a search for points, dicts {symbol: value}: its results serve every answer."""
-    known = {}
+    cache = {}
 
     @functools.wraps(search)
     def points(*data, **options):
         key = _fixed(data), _fixed(options)
-        if key not in known:
-            if len(known) == MOST_KEPT:
-                known.clear()
-            known[key] = list(search(*data, **options))
-        return [dict(point) for point in known[key]]
+        if key not in cache:
+            if len(cache) == MOST_KEPT:
+                cache.clear()
+            cache[key] = list(search(*data, **options))
+        return [dict(point) for point in cache[key]]
 
     return points
 
@@ -103,14 +103,14 @@ def general_values(parameters):
     return [_scaled(values, 1, values) for values in (*samples, *far)]
 
 
-def allowed_values(parameters, given, count):
+def allowed_values(parameters, domain, count):
     """Return rational values of both signs for parameters that satisfy conditions.
 
     Parameters
     ----------
     parameters : list of sympy.Symbol
         The parameters; whole numbers are taken for integer ones.
-    given : sympy condition or list of them
+    domain : sympy condition or list of them
         What the values have to satisfy.
     count : int
         The number of samples. Where too few values of size one are allowed, larger ones are taken too.
@@ -120,14 +120,14 @@ def allowed_values(parameters, given, count):
     list of dict
     """
     return (
-        [dict(values) for values in _allowed(tuple(parameters), conjunction(given), count)]
+        [dict(values) for values in _allowed(tuple(parameters), conjunction(domain), count)]
         if parameters
         else [{}]
     )
 
 
 @functools.lru_cache(maxsize=64)
-def _allowed(parameters, given, count):
+def _allowed(parameters, domain, count):
     """Return allowed values; every claim of a problem is tried at the same ones."""
     allowed = []
     for scale in (1, 4, 16):
@@ -137,7 +137,7 @@ def _allowed(parameters, given, count):
                 _scaled(parameters, scale, values)
                 for values in sample_values(parameters, 12 * count)
             )
-            if given.subs(values) is sp.true
+            if domain.subs(values) is sp.true
         ]
         if len(allowed) >= count:
             break
@@ -158,8 +158,8 @@ def _scaled(parameters, scale, values):
     }
 
 
-def in_every_case(samples, claim, given=sp.true):
-    """Return samples, extended by one for each case of an answer that they do not meet.
+def in_every_case(samples, claim, domain=sp.true):
+    """Return samples, extended by one for each case of an answer that they do not cover.
 
     Parameters
     ----------
@@ -167,7 +167,7 @@ def in_every_case(samples, claim, given=sp.true):
         Values of the same symbols.
     claim : object
         The answer, or a list of its parts.
-    given : sympy condition or list of them
+    domain : sympy condition or list of them
         What further samples have to satisfy.
 
     Returns
@@ -186,18 +186,18 @@ def in_every_case(samples, claim, given=sp.true):
         ),
         key=str,
     )
-    met = _met(relations, samples)
-    for base in samples[:2] if len(met) < 2 ** len(relations) else ():
+    covered = _covered_cases(relations, samples)
+    for base in samples[:2] if len(covered) < 2 ** len(relations) else ():
         choices = [[base[s], *_between_borders(relations, base, s)] for s in base]
         for chosen in itertools.islice(itertools.product(*choices), MOST_CASES):
             values = dict(zip(base, chosen))
             outcomes = _outcomes_at(relations, values)
             if (
-                outcomes not in met
-                and conjunction(given).subs(values) is sp.true
+                outcomes not in covered
+                and conjunction(domain).subs(values) is sp.true
                 and not _left_out(claim, dict(zip(relations, outcomes)), values)
             ):
-                met.add(outcomes)
+                covered.add(outcomes)
                 samples.append(values)
     return samples
 
@@ -226,7 +226,7 @@ def _left_out(claim, outcomes, values):
 
     A limit given in one entry of a matrix does not oblige the others.
     """
-    alone = {
+    equalities = {
         relation
         for relation, outcome in outcomes.items()
         if (isinstance(relation, sp.Eq) and outcome == sp.true)
@@ -237,8 +237,8 @@ def _left_out(claim, outcomes, values):
         for part in _parts(claim)
         for entry in (part if isinstance(part, sp.MatrixBase) else [part])
     ]
-    return bool(alone) and any(
-        entry.subs(values).has(sp.nan, sp.zoo) for entry in entries if not cases(entry) & alone
+    return bool(equalities) and any(
+        entry.subs(values).has(sp.nan, sp.zoo) for entry in entries if not cases(entry) & equalities
     )
 
 
@@ -249,14 +249,14 @@ def _parts(claim):
     return [claim] if isinstance(claim, (sp.Basic, sp.MatrixBase)) else []
 
 
-def _met(relations, samples):
-    """Return the cases that sample values meet, stopping when all are met."""
-    met = set()
+def _covered_cases(relations, samples):
+    """Return the cases in which sample values lie; stop when all are covered."""
+    covered = set()
     for values in samples:
-        if len(met) == 2 ** len(relations):
+        if len(covered) == 2 ** len(relations):
             break
-        met.add(_outcomes_at(relations, values))
-    return met
+        covered.add(_outcomes_at(relations, values))
+    return covered
 
 
 def _outcomes_at(relations, values):
@@ -288,7 +288,7 @@ def _between_borders(relations, base, symbol):
         roots_of_all[0] - 0.37 * (1 + abs(roots_of_all[0])),
         roots_of_all[-1] + 0.37 * (1 + abs(roots_of_all[-1])),
     )
-    alone = [
+    isolated = [
         root
         for relation, roots in borders.items()
         if isinstance(relation, (sp.Eq, sp.Ne))
@@ -297,7 +297,7 @@ def _between_borders(relations, base, symbol):
     points = [
         *(0.61 * lower + 0.39 * upper for lower, upper in itertools.pairwise(roots_of_all)),
         *ends,
-        *alone,
+        *isolated,
     ]
     as_given = (
         float
@@ -311,9 +311,9 @@ def _between_borders(relations, base, symbol):
     ]
 
 
-def conjunction(given):
+def conjunction(conditions):
     """Return one condition for several."""
-    return sp.And(*given) if isinstance(given, (list, tuple)) else given
+    return sp.And(*conditions) if isinstance(conditions, (list, tuple)) else conditions
 
 
 def random_values(symbols, seed, count=6):

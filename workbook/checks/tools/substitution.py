@@ -51,9 +51,9 @@ def _without_extremes(claim, numbers):
     for part in sorted(claim.atoms(sp.Max, sp.Min), key=sp.count_ops):
         sign = 1 if isinstance(part, sp.Max) else -1
         sizes = {
-            other: sign * complex(other.xreplace(numbers).evalf(20))
+            simplified: sign * complex(simplified.xreplace(numbers).evalf(20))
             for arg in part.args
-            for other in [arg.xreplace(chosen)]
+            for simplified in [arg.xreplace(chosen)]
         }
         first, second, *_ = sorted(sizes, key=lambda arg: -sizes[arg].real)
         if not any(size.imag for size in sizes.values()) and (
@@ -66,12 +66,17 @@ def _without_extremes(claim, numbers):
 def _added(claim):
     """Return a claim with its sums added up term by term; SymPy may take minutes for a long one."""
 
-    def added(term, limits, *others):
+    def added(term, limits, *outer_limits):
         index, first, last = limits
-        whole = not others and first.is_number and first == sp.floor(first)
-        if whole and last is sp.oo:
+        steps_from_integer = not outer_limits and first.is_number and first == sp.floor(first)
+        if steps_from_integer and last is sp.oo:
             return _series(lambda k: term.xreplace({index: sp.Integer(int(k))}), int(first))
-        if not (whole and last.is_number and last == sp.floor(last) and last - first < MOST_ADDED):
+        if not (
+            steps_from_integer
+            and last.is_number
+            and last == sp.floor(last)
+            and last - first < MOST_ADDED
+        ):
             raise Invalid(
                 f"a sum is added up term by term, between whole numbers and up to {MOST_ADDED} "
                 "terms; yours cannot be: write it without `sp.Sum`"
@@ -122,5 +127,5 @@ def real_at(claim, values):
         number = complex(evaluated(claim, values))
     except TypeError:
         return None
-    within = cmath.isfinite(number) and abs(number) < LARGEST
-    return number.real if within and abs(number.imag) < 1e-12 * (1 + abs(number)) else None
+    is_finite = cmath.isfinite(number) and abs(number) < LARGEST
+    return number.real if is_finite and abs(number.imag) < 1e-12 * (1 + abs(number)) else None

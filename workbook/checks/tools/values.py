@@ -25,7 +25,7 @@ from workbook.checks.tools.substitution import binds_symbols, evaluated, substit
 from workbook.checks.tools.wording import rounded_text
 
 
-def number_at(claim, values, what="your expression"):
+def number_at(claim, values, name="your expression"):
     """Return the finite number, real or complex, of an expression at values of its symbols.
 
     Parameters
@@ -34,7 +34,7 @@ def number_at(claim, values, what="your expression"):
         The expression.
     values : dict
         {symbol: value}.
-    what : str
+    name : str
         Its name in a message.
 
     Raises
@@ -46,17 +46,16 @@ def number_at(claim, values, what="your expression"):
     """
     number = evaluated(claim, values)
     if number.free_symbols or not number.is_number:
-        raise Invalid(f"{what} does not become a number when all symbols have values")
+        raise Invalid(f"{name} does not become a number when all symbols have values")
     try:
         value = complex(number)
     except TypeError:
         raise Invalid(
-            f"{what} does not become a single number when all symbols have values"
+            f"{name} does not become a single number when all symbols have values"
         ) from None
-    # Python's modulus of what is no number may raise: it minds an error of the computation before
-    # it.
+    # Finiteness first: abs of a complex nan may raise the OverflowError of an earlier operation.
     if not (cmath.isfinite(value) and abs(value) < LARGEST):
-        how = (
+        failure = (
             "undefined"
             if cmath.isnan(value)
             else f"larger than {LARGEST:g}"
@@ -64,7 +63,7 @@ def number_at(claim, values, what="your expression"):
             else "infinite"
         )
         raise Wrong(
-            f"{what} is {how}"
+            f"{name} is {failure}"
             + (
                 f" at {rounded_text(values)}, where it should have a value"
                 if values
@@ -105,15 +104,17 @@ def matrix_at(claim, values):
     ).reshape(claim.shape)
 
 
-def value_at(claim, values, what):
-    """Return the real number that an expression becomes; `what` is the quantity, for a message."""
-    number = number_at(claim, values, f"your expression for {what}")
+def value_at(claim, values, quantity):
+    """Return the real number that an expression becomes; `quantity` is its name, for a message."""
+    number = number_at(claim, values, f"your expression for {quantity}")
     if abs(number.imag) > 1e-12 * (1 + abs(number)):
-        raise Wrong(f"for {rounded_text(values)} your expression gives no real number for {what}")
+        raise Wrong(
+            f"for {rounded_text(values)} your expression gives no real number for {quantity}"
+        )
     return number.real
 
 
-def values_at(claim, points, what):
+def values_at(claim, points, quantity):
     """Return the real numbers of an expression at many points, all at once in floats.
 
     Parameters
@@ -122,17 +123,17 @@ def values_at(claim, points, what):
         The expression.
     points : list of dict
         {symbol: real number} each, of the same symbols.
-    what : str
+    quantity : str
         The quantity, for a message.
     """
     if binds_symbols(claim) or not points[0]:
-        return [value_at(claim, values, what) for values in points]
+        return [value_at(claim, values, quantity) for values in points]
     numbers = np.array([[float(value) for value in values.values()] for values in points]).T
     numbers_found = np.broadcast_to(
         real_function(list(points[0]), [claim])(*numbers)[0], len(points)
     )
     return [
-        number if np.isfinite(number) else value_at(claim, values, what)
+        number if np.isfinite(number) else value_at(claim, values, quantity)
         for values, number in zip(points, numbers_found)
     ]
 
@@ -140,16 +141,16 @@ def values_at(claim, points, what):
 def uncertainty_at(claim, values):
     """Return by how much the decimals of an expression change its value; nan if not known."""
     variants = (
-        perturbed(claim, most=MOST_EVALUATED)
+        perturbed(claim, max_count=MOST_EVALUATED)
         if in_decimals(claim) and sp.sympify(claim).free_symbols
         else None
     )
     if variants is None:
         return np.nan
     try:
-        here = complex(evaluated(claim, values))
+        value = complex(evaluated(claim, values))
         return sum(
-            max(abs(complex(evaluated(part, values)) - here) for (part,) in sides)
+            max(abs(complex(evaluated(part, values)) - value) for (part,) in sides)
             for sides in variants
         )
     except TypeError:
@@ -163,17 +164,17 @@ def uncertainties_at(claim, points):
     symbols = list(points[0])
     if not (in_decimals(claim) and claim.free_symbols) or binds_symbols(claim):
         return [uncertainty_at(claim, values) for values in points]
-    variants = perturbed(claim, most=MOST_EVALUATED)
+    variants = perturbed(claim, max_count=MOST_EVALUATED)
     if variants is None:
         return [np.nan] * len(points)
     numbers = np.array([[float(values[s]) for s in symbols] for values in points]).T
-    here, *sides = real_function(
+    unperturbed, *sides = real_function(
         symbols, [claim, *(part for pair in variants for (part,) in pair)]
     )(*numbers)
     return sum(
         (
-            np.fmax(abs(smaller - here), abs(larger - here))
-            for smaller, larger in zip(sides[::2], sides[1::2])
+            np.fmax(abs(lower - unperturbed), abs(upper - unperturbed))
+            for lower, upper in zip(sides[::2], sides[1::2])
         ),
         np.zeros(len(points)),
     )
@@ -187,8 +188,8 @@ def entry_uncertainties(claim, values):
             return 0.0
         if not part.free_symbols:
             return half_unit(abs(number_at(part, values)))
-        known = uncertainty_at(part, values)
-        return known if np.isfinite(known) else DECIMALS * abs(number_at(part, values))
+        uncertainty = uncertainty_at(part, values)
+        return uncertainty if np.isfinite(uncertainty) else DECIMALS * abs(number_at(part, values))
 
     return np.array(
         [[entry(claim[i, j]) for j in range(claim.cols)] for i in range(claim.rows)]
@@ -215,20 +216,20 @@ def left_open(claims, quantity):
     Invalid
         If there are too many decimals to be followed.
     """
-    followed = perturbed(*claims, most=MOST_EVALUATED) if in_decimals(*claims) else []
+    followed = perturbed(*claims, max_count=MOST_EVALUATED) if in_decimals(*claims) else []
     if followed is None:
         raise Invalid("your answer holds more decimals than can be followed; write exact numbers")
-    here = quantity(claims) if followed else 0.0
-    return sum((np.fmax(*(abs(quantity(side) - here) for side in pair)) for pair in followed), 0.0)
+    value = quantity(claims) if followed else 0.0
+    return sum((np.fmax(*(abs(quantity(side) - value) for side in pair)) for pair in followed), 0.0)
 
 
 def perturbed_arrays(parts, left_open):
     """Yield the arrays with one entry larger by its uncertainty, for each inexact entry."""
-    for k, open_ in enumerate(left_open):
-        for index in zip(*np.nonzero(open_)):
-            other = parts[k].copy()
-            other[index] += open_[index]
-            yield (*parts[:k], other, *parts[k + 1 :])
+    for k, uncertainty in enumerate(left_open):
+        for index in zip(*np.nonzero(uncertainty)):
+            perturbed_part = parts[k].copy()
+            perturbed_part[index] += uncertainty[index]
+            yield (*parts[:k], perturbed_part, *parts[k + 1 :])
 
 
 def truth_at(claim, values):

@@ -15,16 +15,18 @@ def number_text(number):
     )
 
 
-def other_text(what, own, true):
-    """Return that a quantity is another number than an answer gives, which alone is named.
+def other_text(quantity, value, true):
+    """Return the text on a wrong quantity, which shows only the answer's number.
 
     The text is `the cost is less than 7.249, which your expression gives`, or without the direction
     `the cost is not 7.249, which ...`. The number has as many digits as distinguish it from the true
     one, at least four.
     """
-    text = next((t for t in (f"{own:.{n}g}" for n in range(4, 17)) if float(t) != float(true)), own)
-    how = directed("greater than" if true > own else "less than", "not")
-    return f"{what} is {how} {text}, which your expression gives"
+    text = next(
+        (t for t in (f"{value:.{n}g}" for n in range(4, 17)) if float(t) != float(true)), value
+    )
+    comparison = directed("greater than" if true > value else "less than", "not")
+    return f"{quantity} is {comparison} {text}, which your expression gives"
 
 
 def roots_text(roots):
@@ -38,8 +40,8 @@ def roots_text(roots):
         text = number_text(z.real if abs(z.imag) < 1e-9 * (1 + abs(z)) else z)
         texts.setdefault(text.replace(" - ", " + "), []).append(text)
     return " and ".join(
-        pair.replace(" + ", " +/- ") if len(set(found)) > 1 else " and ".join(found)
-        for pair, found in texts.items()
+        pair.replace(" + ", " +/- ") if len(set(root_texts)) > 1 else " and ".join(root_texts)
+        for pair, root_texts in texts.items()
     )
 
 
@@ -57,11 +59,11 @@ def entry_text(values, i, j):
     return f"{entry} is {number_text(values[i, j])}"
 
 
-def part_text(what, values, i):
+def part_text(quantity, values, i):
     """Return the text on a wrong component: `component 2 of your estimate is 0.5`."""
     return (
         f"component {i + 1} of " if values.size > 1 else ""
-    ) + f"your {what} is {number_text(values[i, 0])}"
+    ) + f"your {quantity} is {number_text(values[i, 0])}"
 
 
 def where_text(values):
@@ -82,8 +84,11 @@ def prefix_text(values):
 def deviation_rate_text(symbol, values, true):
     """Return the message on a wrong column of deviation equations: which entry, and its value."""
     k = max(range(len(values)), key=lambda i: abs(values[i] - true[i]))
-    which = "the right-hand side" if len(values) == 1 else f"right-hand side {k + 1}"
-    return f"a small deviation of {symbol} alone changes {which} at another rate than yours, {number_text(values[k])}"
+    right_hand_side = "the right-hand side" if len(values) == 1 else f"right-hand side {k + 1}"
+    return (
+        f"a small deviation of {symbol} alone changes {right_hand_side} at another rate than "
+        f"yours, {number_text(values[k])}"
+    )
 
 
 def sample_text(values):
@@ -92,10 +97,10 @@ def sample_text(values):
     return f"for {', '.join(texts)} " if values else ""
 
 
-def tried_text(parameters, *others):
-    """Return at what a right answer was tried: `, at all times and parameters tried`."""
-    tried = [*others, *(["parameters"] if parameters else [])]
-    return f", at all {' and '.join(tried)} tried" if tried else ""
+def tried_text(parameters, *kinds):
+    """Return the clause on the sample values used: `, at all times and parameters tried`."""
+    sampled = [*kinds, *(["parameters"] if parameters else [])]
+    return f", at all {' and '.join(sampled)} tried" if sampled else ""
 
 
 def point_text(point):

@@ -5,17 +5,17 @@ optimum has a formula or a search of its own; of any other problem it comes from
 or, with more than one control, from `several_controls`, which gives durations and arcs alone. The
 others give it with the same attributes: `duration`, `cost`, `times`, `states` (a column for each
 time), `controls`, `start`, `bounds`, `field`, `gap`, `total`, `jacobians`, `units`. All search in the
-units of `units.restated`; a constant of the cost is in none of these numbers.
+units of `units.scaled_problem`; a constant of the cost is in none of these numbers.
 """
 
 from workbook.checks.references.optima.direct_optimum import optima
 from workbook.checks.references.optima.several_controls import optima as optima_of_several
 from workbook.checks.references.optima.thrust_optima import thrust_optima
 from workbook.checks.references.optima.transfer_optima import SAMPLES, Transfer, Unknown
-from workbook.checks.references.optima.units import in_good_units
+from workbook.checks.references.optima.units import in_scaled_units
 
 
-@in_good_units
+@in_scaled_units
 def best_processes(problem, parameters=None, count=SAMPLES):
     """Return pairs ({parameter: value}, optimum).
 
@@ -43,9 +43,9 @@ def best_processes(problem, parameters=None, count=SAMPLES):
     return optima(problem, parameters)
 
 
-@in_good_units
+@in_scaled_units
 def best_processes_at(problem, parameters, points):
-    """Return the same at given points, dicts from the parameters to numbers."""
+    """Return pairs (point, optimum) at points, dicts from the parameters to numbers."""
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters, points)
     pairs = thrust_optima(problem, parameters, points)

@@ -26,14 +26,14 @@ class ConvexTarget:
     @classmethod
     def points(cls, points):
         """Return a target of a single point for each case, given by numbers."""
-        made = cls.__new__(cls)
-        made.g, made.point, made.kind, made._corners = (
+        target = cls.__new__(cls)
+        target.g, target.point, target.kind, target._corners = (
             None,
             True,
             "hull",
             np.asarray(points, dtype=float)[:, None, :],
         )
-        return made
+        return target
 
     def corner(self, case):
         """Return the target that is a point."""
@@ -69,8 +69,8 @@ class ConvexTarget:
             self._centre = -np.einsum("nij,nj->ni", self._inverse, self._c)
             self._level = np.maximum(-self.g(self._centre, np.arange(len(cases))), 0)
         else:
-            self._across, self._along = vectors[:, 1], vectors[:, 0]
-            self.kind = "parabola" if abs(self._c @ self._along).min() > 1e-12 else "strip"
+            self._curved_direction, self._axis = vectors[:, 1], vectors[:, 0]
+            self.kind = "parabola" if abs(self._c @ self._axis).min() > 1e-12 else "strip"
 
     def inside(self, x, case):
         """Return which starts lie inside D, whose border is the target."""
@@ -83,12 +83,12 @@ class ConvexTarget:
     def angles(self):
         """Return the directions to be tried as (angles, spacing); spacing 0 if no others matter."""
         if self.kind in ("line", "strip"):
-            normal = self._c[0] if self.kind == "line" else self._across
+            normal = self._c[0] if self.kind == "line" else self._curved_direction
             first = np.arctan2(normal[1], normal[0])
             return np.array([first, first + np.pi]), 0.0
         if self.kind == "parabola":
-            along = self._along * np.sign(self._c[0] @ self._along)
-            middle, count = np.arctan2(along[1], along[0]), 96
+            axis = self._axis * np.sign(self._c[0] @ self._axis)
+            middle, count = np.arctan2(axis[1], axis[0]), 96
             return middle + np.pi * ((np.arange(count) + 0.5) / count - 0.5), np.pi / count
         return np.arange(112) * (2 * np.pi / 112), 2 * np.pi / 112
 
@@ -105,22 +105,25 @@ class ConvexTarget:
             size = np.linalg.norm(c, axis=1)
             return np.where((c * p).sum(axis=1) > 0.999 * size, -d / size, np.inf)
         if self.kind == "ellipse":
-            spread = np.einsum("ni,nij,nj->n", p, self._inverse[case], p)
-            return (p * self._centre[case]).sum(axis=1) + np.sqrt(2 * self._level[case] * spread)
-        across, curvature = (
-            p @ self._across,
-            np.einsum("i,nij,j->n", self._across, self._H[case], self._across),
+            quadratic_form = np.einsum("ni,nij,nj->n", p, self._inverse[case], p)
+            return (p * self._centre[case]).sum(axis=1) + np.sqrt(
+                2 * self._level[case] * quadratic_form
+            )
+        curved_component, curvature = (
+            p @ self._curved_direction,
+            np.einsum("i,nij,j->n", self._curved_direction, self._H[case], self._curved_direction),
         )
-        bend = self._c[case] @ self._across
+        bend = self._c[case] @ self._curved_direction
         if self.kind == "strip":
             middle = -bend / curvature
             width = np.sqrt(np.maximum(middle**2 - 2 * self._d[case] / curvature, 0))
-            return across * middle + width
+            return curved_component * middle + width
         with np.errstate(all="ignore"):
-            scale = (p @ self._along) / (self._c[case] @ self._along)
+            scale = (p @ self._axis) / (self._c[case] @ self._axis)
             return np.where(
                 scale > 0,
-                (across - scale * bend) ** 2 / (2 * scale * curvature) - scale * self._d[case],
+                (curved_component - scale * bend) ** 2 / (2 * scale * curvature)
+                - scale * self._d[case],
                 np.inf,
             )
 
@@ -134,33 +137,37 @@ class ConvexTarget:
         p = np.column_stack([np.cos(angle), np.sin(angle)])
         if self.kind == "ellipse":
             q = p @ self._inverse[case]
-            on = (
+            boundary_points = (
                 self._centre[case]
                 + q
                 * np.sqrt(2 * self._level[case] / np.maximum((p * q).sum(axis=1), 1e-12))[:, None]
             )
             return (
                 self._centre[case]
-                + (on - self._centre[case]) * random.uniform(0.5, 1.6, count)[:, None]
+                + (boundary_points - self._centre[case]) * random.uniform(0.5, 1.6, count)[:, None]
                 + 0.02 * p
             )
         if self.kind == "line":
             c = self._c[case]
-            along = np.array([-c[1], c[0]]) / np.linalg.norm(c)
-            on = (-self._d[case] / (c @ c)) * c + np.outer(
-                random.normal(scale=2, size=count), along
+            tangent = np.array([-c[1], c[0]]) / np.linalg.norm(c)
+            boundary_points = (-self._d[case] / (c @ c)) * c + np.outer(
+                random.normal(scale=2, size=count), tangent
             )
-            return on + random.normal(scale=0.5, size=(count, 2))
-        across = random.uniform(-2.5, 2.5, count)
+            return boundary_points + random.normal(scale=0.5, size=(count, 2))
+        curved_component = random.uniform(-2.5, 2.5, count)
         middle = (
-            (self._c[case] @ self._across) * across
-            + 0.5 * (self._across @ self._H[case] @ self._across) * across**2
+            (self._c[case] @ self._curved_direction) * curved_component
+            + 0.5
+            * (self._curved_direction @ self._H[case] @ self._curved_direction)
+            * curved_component**2
             + self._d[case]
         )
-        slope = self._c[case] @ self._along
-        along = -middle / slope if self.kind == "parabola" else random.normal(scale=3, size=count)
+        slope = self._c[case] @ self._axis
+        axis_component = (
+            -middle / slope if self.kind == "parabola" else random.normal(scale=3, size=count)
+        )
         return (
-            np.outer(across, self._across)
-            + np.outer(along, self._along)
+            np.outer(curved_component, self._curved_direction)
+            + np.outer(axis_component, self._axis)
             + random.normal(scale=0.4, size=(count, 2))
         )

@@ -36,13 +36,13 @@ class DirectGuesses(DirectProgramme):
         parts = random.uniform(low, high, PARTS) if attempt else np.full(PARTS, (low + high) / 2)
         states, speeds = self._followed(case, duration, parts)
         if span[0] != span[1] and not speeds.max() <= WILD * np.median(speeds):
-            duration, parts = self._closest(case, span, attempt)
+            duration, parts = self._closest_guess(case, span, attempt)
             states, _ = self._followed(case, duration, parts)
         controls = np.repeat(parts, degree * pieces // PARTS)
         return [(None, pieces)], self._packed(self._start(case, 0.1), states, controls, [duration])
 
     def _followed(self, case, duration, parts):
-        """Return states at Radau's points, and speeds, under a control that is constant on parts."""
+        """Return states at the Radau points, and speeds, under a control that is constant on parts."""
         pieces, degree = COARSE
         y, t, states, speeds = self._start(case, 0.1), 0.0, [], []
         for k, u in enumerate(np.repeat(parts, pieces // PARTS)):
@@ -57,7 +57,7 @@ class DirectGuesses(DirectProgramme):
                 speeds.append(np.linalg.norm(field(t, y)))
         return np.array(states).T, np.array(speeds)
 
-    def _closest(self, case, span, attempt):
+    def _closest_guess(self, case, span, attempt):
         """Return the random duration and control, constant on parts, that end closest to the target."""
         low, high = np.clip(self.bounds(case), -3, 3)
         rates, _, gap, insides = self.casadi_functions
@@ -73,15 +73,15 @@ class DirectGuesses(DirectProgramme):
                 y,
                 durations / PARTS / 4,
             )
-        missed = np.linalg.norm(np.array(gap(y, case)), axis=0)
-        chosen = np.argmin(np.where(np.isfinite(missed), missed, np.inf))
+        distances = np.linalg.norm(np.array(gap(y, case)), axis=0)
+        chosen = np.argmin(np.where(np.isfinite(distances), distances, np.inf))
         return durations[chosen], parts[:, chosen]
 
-    def _arcs(self, case, arcs, unknown, free, short):
+    def _arcs(self, case, arcs, unknown, free, keep_short):
         """Return the arcs of a control that is constant on equal pieces, and the unknowns for them.
 
         `free` is the number of unknowns beside the lengths of the arcs that can meet the target. With
-        `short` a piece or two at the beginning, at the end or between two arcs may hold an arc of another
+        `keep_short` a piece or two at the beginning, at the end or between two arcs may hold an arc of another
         kind, whose length may come out as zero.
         """
         times, states, controls, (duration,) = self._unpacked(arcs, unknown)
@@ -96,33 +96,38 @@ class DirectGuesses(DirectProgramme):
             # A piece or two between other arcs hold a jump, and are no arc.
             if kind is not None or count > 2:
                 runs.append((kind, k, k + count))
-            elif short:
+            elif keep_short:
                 before, after = (kinds[j] if 0 <= j < pieces else None for j in (k - 1, k + count))
                 runs += [
                     (inner, k, k + count)
                     for inner in self._between(before, after, values[k], special)
                 ]
             k += count
-        kept = []
+        merged = []
         for kind, begin, end in runs or [(None, 0, pieces)]:
-            if kept and kept[-1][0] == kind:
-                kept[-1][2] = end
+            if merged and merged[-1][0] == kind:
+                merged[-1][2] = end
             else:
-                kept.append([kind, begin, end])
+                merged.append([kind, begin, end])
         borders = [
             0,
-            *((previous[2] + following[1]) / 2 for previous, following in itertools.pairwise(kept)),
+            *(
+                (previous[2] + following[1]) / 2
+                for previous, following in itertools.pairwise(merged)
+            ),
             pieces,
         ]
         # The lengths alone may be too few to meet the target.
         arcs_found = [
-            (kind if len(kept) - 1 + free >= len(self._terminal) else None, FINE[0])
-            for kind, _, _ in kept
+            (kind if len(merged) - 1 + free >= len(self._terminal) else None, FINE[0])
+            for kind, _, _ in merged
         ]
         steps = np.repeat(np.diff(borders), FINE[0]) / FINE[0]
-        begins = np.append(0, np.cumsum(steps))[:-1]
+        piece_starts = np.append(0, np.cumsum(steps))[:-1]
         moments = (
-            (begins[:, None] + steps[:, None] * radau(FINE[1])[0][1:]).ravel() * duration / pieces
+            (piece_starts[:, None] + steps[:, None] * radau(FINE[1])[0][1:]).ravel()
+            * duration
+            / pieces
         )
         states = np.array([np.interp(moments, times, row) for row in states])
         return arcs_found, self._packed(
@@ -136,13 +141,15 @@ class DirectGuesses(DirectProgramme):
         """Return the kind of arc, in a list, that a piece between two others may hold."""
         if not self._absolute:
             return [None] * self._curved
-        known = [u for u in (before, after) if u is not None]
-        if len(known) == 2:
-            return [u for u in special if min(known) < u < max(known)]
-        beyond = [u for u in special if known and (u - value) * (known[0] - value) < 0]
-        return [min(beyond, key=lambda u: abs(u - value))] if beyond else []
+        neighbours = [u for u in (before, after) if u is not None]
+        if len(neighbours) == 2:
+            return [u for u in special if min(neighbours) < u < max(neighbours)]
+        candidates = [
+            u for u in special if neighbours and (u - value) * (neighbours[0] - value) < 0
+        ]
+        return [min(candidates, key=lambda u: abs(u - value))] if candidates else []
 
-    def _quiet(self, case, arcs, unknown):
+    def _with_zero_arcs(self, case, arcs, unknown):
         """Return the arcs with the control zero on inner arcs where it averages zero, or None.
 
         There the cost hardly depends on where such an arc begins, unless its control is a single number.

@@ -1,6 +1,6 @@
 """The best process of a problem with any cost by direct optimisation, without costates.
 
-The states are polynomials on pieces of the duration that satisfy the equations at Radau's points.
+The states are polynomials on pieces of the duration that satisfy the equations at the Radau points.
 First the control is constant on many equal pieces. This is an admissible process, so that no error
 of the discretisation makes it look better than any process is, and it shows the arcs: where the
 control lies on a bound, vanishes with an absolute value in the cost, or is inside. Then these arcs
@@ -23,7 +23,7 @@ from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.direct_guesses import DirectGuesses
 from workbook.checks.references.optima.direct_programme import BARRIERS, FINE, kinds_of
 from workbook.checks.references.optima.radau import integrals
-from workbook.checks.references.optima.units import Units, in_good_units
+from workbook.checks.references.optima.units import Units, in_scaled_units
 from workbook.checks.tools.domains import sample_cases
 
 #: A free duration lies between these.
@@ -42,7 +42,7 @@ SAME = 1e-9
 SMALLEST = 1e-3
 
 
-@in_good_units
+@in_scaled_units
 def optima(problem, parameters=None, points=None):
     """Return pairs ({parameter: value}, `Optimum`).
 
@@ -117,7 +117,7 @@ class Optimum:
             if previous[0] is None or previous[0] != following[0]
         ]
 
-    def left(self):
+    def remaining_costs(self):
         """Return states away from changes and the last arc, and the remaining cost there."""
         degree = FINE[1]
         rates = np.array(
@@ -127,12 +127,12 @@ class Optimum:
         parts = (
             np.einsum("ij,kj->ki", integrals(degree), rates.reshape(-1, degree)) * steps[:, None]
         )
-        spent = (parts + np.append(0, np.cumsum(parts[:, -1])[:-1])[:, None]).ravel()
+        accumulated_cost = (parts + np.append(0, np.cumsum(parts[:, -1])[:-1])[:, None]).ravel()
         borders = [self.times[j] for j, *_ in self.changes()]
         keep = self.times < max(borders, default=0)
         for border in borders:
             keep &= abs(self.times - border) > 1e-3 * self.duration
-        return self.states[:, keep], (self.cost - spent)[keep]
+        return self.states[:, keep], (self.cost - accumulated_cost)[keep]
 
     def jacobians(self, y, u):
         """Return derivatives in the states: of `field`, (n + 1) x n, of the final cost, of the gap."""
@@ -154,8 +154,8 @@ class Optimum:
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        how = directed("earlier" if duration > self.duration else "later", "at another time")
-        return f"the best process found ends {how}"
+        comparison = directed("earlier" if duration > self.duration else "later", "at another time")
+        return f"the best process found ends {comparison}"
 
     def size(self):
         """Return the size of the states."""
@@ -184,7 +184,7 @@ class _Search(DirectGuesses):
         )
         low, high = (self._value(d, case) for d in pair)
         span = (SHORTEST if low is None else low, LONGEST if high is None else high)
-        straight = all(
+        is_linear = all(
             not sp.diff(f, v).free_symbols & {*self._state, self._control}
             for f in self._field
             for v in (*self._state, self._control)
@@ -192,13 +192,13 @@ class _Search(DirectGuesses):
         processes, random = [], np.random.default_rng(11)
         for side in self._sides(case):
             costs = []
-            for attempt in range(1 if straight and not free and self._convex(case) else STARTS):
+            for attempt in range(1 if is_linear and not free and self._convex(case) else STARTS):
                 process = self._run(case, span, side, *self._guess(case, span, random, attempt))
                 if process:
                     processes.append(process)
                     costs = sorted([*costs, process[0]])
                 elif (
-                    straight
+                    is_linear
                     and free
                     and attempt == 0
                     and (with_duration := self._with_durations(case, span, side, random))
@@ -208,25 +208,27 @@ class _Search(DirectGuesses):
                     break
                 if len(costs) > 1 and costs[1] - costs[0] <= TWICE * (1 + abs(costs[0])):
                     break
-            if not costs and free and not straight:
+            if not costs and free and not is_linear:
                 processes += self._with_durations(case, span, side, random)
         if not processes:
             raise RuntimeError("no process that satisfies the conditions was found")
         _cost, arcs, unknown, side = min(processes, key=lambda process: process[0])
-        others = free + self._initial.count(None)
-        guesses = [self._arcs(case, arcs, unknown, others, short) for short in (False, True)]
-        fine = [
+        free_count = free + self._initial.count(None)
+        guesses = [
+            self._arcs(case, arcs, unknown, free_count, keep_short) for keep_short in (False, True)
+        ]
+        refined = [
             process
             for k, guess in enumerate(guesses)
             if k == 0 or kinds_of(guess[0]) != kinds_of(guesses[0][0])
             for barrier in BARRIERS
             if (process := self._run(case, span, side, *guess, barrier))
         ]
-        if not fine:
+        if not refined:
             raise RuntimeError("the arcs of the best process could not be made exact")
-        least = min(fine, key=lambda process: process[0])
-        quiet = self._quiet(case, *guesses[0])
-        zero = quiet and self._run(case, span, side, *quiet)
+        least = min(refined, key=lambda process: process[0])
+        zero_arc_guess = self._with_zero_arcs(case, *guesses[0])
+        zero = zero_arc_guess and self._run(case, span, side, *zero_arc_guess)
         if zero and zero[0] <= least[0] + SAME * (1 + abs(least[0])) + 10 * self._defect(
             case, *least[1:3]
         ):

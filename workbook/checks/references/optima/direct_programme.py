@@ -35,8 +35,8 @@ class DirectProgramme(DirectProblem):
     """The programme for arcs, pairs (value of the control there or None, number of pieces)."""
 
     def _packed(self, start, states, controls, lengths):
-        bends = np.repeat(np.abs(controls), len(self._absolute))
-        return np.concatenate([start, states.ravel("F"), controls, bends, lengths])
+        absolutes = np.repeat(np.abs(controls), len(self._absolute))
+        return np.concatenate([start, states.ravel("F"), controls, absolutes, lengths])
 
     def _unpacked(self, arcs, unknown):
         """Return times from 0, states there, controls after 0, and the lengths of the arcs."""
@@ -46,8 +46,10 @@ class DirectProgramme(DirectProblem):
         steps = np.concatenate(
             [np.full(pieces, length / pieces) for length, (_, pieces) in zip(lengths, arcs)]
         )
-        begins = np.append(0, np.cumsum(steps))[:-1]
-        times = np.append(0, (begins[:, None] + steps[:, None] * radau(degree)[0][1:]).ravel())
+        piece_starts = np.append(0, np.cumsum(steps))[:-1]
+        times = np.append(
+            0, (piece_starts[:, None] + steps[:, None] * radau(degree)[0][1:]).ravel()
+        )
         states = unknown[: n * (count + 1)].reshape(count + 1, n).T
         return times, states, unknown[n * (count + 1) : n * (count + 1) + count], lengths
 
@@ -61,7 +63,7 @@ class DirectProgramme(DirectProblem):
             np.repeat([bound if kind is None else kind for kind, _ in arcs], counts)
             for bound in (low, high)
         )
-        bends = [
+        absolutes = [
             np.repeat(
                 np.repeat([bound if kind is None else abs(kind) for kind, _ in arcs], counts),
                 len(self._absolute),
@@ -69,10 +71,10 @@ class DirectProgramme(DirectProblem):
             for bound in (-np.inf, np.inf)
         ]
         lower = np.concatenate(
-            [self._start(case, -np.inf), -free, lows, bends[0], np.zeros(len(arcs))]
+            [self._start(case, -np.inf), -free, lows, absolutes[0], np.zeros(len(arcs))]
         )
         upper = np.concatenate(
-            [self._start(case, np.inf), free, highs, bends[1], np.full(len(arcs), span[1])]
+            [self._start(case, np.inf), free, highs, absolutes[1], np.full(len(arcs), span[1])]
         )
         result = solver(
             x0=np.clip(guess, lower, upper),
@@ -98,7 +100,7 @@ class DirectProgramme(DirectProblem):
         (programme, *counts), solvers = self._programmes[shape]
         if barrier not in solvers:
             # Its derivatives, which take the time, are the same whatever the barrier.
-            known = {
+            derivative_functions = {
                 option: solver.get_function(name)
                 for solver in list(solvers.values())[:1]
                 for option, name in DERIVATIVES.items()
@@ -107,7 +109,9 @@ class DirectProgramme(DirectProblem):
                 "direct",
                 "ipopt",
                 programme,
-                SOLVER | known | {"ipopt.mu_init": barrier, "ipopt.max_iter": BARRIERS[barrier]},
+                SOLVER
+                | derivative_functions
+                | {"ipopt.mu_init": barrier, "ipopt.max_iter": BARRIERS[barrier]},
             )
         return solvers[barrier], *counts
 
@@ -116,7 +120,7 @@ class DirectProgramme(DirectProblem):
         n, count = len(self._state), degree * sum(pieces)
         _, derivative, between = radau(degree)
         y0, y, u = ca.SX.sym("y0", n), ca.SX.sym("y", n, count), ca.SX.sym("u", count)
-        bends, lengths = ca.SX.sym("a", len(self._absolute), count), ca.SX.sym("T", len(pieces))
+        absolutes, lengths = ca.SX.sym("a", len(self._absolute), count), ca.SX.sym("T", len(pieces))
         p, side, low, high = (
             ca.SX.sym("p", len(self._parameters)),
             *(ca.SX.sym(name) for name in ("s", "l", "h")),
@@ -125,46 +129,46 @@ class DirectProgramme(DirectProblem):
         # Everything at once: one call for all points costs little more than one for each.
         arcs = np.repeat(np.arange(len(pieces)), pieces)
         h = ca.horzcat(*(lengths[int(arc)] / pieces[arc] for arc in arcs))
-        begins = ca.horzcat(y0, y[:, degree - 1 : -1 : degree])
-        nodes = [begins, *(y[:, j::degree] for j in range(degree))]
-        at_nodes, inside = rates(y, u.T, bends, p), insides(y, u.T, p)
-        moved = ca.repmat(h, n, 1)
+        piece_starts = ca.horzcat(y0, y[:, degree - 1 : -1 : degree])
+        nodes = [piece_starts, *(y[:, j::degree] for j in range(degree))]
+        at_nodes, inside = rates(y, u.T, absolutes, p), insides(y, u.T, p)
+        piece_lengths = ca.repmat(h, n, 1)
         equal = [
             sum(float(share) * node for share, node in zip(row, nodes))
-            - moved * at_nodes[:n, j::degree]
+            - piece_lengths * at_nodes[:n, j::degree]
             for j, row in enumerate(derivative)
         ]
         if degree == COARSE[1]:
             equal += [(u[j::degree] - u[j - 1 :: degree]).T for j in range(1, degree)]
         free = np.repeat(np.repeat(free, pieces), degree)
         positive = [
-            ca.vec((bends + sign * inside)[:, [int(i) for i in np.flatnonzero(free)]])
+            ca.vec((absolutes + sign * inside)[:, [int(i) for i in np.flatnonzero(free)]])
             for sign in (-1, 1)
         ]
         if self._returns:
             positive.append(ca.vec(side * gap(y[:, :-1], p)))
         controls, moduli = (
             [u[j::degree].T for j in range(degree)],
-            [bends[:, j::degree] for j in range(degree)],
+            [absolutes[:, j::degree] for j in range(degree)],
         )
         cost = 0
         inner = [int(k) for k in np.flatnonzero(free[::degree])] if degree == FINE[1] else []
         for weight, shares, mix in between:
-            state, held, bent = (
-                sum(float(share) * part for share, part in zip(by, parts))
-                for by, parts in ((shares, nodes), (mix, controls), (mix, moduli))
+            state, control, absolute = (
+                sum(float(share) * part for share, part in zip(node_weights, parts))
+                for node_weights, parts in ((shares, nodes), (mix, controls), (mix, moduli))
             )
-            cost += weight * ca.dot(h, rates(state, held, bent, p)[n, :])
+            cost += weight * ca.dot(h, rates(state, control, absolute, p)[n, :])
             if inner:
-                positive += [(held[inner] - low).T] * self._bounded[0] + [
-                    (high - held[inner]).T
+                positive += [(control[inner] - low).T] * self._bounded[0] + [
+                    (high - control[inner]).T
                 ] * self._bounded[1]
         end = y[:, -1]
         equal = ca.vertcat(*map(ca.vec, equal), gap(end, p))
         positive = ca.vertcat(ca.SX(0, 1), *positive)
         return (
             {
-                "x": ca.vertcat(y0, ca.vec(y), u, ca.vec(bends), lengths),
+                "x": ca.vertcat(y0, ca.vec(y), u, ca.vec(absolutes), lengths),
                 "p": ca.vertcat(p, side, low, high),
                 "f": self._sign * (cost + final(end, p)),
                 "g": ca.vertcat(equal, positive, ca.sum1(lengths)),
@@ -179,11 +183,13 @@ class DirectProgramme(DirectProblem):
         degree, worst = degree_of(arcs), 0.0
         for begin in range(0, len(controls), degree):
             nodes = times[begin + 1 : begin + degree + 1]
-            held = np.polynomial.Polynomial.fit(nodes, controls[begin : begin + degree], degree - 1)
+            control = np.polynomial.Polynomial.fit(
+                nodes, controls[begin : begin + degree], degree - 1
+            )
             y, h = states[:, begin], (nodes[-1] - times[begin]) / 20
 
-            def rates(t, z, held=held):
-                return np.array(self.rates(*z, held(t), *case)[:-1])
+            def rates(t, z, control=control):
+                return np.array(self.rates(*z, control(t), *case)[:-1])
 
             for k in range(20):
                 y = rk4(rates, times[begin] + k * h, y, h)

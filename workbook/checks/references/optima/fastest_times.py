@@ -39,31 +39,32 @@ class FastestTimes(SeparatingLines):
 
     def __init__(self, plant, convex):
         super().__init__(plant, convex)
-        #: What has been found from a start, since the same law in other words leads through the
-        #: same states.
-        self._known = {}
+        #: Results by start, since equivalent laws lead through the same states.
+        self._solved_starts = {}
 
     @functools.cached_property
-    def _near(self):
-        return self._carried(NEAR)
+    def _near_supports(self):
+        return self._supports_at(NEAR)
 
     @functools.cached_property
-    def _far(self):
-        return self._carried(FAR)
+    def _far_supports(self):
+        return self._supports_at(FAR)
 
     def _moments(self, far):
-        yield from self._near
+        yield from self._near_supports
         # An oscillator's control switches often in long times: they cost more than all the near
         # ones, and are seldom needed.
-        yield from self._far if far else ()
+        yield from self._far_supports if far else ()
 
-    def _carried(self, times):
+    def _supports_at(self, times):
         """Return for times T, directions p: (T, p.e^{AT}, least and largest p.y reached from 0)."""
         p = directions(self._angles)
         rows = np.tile(p, (len(times), 1)), np.repeat(times, len(p))
-        least, most = (self.plant.extreme(*rows, sign).reshape(len(times), -1) for sign in (-1, 1))
+        least, greatest = (
+            self.plant.extreme(*rows, sign).reshape(len(times), -1) for sign in (-1, 1)
+        )
         return list(
-            zip(times, np.einsum("ki,tij->tkj", p, self.plant.exponential(times)), least, most)
+            zip(times, np.einsum("ki,tij->tkj", p, self.plant.exponential(times)), least, greatest)
         )
 
     def solve(self, x, case, far=False):
@@ -87,34 +88,40 @@ class FastestTimes(SeparatingLines):
         x, case = np.asarray(x, dtype=float), np.asarray(case)
         inside = self.convex.inside(x, case)
         starts = [(far, *start) for start in np.column_stack([x.round(SAME), case]).tolist()]
-        if len(self._known) > KEPT:
-            self._known.clear()
-        fresh = np.array(
-            [k for k, start in enumerate(starts) if start not in self._known], dtype=int
+        if len(self._solved_starts) > KEPT:
+            self._solved_starts.clear()
+        new_indices = np.array(
+            [k for k, start in enumerate(starts) if start not in self._solved_starts], dtype=int
         )
-        for group in np.split(fresh, range(TOGETHER, len(fresh), TOGETHER)) if len(fresh) else ():
+        for group in (
+            np.split(new_indices, range(TOGETHER, len(new_indices), TOGETHER))
+            if len(new_indices)
+            else ()
+        ):
             solved = self._solve(x[group], case[group], inside[group], far)
             rows = np.column_stack([getattr(solved, name) for name in FOUND]).tolist()
-            self._known.update(zip([starts[k] for k in group], rows))
-        solved = np.array([self._known[start] for start in starts]).reshape(-1, len(FOUND)).T
+            self._solved_starts.update(zip([starts[k] for k in group], rows))
+        solved = (
+            np.array([self._solved_starts[start] for start in starts]).reshape(-1, len(FOUND)).T
+        )
         return StateBatch(x=x, case=case, inside=inside, **dict(zip(FOUND, solved)))
 
     def _solve(self, x, case, inside, far, careful=False):
         starts = x, case, inside
-        low, high, theta, second = self._first_met(*starts, far, careful)
+        low, high, theta, second = self._first_contact(*starts, far, careful)
         self._shorten(low, high, theta, *starts)
-        time, met = np.full(len(x), np.inf), np.isfinite(high)
-        apart = (
+        time, reached = np.full(len(x), np.inf), np.isfinite(high)
+        separated = (
             []
             if careful
-            else self._still_apart(np.flatnonzero(met & ~inside), high, theta, *starts)
+            else self._still_separated(np.flatnonzero(reached & ~inside), high, theta, *starts)
         )
-        met[apart] = False
-        time[met], theta[met] = self._refine(*rows_of(met, *starts, low, high, theta))
-        self._try_elsewhere(np.flatnonzero(met & inside), low, second, time, theta, *starts)
-        if len(apart):
-            closer = self._solve(*rows_of(apart, *starts), far, careful=True)
-            time[apart], theta[apart] = closer.time, closer.angle
+        reached[separated] = False
+        time[reached], theta[reached] = self._refine(*rows_of(reached, *starts, low, high, theta))
+        self._improve_elsewhere(np.flatnonzero(reached & inside), low, second, time, theta, *starts)
+        if len(separated):
+            refined = self._solve(*rows_of(separated, *starts), far, careful=True)
+            time[separated], theta[separated] = refined.time, refined.angle
         impulse = self.plant.response(np.where(np.isfinite(time), time, 0))[0]
         switching = (impulse * directions(theta)).sum(axis=1) * np.where(inside, -1, 1)
         return StateBatch(
@@ -127,7 +134,7 @@ class FastestTimes(SeparatingLines):
             angle=theta,
         )
 
-    def _first_met(self, x, case, inside, far, careful):
+    def _first_contact(self, x, case, inside, far, careful):
         """Return (low, high, theta, second): R(T) meets D first between the times low and high.
 
         From outside, theta is the last line that separates; from inside, the direction in which R(T) gets
@@ -143,14 +150,14 @@ class FastestTimes(SeparatingLines):
             np.arange(n),
         )
         support, outward, state = self._supports(p, x, case), inside, x.T
-        before, suspects = p @ state - support, []
+        before, dips = p @ state - support, []
         line = self._middle(before) if careful else None
         # the distance of x and D, later R(T) and D, at the last two times
-        apart = np.array([np.full(n, np.inf), before.max(axis=0)])
-        for j, (T, carried, least, most) in enumerate(self._moments(far)):
+        distances = np.array([np.full(n, np.inf), before.max(axis=0)])
+        for j, (T, carried, least, greatest) in enumerate(self._moments(far)):
             gap = carried @ state - support
             gap += (
-                np.where(outward, most[:, None], least[:, None])
+                np.where(outward, greatest[:, None], least[:, None])
                 if outward.any()
                 else least[:, None]
             )
@@ -167,105 +174,118 @@ class FastestTimes(SeparatingLines):
                     line,
                     *rows_of(todo, x, case, inside),
                 )
-            hit = np.where(outward, largest >= 0, largest <= 0)
+            meets = np.where(outward, largest >= 0, largest <= 0)
             if j and not self.convex.point:
                 # A distance that falls and rises again may have been zero in between, if it does so
                 # steeply enough.
                 drop, rise = (
-                    np.where(np.isfinite(apart[0]), apart[0], apart[1]) - apart[1],
-                    distance - apart[1],
+                    np.where(np.isfinite(distances[0]), distances[0], distances[1]) - distances[1],
+                    distance - distances[1],
                 )
                 dip = np.flatnonzero(
-                    ~outward & (drop >= 0) & (rise > 0) & (apart[1] <= 2 * np.maximum(drop, rise))
+                    ~outward
+                    & (drop >= 0)
+                    & (rise > 0)
+                    & (distances[1] <= 2 * np.maximum(drop, rise))
                 )
-                suspects.append(
+                dips.append(
                     (
                         todo[dip],
                         np.full(len(dip), TIMES[j - 2] if j > 1 else 0.0),
                         np.full(len(dip), T),
                     )
                 )
-            apart = np.array([apart[1], distance])
-            if hit.any():
-                here, out = todo[hit], outward[hit]
-                high[here] = T
+            distances = np.array([distances[1], distance])
+            if meets.any():
+                rows, is_outward = todo[meets], outward[meets]
+                high[rows] = T
                 # From inside, a direction between those tried may have got through one or two of
                 # the times before.
-                low[here] = np.where(
-                    out, TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0
+                low[rows] = np.where(
+                    is_outward, TIMES[j - 3] if j > 2 else 0.0, TIMES[j - 1] if j else 0.0
                 )
-                theta[here] = line_before[hit] if careful else self._middle(before[:, hit])
-                if out.any():
-                    through, now, then = here[out], gap[:, hit][:, out], before[:, hit][:, out]
+                theta[rows] = line_before[meets] if careful else self._middle(before[:, meets])
+                if is_outward.any():
+                    outward_rows, gap_now, gap_before = (
+                        rows[is_outward],
+                        gap[:, meets][:, is_outward],
+                        before[:, meets][:, is_outward],
+                    )
                     with np.errstate(all="ignore"):
-                        share = np.where(now >= 0, -then / (now - then), np.inf)
-                    theta[through] = self._angles[share.argmin(axis=0)]
-                    second[through] = self._angles[self._other_top(now, theta[through])]
-                on = ~hit
+                        share = np.where(gap_now >= 0, -gap_before / (gap_now - gap_before), np.inf)
+                    theta[outward_rows] = self._angles[share.argmin(axis=0)]
+                    second[outward_rows] = self._angles[
+                        self._second_maximum(gap_now, theta[outward_rows])
+                    ]
+                unmet = ~meets
                 todo, support, outward, state, gap = (
-                    todo[on],
-                    support[:, on],
-                    outward[on],
-                    state[:, on],
-                    gap[:, on],
+                    todo[unmet],
+                    support[:, unmet],
+                    outward[unmet],
+                    state[:, unmet],
+                    gap[:, unmet],
                 )
-                apart, line = apart[:, on], line[on] if careful else None
+                distances, line = distances[:, unmet], line[unmet] if careful else None
                 if not len(todo):
                     break
             before = gap
-        self._dips(suspects, low, high, theta, x, case, inside)
+        self._find_dips(dips, low, high, theta, x, case, inside)
         return low, high, theta, second
 
-    def _look_between(self, maybe, T, line, largest, angle, *starts):
-        """Put into largest and angle, for rows `maybe`, a separating line between directions.
+    def _look_between(self, rows, T, line, largest, angle, *starts):
+        """Put into largest and angle, for some rows, a separating line between directions.
 
         It is the last one, one close to it, or one close to the best of those tried.
         """
-        tried = angle[maybe].copy()
-        starts, T = rows_of(maybe, *starts), np.full(len(maybe), T)
-        angle[maybe], largest[maybe] = line[maybe], self._gap(line[maybe], T, *starts)
-        for around in (line[maybe], tried):
-            left = np.flatnonzero(largest[maybe] <= 0)
-            angle[maybe[left]], largest[maybe[left]] = self._best(
-                around[left], *rows_of(left, T, *starts), np.full(len(left), WIDE), 30, enough=0
+        best_angle = angle[rows].copy()
+        starts, T = rows_of(rows, *starts), np.full(len(rows), T)
+        angle[rows], largest[rows] = line[rows], self._gap(line[rows], T, *starts)
+        for around in (line[rows], best_angle):
+            unseparated = np.flatnonzero(largest[rows] <= 0)
+            angle[rows[unseparated]], largest[rows[unseparated]] = self._best(
+                around[unseparated],
+                *rows_of(unseparated, T, *starts),
+                np.full(len(unseparated), WIDE),
+                30,
+                sufficient=0,
             )
 
-    def _still_apart(self, here, high, theta, *starts):
+    def _still_separated(self, rows, high, theta, *starts):
         """Return rows for which a line between the directions tried separates at the time high.
 
         For them all times have to be examined more closely.
         """
-        if not self._spacing or not len(here):
-            return here[:0]
-        return here[
-            self._best(*rows_of(here, theta, high, *starts), np.full(len(here), WIDE), 26)[1] > 0
+        if not self._spacing or not len(rows):
+            return rows[:0]
+        return rows[
+            self._best(*rows_of(rows, theta, high, *starts), np.full(len(rows), WIDE), 26)[1] > 0
         ]
 
-    def _try_elsewhere(self, here, low, second, time, theta, *starts):
-        """Put into time and theta where R(T) gets through the border elsewhere, but sooner."""
-        if not self._spacing or not len(here):
+    def _improve_elsewhere(self, rows, low, second, time, theta, *starts):
+        """Put into time and theta where R(T) gets through the border elsewhere, but earlier."""
+        if not self._spacing or not len(rows):
             return
-        width = np.full(len(here), 0.2)
-        here = here[self._best(*rows_of(here, second, time, *starts), width, 16)[1] > -1e-6]
-        if len(here):
-            other, angle = self._refine(*rows_of(here, *starts, low, time, second))
-            sooner = (self._gap(angle, other, *rows_of(here, *starts)) > -1e-6) & (
-                other < time[here]
+        width = np.full(len(rows), 0.2)
+        rows = rows[self._best(*rows_of(rows, second, time, *starts), width, 16)[1] > -1e-6]
+        if len(rows):
+            other_time, angle = self._refine(*rows_of(rows, *starts, low, time, second))
+            is_earlier = (self._gap(angle, other_time, *rows_of(rows, *starts)) > -1e-6) & (
+                other_time < time[rows]
             )
-            time[here], theta[here] = (
-                np.where(sooner, other, time[here]),
-                np.where(sooner, angle, theta[here]),
+            time[rows], theta[rows] = (
+                np.where(is_earlier, other_time, time[rows]),
+                np.where(is_earlier, angle, theta[rows]),
             )
 
-    def _dips(self, suspects, low, high, theta, x, case, inside):
+    def _find_dips(self, dips, low, high, theta, x, case, inside):
         """Put into low, high and theta where R(T) meets a thin D only between two of the times.
 
         There the distance has a dip.
         """
-        if not any(len(here) for here, *_ in suspects):
+        if not any(len(dip_rows) for dip_rows, *_ in dips):
             return
-        here, first, last = (np.concatenate(column) for column in zip(*suspects))
-        K, (x, case, inside) = len(self._angles), rows_of(here, x, case, inside)
+        dip_rows, first, last = (np.concatenate(column) for column in zip(*dips))
+        K, (x, case, inside) = len(self._angles), rows_of(dip_rows, x, case, inside)
 
         def gaps_of(T, rows=slice(None)):
             starts = (
@@ -285,22 +305,26 @@ class FastestTimes(SeparatingLines):
             )[1]
             return np.maximum(best, gaps.max(axis=0))
 
-        closest = golden_section(
+        closest_times = golden_section(
             lambda T, rows: -distance(T, rows), (first + last) / 2, (last - first) / 2, 12
         )
-        line, through = self._middle(gaps_of(first)), distance(closest) <= 0
-        for k in np.flatnonzero(through)[::-1]:  # the earliest last
-            if not closest[k] > high[here[k]]:
-                low[here[k]], high[here[k]], theta[here[k]] = first[k], closest[k], line[k]
+        line, touches = self._middle(gaps_of(first)), distance(closest_times) <= 0
+        for k in np.flatnonzero(touches)[::-1]:  # the earliest last
+            if not closest_times[k] > high[dip_rows[k]]:
+                low[dip_rows[k]], high[dip_rows[k]], theta[dip_rows[k]] = (
+                    first[k],
+                    closest_times[k],
+                    line[k],
+                )
 
-    def _other_top(self, gap, angle):
+    def _second_maximum(self, gap, angle):
         """Return the index of another direction in which the gap has a local maximum."""
         top = (gap >= np.roll(gap, 1, axis=0)) & (gap >= np.roll(gap, -1, axis=0))
         return np.where(top & (np.cos(self._angles[:, None] - angle) < 0.95), gap, -np.inf).argmax(
             axis=0
         )
 
-    def _likely(self, T, x, case, inside):
+    def _coarse_angles(self, T, x, case, inside):
         """Return the direction, of every fourth, with the largest gap, close to the best line."""
         angles, n = self._angles[::4], len(x)
         rows = np.tile(np.arange(n), len(angles))
@@ -312,43 +336,48 @@ class FastestTimes(SeparatingLines):
     def _shorten(self, low, high, theta, x, case, inside):
         """Halve long times in low and high, until the best line cannot turn away in between."""
         while (
-            len(here := np.flatnonzero(~inside & np.isfinite(high) & (high - low > LONG)))
+            len(rows := np.flatnonzero(~inside & np.isfinite(high) & (high - low > LONG)))
             and self._spacing
         ):
-            T, starts = (low[here] + high[here]) / 2, (x[here], case[here], inside[here])
+            T, starts = (low[rows] + high[rows]) / 2, (x[rows], case[rows], inside[rows])
             angles, gaps = zip(
                 *(
                     self._best(around, T, *starts, np.full(len(T), WIDE), 26)
-                    for around in (theta[here], self._likely(T, *starts))
+                    for around in (theta[rows], self._coarse_angles(T, *starts))
                 )
             )
-            apart = np.maximum(*gaps) > 0
-            low[here], high[here] = np.where(apart, T, low[here]), np.where(apart, high[here], T)
-            theta[here] = np.where(apart, np.where(gaps[0] > gaps[1], *angles), theta[here])
+            separated = np.maximum(*gaps) > 0
+            low[rows], high[rows] = (
+                np.where(separated, T, low[rows]),
+                np.where(separated, high[rows], T),
+            )
+            theta[rows] = np.where(separated, np.where(gaps[0] > gaps[1], *angles), theta[rows])
 
-    def missing(self, x, case, left, inside):
-        """Return the distance from the target at the best time within the times `left`."""
+    def missing(self, x, case, remaining_time, inside):
+        """Return the distance from the target at the best time within `remaining_time`."""
         n, p, steps = len(x), directions(self._angles), 16
-        best, when, angle = np.full(n, np.inf), left, np.zeros(n)
+        best, best_time, angle = np.full(n, np.inf), remaining_time, np.zeros(n)
         rows, sign = np.repeat(p, n, axis=0), np.tile(np.where(inside, 1, -1), len(p))
         support = self._supports(p, x, case)
-        for T in left * (np.arange(1, steps + 1) / steps)[:, None]:
-            moved = self.plant.free(x, T)
+        for T in remaining_time * (np.arange(1, steps + 1) / steps)[:, None]:
+            free_states = self.plant.free(x, T)
             gaps = (
-                p @ moved.T
+                p @ free_states.T
                 + self.plant.extreme(rows, np.tile(T, len(p)), sign).reshape(len(p), n)
                 - support
             )
             top = np.where(inside, -gaps.max(axis=0), gaps.max(axis=0))
             better = top < best
-            best, when = np.where(better, top, best), np.where(better, T, when)
+            best, best_time = np.where(better, top, best), np.where(better, T, best_time)
             angle = np.where(better, self._angles[gaps.argmax(axis=0)], angle)
         width = np.full(n, WIDE)
 
-        def apart(T, rows=slice(None)):
+        def distance(T, rows=slice(None)):
             starts = (part[rows] for part in (x, case, inside, width))
-            gap = self._best(angle[rows], np.clip(T, 1e-9, left[rows]), *starts, 24)[1]
+            gap = self._best(angle[rows], np.clip(T, 1e-9, remaining_time[rows]), *starts, 24)[1]
             return np.where(inside[rows], -gap, gap)
 
-        closest = golden_section(lambda T, rows: -apart(T, rows), when, left / steps, steps=12)
-        return np.minimum(apart(closest), apart(when))
+        closest_times = golden_section(
+            lambda T, rows: -distance(T, rows), best_time, remaining_time / steps, steps=12
+        )
+        return np.minimum(distance(closest_times), distance(best_time))

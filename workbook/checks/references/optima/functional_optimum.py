@@ -160,8 +160,8 @@ def _programme(form, count):
     middle = (nodes[:, 1:] + nodes[:, :-1]) / 2
     slopes = ca.vertcat(middle[1:, :], top)
     conditions = [ca.vec(nodes[:, 1:] - nodes[:, :-1] - h * slopes)]
-    for column, given, values in ((0, form.started, starts), (count, form.ended, ends)):
-        conditions += [nodes[k, column] - values[j] for j, k in enumerate(given)]
+    for column, components, values in ((0, form.started, starts), (count, form.ended, ends)):
+        conditions += [nodes[k, column] - values[j] for j, k in enumerate(components)]
     integrand = sp.lambdify([form.time, *symbols], form.integrand, ca)
     final = sp.lambdify(symbols[:-1], form.final, ca)
     total = sum(

@@ -54,11 +54,11 @@ class LinearTransfer(TransferSystem):
             np.zeros_like(x), case, far=True
         )
         time, angle, reached = batch.time, batch.angle, np.isfinite(batch.time)
-        time[reached], angle[reached] = self._closer(x[reached], time[reached], angle[reached])
+        time[reached], angle[reached] = self._refined(x[reached], time[reached], angle[reached])
         self._found.update(zip(starts, zip(time.tolist(), angle.tolist())))
 
-    def _closer(self, x, time, angle, step=1e-6):
-        """Return the same to about ten digits, by Newton's iteration."""
+    def _refined(self, x, time, angle, step=1e-6):
+        """Refine least times and angles to about ten digits, by Newton's iteration."""
 
         def miss(time, angle):
             return self._back.farthest(directions(angle), time, -1) - x
@@ -72,21 +72,21 @@ class LinearTransfer(TransferSystem):
                 axis=2,
             ) / (2 * step)
 
-        better, turned = time, angle
+        refined_time, refined_angle = time, angle
         for _ in range(5):
             # Without a switching the end does not depend on the angle, and the least step leaves
             # the angle as it is.
             change = np.einsum(
                 "nij,nj->ni",
-                np.linalg.pinv(slopes(better, turned), rcond=1e-9),
-                miss(better, turned),
+                np.linalg.pinv(slopes(refined_time, refined_angle), rcond=1e-9),
+                miss(refined_time, refined_angle),
             )
-            better, turned = better - change[:, 0], turned - change[:, 1]
-        closer = np.linalg.norm(miss(better, turned), axis=1) <= np.linalg.norm(
+            refined_time, refined_angle = refined_time - change[:, 0], refined_angle - change[:, 1]
+        improved = np.linalg.norm(miss(refined_time, refined_angle), axis=1) <= np.linalg.norm(
             miss(time, angle), axis=1
         )
-        good = closer & (abs(better - time) < 1e-3 * time)
-        return np.where(good, better, time), np.where(good, turned, angle)
+        accepted = improved & (abs(refined_time - time) < 1e-3 * time)
+        return np.where(accepted, refined_time, time), np.where(accepted, refined_angle, angle)
 
     def holds(self, start):
         """Return whether some time suffices, up to the precision of the grid of directions."""
@@ -106,9 +106,11 @@ class LinearTransfer(TransferSystem):
         normals = directions(np.linspace(0, 2 * math.pi, 90, endpoint=False))
         support = self._support(normals, duration)
         # The set {q.x <= S(q) for all q} is met along a direction d at the least S(q)/q.d.
-        along = normals @ normals.T
+        cosines = normals @ normals.T
         return np.min(
-            np.where(along > 1e-9, support[:, None] / np.where(along > 1e-9, along, 1), np.inf),
+            np.where(
+                cosines > 1e-9, support[:, None] / np.where(cosines > 1e-9, cosines, 1), np.inf
+            ),
             axis=0,
         )
 
@@ -130,8 +132,8 @@ class LinearTransfer(TransferSystem):
                 for t in self._back.zeros(p, np.array([duration]))[0]
                 if 1e-4 * duration < t < (1 - 1e-4) * duration
             ]
-            pushed = float(p[0] @ self._back.response(duration * 2e-4)[0])
-            self._plans[key] = inner, self.bounds[1] if pushed < 0 else self.bounds[0]
+            switching_value = float(p[0] @ self._back.response(duration * 2e-4)[0])
+            self._plans[key] = inner, self.bounds[1] if switching_value < 0 else self.bounds[0]
         return self._plans[key]
 
     def switchings(self, start, duration):

@@ -1,4 +1,4 @@
-"""Radau's collocation points, and their weights."""
+"""Radau collocation points and their weights."""
 
 import functools
 
@@ -8,7 +8,7 @@ import numpy as np
 
 @functools.lru_cache
 def radau(degree):
-    """Return Radau's points with 0 before them, derivatives there, and the weights between them.
+    """Return the Radau points with 0 before them, derivatives there, and the weights between them.
 
     The derivatives are those of the polynomials that are 1 at one of the points. The third are, for
     Gauss's sum with twice as many points, triples (weight, these polynomials, those without point 0).
@@ -38,7 +38,7 @@ def radau(degree):
 
 @functools.lru_cache
 def integrals(degree):
-    """Return integrals from 0 to Radau's points of polynomials that are 1 at one of them."""
+    """Return integrals from 0 to the Radau points of polynomials that are 1 at one of them."""
     points = radau(degree)[0][1:]
     basis = [
         np.poly1d(np.delete(points, j), True) / np.prod(points[j] - np.delete(points, j))

@@ -18,14 +18,15 @@ def on_a_line(dynamics, control, bounds, start, end):
     ((x, rate),) = dynamics.items()
     if not linear([rate], [x, control]):
         return None
-    most, least = _extremes(rate, control, bounds)
+    greatest, least = _extremes(rate, control, bounds)
 
-    def moves(way, rate):
+    def condition(direction, rate):
         return sp.And(
-            way * (end - start) > 0, *(way * rate.subs(x, point) > 0 for point in (start, end))
+            direction * (end - start) > 0,
+            *(direction * rate.subs(x, point) > 0 for point in (start, end)),
         )
 
-    return sp.Or(moves(1, most), moves(-1, least))
+    return sp.Or(condition(1, greatest), condition(-1, least))
 
 
 def in_time(dynamics, control, bounds, start, end, duration):
@@ -36,10 +37,10 @@ def in_time(dynamics, control, bounds, start, end, duration):
     ((x, rate),) = dynamics.items()
     if rate.has(x) or not linear([rate], [control]):
         return None
-    most, least = _extremes(rate, control, bounds)
+    greatest, least = _extremes(rate, control, bounds)
     return sp.Or(
         sp.Eq(start, end),
-        sp.And(end > start, duration * most >= end - start),
+        sp.And(end > start, duration * greatest >= end - start),
         sp.And(end < start, duration * least <= end - start),
     )
 
@@ -57,20 +58,20 @@ def to_origin(A, b, bounds, start):
         row = sp.Matrix([[0, 1]]) * chain.inv()  # z1 = row.x has z1' = z2, z2' = u
         return _braked(*(row * sp.Matrix(start)), *(row * A * sp.Matrix(start)), low, high)
     modes = [
-        (value, left)
+        (value, left_vector)
         for value, _, vectors in A.T.eigenvects()
-        for left in vectors
+        for left_vector in vectors
         if sp.re(value) > 0
     ]
     if not (low < 0 < high) or len(modes) > 1 or any(not value.is_real for value, _ in modes):
         return None
     inside = []
-    for value, left in modes:
-        ends, along = (
-            sorted((left.T * b)[0] * end / value for end in bounds),
-            (left.T * sp.Matrix(start))[0],
+    for value, left_vector in modes:
+        ends, component = (
+            sorted((left_vector.T * b)[0] * end / value for end in bounds),
+            (left_vector.T * sp.Matrix(start))[0],
         )
-        inside += [ends[0] < -along, -along < ends[1]]
+        inside += [ends[0] < -component, -component < ends[1]]
     return sp.And(*inside)
 
 
@@ -113,15 +114,24 @@ def touching(field, state, control, bounds, target):
     def rate(part, u):
         return sum(sp.diff(part, x) * f.subs(control, u) for x, f in zip(state, field))
 
-    touched, almost = [], []
-    for u, other in (bounds, bounds[::-1]):
-        on = sp.And(sp.Eq(target, 0), sp.Eq(rate(target, u), 0))
-        worse, bend = sp.expand(rate(target, other) - rate(target, u)), rate(rate(target, u), u)
-        touched.append(sp.And(on, worse > 0, bend > 0))
-        almost.append(
-            sp.And(on, sp.Or(sp.And(worse > 0, bend > 0), sp.And(worse >= 0, sp.Eq(bend, 0))))
+    conditions, wider_conditions = [], []
+    for u, opposite in (bounds, bounds[::-1]):
+        on_border = sp.And(sp.Eq(target, 0), sp.Eq(rate(target, u), 0))
+        rate_difference, bend = (
+            sp.expand(rate(target, opposite) - rate(target, u)),
+            rate(rate(target, u), u),
         )
-    return sp.Or(*touched), sp.Or(*almost)
+        conditions.append(sp.And(on_border, rate_difference > 0, bend > 0))
+        wider_conditions.append(
+            sp.And(
+                on_border,
+                sp.Or(
+                    sp.And(rate_difference > 0, bend > 0),
+                    sp.And(rate_difference >= 0, sp.Eq(bend, 0)),
+                ),
+            )
+        )
+    return sp.Or(*conditions), sp.Or(*wider_conditions)
 
 
 def beyond_line(A, b, bounds, state, line, time):
@@ -137,11 +147,11 @@ def beyond_line(A, b, bounds, state, line, time):
     if any(A**2) or len(signs) != 1 or not all(bound.is_number for bound in bounds):
         return None
     free = sp.expand(line + (normal * A * sp.Matrix(state))[0] * time)
-    pushed = sorted(
+    integrals = sorted(
         (bound * sp.integrate(effect, (time, 0, time)) for bound in bounds),
-        key=lambda push: push.subs(time, 1),
+        key=lambda integral: integral.subs(time, 1),
     )
-    return sp.expand(free + pushed[1]), sp.expand(-free - pushed[0])
+    return sp.expand(free + integrals[1]), sp.expand(-free - integrals[0])
 
 
 def linear(expressions, symbols):

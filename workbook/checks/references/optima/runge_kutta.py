@@ -1,8 +1,8 @@
-"""The classical method of Runge and Kutta."""
+"""The classical Runge-Kutta method of order four."""
 
 
 def rk4(field, t, y, h):
-    """Return the state after a step of the classical method of Runge and Kutta."""
+    """Return the state after a step of the classical Runge-Kutta method."""
     a = field(t, y)
     b = field(t + h / 2, y + h / 2 * a)
     c = field(t + h / 2, y + h / 2 * b)

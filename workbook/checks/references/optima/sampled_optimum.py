@@ -79,28 +79,30 @@ class SampledOptimum(SampledStarts):
 
     def batch(self, decimals):
         """Return starts spread over the plane, and pairs on both sides of the switching curves."""
-        kept = self.kept.get(decimals)
-        if kept is None:
-            kept = self.kept[decimals] = self._batch(BESIDE_DECIMALS if decimals else BESIDE)
-        return kept
+        batch = self.cache.get(decimals)
+        if batch is None:
+            batch = self.cache[decimals] = self._batch(BESIDE_DECIMALS if decimals else BESIDE)
+        return batch
 
-    def _batch(self, beside):
-        if "near" not in self.kept:
+    def _batch(self, relative_offset):
+        if "near" not in self.cache:
             count = 100 if len(self.cases) == 1 else 24
-            spread = self._safe(self.solve(*self._points(count)))
-            self.kept["spread"] = spread
-            self.kept["near"] = self._between(
-                spread, lambda batch: batch.control, 28 if len(self.cases) == 1 else 7
+            spread_batch = self._safe(self.solve(*self._points(count)))
+            self.cache["spread"] = spread_batch
+            self.cache["near"] = self._between(
+                spread_batch, lambda batch: batch.control, 28 if len(self.cases) == 1 else 7
             )
-        spread, near = self.kept["spread"], self.kept["near"]
+        spread_batch, near = self.cache["spread"], self.cache["near"]
         if near is None:
-            return spread
+            return spread_batch
         middle, direction, case = near
-        shift = beside * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
+        shift = relative_offset * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
         sides = np.concatenate([middle + shift, middle - shift])
         case = np.concatenate([case, case])
         keep = self.allowed(sides, case)
-        return StateBatch.concatenated([spread, self._safe(self.solve(sides[keep], case[keep]))])
+        return StateBatch.concatenated(
+            [spread_batch, self._safe(self.solve(sides[keep], case[keep]))]
+        )
 
     def _safe(self, batch):
         """Return the starts off the target that are in reach with all states next to them."""
@@ -123,10 +125,10 @@ class SampledOptimum(SampledStarts):
         Also on both sides of a target with a border; far out too if the target is a point, which the
         optimum meets as well as nearby.
         """
-        kept = self.kept.get("next")
-        if kept is None:
+        starts = self.cache.get("next")
+        if starts is None:
             self.batch(False)
-            curves = [self.kept["near"]]
+            curves = [self.cache["near"]]
             if self.convex.point:
                 random = np.random.default_rng(8)
                 x, case = (
@@ -139,8 +141,8 @@ class SampledOptimum(SampledStarts):
             parts = [self._sides(near, 0.02) for near in curves if near is not None]
             if self.convex.g is not None:
                 parts.append(self._sides(self._on_target(16), 0.0))
-            kept = self.kept["next"] = StateBatch.concatenated(parts) if parts else None
-        return kept
+            starts = self.cache["next"] = StateBatch.concatenated(parts) if parts else None
+        return starts
 
     def extremals(self):
         """Return states on extremals followed back from a target that is a point, without a search.
@@ -149,23 +151,24 @@ class SampledOptimum(SampledStarts):
         None for another target. For a linear plant an extremal is optimal if an admissible control can hold
         the state on the target.
         """
-        if "followed back" not in self.kept:
+        if "followed back" not in self.cache:
             parts = (
                 [self._followed_back(k) for k in range(len(self.cases))]
                 if self.convex.point
                 else [None]
             )
-            self.kept["followed back"] = (
+            self.cache["followed back"] = (
                 None if None in parts else tuple(map(StateBatch.concatenated, zip(*parts)))
             )
-        return self.kept["followed back"]
+        return self.cache["followed back"]
 
     def _followed_back(self, case):
         plant, end = self.plant, self.convex.corner(case)
         free = plant.A @ end
-        rest = -(plant.b @ free) / (plant.b @ plant.b)
+        equilibrium_control = -(plant.b @ free) / (plant.b @ plant.b)
         if not (
-            np.allclose(free + rest * plant.b, 0) and plant.bounds[0] <= rest <= plant.bounds[1]
+            np.allclose(free + equilibrium_control * plant.b, 0)
+            and plant.bounds[0] <= equilibrium_control <= plant.bounds[1]
         ):
             return None
         last = np.repeat(LAST_ARCS, 2)
@@ -182,12 +185,12 @@ class SampledOptimum(SampledStarts):
         x, begin, states, changes = np.tile(end, (len(last), 1)), np.zeros(len(last)), [], []
         zeros = plant.zeros(p, np.full(len(last), BACK))
         for k, zero in enumerate((*zeros.T, np.full(len(last), BACK))):
-            on = (begin < zero) & ((last >= WHOLE) | (k < 2))
+            active = (begin < zero) & ((last >= WHOLE) | (k < 2))
             for part in EARLIER if k else ():
                 step = part * np.minimum(last, (zero - begin) / 50)
-                states.append((plant.move(x, u, -step)[on], u[on]))
-            x, begin, on = plant.move(x, u, begin - zero), zero, on & (zero < BACK)
-            changes.append((x[on], u[on]))
+                states.append((plant.move(x, u, -step)[active], u[active]))
+            x, begin, active = plant.move(x, u, begin - zero), zero, active & (zero < BACK)
+            changes.append((x[active], u[active]))
             u = sum(plant.bounds) - u
         return [self._inner(*map(np.concatenate, zip(*part)), case) for part in (states, changes)]
 
@@ -217,12 +220,14 @@ class SampledOptimum(SampledStarts):
         keep = self.allowed(x, case)
         batch = self.solve(x[keep], case[keep], far=True)
         around = self._around(batch, NEXT / 2, far=True, count=5)
-        alike = (
+        same_control = (
             np.isfinite(around.time)
             & (around.time > 0)
             & (around.control == batch.control[:, None])
         )
-        return batch.take(np.isfinite(batch.time) & (batch.time > shortest) & alike.all(axis=1))
+        return batch.take(
+            np.isfinite(batch.time) & (batch.time > shortest) & same_control.all(axis=1)
+        )
 
     def robust(self, batch, decimals):
         """Return where the fastest motions around begin alike: far from switching curves."""
@@ -241,30 +246,30 @@ class SampledOptimum(SampledStarts):
 
     def border(self, decimals):
         """Return starts in reach and out of reach, many of them on both sides of the border between."""
-        kept = self.kept.get(("border", decimals))
-        if kept is None:
-            spread = self.solve(
+        border = self.cache.get(("border", decimals))
+        if border is None:
+            spread_batch = self.solve(
                 *self._points(100 if len(self.cases) == 1 else 40, seed=5), far=True
             )
             near = self._between(
-                spread,
+                spread_batch,
                 lambda batch: np.isfinite(batch.time),
                 30 if len(self.cases) == 1 else 8,
                 far=True,
             )
-            parts = [spread]
+            parts = [spread_batch]
             for share in ((0.02,) if decimals else (0.008, 0.03)) if near is not None else ():
                 middle, direction, case = near
                 shift = share * (0.3 + np.linalg.norm(middle, axis=1))[:, None] * direction
-                both, cases = (
+                sides, cases = (
                     np.concatenate([middle + shift, middle - shift]),
                     np.concatenate([case, case]),
                 )
-                keep = self.allowed(both, cases)
-                parts.append(self.solve(both[keep], cases[keep], far=True))
-            kept = StateBatch.concatenated(parts)
-            self.kept[("border", decimals)] = kept
-        return kept
+                keep = self.allowed(sides, cases)
+                parts.append(self.solve(sides[keep], cases[keep], far=True))
+            border = StateBatch.concatenated(parts)
+            self.cache[("border", decimals)] = border
+        return border
 
     def on_border(self, batch):
         """Return where states next to the start are of the other kind: there rounding decides."""

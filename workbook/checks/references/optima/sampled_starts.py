@@ -25,26 +25,28 @@ class SampledStarts(FastestTimes):
             ConvexTarget(target, state, list(self.parameters), self.cases),
         )
         # whether some starts are out of reach: not known yet
-        self.kept, self._limited = {}, None
+        self.cache, self._limited = {}, None
         self._rings = {}
 
     def _points(self, count, seed=4):
         """Return starts that the problem allows, about half of all for each case."""
-        for more in (1, 4, 16):
-            points, cases = self._drawn(more * count, seed)
+        for factor in (1, 4, 16):
+            points, cases = self._random_starts(factor * count, seed)
             if len(points) > count * len(self.cases) / 2:
                 break
         return points, cases
 
-    def _drawn(self, count, seed):
+    def _random_starts(self, count, seed):
         random, points, cases = np.random.default_rng(seed), [], []
         for case in range(len(self.cases)):
-            spread = (
+            normal_points = (
                 random.normal(size=(count, 2)) * np.array([0.7, 2, 4])[np.arange(count) % 3, None]
             )
-            both = np.concatenate([spread, self.convex.around(random, case, count // 2)])
-            points.append(both)
-            cases.append(np.full(len(both), case))
+            candidates = np.concatenate(
+                [normal_points, self.convex.around(random, case, count // 2)]
+            )
+            points.append(candidates)
+            cases.append(np.full(len(candidates), case))
         points, cases = np.concatenate(points), np.concatenate(cases)
         keep = self.allowed(points, cases)
         return points[keep], cases[keep]
@@ -71,12 +73,12 @@ class SampledStarts(FastestTimes):
 
         Laws that differ from the optimum do so from the same starts, mostly; so the last rings are kept.
         """
-        asked = (batch.x.tobytes(), batch.case.tobytes(), share, far, count)
-        if asked not in self._rings:
+        key = (batch.x.tobytes(), batch.case.tobytes(), share, far, count)
+        if key not in self._rings:
             while len(self._rings) >= RINGS:
                 del self._rings[next(iter(self._rings))]
-            self._rings[asked] = self._ring(batch, share, far, count)
-        return self._rings[asked]
+            self._rings[key] = self._ring(batch, share, far, count)
+        return self._rings[key]
 
     def _ring(self, batch, share, far, count):
         angle = np.arange(count) * 2 * np.pi / count + 0.3
@@ -85,10 +87,10 @@ class SampledStarts(FastestTimes):
         points = (batch.x[:, None] + size[:, None, None] * ring).reshape(-1, 2)
         case = np.repeat(batch.case, count)
         solved = self.solve(points, case, far)
-        same = (solved.inside == np.repeat(batch.inside, count)) & self.allowed(points, case)
+        comparable = (solved.inside == np.repeat(batch.inside, count)) & self.allowed(points, case)
         return StateBatch(
-            time=np.where(same, solved.time, 0).reshape(-1, count),
-            control=np.where(same, solved.control, np.repeat(batch.control, count)).reshape(
+            time=np.where(comparable, solved.time, 0).reshape(-1, count),
+            control=np.where(comparable, solved.control, np.repeat(batch.control, count)).reshape(
                 -1, count
             ),
         )
@@ -100,24 +102,26 @@ class SampledStarts(FastestTimes):
         """
         left, right, case, random = [], [], [], np.random.default_rng(6)
         for k in range(len(self.cases)):
-            here = np.flatnonzero(batch.case == k)
-            if not len(here):
+            case_rows = np.flatnonzero(batch.case == k)
+            if not len(case_rows):
                 continue
-            marks, x = kind(batch)[here], batch.x[here]
+            marks, x = kind(batch)[case_rows], batch.x[case_rows]
             ones = random.permutation(np.flatnonzero(marks == marks.max()))
-            others = np.flatnonzero(marks != marks.max())
-            if not len(others):
+            different = np.flatnonzero(marks != marks.max())
+            if not len(different):
                 continue
             for start_index in ones[:count]:
                 # A start inside D is no neighbour of one outside: between the two lies the target.
-                alike = others[batch.inside[here][others] == batch.inside[here][start_index]]
+                comparable = different[
+                    batch.inside[case_rows][different] == batch.inside[case_rows][start_index]
+                ]
                 if self.convex.kind == "line":
                     side = np.sign(self.convex.g(x, np.full(len(x), k)))
-                    alike = alike[side[alike] == side[start_index]]
-                if len(alike):
-                    near = alike[
-                        np.argsort(np.linalg.norm(x[alike] - x[start_index], axis=1))[
-                            random.integers(0, min(3, len(alike)))
+                    comparable = comparable[side[comparable] == side[start_index]]
+                if len(comparable):
+                    near = comparable[
+                        np.argsort(np.linalg.norm(x[comparable] - x[start_index], axis=1))[
+                            random.integers(0, min(3, len(comparable)))
                         ]
                     ]
                     left.append(x[start_index])

@@ -28,15 +28,15 @@ class SeparatingLines:
         return np.arctan2(p[:, 1], p[:, 0])
 
     def _gap(self, theta, T, x, case, inside):
-        p, moved = directions(theta), self.plant.free(x, T)
+        p, free_states = directions(theta), self.plant.free(x, T)
         return (
-            p[:, 0] * moved[:, 0]
-            + p[:, 1] * moved[:, 1]
+            p[:, 0] * free_states[:, 0]
+            + p[:, 1] * free_states[:, 1]
             + self.plant.extreme(p, T, np.where(inside, 1, -1))
             - self.convex.support(p, case, x)
         )
 
-    def _best(self, theta, T, x, case, inside, width, steps, enough=np.inf):
+    def _best(self, theta, T, x, case, inside, width, steps, sufficient=np.inf):
         """Return the direction near theta with the largest gap, or any whose gap is large enough.
 
         With it comes the gap. From outside, min p.y over R(T) less sup p.y over D is concave in p: along
@@ -45,12 +45,12 @@ class SeparatingLines:
         """
         if not self._spacing:
             return theta, self._gap(theta, T, x, case, inside)
-        moved = self.plant.free(x, T)
-        whole, sign = self.plant.response(T)[1], np.where(inside, 1, -1)
+        free_states = self.plant.free(x, T)
+        integral, sign = self.plant.response(T)[1], np.where(inside, 1, -1)
 
-        def gap(turn, rows):
-            p, y = directions(theta[rows] + turn), moved[rows]
-            reached = self.plant.extreme(p, T[rows], sign[rows], whole[rows])
+        def gap(rotation, rows):
+            p, y = directions(theta[rows] + rotation), free_states[rows]
+            reached = self.plant.extreme(p, T[rows], sign[rows], integral[rows])
             return (
                 p[:, 0] * y[:, 0]
                 + p[:, 1] * y[:, 1]
@@ -58,11 +58,11 @@ class SeparatingLines:
                 - self.convex.support(p, case[rows], x[rows])
             )
 
-        def seen(turn, rows):
-            return gap(turn, rows) / np.where(inside[rows], 1, np.cos(turn))
+        def normalised_gap(rotation, rows):
+            return gap(rotation, rows) / np.where(inside[rows], 1, np.cos(rotation))
 
-        turn = golden_section(seen, np.zeros(len(x)), width, steps, enough)
-        return theta + turn, gap(turn, slice(None))
+        rotation = golden_section(normalised_gap, np.zeros(len(x)), width, steps, sufficient)
+        return theta + rotation, gap(rotation, slice(None))
 
     def _refine(self, x, case, inside, low, high, theta):
         """Return the first time from low to high without a separating line, and the last line.
@@ -71,17 +71,17 @@ class SeparatingLines:
         """
         if not self._spacing:
             return self._halved(x, case, inside, low, high, theta)
-        time, angle, sure = self._touching(x, case, inside, low, high, theta)
-        doubtful = np.flatnonzero(~sure)
-        if len(doubtful):
-            halved = self._halved(*rows_of(doubtful, x, case, inside, low, high, theta))
-            time[doubtful], angle[doubtful] = self._closer(
-                *halved, *rows_of(doubtful, x, case, inside)
+        time, angle, proved = self._touching(x, case, inside, low, high, theta)
+        unproved = np.flatnonzero(~proved)
+        if len(unproved):
+            halved = self._halved(*rows_of(unproved, x, case, inside, low, high, theta))
+            time[unproved], angle[unproved] = self._newton_refined(
+                *halved, *rows_of(unproved, x, case, inside)
             )
         return time, angle
 
-    def _closer(self, time, angle, x, case, inside, step=1e-6):
-        """Return the same to more digits from outside D, also at a corner of R(T).
+    def _newton_refined(self, time, angle, x, case, inside, step=1e-6):
+        """Refine the time and the line from outside D, also at a corner of R(T).
 
         In turn the best line at a time, and the time at which this line no longer separates are computed.
         """
@@ -89,16 +89,16 @@ class SeparatingLines:
         with np.errstate(all="ignore"):
             for _ in range(3):
                 theta, gap = self._best(theta, T, x, case, inside, width, 48)
-                later = self._gap(theta, T + step, x, case, inside)
-                T = T - gap * step / (later - gap)
-        good = ~inside & (abs(T - time) < 1e-3 * (1 + time))
-        return np.where(good, T, time), np.where(good, theta, angle)
+                gap_after = self._gap(theta, T + step, x, case, inside)
+                T = T - gap * step / (gap_after - gap)
+        accepted = ~inside & (abs(T - time) < 1e-3 * (1 + time))
+        return np.where(accepted, T, time), np.where(accepted, theta, angle)
 
     def _touching(self, x, case, inside, low, high, theta, step=1e-5):
-        """Return the same by Newton's iteration, in turn for the time and for the best line then.
+        """Return (time, angle, proved) by Newton's iteration, alternating between time and line.
 
-        The third result is where this was proved, to the precision of the halvings: before, that line
-        separates, and after, none.
+        It is proved, to the precision of the bisection, where that line separates before the time and
+        none does after it.
         """
         start, T, rows = theta, (low + high) / 2, np.arange(len(x))
 
@@ -111,34 +111,36 @@ class SeparatingLines:
 
         with np.errstate(all="ignore"):
             for _ in range(6):
-                now, later = gaps((theta, T), (theta, T + step))
-                T = np.clip(T - np.nan_to_num(now * step / (later - now)), low, high)
+                gap_now, gap_after = gaps((theta, T), (theta, T + step))
+                T = np.clip(T - np.nan_to_num(gap_now * step / (gap_after - gap_now)), low, high)
                 # Seen along the tangent of the unit circle, as in `_best`.
                 left, middle, right = gaps((theta - step, T), (theta, T), (theta + step, T))
                 left, right = (
                     np.where(inside, side, side / np.cos(step)) for side in (left, right)
                 )
-                turn = np.nan_to_num((right - left) / 2 * step / (2 * middle - left - right))
-                theta = theta + np.clip(turn, -0.3, 0.3)
-            apart = np.where(inside, 1, -1) * (high - low) / 2**24
-            separates = self._gap(theta, T + apart, x, case, inside) > 0
-            sure = np.flatnonzero(separates & (~inside | (abs(theta - start) < 0.15)))
-            x, case, inside, after = (part[sure] for part in (x, case, inside, T - apart))
+                rotation = np.nan_to_num((right - left) / 2 * step / (2 * middle - left - right))
+                theta = theta + np.clip(rotation, -0.3, 0.3)
+            offset = np.where(inside, 1, -1) * (high - low) / 2**24
+            separates = self._gap(theta, T + offset, x, case, inside) > 0
+            proved = np.flatnonzero(separates & (~inside | (abs(theta - start) < 0.15)))
+            x, case, inside, after = (part[proved] for part in (x, case, inside, T - offset))
             none = (
-                self._best(theta[sure], after, x, case, inside, np.where(inside, 0.15, WIDE), 24)[1]
+                self._best(theta[proved], after, x, case, inside, np.where(inside, 0.15, WIDE), 24)[
+                    1
+                ]
                 <= 0
             )
-        return T, theta, np.isin(rows, sure[none])
+        return T, theta, np.isin(rows, proved[none])
 
     def _halved(self, x, case, inside, low, high, theta):
-        """Return the same by bisection, whatever the shape of the distance."""
+        """Return time and angle by bisection, whatever the shape of the distance."""
         centre = theta
-        for turn in range(18):
+        for iteration in range(18):
             middle = (low + high) / 2
             # The best line may jump from one side of a cone to the other, so at first the whole
             # cone is searched each time.
             around, width, steps = (
-                (centre, WIDE, 24) if turn < 8 else (theta, 0.04 * 0.85**turn, 10)
+                (centre, WIDE, 24) if iteration < 8 else (theta, 0.04 * 0.85**iteration, 10)
             )
             angle, gap = self._best(
                 around,
@@ -149,7 +151,7 @@ class SeparatingLines:
                 np.where(inside, np.minimum(width, 0.15), width),
                 steps,
             )
-            met = np.where(inside, gap >= 0, gap <= 0)
-            low, high = np.where(met, low, middle), np.where(met, middle, high)
-            theta = np.where(met & ~inside, theta, angle)
+            reached = np.where(inside, gap >= 0, gap <= 0)
+            low, high = np.where(reached, low, middle), np.where(reached, middle, high)
+            theta = np.where(reached & ~inside, theta, angle)
         return (low + high) / 2, theta

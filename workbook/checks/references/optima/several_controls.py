@@ -88,8 +88,8 @@ class Optimum:
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        how = directed("earlier" if duration > self.duration else "later", "at another time")
-        return f"the best process found ends {how}"
+        comparison = directed("earlier" if duration > self.duration else "later", "at another time")
+        return f"the best process found ends {comparison}"
 
     def cost_size(self):
         """Return the size of the terms of the cost."""
@@ -127,68 +127,68 @@ class _Search:
     def __init__(self, stated, names):
         dynamics, controls, self._initial, terminal = stated
         state, field = zip(*dynamics)
-        own, bounds = zip(*controls)
+        control_symbols, bounds = zip(*controls)
         if any(b is None or b.is_finite is False for pair in bounds for b in pair):
             raise ValueError("with several controls each has to have bounds")
         self._bounds = sp.lambdify(names, list(bounds), "math")
         self._start = sp.lambdify(names, [value for _, value in self._initial], "math")
-        self._size = len(own)
-        symbols = [*state, *own, *names]
+        self._size = len(control_symbols)
+        symbols = [*state, *control_symbols, *names]
         self._rates = sp.lambdify(symbols, list(field), ca)
         self._gap = sp.lambdify([*state, *names], list(terminal), ca)
         self._counts = len(state), len(names)
         # Made once, and kept with this search alone, so that they go when it goes.
-        self._left, self._programme, self._arc = map(
-            functools.cache, (self._left, self._programme, self._arc)
+        self._end_conditions, self._programme, self._arc = map(
+            functools.cache, (self._end_conditions, self._programme, self._arc)
         )
 
     def best(self, case):
         """Return the best process found for values of the parameters."""
-        random, known = (
+        random, constants = (
             np.random.default_rng(23),
             np.array([*self._start(*case), *case], dtype=float),
         )
         bounds = np.array(self._bounds(*case), dtype=float).T
         shares = random.integers(0, 3, (TRIED, ARCS, self._size)) / 2
         lengths = LONGEST * random.uniform(size=(TRIED, ARCS)) ** 2
-        tried = np.concatenate(
+        candidates = np.concatenate(
             [lengths, (bounds[0] + np.ptp(bounds, axis=0) * shares).reshape(TRIED, -1)], axis=1
         )
         order = np.argsort(
-            lengths.sum(axis=1) + 4 * np.linalg.norm(self._ends(tried, known), axis=1)
+            lengths.sum(axis=1) + 4 * np.linalg.norm(self._ends(candidates, constants), axis=1)
         )
         # No two guesses have the same controls at first.
         kinds = shares[order, 0] @ 3 ** np.arange(self._size)
         order, processes = order[np.sort(np.unique(kinds, return_index=True)[1])], []
-        begun = 0
-        for guess in tried[order]:
+        solved_count = 0
+        for guess in candidates[order]:
             for _ in range(ROUNDS):
-                process = self._improved(guess, known, bounds)
+                process = self._improved(guess, constants, bounds)
                 if process is None:
                     break
                 processes.append(process[:2])
-                guess = self._with_an_arc(*process, known, bounds)
+                guess = self._with_an_arc(*process, constants, bounds)
                 if guess is None:
                     break
-            begun += process is not None
-            if begun == IMPROVED:
+            solved_count += process is not None
+            if solved_count == IMPROVED:
                 break
         if not processes:
             raise RuntimeError("no process that satisfies the conditions was found")
         return Optimum(*min(processes, key=lambda process: process[0].sum()))
 
-    def _improved(self, guess, known, bounds):
+    def _improved(self, guess, constants, bounds):
         """Return lengths, controls and the target's multipliers of IPOPT's optimum, or None."""
         count = len(guess) // (1 + self._size)
         solver, states = self._programme(count)
         lower, upper = (
-            np.concatenate([np.full(count, end), np.tile(own, count)])
-            for end, own in zip((0.0, np.inf), bounds)
+            np.concatenate([np.full(count, end), np.tile(control_bound, count)])
+            for end, control_bound in zip((0.0, np.inf), bounds)
         )
         guess, free = np.clip(guess, lower, upper), np.full(count * self._counts[0], np.inf)
         result = solver(
-            x0=np.concatenate([guess, np.array(states(guess, known)).ravel("F")]),
-            p=known,
+            x0=np.concatenate([guess, np.array(states(guess, constants)).ravel("F")]),
+            p=constants,
             lbg=0,
             ubg=0,
             lbx=np.concatenate([lower, -free]),
@@ -196,55 +196,64 @@ class _Search:
         )
         if solver.stats()["return_status"] != "Solve_Succeeded":
             return None
-        optimum, worth = (np.array(result[name]).ravel() for name in ("x", "lam_g"))
+        optimum, multipliers = (np.array(result[name]).ravel() for name in ("x", "lam_g"))
         return (
             optimum[:count],
             optimum[count : len(guess)].reshape(count, self._size),
-            worth[len(free) :],
+            multipliers[len(free) :],
         )
 
-    def _with_an_arc(self, lengths, controls, worth, known, bounds):
+    def _with_an_arc(self, lengths, controls, multipliers, constants, bounds):
         """Return the process with the inserted arc that saves most, or None if none does."""
-        kept = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * lengths.sum()]
-        if len(kept) >= MOST:
+        arcs = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * lengths.sum()]
+        if len(arcs) >= MOST:
             return None
-        plain, best, chosen = self._ends(_packed(kept)[None], known), -SAVED, None
+        end_conditions, best, chosen = self._ends(_packed(arcs)[None], constants), -SAVED, None
         # Between arcs, and inside of one, which it divides.
         for base, positions in (
-            (kept, range(len(kept) + 1)),
+            (arcs, range(len(arcs) + 1)),
             *(
                 (
                     [
-                        *kept[:k],
-                        *[(kept[k][0] * part, kept[k][1]) for part in (share, 1 - share)],
-                        *kept[k + 1 :],
+                        *arcs[:k],
+                        *[(arcs[k][0] * part, arcs[k][1]) for part in (share, 1 - share)],
+                        *arcs[k + 1 :],
                     ],
                     [k + 1],
                 )
-                for k in range(len(kept))
+                for k in range(len(arcs))
                 for share in (0.5, 0.9)
             ),
         ):
             guesses = [
-                _packed([*base[:position], (INSERTED, np.array(rival)), *base[position:]])
+                _packed([*base[:position], (INSERTED, np.array(control)), *base[position:]])
                 for position in positions
-                for rival in itertools.product(*bounds.T)
+                for control in itertools.product(*bounds.T)
             ]
-            rates = 1 + (self._ends(np.array(guesses), known) - plain) @ worth / INSERTED
+            rates = (
+                1
+                + (self._ends(np.array(guesses), constants) - end_conditions)
+                @ multipliers
+                / INSERTED
+            )
             if rates.min() < best:
                 best, chosen = rates.min(), guesses[int(np.argmin(rates))]
         return None if chosen is None else np.where(chosen == INSERTED, 0.1 * lengths.sum(), chosen)
 
-    def _ends(self, processes, known):
+    def _ends(self, processes, constants):
         """Return the target's conditions at the end of each of many processes, a row each."""
-        left = self._left(processes.shape[1] // (1 + self._size))
-        return np.array(left(processes.T, np.repeat(known[:, None], len(processes), axis=1))).T
+        end_conditions = self._end_conditions(processes.shape[1] // (1 + self._size))
+        return np.array(
+            end_conditions(processes.T, np.repeat(constants[:, None], len(processes), axis=1))
+        ).T
 
-    def _left(self, arcs):
+    def _end_conditions(self, arcs):
         """Return the target's conditions at the end of so many arcs, as a function."""
-        process, known = self._unknown(arcs)
+        process, constants = self._unknown(arcs)
         return ca.Function(
-            "left", [process, known], [self._missed(self._ends_of(process, known, QUICK), known)]
+            "end_conditions",
+            [process, constants],
+            [self._target_gap(self._ends_of(process, constants, QUICK), constants)],
         )
 
     def _programme(self, arcs):
@@ -252,57 +261,58 @@ class _Search:
 
         The states at the ends are unknowns, too.
         """
-        process, known = self._unknown(arcs)
+        process, constants = self._unknown(arcs)
         y = ca.SX.sym("y", self._counts[0], arcs)
-        begun = self._ends_of(
-            process, known, STEPS, ca.horzcat(known[: self._counts[0]], y[:, :-1])
+        arc_ends = self._ends_of(
+            process, constants, STEPS, ca.horzcat(constants[: self._counts[0]], y[:, :-1])
         )
         programme = {
             "x": ca.vertcat(process, ca.vec(y)),
-            "p": known,
+            "p": constants,
             "f": ca.sum1(process[:arcs]),
-            "g": ca.vertcat(ca.vec(begun - y), self._missed(y, known)),
+            "g": ca.vertcat(ca.vec(arc_ends - y), self._target_gap(y, constants)),
         }
         return (
             ca.nlpsol("several", "ipopt", programme, SOLVER),
-            ca.Function("states", [process, known], [self._ends_of(process, known, STEPS)]),
+            ca.Function("states", [process, constants], [self._ends_of(process, constants, STEPS)]),
         )
 
     def _unknown(self, arcs):
         """Return symbols of the lengths and controls of arcs, and of the start and the parameters."""
         return ca.SX.sym("x", arcs * (1 + self._size)), ca.SX.sym("p", sum(self._counts))
 
-    def _ends_of(self, process, known, steps, begins=None):
+    def _ends_of(self, process, constants, steps, starts=None):
         """Return the states at the ends of arcs, a column each.
 
-        They begin in the columns of `begins`, or one where another ends.
+        They begin in the columns of `starts`, or each where the previous one ends.
         """
         arcs, n, y = process.numel() // (1 + self._size), self._counts[0], []
         controls = ca.reshape(process[arcs:], self._size, arcs)
         for k in range(arcs):
-            begin = begins[:, k] if begins is not None else y[-1] if y else known[:n]
-            y.append(self._arc(steps)(begin, process[k], controls[:, k], known[n:]))
+            begin = starts[:, k] if starts is not None else y[-1] if y else constants[:n]
+            y.append(self._arc(steps)(begin, process[k], controls[:, k], constants[n:]))
         return ca.horzcat(*y)
 
-    def _missed(self, states, known):
+    def _target_gap(self, states, constants):
         """Return the target's conditions in the last state."""
         n = self._counts[0]
         return ca.vertcat(
             *self._gap(
-                *ca.vertsplit(states[:, -1]), *map(known.__getitem__, range(n, known.numel()))
+                *ca.vertsplit(states[:, -1]),
+                *map(constants.__getitem__, range(n, constants.numel())),
             )
         )
 
     def _arc(self, steps):
-        """Return the state at the end of an arc, by the method of Runge and Kutta, as a function."""
+        """Return the state at the end of an arc, by the Runge-Kutta method, as a function."""
         n, size, count = self._counts[0], self._size, self._counts[1]
         y, length, u, p = (
             ca.SX.sym(*symbol) for symbol in (("y", n), ("T", 1), ("u", size), ("p", count))
         )
-        held = [u[k] for k in range(size)] + [p[k] for k in range(count)]
+        inputs = [u[k] for k in range(size)] + [p[k] for k in range(count)]
 
         def rates(_, z):
-            return ca.vertcat(*self._rates(*ca.vertsplit(z), *held))
+            return ca.vertcat(*self._rates(*ca.vertsplit(z), *inputs))
 
         end = y
         for _ in range(steps):

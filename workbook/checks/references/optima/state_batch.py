@@ -9,9 +9,9 @@ class StateBatch:
     def __init__(self, **columns):
         self.__dict__.update(columns)
 
-    def take(self, which):
+    def take(self, rows):
         """Return the batch of these rows."""
-        return StateBatch(**{name: column[which] for name, column in self.__dict__.items()})
+        return StateBatch(**{name: column[rows] for name, column in self.__dict__.items()})
 
     @staticmethod
     def concatenated(parts):
@@ -24,9 +24,9 @@ class StateBatch:
         )
 
 
-def rows_of(which, *columns):
+def rows_of(rows, *columns):
     """Return these rows of each column."""
-    return [column[which] for column in columns]
+    return [column[rows] for column in columns]
 
 
 def directions(angles):

@@ -21,23 +21,25 @@ class TargetFamily:
         self._cases = sample_cases({p: domain[p] for p in self.parameters})
         target = target[0] if isinstance(target, (list, tuple)) else target
         symbols = [variable, *self.parameters]
-        along = dict(zip(state, ends))
-        gradient = [sp.diff(target, v).subs(along, simultaneous=True) for v in state]
+        end_point = dict(zip(state, ends))
+        gradient = [sp.diff(target, v).subs(end_point, simultaneous=True) for v in state]
         self._point, self._gradient = (
             sp.lambdify(symbols, list(ends), "numpy"),
             sp.lambdify(symbols, gradient, "numpy"),
         )
         self._target = state, control, bounds, field, target, ends
-        self.side = 1 if start is None else self._starts_side(target, state, start, along, gradient)
+        self.side = (
+            1 if start is None else self._starts_side(target, state, start, end_point, gradient)
+        )
 
-    def _starts_side(self, target, state, start, along, gradient):
+    def _starts_side(self, target, state, start, end_point, gradient):
         """Return 1 if the starts lie where the target's expression is positive, else -1."""
         probe = dict(zip(self.parameters, self._cases[0]))
         argument = {self.variable: self.arguments(self._cases[0], count=3)[1]}
-        point = {s: sp.sympify(e).subs(argument).subs(probe) for s, e in along.items()}
+        point = {s: sp.sympify(e).subs(argument).subs(probe) for s, e in end_point.items()}
         slope = [sp.sympify(g).subs(argument).subs(probe) for g in gradient]
-        ahead = {s: float(point[s]) + 1e-3 * float(g) for s, g in zip(state, slope)}
-        return 1 if start.subs(probe).subs(ahead) is sp.true else -1
+        probe_point = {s: float(point[s]) + 1e-3 * float(g) for s, g in zip(state, slope)}
+        return 1 if start.subs(probe).subs(probe_point) is sp.true else -1
 
     def reached(self):
         """Return the conditions that optimal motions end there, and that no motion can arrive.
@@ -46,17 +48,17 @@ class TargetFamily:
         """
         state, control, bounds, field, target, ends = self._target
         rate = reach.arrivals(field, state, control, bounds, self.side * target, ends)
-        within = sp.And(
+        domain_condition = sp.And(
             *(interval.as_relational(symbol) for symbol, interval in self._domain.items())
         )
-        return sp.And(within, rate < 0), sp.And(within, rate > 0)
+        return sp.And(domain_condition, rate < 0), sp.And(domain_condition, rate > 0)
 
     @property
     def angles(self):
         """The variable, if it numbers the points as an angle from 0 on."""
         interval = self._interval
-        turn = interval.inf >= 0 and interval.sup <= 2 * sp.pi
-        return (self.variable,) if turn else ()
+        is_angle = interval.inf >= 0 and interval.sup <= 2 * sp.pi
+        return (self.variable,) if is_angle else ()
 
     @property
     def interval(self):
@@ -87,13 +89,13 @@ class TargetFamily:
             [np.broadcast_to(np.asarray(part, dtype=float), arguments.shape) for part in parts]
         )
 
-    def _towards(self, arguments, values):
+    def _normals(self, arguments, values):
         """Return the normals of the target on the side of the starts."""
         return self.side * self._columns(self._gradient, arguments, values)
 
     def rates(self, arguments, values):
         """Return the least rate along the normal; if positive, no motion can arrive."""
-        y, n = self.point(arguments, values), self._towards(arguments, values)
+        y, n = self.point(arguments, values), self._normals(arguments, values)
         push = n @ self.plant.b
         return (
             (n * (y @ self.plant.A.T)).sum(axis=1)
@@ -121,13 +123,13 @@ class TargetFamily:
         sign = np.sign(self.rates(np.array([first]), values)[0])
         for _ in range(50):
             middle = (first + second) / 2
-            same = np.sign(self.rates(np.array([middle]), values)[0]) == sign
-            first, second = (middle, second) if same else (first, middle)
+            same_sign = np.sign(self.rates(np.array([middle]), values)[0]) == sign
+            first, second = (middle, second) if same_sign else (first, middle)
         return (first + second) / 2
 
     def switchings(self, arguments, values):
         """Return (points, times before the end, controls after) of the last switchings of extremals."""
-        y, n = self.point(arguments, values), self._towards(arguments, values)
+        y, n = self.point(arguments, values), self._normals(arguments, values)
         time, sign = self.plant.first_zero(n, LONGEST)
         after = np.where(sign > 0, *self.plant.bounds)
         back = self.plant.exponential(-time)
@@ -137,7 +139,7 @@ class TargetFamily:
 
     def before(self, arguments, values, time):
         """Return (states, controls) on the extremals a short time before their ends."""
-        y, n = self.point(arguments, values), self._towards(arguments, values)
+        y, n = self.point(arguments, values), self._normals(arguments, values)
         q = (self.plant.response(np.full(len(arguments), time / 2))[0] * n).sum(axis=1)
         u = np.where(q > 0, *self.plant.bounds)
         span = np.full(len(arguments), time)

@@ -79,24 +79,31 @@ def _read(problem):
     x, y, v, w = problem.state
     f = [sp.sympify(e) for e in problem.field]
     thrust = sp.diff(f[2], u, 2).subs(u, 0) * -1
-    rest = [sp.expand(f[2] - thrust * sp.cos(u)), sp.expand(f[3] - thrust * sp.sin(u))]
+    accelerations = [sp.expand(f[2] - thrust * sp.cos(u)), sp.expand(f[3] - thrust * sp.sin(u))]
     if (
         any(b.is_finite is not False for b in bounds)
         or f[:2] != [v, w]
-        or any(e.free_symbols & {u, *problem.state} for e in (thrust, *rest))
+        or any(e.free_symbols & {u, *problem.state} for e in (thrust, *accelerations))
     ):
         return None
     target = sp.solve(problem.terminal, list(problem.state), dict=True)
-    held = len(problem.terminal) == 4
+    ends_at_rest = len(problem.terminal) == 4
     if (
         len(target) != 1
-        or set(target[0]) != ({x, y, v, w} if held else {x, y})
+        or set(target[0]) != ({x, y, v, w} if ends_at_rest else {x, y})
         or any(e.free_symbols & set(problem.state) for e in target[0].values())
     ):
         return None
-    if held and any(e != 0 for e in (target[0][v], target[0][w], *rest)):
+    if ends_at_rest and any(e != 0 for e in (target[0][v], target[0][w], *accelerations)):
         return None
-    return (*problem.initial.values(), target[0][x], target[0][y], thrust, *rest, held)
+    return (
+        *problem.initial.values(),
+        target[0][x],
+        target[0][y],
+        thrust,
+        *accelerations,
+        ends_at_rest,
+    )
 
 
 class ThrustOptimum:
@@ -104,14 +111,14 @@ class ThrustOptimum:
 
     bounds, MISSED, units = (-np.inf, np.inf), 0.0, Units()
 
-    def __init__(self, numbers, problem, held):
+    def __init__(self, numbers, problem, ends_at_rest):
         self.begin, self.target, self.thrust, self.pull = (
             numbers[:4],
             numbers[4:6],
             numbers[6],
             numbers[7:],
         )
-        self.held, self.start = held, np.append(self.begin, 0.0)
+        self.ends_at_rest, self.start = ends_at_rest, np.append(self.begin, 0.0)
 
     # The process.
 
@@ -119,15 +126,17 @@ class ThrustOptimum:
     def _process(self):
         """(duration, direction of the thrust for times, states for times)."""
         position, speed = self.begin[:2] - self.target, self.begin[2:]
-        if not self.held:
-            return self._to_a_position(position, speed)
-        across = position[0] * speed[1] - position[1] * speed[0]
-        straight = abs(across) <= ON_A_LINE * np.linalg.norm(position) * np.linalg.norm(speed)
-        return (self._on_a_line if straight else self._to_rest)(
+        if not self.ends_at_rest:
+            return self._transfer_to_position(position, speed)
+        cross_product = position[0] * speed[1] - position[1] * speed[0]
+        is_collinear = abs(cross_product) <= ON_A_LINE * np.linalg.norm(position) * np.linalg.norm(
+            speed
+        )
+        return (self._collinear_transfer if is_collinear else self._transfer_to_rest)(
             position / self.thrust, speed / self.thrust
         )
 
-    def _to_a_position(self, position, speed):
+    def _transfer_to_position(self, position, speed):
         half = self.pull / 2
         roots = np.roots(
             [
@@ -155,30 +164,32 @@ class ThrustOptimum:
 
         return T, lambda t: np.full(np.shape(t), np.arctan2(force[1], force[0])), states
 
-    def _on_a_line(self, position, speed):
-        along = position if position.any() else speed
-        along = along / np.linalg.norm(along)
-        x, w = position @ along, speed @ along
+    def _collinear_transfer(self, position, speed):
+        direction = position if position.any() else speed
+        direction = direction / np.linalg.norm(direction)
+        x, w = position @ direction, speed @ direction
         sign = 1 if x + w * abs(w) / 2 >= 0 else -1  # the first push is against it
         x, w = sign * x, sign * w
         root = np.sqrt(w**2 / 2 + x)
         first, T = w + root, w + 2 * root
-        back = -sign * along
-        early, late = np.arctan2(back[1], back[0]), np.arctan2(-back[1], -back[0])
+        back = -sign * direction
+        first_angle, second_angle = np.arctan2(back[1], back[0]), np.arctan2(-back[1], -back[0])
 
         def states(t):
             after = np.maximum(t - first, 0)
-            moved = np.outer(back, t**2 / 2 - after**2), np.outer(back, t - 2 * after)
+            displacements = np.outer(back, t**2 / 2 - after**2), np.outer(back, t - 2 * after)
             return np.vstack(
                 [
-                    self.begin[:2, None] + np.outer(self.begin[2:], t) + self.thrust * moved[0],
-                    self.begin[2:, None] + self.thrust * moved[1],
+                    self.begin[:2, None]
+                    + np.outer(self.begin[2:], t)
+                    + self.thrust * displacements[0],
+                    self.begin[2:, None] + self.thrust * displacements[1],
                 ]
             )
 
-        return T, lambda t: np.where(np.asarray(t) < first, early, late), states
+        return T, lambda t: np.where(np.asarray(t) < first, first_angle, second_angle), states
 
-    def _to_rest(self, position, speed):
+    def _transfer_to_rest(self, position, speed):
         from scipy.optimize import fsolve
 
         shortest = max(
@@ -195,11 +206,11 @@ class ThrustOptimum:
                         span * shortest / 2,
                         span * shortest,
                     ]
-                    z, _, _done, _ = fsolve(
+                    z, _, _status, _ = fsolve(
                         _ends, guess, args=(position, speed), full_output=True, xtol=1e-14
                     )
-                    missed = np.abs(_ends(z, position, speed)).max()
-                    if z[3] > 0 and missed <= SOLVED * (
+                    residual = np.abs(_ends(z, position, speed)).max()
+                    if z[3] > 0 and residual <= SOLVED * (
                         np.abs(position).max() + np.abs(speed).max()
                     ):
                         return z[3], *self._turning(z)
@@ -209,19 +220,21 @@ class ThrustOptimum:
 
     def _turning(self, z):
         _, d, middle, T = z
-        along, across = _frame(z[0])
+        direction, normal = _unit_vectors(z[0])
 
         def angle(t):
             sigma = T - np.asarray(t) - middle
-            e = np.multiply.outer(along, sigma) + np.multiply.outer(across, d * np.ones_like(sigma))
+            e = np.multiply.outer(direction, sigma) + np.multiply.outer(
+                normal, d * np.ones_like(sigma)
+            )
             return np.unwrap(np.arctan2(e[1], e[0]))
 
         def states(t):
-            rows = [_pushed(z, T - time) for time in t]
-            still = self.begin[:2, None] + np.outer(self.begin[2:], t)
+            rows = [_thrust_effect(z, T - time) for time in t]
+            free_positions = self.begin[:2, None] + np.outer(self.begin[2:], t)
             return np.vstack(
                 [
-                    still + self.thrust * np.array([far for _, far in rows]).T,
+                    free_positions + self.thrust * np.array([far for _, far in rows]).T,
                     self.begin[2:, None] + self.thrust * np.array([fast for fast, _ in rows]).T,
                 ]
             )
@@ -249,11 +262,11 @@ class ThrustOptimum:
         return self._process[1](self.times)
 
     def field(self, y, u):
-        pushed = self.thrust * np.array([np.cos(u), np.sin(u)]) + self.pull
-        return np.array([y[2], y[3], *pushed, 1.0])
+        acceleration = self.thrust * np.array([np.cos(u), np.sin(u)]) + self.pull
+        return np.array([y[2], y[3], *acceleration, 1.0])
 
     def gap(self, y):
-        return np.array([*(y[:2] - self.target), *(y[2:4] if self.held else ())])
+        return np.array([*(y[:2] - self.target), *(y[2:4] if self.ends_at_rest else ())])
 
     def total(self, y):
         return float(y[-1])
@@ -261,7 +274,7 @@ class ThrustOptimum:
     def jacobians(self, y, u):
         rates = np.zeros((5, 4))
         rates[0, 2] = rates[1, 3] = 1
-        return rates, np.zeros((1, 4)), np.eye(4)[: 4 if self.held else 2]
+        return rates, np.zeros((1, 4)), np.eye(4)[: 4 if self.ends_at_rest else 2]
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
@@ -279,27 +292,27 @@ class ThrustOptimum:
         return self.duration
 
 
-def _frame(angle):
+def _unit_vectors(angle):
     """Return the unit vector of an angle, and the one orthogonal to it."""
     return np.array([np.cos(angle), np.sin(angle)]), np.array([-np.sin(angle), np.cos(angle)])
 
 
-def _pushed(z, left):
+def _thrust_effect(z, remaining_time):
     """Return what a unit thrust along sigma p + d q adds to velocity and position.
 
-    From the beginning to the remaining time `left`.
+    From the beginning until `remaining_time` is left.
     """
     angle, d, middle, T = z
-    along, across = _frame(angle)
-    ends = np.array([left, T]) - middle
+    direction, normal = _unit_vectors(angle)
+    ends = np.array([remaining_time, T]) - middle
     root = np.hypot(ends, d)
-    turned = np.arcsinh(ends / abs(d)) if d else np.zeros(2)
-    fast = along * np.diff(root) + across * d * np.diff(turned)
-    far = along * np.diff(ends * root - d**2 * turned) / 2 + across * d * np.diff(root)
-    return fast, far + (middle - left) * fast
+    arcsinh_terms = np.arcsinh(ends / abs(d)) if d else np.zeros(2)
+    fast = direction * np.diff(root) + normal * d * np.diff(arcsinh_terms)
+    far = direction * np.diff(ends * root - d**2 * arcsinh_terms) / 2 + normal * d * np.diff(root)
+    return fast, far + (middle - remaining_time) * fast
 
 
 def _ends(z, position, speed):
     """Return velocity and position, relative to the target, at the end."""
-    fast, far = _pushed(z, 0.0)
+    fast, far = _thrust_effect(z, 0.0)
     return np.concatenate([position + speed * z[3] + far, speed + fast])

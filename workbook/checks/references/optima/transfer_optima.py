@@ -74,7 +74,7 @@ class Transfer:
                 "control"
             )
         (self.control,), self.bounds = problem.controls, bounds
-        self._decided, self._found = _kept(self._key())
+        self._decided, self._found = _cached_results(self._key())
         scale = sp.Dummy("scale", positive=True)
         if len(state) == 1:
             self._kind = ScalarTransfer
@@ -102,10 +102,10 @@ class Transfer:
     def at(self, values, **options):
         """Return the optimum for given values of the parameters."""
 
-        def put(e):
+        def substituted(e):
             return e.subs(values, simultaneous=True)
 
-        start = np.array([float(put(e)) for e in self.initial])
+        start = np.array([float(substituted(e)) for e in self.initial])
         # State symbols that stand for the start are values of parameters, never to be replaced in
         # the dynamics.
         free = {p: v for p, v in values.items() if p not in self.dynamics}
@@ -128,19 +128,19 @@ class Transfer:
         return self._found[count]
 
     def _sampled(self, count):
-        solvable, samples = filter(self.solvable, _drawn(self.parameters, 400 * count)), []
+        solvable, samples = filter(self.solvable, _random_values(self.parameters, 400 * count)), []
         while len(samples) < count:
-            fresh = [
+            candidates = [
                 (values, self.at(values))
                 for values in itertools.islice(solvable, count - len(samples))
             ]
-            if not fresh:
+            if not candidates:
                 raise RuntimeError("too few starts from which the target can be reached were met")
-            for system in {best.system for _, best in fresh}:
-                system.foresee([best.begin for _, best in fresh if best.system is system])
+            for system in {best.system for _, best in candidates}:
+                system.foresee([best.begin for _, best in candidates if best.system is system])
             samples += [
                 (values, best)
-                for values, best in fresh
+                for values, best in candidates
                 if math.isfinite(best.duration) and best.duration > 0
             ]
         # next to zero too: a smooth function is not the sign of its argument there
@@ -233,7 +233,8 @@ class Transfer:
     def _modes_allow(self, start):
         """Return, exactly, whether the control can undo the start's part along each growing mode."""
         return all(
-            low < -sum(map(operator.mul, left, start)) < high for left, low, high in self._modes
+            low < -sum(map(operator.mul, left_vector, start)) < high
+            for left_vector, low, high in self._modes
         )
 
     @functools.cached_property
@@ -248,12 +249,12 @@ class Transfer:
             raise RuntimeError("a linear system without a constant part was expected")
         modes = []
         for value, _, vectors in matrix.T.eigenvects():
-            for left in vectors if value.is_real and value >= 0 else ():
-                effect = (left.T * column)[0]
+            for left_vector in vectors if value.is_real and value >= 0 else ():
+                effect = (left_vector.T * column)[0]
                 pushes = [effect * b for b in self.bounds]
                 modes.append(
                     (
-                        left,
+                        left_vector,
                         *sorted(
                             push / value if value else sp.oo * sp.sign(push) if push else 0
                             for push in pushes
@@ -264,15 +265,12 @@ class Transfer:
 
 
 @functools.lru_cache(maxsize=64)
-def _kept(key):
-    """Return what is known of a transfer: which starts can reach the target, and its samples.
-
-    Every answer is tried at the same ones.
-    """
+def _cached_results(key):
+    """Return the cached reachability of starts of a transfer, and its samples, for all answers."""
     return {}, {}
 
 
-def _drawn(parameters, count):
+def _random_values(parameters, count):
     random = np.random.default_rng(51)
     for k in range(count):
         scale = (sp.S.One, sp.Rational(1, 4), sp.Integer(3))[k % 3]
@@ -322,8 +320,8 @@ class _Optimum:
             float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
         )
 
-    def left(self):
-        """Return states on the way, and the time that is left there."""
+    def remaining_costs(self):
+        """Return states on the way, and the remaining time there."""
         return self.states, self.duration - self.times
 
     def duration_message(self, duration):

@@ -71,16 +71,16 @@ class ScalarTransfer(TransferSystem):
     """One state: everything depends on the rate towards the target."""
 
     def _target(self):
-        slope, here = self._normals[0, 0], self.gap([0.0])[0]
-        return -here / slope
+        slope, gap_at_zero = self._normals[0, 0], self.gap([0.0])[0]
+        return -gap_at_zero / slope
 
-    def _rate(self, x, way):
-        return max(way * self.field([x], u)[0] for u in self.bounds)
+    def _rate(self, x, direction):
+        return max(direction * self.field([x], u)[0] for u in self.bounds)
 
     def possible(self, start):
         begin, end = float(start[0]), self._target()
-        way = np.sign(end - begin)
-        return all(self._rate(x, way) > 0 for x in np.linspace(begin, end, 100))
+        direction = np.sign(end - begin)
+        return all(self._rate(x, direction) > 0 for x in np.linspace(begin, end, 100))
 
     def duration(self, start, slowest, meetings):
         from scipy.integrate import quad
@@ -88,13 +88,13 @@ class ScalarTransfer(TransferSystem):
         if slowest or meetings != 1:
             raise RuntimeError("with one state only the fastest transfer is known")
         begin, end = float(start[0]), self._target()
-        way = np.sign(end - begin)
-        if way == 0:
+        direction = np.sign(end - begin)
+        if direction == 0:
             return 0.0
         if not self.possible(start):
             return math.inf
         return quad(
-            lambda x: 1 / self._rate(x, way),
+            lambda x: 1 / self._rate(x, direction),
             *sorted((begin, end)),
             epsabs=0,
             epsrel=1e-11,
@@ -102,8 +102,8 @@ class ScalarTransfer(TransferSystem):
         )[0]
 
     def law(self, y, t, start, duration, slowest):
-        way = np.sign(self._target() - float(start[0]))
-        return max(self.bounds, key=lambda u: way * self.field(y, u)[0])
+        direction = np.sign(self._target() - float(start[0]))
+        return max(self.bounds, key=lambda u: direction * self.field(y, u)[0])
 
     def time_message(self, start, claimed, true):
         return "moving towards the target as fast as the bounds allow, the state " + directed(

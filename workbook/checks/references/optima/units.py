@@ -35,20 +35,20 @@ class Units(NamedTuple):
     constant: float = 0.0
 
 
-def in_good_units(search):
-    """Let a search for optima, `search(problem, parameters, ...)`, see a problem in good units."""
+def in_scaled_units(search):
+    """Decorate `search(problem, parameters, ...)` so that it gets the problem in scaled units."""
 
     @functools.wraps(search)
-    def searched(problem, parameters=None, *rest):
+    def searched(problem, parameters=None, *options):
         table = tuple(parameters.items()) if isinstance(parameters, dict) else ()
         named = any(x in (parameters or ()) for x in problem.state)
-        other, units, constant = restated(problem, table, named)
-        found = search(other, parameters, *rest)
-        if other is problem:
-            return found
+        scaled, units, constant = scaled_problem(problem, table, named)
+        solutions = search(scaled, parameters, *options)
+        if scaled is problem:
+            return solutions
         return [
             (values, OptimumInUnits(best, units._replace(constant=float(constant.subs(values)))))
-            for values, best in found
+            for values, best in solutions
         ]
 
     return searched
@@ -89,8 +89,8 @@ def _constant(expression, problem):
 
 
 @functools.lru_cache(maxsize=64)
-def restated(problem, parameters, only_cost=False):
-    """Return a problem in good units, without a constant in its cost, these units, and the constant.
+def scaled_problem(problem, parameters, only_cost=False):
+    """Return a problem in scaled units, without a constant in its cost, these units, and the constant.
 
     Parameters
     ----------
@@ -105,11 +105,15 @@ def restated(problem, parameters, only_cost=False):
     factors = _factors(bare, dict(parameters), only_cost)
     if all(factor == 1 for factor in factors.values()):
         return bare, Units(), constant
-    put = {s: s * f for s, f in factors.items() if f != 1 and s not in (TIME, COST)}
+    replacements = {s: s * f for s, f in factors.items() if f != 1 and s not in (TIME, COST)}
 
     def value(expression, factor=1):
         expression = sp.sympify(expression)
-        return expression.subs(put, simultaneous=True) / factor if put else expression / factor
+        return (
+            expression.subs(replacements, simultaneous=True) / factor
+            if replacements
+            else expression / factor
+        )
 
     time, cost = factors[TIME], factors[COST]
     pair = isinstance(problem.duration, tuple)
@@ -118,7 +122,7 @@ def restated(problem, parameters, only_cost=False):
         for end in (problem.duration if pair else (problem.duration,))
     ]
     states = {x: factors[x] for x in problem.state}
-    other = dataclasses.replace(
+    scaled = dataclasses.replace(
         bare,
         dynamics={x: value(f, states[x] / time) for x, f in problem.dynamics.items()},
         controls={
@@ -126,14 +130,14 @@ def restated(problem, parameters, only_cost=False):
             for u, bounds in problem.controls.items()
         },
         initial={x: None if v is None else v / states[x] for x, v in problem.initial.items()},
-        terminal=[_of_size_one(value(gap), dict(parameters)) for gap in problem.terminal],
+        terminal=[_normalised_gap(value(gap), dict(parameters)) for gap in problem.terminal],
         running=value(bare.running, cost / time),
         final=value(bare.final, cost),
         duration=tuple(ends) if pair else ends[0],
     )
     numbers = np.array([float(f) for f in states.values()])
     return (
-        other,
+        scaled,
         Units(float(time), numbers, float(factors[problem.control[0]]), float(cost)),
         constant,
     )
@@ -161,7 +165,7 @@ def _keep_plain(problem, factors):
             factors[rate] = factors[x] / factors[TIME]
 
 
-def _of_size_one(gap, parameters):
+def _normalised_gap(gap, parameters):
     """Return what vanishes on the target times a power of ten, so that its terms have size one."""
     logs = [log for log, _ in _Sizes(None, parameters).terms(gap)]
     return gap / _unit(np.mean(logs)) if logs else gap
@@ -176,7 +180,7 @@ class _Sizes:
 
     def __init__(self, problem, parameters):
         cases = np.abs(np.array(sample_cases(parameters), dtype=float))
-        self._known = {
+        self._log_sizes = {
             p: float(np.mean(np.log10(column[column > 0]))) if (column > 0).any() else 0.0
             for p, column in zip(parameters, cases.T)
         }
@@ -200,11 +204,11 @@ class _Sizes:
 
     def solution(self, symbols):
         """Return the logarithms of the units of symbols, the smallest that fit best."""
-        known = list(dict.fromkeys([*symbols, *(s for _, w in self._equations for s in w)]))
-        rows = np.array([[float(w.get(s, 0)) for s in known] for _, w in self._equations])
+        unknowns = list(dict.fromkeys([*symbols, *(s for _, w in self._equations for s in w)]))
+        rows = np.array([[float(w.get(s, 0)) for s in unknowns] for _, w in self._equations])
         right = -np.array([log for log, _ in self._equations])
-        found = np.linalg.lstsq(rows, right, rcond=1e-9)[0]
-        return dict(zip(known, found[: len(symbols)]))
+        logarithms = np.linalg.lstsq(rows, right, rcond=1e-9)[0]
+        return dict(zip(unknowns, logarithms[: len(symbols)]))
 
     def _equate(self, expression, unit):
         for log, weights in self.terms(sp.sympify(expression)):
@@ -220,7 +224,7 @@ class _Sizes:
         if expression.is_Symbol:
             if expression in self._units:
                 return [(0.0, {expression: 1.0})]
-            return [(self._known.get(expression, 0.0), {})]
+            return [(self._log_sizes.get(expression, 0.0), {})]
         if isinstance(expression, (sp.Add, sp.Max, sp.Min)):
             return [term for part in expression.args for term in self.terms(part)]
         if isinstance(expression, sp.Piecewise):
@@ -244,8 +248,8 @@ class _Sizes:
 
 def _product(terms):
     weights = {}
-    for _, own in terms:
-        for s, w in own.items():
+    for _, term_weights in terms:
+        for s, w in term_weights.items():
             weights[s] = weights.get(s, 0.0) + w
     return sum(log for log, _ in terms), weights
 
@@ -255,9 +259,9 @@ def _ends(problem):
 
 
 class OptimumInUnits:
-    """An optimum that was found in good units, in those of the statement.
+    """An optimum that was found in scaled units, in those of the statement.
 
-    What a target makes vanish, `gap`, and its `size` stay in good units. The constant of the cost is
+    What a target makes vanish, `gap`, and its `size` stay in scaled units. The constant of the cost is
     in none of its numbers; `units` has it.
     """
 
@@ -267,7 +271,7 @@ class OptimumInUnits:
     def __getattr__(self, name):
         return getattr(self._best, name)
 
-    def _good(self, y):
+    def _scaled_state(self, y):
         return np.append(np.asarray(y[:-1]) / self.units.states, y[-1] / self.units.cost)
 
     @property
@@ -319,23 +323,23 @@ class OptimumInUnits:
             for k, *kinds in getattr(self._best, "changes", list)()
         ]
 
-    def left(self):
+    def remaining_costs(self):
         """Return states on the way, and the remaining cost there."""
-        states, cost = self._best.left()
+        states, cost = self._best.remaining_costs()
         return (np.asarray(states).T * self.units.states).T, cost * self.units.cost
 
     def field(self, y, u):
         """Return the rates of the states and of the cost."""
-        rates = self._best.field(self._good(y), u / self.units.control)
+        rates = self._best.field(self._scaled_state(y), u / self.units.control)
         return rates * self._sizes / self.units.time
 
     def gap(self, y):
-        """Return what vanishes at the end, in good units."""
-        return self._best.gap(self._good(y))
+        """Return what vanishes at the end, in scaled units."""
+        return self._best.gap(self._scaled_state(y))
 
     def total(self, y):
         """Return the cost of a process that ends in y, without its constant."""
-        return self._best.total(self._good(y)) * self.units.cost
+        return self._best.total(self._scaled_state(y)) * self.units.cost
 
     def jacobians(self, y, u):
         """Return derivatives in the states, as `direct_optimum.Optimum.jacobians` does."""

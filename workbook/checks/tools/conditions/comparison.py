@@ -56,16 +56,16 @@ def _compare(claim, parameters, reference, message):
     decided, difference = find_difference([claim], parameters, reference)
     if in_decimals(claim) and not (decided and difference is None):
         decided, difference = _find_difference_in_decimals(claim, parameters, reference)
-    known = "to three digits, for all values" if in_decimals(claim) else "proved for all values"
+    evidence = "to three digits, for all values" if in_decimals(claim) else "proved for all values"
     if not decided:
         difference, count = try_samples(readings(claim), parameters, reference)
-        known = f"agrees at {count} points"
+        evidence = f"agrees at {count} points"
         if in_decimals(claim):
-            known += " to three digits"
+            evidence += " to three digits"
     if difference is not None:
         values, holds = difference
         raise Wrong(message(values, holds))
-    return known
+    return evidence
 
 
 def _find_difference_in_decimals(claim, parameters, reference):
@@ -111,10 +111,10 @@ def _read_conditions(answer, parameters, reference):
     """
     numbers = isinstance(answer, sp.Set) and not answer.has(sp.ConditionSet, sp.ProductSet)
     if numbers and len(parameters) > 1 and answer.is_subset(sp.S.Reals):
-        asked = set().union(*(case.condition.free_symbols for case, _ in reference.cases))
+        used = set().union(*(case.condition.free_symbols for case, _ in reference.cases))
         return [
             condition_coercion.as_condition(answer, [p])
-            for p in [p for p in parameters if p in asked] or parameters[:1]
+            for p in [p for p in parameters if p in used] or parameters[:1]
         ]
     return [condition_coercion.as_condition(answer, parameters)]
 

@@ -73,8 +73,8 @@ def with_either_strictness(claim, intervals):
     for atom in claim.atoms(*STRICTNESS):
         if atom.free_symbols & set(intervals):
             choices[choice := sp.Dummy("choice", real=True)] = (0, 1)
-            other = STRICTNESS[type(atom)](*atom.args)
-            relations[atom] = sp.ITE(sp.Eq(choice, 0), atom, other)
+            alternative = STRICTNESS[type(atom)](*atom.args)
+            relations[atom] = sp.ITE(sp.Eq(choice, 0), atom, alternative)
     return claim.xreplace(relations), intervals | choices
 
 

@@ -12,7 +12,7 @@ import operator
 import sympy as sp
 from sympy.core.relational import Relational
 
-from workbook.checks.tools.conditions.evaluation import HOW, allowed, prepared, sign
+from workbook.checks.tools.conditions.evaluation import OPERATORS, allowed, prepared, sign
 from workbook.checks.tools.conditions.polynomial_form import PolynomialForm, Undecidable
 
 #: z3's own steps before a question counts as undecided: so many, or more where its polynomials are
@@ -23,7 +23,7 @@ STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
 LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
 
 
-def find_difference(readings, parameters, reference, besides=sp.true):
+def find_difference(readings, parameters, reference, restriction=sp.true):
     """Return (decided, difference) of a claim and its reference.
 
     Parameters
@@ -34,8 +34,8 @@ def find_difference(readings, parameters, reference, besides=sp.true):
         Its symbols.
     reference : ReferenceCondition
         Where the condition has to hold.
-    besides : sympy condition
-        What the point has to satisfy besides.
+    restriction : sympy condition
+        A condition that the point also has to satisfy.
 
     Returns
     -------
@@ -46,7 +46,7 @@ def find_difference(readings, parameters, reference, besides=sp.true):
         if not reference.inside or not reference.outside:
             raise Undecidable
         for case, holds in reference.cases:
-            point = _Question(parameters, case).answer(readings, holds, besides)
+            point = _Question(parameters, case).answer(readings, holds, restriction)
             if point is not None:
                 difference = _simplified(point, readings, parameters, case, holds, reference)
                 return (True, difference) if difference else (False, None)
@@ -80,14 +80,14 @@ def find_numbers(claim, intervals, parameters, reference):
         questions = [(_Question(parameters, case), holds) for case, holds in reference.cases]
         first = questions[0][0]
         formulas = [first.between(*item) for item in intervals.items()]
-        same = {}  # a number such as pi has one symbol in all of them
+        shared_names = {}  # a number such as pi has one symbol in all of them
         for question, _ in questions[1:]:
             question.context, question.names = first.context, {s: first.names[s] for s in intervals}
         for question, holds in questions:
             formulas += question.agreement(claim, intervals, holds)
             for number, symbol in question.form.numbers.items():
                 name = question.names[symbol]
-                formulas.append(name == same.setdefault(number, name))
+                formulas.append(name == shared_names.setdefault(number, name))
         model = first.model(formulas, quantified=True)
         return True, model and {symbol: first.value(model, symbol) for symbol in intervals}
     except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
@@ -97,13 +97,19 @@ def find_numbers(claim, intervals, parameters, reference):
 def _confirmed(point, readings, parameters, case, holds, reference):
     """Return whether at a point all readings are wrong, by exact evaluation."""
     symbols = [*parameters, *case.unknowns]
-    here = point[: len(parameters)]
+    parameter_values = point[: len(parameters)]
     if not all(allowed(p, sign(x)) for p, x in zip(symbols, point)):
         return False
-    if any(prepared(reading, tuple(parameters)).holds(here) == holds for reading in readings):
+    if any(
+        prepared(reading, tuple(parameters)).holds(parameter_values) == holds
+        for reading in readings
+    ):
         return False
     if case.every:
-        return reference.at is not None and reference.at(dict(zip(parameters, here))) is holds
+        return (
+            reference.at is not None
+            and reference.at(dict(zip(parameters, parameter_values))) is holds
+        )
     return prepared(case.condition, tuple(symbols)).holds(point)
 
 
@@ -122,9 +128,9 @@ def _simplified(point, readings, parameters, case, holds, reference):
     # With unknowns every coordinate hangs on the others, so the point stays as it is.
     for k, x in enumerate(point if not case.unknowns or case.every else ()):
         for q in (1, 2, 10, 100, 1000):
-            near = sp.Rational(round(float(x) * q), q) if abs(float(x)) < 1e12 else x
-            simpler = (*point[:k], near, *point[k + 1 :])
-            if near == x or confirm(simpler):
+            rational = sp.Rational(round(float(x) * q), q) if abs(float(x)) < 1e12 else x
+            simpler = (*point[:k], rational, *point[k + 1 :])
+            if rational == x or confirm(simpler):
                 point = simpler
                 break
     return dict(zip(parameters, point)), holds
@@ -145,7 +151,7 @@ class _Question:
         self.z3, self.context, self.parameters, self.case = z3, z3.Context(), parameters, case
         self.names, self.form, self.size = {}, PolynomialForm(case.angles), 10
 
-    def answer(self, readings, holds, besides):
+    def answer(self, readings, holds, restriction):
         """Return exact numbers of the parameters and the unknowns, or None without such a point."""
         z3, case = self.z3, self.case
         if not case.every:
@@ -153,14 +159,16 @@ class _Question:
             self.form = self.form.copy()
         claims = [self._formula(self.form.condition(reading)) for reading in readings]
         conditions = [z3.Not(claim) if holds else claim for claim in claims]
-        conditions.append(self._formula(self.form.condition(besides)))
-        known = {*self.parameters, *self.names}
+        conditions.append(self._formula(self.form.condition(restriction)))
+        claim_symbols = {*self.parameters, *self.names}
         first = len(self.form.sides)
         case_formula = self._formula(
             self.form.condition(case.condition) if case.every else condition
         )
         sides = [self._formula(side) for side in self.form.sides]
-        inner = [symbol for symbol in self.names if symbol not in known] if case.every else []
+        inner = (
+            [symbol for symbol in self.names if symbol not in claim_symbols] if case.every else []
+        )
         if inner:
             conditions += sides[:first]
             assumed = [*sides[first:], *(self._assumed(symbol) for symbol in inner)]
@@ -178,26 +186,29 @@ class _Question:
         """Return formulas that, for all but the chosen numbers, a claim is `holds` in the case."""
         z3, case = self.z3, self.case
         claimed = self._formula(self.form.condition(claim))
-        known, first = {*self.parameters, *self.names}, len(self.form.sides)
+        claim_symbols, first = {*self.parameters, *self.names}, len(self.form.sides)
         assumed = self._formula(self.form.condition(case.condition))
         numbers = {*chosen, *self.form.numbers.values()}
         free = [symbol for symbol in self.names if symbol not in numbers]
-        outer = [symbol for symbol in free if symbol in known or not case.every]
+        outer = [symbol for symbol in free if symbol in claim_symbols or not case.every]
         inner = [symbol for symbol in free if symbol not in outer]
         sides = [(side, self._formula(side)) for side in self.form.sides]
-        within = [formula for side, formula in sides if side.free_symbols <= numbers]
+        number_conditions = [formula for side, formula in sides if side.free_symbols <= numbers]
         before, after = (
             [formula for side, formula in part if not side.free_symbols <= numbers]
             for part in (sides[:first], sides[first:])
         )
         if inner:
-            given = self._and([*after, *map(self._assumed, inner)])
-            assumed = z3.ForAll([self.names[s] for s in inner], z3.Implies(given, assumed))
+            assumptions = self._and([*after, *map(self._assumed, inner)])
+            assumed = z3.ForAll([self.names[s] for s in inner], z3.Implies(assumptions, assumed))
         else:
             before += after
-        given = self._and([*before, *map(self._assumed, outer), assumed])
-        agrees = z3.Implies(given, claimed if holds else z3.Not(claimed))
-        return [*within, z3.ForAll([self.names[s] for s in outer], agrees) if outer else agrees]
+        assumptions = self._and([*before, *map(self._assumed, outer), assumed])
+        agrees = z3.Implies(assumptions, claimed if holds else z3.Not(claimed))
+        return [
+            *number_conditions,
+            z3.ForAll([self.names[s] for s in outer], agrees) if outer else agrees,
+        ]
 
     def between(self, symbol, ends):
         """Return the formula that a symbol has a value of a closed interval."""
@@ -231,9 +242,11 @@ class _Question:
         if node in (sp.true, sp.false):
             return z3.BoolVal(bool(node), self.context)
         if isinstance(node, Relational):
-            above, below = (self._polynomial(part) for part in _as_fraction(node.lhs - node.rhs))
-            side = above if isinstance(node, (sp.Eq, sp.Ne)) else above * below
-            return z3.And(below != 0, HOW[type(node)](side, 0))
+            numerator, denominator = (
+                self._polynomial(part) for part in _as_fraction(node.lhs - node.rhs)
+            )
+            side = numerator if isinstance(node, (sp.Eq, sp.Ne)) else numerator * denominator
+            return z3.And(denominator != 0, OPERATORS[type(node)](side, 0))
         parts = [self._formula(part) for part in node.args]
         join = {
             sp.And: z3.And,
@@ -266,15 +279,15 @@ class _Question:
     def _assumed(self, symbol):
         return self._and(
             [
-                how(self.names[symbol], 0)
-                for assumed, how in (
+                operation(self.names[symbol], 0)
+                for holds, operation in (
                     (symbol.is_positive, operator.gt),
                     (symbol.is_negative, operator.lt),
                     (symbol.is_nonnegative, operator.ge),
                     (symbol.is_nonpositive, operator.le),
                     (symbol.is_nonzero, operator.ne),
                 )
-                if assumed
+                if holds
             ]
         )
 
@@ -295,9 +308,9 @@ class _Question:
         return sp.rootof(sp.Poly(coefficients[::-1], sp.Symbol("t")), value.index() - 1)
 
 
-@functools.lru_cache(maxsize=128)  # the same truth is asked about again and again
+@functools.lru_cache(maxsize=128)  # one reference judges many answers
 def _polynomial_case(condition, angles):
-    """Return a condition made polynomial, and its form: the same symbols each time it is asked."""
+    """Return a polynomial condition and its form, cached so that its symbols stay the same."""
     form = PolynomialForm(angles)
     return form, form.condition(condition)
 

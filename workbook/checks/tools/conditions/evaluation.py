@@ -22,7 +22,7 @@ LARGEST_FIELD = 8
 GRID = np.concatenate([-np.geomspace(1e6, 1e-3, 200), np.geomspace(1e-3, 1e6, 200)])
 #: The "sign" of a number that is not real.
 NOT_REAL = "not real"
-HOW = {
+OPERATORS = {
     sp.Gt: operator.gt,
     sp.Ge: operator.ge,
     sp.Lt: operator.lt,
@@ -108,7 +108,7 @@ class _Sign:
                 # Whole coefficients, so that fractions stay fractions in the code that is made of
                 # them.
                 cleared = [sp.Poly(part, *symbols).clear_denoms(convert=True) for part in parts]
-                self._factor = sp.prod([whole for whole, _ in cleared])
+                self._factor = sp.prod([denominator for denominator, _ in cleared])
                 self._polys = [poly for _, poly in cleared]
                 self._parts = [sp.lambdify(symbols, poly.as_expr(), []) for poly in self._polys]
         if self._parts is None:
@@ -121,8 +121,8 @@ class _Sign:
     def __call__(self, point):
         if self._parts is not None and all(x.is_Rational for x in point):
             at = [Fraction(int(x.p), int(x.q)) for x in point]
-            above, below = (part(*at) for part in self._parts)
-            return None if below == 0 else sign(above) * sign(below)
+            numerator, denominator = (part(*at) for part in self._parts)
+            return None if denominator == 0 else sign(numerator) * sign(denominator)
         try:
             with mpmath.workdps(DIGITS):
                 at = [
@@ -130,10 +130,10 @@ class _Sign:
                     for x in point
                 ]
                 if self._parts is not None:
-                    above, below = (
+                    numerator, denominator = (
                         self._exactly(k, point, part(*at)) for k, part in enumerate(self._parts)
                     )
-                    return None if below == 0 else above * below
+                    return None if denominator == 0 else numerator * denominator
                 number = mpmath.mpmathify(self._numeric(*at))
         except (ZeroDivisionError, ValueError, TypeError, OverflowError):
             # TypeError: a Piecewise without a case for this point gives None, and complex numbers
@@ -143,7 +143,7 @@ class _Sign:
             return None
         if abs(mpmath.im(number)) > NOTHING:
             return NOT_REAL
-        # At 60 digits a value this small is a zero: no answer of a student lives at that scale.
+        # At 60 digits a value this small is a zero: no student's answer contains such a number.
         return 0 if abs(number) < NOTHING else sign(mpmath.re(number))
 
     def _exactly(self, k, point, number):
@@ -183,11 +183,11 @@ class _Sign:
 
     def _crossings(self, base, varied):
         """Yield where the difference goes through zero or infinity between neighbours of a grid."""
-        others = [float(x) for x in base]
+        base_values = [float(x) for x in base]
 
         def values(x):
             with np.errstate(all="ignore"):
-                numbers = self._floats(*others[:varied], x, *others[varied + 1 :])
+                numbers = self._floats(*base_values[:varied], x, *base_values[varied + 1 :])
             return np.broadcast_to(np.where(np.isreal(numbers), np.real(numbers), np.nan), x.shape)
 
         try:
@@ -218,7 +218,7 @@ def _compared(relation, sign):
         return isinstance(relation, sp.Ne)  # such a number is not zero, and it has no order
     if sign is None:
         return False
-    return HOW[type(relation)](sign, 0)
+    return OPERATORS[type(relation)](sign, 0)
 
 
 def sign(number):

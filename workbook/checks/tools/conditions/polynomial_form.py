@@ -8,7 +8,7 @@ from sympy.core.relational import Relational
 
 from workbook.checks.contract.verdict import Invalid
 from workbook.checks.tools.conditions.decimals import rational
-from workbook.checks.tools.conditions.evaluation import HOW
+from workbook.checks.tools.conditions.evaluation import OPERATORS
 
 REVERSED = {sp.Gt: sp.Lt, sp.Ge: sp.Le, sp.Lt: sp.Gt, sp.Le: sp.Ge}
 #: The greatest of more terms would be written with twice as many absolute values for each.
@@ -28,19 +28,20 @@ class PolynomialForm:
     """
 
     def __init__(self, angles=()):
-        self.sides, self.circles, self._known, self._bare, self._angles = [], {}, {}, set(), angles
+        self.sides, self.circles, self._symbols = [], {}, {}
+        self._bare, self._angles = set(), angles
 
     @property
     def numbers(self):
         """The symbols that stand for numbers such as pi."""
-        return {key: w for key, w in self._known.items() if isinstance(key, sp.Expr)}
+        return {key: w for key, w in self._symbols.items() if isinstance(key, sp.Expr)}
 
     def copy(self):
         """Return a copy that can be extended without changing this one."""
-        other = PolynomialForm(self._angles)
-        other.sides, other.circles = list(self.sides), dict(self.circles)
-        other._known, other._bare = dict(self._known), set(self._bare)
-        return other
+        copy = PolynomialForm(self._angles)
+        copy.sides, copy.circles = list(self.sides), dict(self.circles)
+        copy._symbols, copy._bare = dict(self._symbols), set(self._bare)
+        return copy
 
     def condition(self, node):
         """Return a condition in polynomial form."""
@@ -48,17 +49,17 @@ class PolynomialForm:
             return node
         if isinstance(node, Relational):
             if not is_finite(node):
-                return _beyond_all(node)
+                return _compared_with_infinity(node)
             defined, difference = [], rational(node.lhs - node.rhs)
             for angle in difference.free_symbols.intersection(self._angles):
-                other = angle - difference / difference.coeff(angle)
-                if difference.coeff(angle).is_number and not other.has(angle):
-                    how = (
+                angle_bound = angle - difference / difference.coeff(angle)
+                if difference.coeff(angle).is_number and not angle_bound.has(angle):
+                    relation = (
                         node.func
                         if difference.coeff(angle) > 0
                         else REVERSED.get(node.func, node.func)
                     )
-                    ordered = self._ordered(angle, how, other, defined)
+                    ordered = self._ordered(angle, relation, angle_bound, defined)
                     return sp.And(*defined, ordered)
             squares = _squares(difference) if isinstance(node, (sp.Eq, sp.Ne)) else None
             terms = [self._term(part, defined) for part in squares or [difference]]
@@ -77,25 +78,25 @@ class PolynomialForm:
 
         That is known only if nothing else that is not real is added to or multiplied with the root.
         """
-        under = [part for part in defined if isinstance(part, sp.Ge)]
-        others = [part for part in defined if part not in under]
+        root_conditions = [part for part in defined if isinstance(part, sp.Ge)]
+        remaining = [part for part in defined if part not in root_conditions]
         w = next(
             (
                 w
-                for key, w in self._known.items()
-                if isinstance(key, tuple) and key[:2] == ("root", under[0].lhs)
+                for key, w in self._symbols.items()
+                if isinstance(key, tuple) and key[:2] == ("root", root_conditions[0].lhs)
             ),
             None,
         )
         if (
             w is None
-            or not len(terms) == len(under) == 1
+            or not len(terms) == len(root_conditions) == 1
             or not terms[0].is_polynomial(w)
             or sp.degree(terms[0], w) != 1
             or not terms[0].expand().coeff(w).is_number
         ):
             raise Undecidable
-        return sp.And(*others, sp.Or(sp.Not(under[0]), sp.Ne(terms[0], 0)))
+        return sp.And(*remaining, sp.Or(sp.Not(root_conditions[0]), sp.Ne(terms[0], 0)))
 
     def _term(self, node, defined):
         if node.is_Symbol:
@@ -148,64 +149,67 @@ class PolynomialForm:
             # is evaluated again.
             near, w = (
                 sp.Rational(str(node.evalf(50))),
-                self._known.setdefault(node, sp.Dummy("number", real=True)),
+                self._symbols.setdefault(node, sp.Dummy("number", real=True)),
             )
             if isinstance(node, sp.CRootOf):
                 self.sides.append(sp.Eq(node.poly.as_expr().subs(node.poly.gen, w), 0))
             self.sides += [w > near - sp.Rational(1, 10**45), w < near + sp.Rational(1, 10**45)]
             return w
         if isinstance(node, (sp.cos, sp.sin, sp.tan)):
-            return self._turned(node, defined)
+            return self._trigonometric_term(node, defined)
         raise Undecidable
 
-    def _ordered(self, angle, how, other, defined):
+    def _ordered(self, angle, relation, bound, defined):
         """Return the relation of an angle in [0, 2 pi) to another, by points on the circle."""
-        low, high = _range(other)
-        if other.is_number and not 0 <= low < 2 * math.pi:
-            return sp.sympify(HOW[how](0, low))
+        low, high = _range(bound)
+        if bound.is_number and not 0 <= low < 2 * math.pi:
+            return sp.sympify(OPERATORS[relation](0, low))
         # Both from 0 to pi and beyond pi the order is that of the cosines.
         c, s, cosine, sine = (
             self._term(sp.expand_trig(f(part)), defined)
-            for part in (angle, other)
+            for part in (angle, bound)
             for f in (sp.cos, sp.sin)
         )
-        same = sp.And(sp.Eq(c, cosine), sp.Eq(s, sine))
-        above = sp.And(sine >= 0, sp.Or(low <= 0, sp.Ne(cosine, 1)))  # no zero but a whole turn
+        equal = sp.And(sp.Eq(c, cosine), sp.Eq(s, sine))
+        # an angle zero, not a whole turn
+        in_upper_half = sp.And(sine >= 0, sp.Or(low <= 0, sp.Ne(cosine, 1)))
         less = sp.Or(
-            sp.And(s >= 0, sp.Not(above)),
-            sp.And(s >= 0, above, c > cosine),
-            sp.And(s < 0, sp.Not(above), c < cosine),
+            sp.And(s >= 0, sp.Not(in_upper_half)),
+            sp.And(s >= 0, in_upper_half, c > cosine),
+            sp.And(s < 0, sp.Not(in_upper_half), c < cosine),
         )
         if -math.pi < low < 0 and high < math.pi:
-            less, same = sp.And(sine >= 0, less), sp.And(sine >= 0, same)
+            less, equal = sp.And(sine >= 0, less), sp.And(sine >= 0, equal)
         elif math.pi < low and 2 * math.pi < high < 3 * math.pi:
-            less, same = sp.Or(sine >= 0, less), sp.And(sine < 0, same)
+            less, equal = sp.Or(sine >= 0, less), sp.And(sine < 0, equal)
         elif not (0 <= low and high <= 2 * math.pi):
             raise Undecidable
         return {
             sp.Lt: less,
-            sp.Le: sp.Or(less, same),
-            sp.Gt: sp.Not(sp.Or(less, same)),
+            sp.Le: sp.Or(less, equal),
+            sp.Gt: sp.Not(sp.Or(less, equal)),
             sp.Ge: sp.Not(less),
-            sp.Eq: same,
-            sp.Ne: sp.Not(same),
-        }[how]
+            sp.Eq: equal,
+            sp.Ne: sp.Not(equal),
+        }[relation]
 
     def _symbol(self, key, base, where):
         """Return the symbol of a function of `base`.
 
         `where(w)` is the pair of conditions that define it: where base is not negative, and where it is.
         """
-        if key not in self._known:
-            w = self._known[key] = sp.Dummy("w", real=True)
+        if key not in self._symbols:
+            w = self._symbols[key] = sp.Dummy("w", real=True)
             positive, negative = where(w)
-            below = sp.fraction(sp.together(base))[1]
+            denominator = sp.fraction(sp.together(base))[1]
             self.sides.append(
-                sp.Or(sp.And(base >= 0, positive), sp.And(base < 0, negative), sp.Eq(below, 0))
+                sp.Or(
+                    sp.And(base >= 0, positive), sp.And(base < 0, negative), sp.Eq(denominator, 0)
+                )
             )
-        return self._known[key]
+        return self._symbols[key]
 
-    def _turned(self, node, defined):
+    def _trigonometric_term(self, node, defined):
         (angle,) = node.args
         if not angle.is_Symbol:
             expanded = sp.expand_trig(node)
@@ -258,7 +262,7 @@ def is_finite(relation):
     return not relation.has(sp.oo, -sp.oo)
 
 
-def _beyond_all(relation):
+def _compared_with_infinity(relation):
     """Return the truth of a comparison with infinity, which every number is below."""
     value = relation.subs(dict.fromkeys(relation.free_symbols, 0))
     if value not in (sp.true, sp.false):

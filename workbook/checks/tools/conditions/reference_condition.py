@@ -58,14 +58,14 @@ class ReferenceCondition:
         return [*((case, True) for case in self.inside), *((case, False) for case in self.outside)]
 
 
-def exactly(condition, given=sp.true, unknowns=(), at=None, points=None):
-    """Return the reference that a condition holds, for all given parameters and unknowns.
+def exactly(condition, domain=sp.true, unknowns=(), at=None, points=None):
+    """Return the reference that a condition holds, for all parameters and unknowns of a domain.
 
     Parameters
     ----------
     condition : sympy condition or None
         The true condition, or None if no closed form is known; then only `at` is used.
-    given : sympy condition
+    domain : sympy condition
         Where either truth value is not accepted.
     unknowns : tuple of sympy.Symbol
         Unknowns in these conditions.
@@ -75,6 +75,6 @@ def exactly(condition, given=sp.true, unknowns=(), at=None, points=None):
     if condition is None:
         return ReferenceCondition(at=at, points=points)
     inside, outside = (
-        (Case(sp.And(given, part), tuple(unknowns)),) for part in (condition, sp.Not(condition))
+        (Case(sp.And(domain, part), tuple(unknowns)),) for part in (condition, sp.Not(condition))
     )
     return ReferenceCondition(inside, outside, at, points)

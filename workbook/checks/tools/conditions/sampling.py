@@ -39,22 +39,24 @@ def try_samples(readings, parameters, reference):
     symbols = tuple(parameters)
     claims = [prepared(reading, symbols) for reading in readings]
     holds_at = reference.at or _holds_at(parameters, reference)
-    seen = {}
+    cache = {}
 
     def at(values):
         point = tuple(values.values())
-        if point not in seen:
-            seen[point] = holds_at(values)
-        return seen[point]
+        if point not in cache:
+            cache[point] = holds_at(values)
+        return cache[point]
 
-    known = [prepared(case.condition, symbols) for case, _ in reference.cases if not case.unknowns]
+    case_conditions = [
+        prepared(case.condition, symbols) for case, _ in reference.cases if not case.unknowns
+    ]
     points = (
         reference.points()
         if reference.points
         else (
             dict(zip(parameters, (*base[:varied], x, *base[varied + 1 :])))
             for base, varied in _lines(parameters)
-            for x in _along(base, varied, parameters, [claims[0], *known], at)
+            for x in _along(base, varied, parameters, [claims[0], *case_conditions], at)
         )
     )
     count = 0
@@ -101,38 +103,40 @@ def _along(base, varied, parameters, conditions, at):
     def point(x):
         return (*base[:varied], x, *base[varied + 1 :])
 
-    def fits(x):
+    def is_allowed(x):
         return allowed(parameters[varied], sign(x))
 
     # Far out only what is exact can be trusted.
-    far = [1e3, 1e6] if len(conditions) > 1 else []
-    sizes = [_near(x, 1000) for x in [*np.geomspace(1 / 50, 40, 24), *far]]
-    grid = sorted(x for size in sizes for x in (size, -size) if fits(x))
+    far_values = [1e3, 1e6] if len(conditions) > 1 else []
+    sizes = [_rational_near(x, 1000) for x in [*np.geomspace(1 / 50, 40, 24), *far_values]]
+    grid = sorted(x for size in sizes for x in (size, -size) if is_allowed(x))
     true, claimed = (
         _changes(lambda x: at(dict(zip(parameters, point(x)))), grid),
         _changes(lambda x: conditions[0].holds(point(x)), grid),
     )
     changes, roots = (
         [*true, *claimed],
-        [_near(x, 10**12) for c in conditions for x in c.borders(base, varied)],
+        [_rational_near(x, 10**12) for c in conditions for x in c.borders(base, varied)],
     )
-    # What bisection finds in the reference is one of these again, or a border that the reference knows less
-    # well.
+    # What bisection finds in the reference is one of these again, or a border that it locates less
+    # precisely.
     exact = [*roots, *claimed]
     ordered = sorted(
         {*exact, *(x for x in true if all(abs(x - root) > abs(x) / 500 for root in exact))}
     )
-    sides = [_near(float(x) * (1 + e), 10**9) for x in changes for e in (1e-3, -1e-3)]
+    sides = [_rational_near(float(x) * (1 + e), 10**9) for x in changes for e in (1e-3, -1e-3)]
     between = [(x + y) / 2 for x, y in itertools.pairwise(ordered) if y - x > (1 + abs(x)) / 10**9]
-    on = [
-        near
+    at_changes = [
+        rational
         for x in {*roots, *changes}
-        if abs(x - (near := _near(x, 5000))) < sp.Rational(1, 10**9)
+        if abs(x - (rational := _rational_near(x, 5000))) < sp.Rational(1, 10**9)
     ]
-    beyond = [ordered[0] - 1, ordered[-1] + 1] if ordered and far else []
+    outer_values = [ordered[0] - 1, ordered[-1] + 1] if ordered and far_values else []
     turns = TURNS if conditions[0].condition.atoms(sp.sin, sp.cos, sp.tan) else []
     return sorted(
-        x for x in {*grid, *sides, *between, *on, *beyond, *turns, sp.Integer(0)} if fits(x)
+        x
+        for x in {*grid, *sides, *between, *at_changes, *outer_values, *turns, sp.Integer(0)}
+        if is_allowed(x)
     )
 
 
@@ -143,7 +147,7 @@ def on_borders(condition, symbols):
     """
     for base, varied in _lines(symbols, 60):
         for x in condition.borders(base, varied):
-            yield dict(zip(symbols, (*base[:varied], _near(x, 5000), *base[varied + 1 :])))
+            yield dict(zip(symbols, (*base[:varied], _rational_near(x, 5000), *base[varied + 1 :])))
 
 
 def _changes(function, grid):
@@ -163,6 +167,6 @@ def _changes(function, grid):
     return changes
 
 
-def _near(x, largest):
-    near = Fraction(float(x)).limit_denominator(largest)
-    return sp.Rational(near.numerator, near.denominator)
+def _rational_near(x, largest):
+    fraction = Fraction(float(x)).limit_denominator(largest)
+    return sp.Rational(fraction.numerator, fraction.denominator)
