@@ -23,7 +23,7 @@ from workbook.checks.tools.wording import rounded_text
 
 #: At so many places of states, control and parameters an equation is compared, of so many that are
 #: tried.
-PLACES, TRIED = 8, 60
+SAMPLES, ATTEMPTS = 8, 60
 #: So many costates are tried at each place, and u' is the same for all of them up to this share.
 COSTATES, DETERMINED = 6, 1e-7
 #: Where H_uu is a smaller share of its terms, u' has lost its digits.
@@ -42,15 +42,15 @@ def control_equation(claim, problem, domain=None):
     with one control.
     """
     reference = _Rate(problem)
-    places = list(reference.places(domain))
+    samples = list(reference.samples(domain))
     # the one true number would be the answer itself
-    message = len({round(true, 6) for _, true, _ in places}) > 1
+    varies = len({round(true, 6) for _, true, _ in samples}) > 1
     u = problem.control[0]
-    for values, true, size in places:
+    for values, true, size in samples:
         claimed = value_at(claim, values, f"{u}'")
         if agree(claimed, true, claim, size, EXACT, uncertainty_at(claim, values)):
             continue
-        if not message:
+        if not varies:
             raise Wrong(
                 f"dH/d{u} does not stay zero where your expression gives {u}' the value {claimed:.4g}"
             )
@@ -61,7 +61,7 @@ def control_equation(claim, problem, domain=None):
             f"for {rounded_text(shown)} your expression gives {u}' the value {claimed:.4g}, with "
             f"which dH/d{u} does not stay zero"
         )
-    return f"under it dH/d{u} stays zero, tried at {PLACES} places"
+    return f"under it dH/d{u} stays zero, tried at {SAMPLES} places"
 
 
 class _Rate:
@@ -72,7 +72,7 @@ class _Rate:
             raise RuntimeError("the equation is known for problems with one control")
         self._problem, (u,) = problem, problem.control
         costates = sp.symbols(f"psi:{len(problem.state)}", cls=sp.Dummy, real=True)
-        H, known = hamiltonian(problem, costates), known_costates(problem, costates)
+        H, costate_values = hamiltonian(problem, costates), known_costates(problem, costates)
         slope = sp.diff(H, u)
         drift = sum(
             (
@@ -81,51 +81,53 @@ class _Rate:
             ),
             sp.S.Zero,
         )
-        free = [psi for psi in costates if psi not in known]
+        free = [psi for psi in costates if psi not in costate_values]
         self._count = len(free) + 1
         self._symbols = [*problem.state, u, *problem.parameters]
         affine = [
             part
             for e in (slope, H, drift, sp.diff(slope, u))
-            for part in _affine(e.subs(known), free)
+            for part in _affine(e.subs(costate_values), free)
         ]
         #: What it depends on.
         self.symbols = set().union(*(part.free_symbols for part in affine))
         self._parts = real_function(self._symbols, affine)
 
-    def places(self, domain):
+    def samples(self, domain):
         """Values of all symbols at which a costate makes H greatest, the rate of the control, the
         size of its terms."""
-        random, found = np.random.default_rng(31), 0
+        generator, count = np.random.default_rng(31), 0
         low, high = self._problem.controls[self._problem.control[0]]
         if low.is_number and high.is_number and low.is_finite and high.is_finite:
             domain = {self._problem.control[0]: sp.Interval(low, high)} | (domain or {})
-        for _ in range(TRIED):
-            values = {s: random_value(random, s, domain) for s in self._symbols}
-            rate = self._at(values, random)
+        for _ in range(ATTEMPTS):
+            values = {s: random_value(generator, s, domain) for s in self._symbols}
+            rate = self._rate_at(values, generator)
             if rate is not None:
                 yield values, *rate
-                found += 1
-            if found == PLACES:
+                count += 1
+            if count == SAMPLES:
                 return
         raise RuntimeError("too few places were found where a costate makes H greatest")
 
-    def _at(self, values, random):
+    def _rate_at(self, values, generator):
         """The rate and the size of its terms, or None where no costate makes H greatest."""
         parts = self._parts(*values.values()).reshape(4, self._count)
         if not np.isfinite(parts).all():
             return None
-        slope, H, drift, bend = parts
+        slope, H, drift, curvature = parts
         for rows in [slope[None]] + ([np.vstack([slope, H])] if self._problem.free_time else []):
-            costates = _solutions(rows, random)
+            costates = _solutions(rows, generator)
             if costates is None:
                 return None
-            bends, sizes = costates @ bend, np.abs(costates) @ np.abs(bend)
-            curved = np.abs(bends) > CURVED * sizes
-            if not (bends[curved] < 0).any():
+            curvatures, sizes = costates @ curvature, np.abs(costates) @ np.abs(curvature)
+            significant = np.abs(curvatures) > CURVED * sizes
+            if not (curvatures[significant] < 0).any():
                 return None
-            rates = -(costates @ drift)[curved] / bends[curved]
-            terms = (np.abs(costates) @ np.abs(drift))[curved] / np.abs(bends[curved])
+            rates = -(costates @ drift)[significant] / curvatures[significant]
+            terms = (np.abs(costates) @ np.abs(drift))[significant] / np.abs(
+                curvatures[significant]
+            )
             if np.ptp(rates) <= DETERMINED * terms.max():
                 return float(rates[0]), float(terms[0])
         raise RuntimeError("the costates cannot be eliminated from the equation of the control")
@@ -137,18 +139,22 @@ def _affine(e, symbols):
     return [e.subs(dict.fromkeys(symbols, 0)), *(sp.diff(e, s) for s in symbols)]
 
 
-def _solutions(rows, random):
+def _solutions(rows, generator):
     """Vectors (1, psi) with rows @ (1, psi) = 0, some of all; None if there are none or only psi =
     0."""
     constant, matrix = rows[:, 0], rows[:, 1:]
     _, sizes, basis = np.linalg.svd(matrix)
     rank = int((sizes > 1e-9 * max(sizes.max(initial=0), np.abs(constant).max())).sum())
-    one = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+    particular = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
     if (
-        np.abs(matrix @ one + constant).max()
-        > 1e-9 * (np.abs(constant) + np.abs(matrix) @ np.abs(one)).max()
+        np.abs(matrix @ particular + constant).max()
+        > 1e-9 * (np.abs(constant) + np.abs(matrix) @ np.abs(particular)).max()
     ):
         return None
-    free = random.normal(size=(COSTATES, len(basis) - rank)) @ basis[rank:]
-    free = np.vstack([free, -free])  # one of both signs makes H greatest
-    return np.column_stack([np.ones(len(free)), one + free]) if (one + free).any() else None
+    homogeneous = generator.normal(size=(COSTATES, len(basis) - rank)) @ basis[rank:]
+    homogeneous = np.vstack([homogeneous, -homogeneous])  # one of both signs makes H greatest
+    return (
+        np.column_stack([np.ones(len(homogeneous)), particular + homogeneous])
+        if (particular + homogeneous).any()
+        else None
+    )

@@ -68,9 +68,9 @@ def extremum_motion(claim, functional, parameters=()):
             relative_tolerance(claim) if sides is None else COMPUTED,
             [[_Motion(side.subs(values), best, where) for (side,) in pair] for pair in sides or ()],
         )
-        motion.has_the_given_ends()
-        motion.is_stationary()
-        motion.is_the_best()
+        motion.require_given_ends()
+        motion.require_stationary()
+        motion.require_best()
     return (
         "it has the given values at the ends, no variation changes the functional to first order, "
         f"and its value there is the {_word(functional)} one"
@@ -90,12 +90,12 @@ def extremum_value(claim, functional, parameters=()):
         if not agree(claimed, best.value, claim, computed=COMPUTED):
             if not np.isfinite(claimed):
                 raise Wrong("your value is no real number")
-            beyond = (claimed < best.value) != functional.maximise
+            unattainable = (claimed < best.value) != functional.maximise
             raise Wrong(
                 f"your value is {claimed:.4g}; "
                 + directed(
                     "no motion with the given ends attains it"
-                    if beyond
+                    if unattainable
                     else "there is a motion with the given ends that does better",
                     f"it is not the {_word(functional)} one",
                 )
@@ -179,8 +179,8 @@ class _Motion:
     """A student's motion for given values of the parameters; `perturbed` are pairs of motions that
     its decimals leave open."""
 
-    def __init__(self, claim, best, where, rounding=COMPUTED, changed=()):
-        self.changed = changed
+    def __init__(self, claim, best, where, rounding=COMPUTED, perturbed=()):
+        self.perturbed = perturbed
         self.functional, self.best, self.where, self.rounding = (
             best.functional,
             best,
@@ -204,29 +204,32 @@ class _Motion:
         self._needed = [k for k, s in enumerate(symbols[1:-1]) if final.has(s)]
         self.begin, self.end = best.begin, best.begin + best.duration
 
-    def has_the_given_ends(self):
-        for point, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
-            for k, value in enumerate(given):
+    def require_given_ends(self):
+        for point, end_values in (
+            (self.begin, self.functional.start),
+            (self.end, self.functional.end),
+        ):
+            for k, value in enumerate(end_values):
                 if value is None:
                     continue
-                claimed, wanted = self._value(k, point), float(value)
-                size = max(abs(wanted), np.abs(self._along()[1][k]).max())
-                if not abs(claimed - wanted) <= self.rounding * size + self._open(
-                    claimed, lambda one: one._value(k, point)
+                claimed, expected = self._value(k, point), float(value)
+                size = max(abs(expected), np.abs(self._along()[1][k]).max())
+                if not abs(claimed - expected) <= self.rounding * size + self._uncertainty(
+                    claimed, lambda motion: motion._value(k, point)
                 ):
                     raise Wrong(
                         f"{self.where}{self._name(k)} is {claimed:.4g} at t = {point:.4g} for your "
                         "motion, and another value is given"
                     )
 
-    def is_stationary(self):
+    def require_stationary(self):
         n, span = self.functional.order, self.end - self.begin
         for first, last in WINDOWS:
             a, b = self.begin + first * span, self.begin + last * span
             bump = np.poly1d([-1, a + b, -a * b]) ** n / ((b - a) / 2) ** (2 * n)
             rate, size = self._variation(bump, a, b)
-            if not abs(rate) <= self.rounding * size + self._open(
-                rate, lambda one: one._variation(bump, a, b)[0]
+            if not abs(rate) <= self.rounding * size + self._uncertainty(
+                rate, lambda motion: motion._variation(bump, a, b)[0]
             ):
                 part = "" if last - first == 1 else f" between t = {a:.4g} and t = {b:.4g} alone"
                 raise Wrong(
@@ -234,32 +237,38 @@ class _Motion:
                     "functional to first order. Along an extremal no variation does"
                 )
         middle = (self.begin + self.end) / 2
-        for point, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
-            for k, value in enumerate(given):
+        for point, end_values in (
+            (self.begin, self.functional.start),
+            (self.end, self.functional.end),
+        ):
+            for k, value in enumerate(end_values):
                 if value is None:
-                    move = _reaching(point, middle, k, n)
-                    rate, size = self._moved(move, point, middle, k)
-                    left_open = self._open(rate, lambda one: one._moved(move, point, middle, k)[0])
-                    if not abs(rate) <= self.rounding * size + left_open:
+                    variation = _end_variation(point, middle, k, n)
+                    rate, size = self._free_end_variation(variation, point, middle, k)
+                    uncertainty = self._uncertainty(
+                        rate,
+                        lambda motion: motion._free_end_variation(variation, point, middle, k)[0],
+                    )
+                    if not abs(rate) <= self.rounding * size + uncertainty:
                         raise Wrong(
                             f"{self.where}{self._name(k)} is not given at t = {point:.4g}; moved "
                             "there, the functional changes to first order. So the natural condition "
                             "at this end fails"
                         )
 
-    def is_the_best(self):
+    def require_best(self):
         claimed, size = self._functional()
-        left_open = self._open(claimed, lambda one: one._functional()[0])
-        if not abs(claimed - self.best.value) <= self.rounding * size + left_open:
+        uncertainty = self._uncertainty(claimed, lambda motion: motion._functional()[0])
+        if not abs(claimed - self.best.value) <= self.rounding * size + uncertainty:
             raise Wrong(
                 f"{self.where}your motion is an extremal and gives the functional the value "
                 f"{claimed:.4g}, but another motion with the given ends does better"
             )
 
-    def _open(self, here, quantity):
+    def _uncertainty(self, value, quantity):
         """By how much the decimals leave open a quantity of the motion that is `here` as they are
         written."""
-        return sum(max(abs(quantity(side) - here) for side in pair) for pair in self.changed)
+        return sum(max(abs(quantity(motion) - value) for motion in pair) for pair in self.perturbed)
 
     def _functional(self):
         """The value of the functional, and the size of its terms."""
@@ -268,18 +277,18 @@ class _Motion:
         claimed = float(weights @ rates) + self._at_end()[0]
         return claimed, max(abs(claimed), float(weights @ abs(rates)))
 
-    def _moved(self, move, point, middle, k):
+    def _free_end_variation(self, variation, point, middle, k):
         """The first variation along a polynomial that moves a free end, and the size of its
         terms."""
-        rate, size = self._variation(move, min(point, middle), max(point, middle))
+        rate, size = self._variation(variation, min(point, middle), max(point, middle))
         at_end = self._at_end()[1 + k] if point == self.end else 0.0
         return rate + at_end, size + abs(at_end)
 
-    def _variation(self, move, a, b):
+    def _variation(self, variation, a, b):
         """The first variation along a polynomial on [a, b], and the size of its terms."""
         nodes, weights = _quadrature(a, b)
         rates = self._rates(nodes, *self._values(nodes))[1:]
-        terms = [weights * rate * np.polyder(move, k)(nodes) for k, rate in enumerate(rates)]
+        terms = [weights * rate * np.polyder(variation, k)(nodes) for k, rate in enumerate(rates)]
         return float(sum(term.sum() for term in terms)), sum(np.abs(term).sum() for term in terms)
 
     def _at_end(self):
@@ -302,12 +311,12 @@ class _Motion:
         return nodes, self._values(nodes), weights
 
     def _values(self, nodes):
-        found = self._at(nodes)
-        for t in nodes[~np.isfinite(found).all(axis=0)]:
+        values = self._at(nodes)
+        for t in nodes[~np.isfinite(values).all(axis=0)]:
             raise Wrong(
                 f"{self.where}your motion, or a derivative of it, is no real number at t = {t:.4g}"
             )
-        return found
+        return values
 
     def _value(self, k, point):
         claimed = self._claim_at[k](point)[0]
@@ -333,16 +342,18 @@ def _quadrature(a, b, steps=40, reach=3.2):
     return nodes[inside], weights[inside]
 
 
-def _reaching(point, middle, k, n):
+def _end_variation(point, middle, k, n):
     """The polynomial whose k-th derivative is 1 at `place`, all others up to n - 1 zero there and
     at `middle`."""
     rows, size = [], 2 * n
-    for where in (point, middle):
+    for position in (point, middle):
         for order in range(n):
-            rows.append([np.polyder(np.poly1d([1] + [0] * m), order)(where) for m in range(size)])
-    wanted = np.zeros(size)
-    wanted[k] = 1.0
-    return np.poly1d(np.linalg.solve(np.array(rows), wanted)[::-1])
+            rows.append(
+                [np.polyder(np.poly1d([1] + [0] * m), order)(position) for m in range(size)]
+            )
+    right_side = np.zeros(size)
+    right_side[k] = 1.0
+    return np.poly1d(np.linalg.solve(np.array(rows), right_side)[::-1])
 
 
 def _word(functional):

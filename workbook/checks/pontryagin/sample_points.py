@@ -19,9 +19,9 @@ from workbook.checks.tools.substitution import substituted
 
 #: At so many places an identity is tried, and with so many other controls a greatest value is
 #: compared.
-PLACES, RIVALS = 8, 41
+SAMPLES, RIVALS = 8, 41
 #: How well points of singular arcs and of a claimed surface are known.
-POINTS = 1e-7
+POINT_ACCURACY = 1e-7
 #: How close to a switching a control is looked at, as a share of the way there.
 NEXT_TO = 1e-4
 
@@ -36,27 +36,28 @@ class ZeroSet:
             [*symbols, *parameters], [sp.diff(e, s) for e in claims for s in symbols]
         )
         followed = perturbed(*claims) if in_decimals(*claims) else []
-        self._most = POINTS if followed == [] else DECIMALS
-        self._changed = [
+        self._largest_uncertainty = POINT_ACCURACY if followed == [] else DECIMALS
+        self._perturbed = [
             [real_function([*symbols, *parameters], side) for side in sides]
             for sides in followed or ()
         ]
 
-    def left_open(self, values):
+    def uncertainty(self, values):
         """How far from them a point may be, counted as `distance` is, for what decimals leave
         open."""
-        if not self._changed:
-            return self._most
+        if not self._perturbed:
+            return self._largest_uncertainty
         numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
-        here, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
-        moved = sum(
-            np.fmax(*(abs(side(*numbers) - here) for side in sides)) for sides in self._changed
+        residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
+        changes = sum(
+            np.fmax(*(abs(side(*numbers) - residuals) for side in sides))
+            for sides in self._perturbed
         )
-        steps = moved / np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
+        steps = changes / np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
         return float(
             np.fmin(
-                self._most,
-                POINTS + steps.max() / (1 + np.linalg.norm(numbers[: len(self._symbols)])),
+                self._largest_uncertainty,
+                POINT_ACCURACY + steps.max() / (1 + np.linalg.norm(numbers[: len(self._symbols)])),
             )
         )
 
@@ -64,39 +65,42 @@ class ZeroSet:
         """How far a point is from them, as a share of its own size, to first order; infinite where
         undefined."""
         numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
-        rest, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
-        if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+        residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
+        if not (np.isfinite(residuals).all() and np.isfinite(slopes).all()):
             return np.inf
         steps = [
             0.0 if r == 0 else abs(r) / max(np.linalg.norm(row), 1e-300)
-            for r, row in zip(rest, slopes)
+            for r, row in zip(residuals, slopes)
         ]
         return max(steps) / (1 + np.linalg.norm(numbers[: len(self._symbols)]))
 
-    def near(self, values):
+    def zero_near(self, values):
         """The place of zeros next to a point, as a dict, or None."""
-        given = [float(values[s]) for s in self._parameters]
+        parameter_values = [float(values[s]) for s in self._parameters]
         point = np.array([float(values[s]) for s in self._symbols])
         for _ in range(80):  # at double zeros each step halves the distance
-            rest, slopes = (
-                self._values(*point, *given),
-                self._slopes(*point, *given).reshape(self._count, -1),
+            residuals, slopes = (
+                self._values(*point, *parameter_values),
+                self._slopes(*point, *parameter_values).reshape(self._count, -1),
             )
-            if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+            if not (np.isfinite(residuals).all() and np.isfinite(slopes).all()):
                 return None
-            step = np.linalg.lstsq(slopes, rest, rcond=1e-12)[0]
+            step = np.linalg.lstsq(slopes, residuals, rcond=1e-12)[0]
             point = point - step
             if np.linalg.norm(step) <= 1e-12 * (1 + np.linalg.norm(point)):
-                found = values | dict(zip(self._symbols, point))
-                return found if self.distance(found) < 1e-9 else None
+                zero = values | dict(zip(self._symbols, point))
+                return zero if self.distance(zero) < 1e-9 else None
         return None
 
 
 @cached_points
-def sample_points(problem, costates, domain, controls=True, known=False):
+def sample_points(problem, costates, domain, controls=True, use_known_costates=False):
     """Random values of all symbols, the controls on their bounds first; costates that are `known`
     may have their values."""
-    random, values = np.random.default_rng(11), known_costates(problem, costates) if known else {}
+    generator, values = (
+        np.random.default_rng(11),
+        known_costates(problem, costates) if use_known_costates else {},
+    )
     symbols = [
         *problem.state,
         *costates,
@@ -105,10 +109,11 @@ def sample_points(problem, costates, domain, controls=True, known=False):
     ]
     # Each symbol takes values all over its range.
     shares = {
-        s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES for s in symbols
+        s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
+        for s in symbols
     }
-    for k in range(PLACES):
-        position = {s: random_value(random, s, domain, shares[s][k]) for s in symbols}
+    for k in range(SAMPLES):
+        position = {s: random_value(generator, s, domain, shares[s][k]) for s in symbols}
         if controls and k < 2:
             position |= {
                 u: pair[k]
@@ -128,7 +133,7 @@ def points_near_switching(problem, costates, domain):
             continue
         zeros = ZeroSet([slope], symbols, list(problem.parameters))
         for values in itertools.islice(sample_points(problem, costates, domain, controls=False), 2):
-            position = zeros.near(values)
+            position = zeros.zero_near(values)
             if position is not None and is_in_domain(position, domain):
                 yield {s: v + NEXT_TO * (values[s] - v) for s, v in position.items()}
 
@@ -140,7 +145,7 @@ def is_in_domain(values, domain):
 
 def as_difference(part, symbols):
     if isinstance(part, sp.Or):  # where one of several vanishes their product does
-        return sp.prod([as_difference(one, symbols) for one in part.args])
+        return sp.prod([as_difference(factor, symbols) for factor in part.args])
     if isinstance(part, sp.Eq):
         return coercion.as_expression(part.lhs, symbols) - coercion.as_expression(part.rhs, symbols)
     return coercion.as_expression(part, symbols)

@@ -67,21 +67,21 @@ class InTime:
 
         def compiled(parts):
             return [
-                real_function(symbols, each)
-                for each in (parts, [_slope(part, time) for part in parts])
+                real_function(symbols, expressions)
+                for expressions in (parts, [_slope(part, time) for part in parts])
             ]
 
         self._values, self._rates = compiled(claims)
         # A state that is the derivative of the one before has no decimals of its own.
         slopes = [k > 0 and claims[k] == _slope(claims[k - 1], time) for k in range(len(claims))]
         written = [claim for claim, is_slope in zip(claims, slopes) if not is_slope]
-        followed = perturbed(*written) if in_decimals(*written) else []
-        self._changed = [
+        variants = perturbed(*written) if in_decimals(*written) else []
+        self._perturbed = [
             [compiled(_with_slopes(side, slopes, time)) for side in sides]
-            for sides in followed or ()
+            for sides in variants or ()
         ]
         self.rounding = (
-            relative_tolerance(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
+            relative_tolerance(*claims, computed=INTEGRATED) if variants is None else INTEGRATED
         )
 
     def values(self, times, parameters):
@@ -92,18 +92,22 @@ class InTime:
     def rates(self, times, parameters):
         return at_instants(self._rates, times, *map(float, parameters.values()))
 
-    def uncertain(self, times, parameters):
+    def uncertainty(self, times, parameters):
         """By how much the decimals of the expressions leave open their values and their rates at an
         instant, or at an array of them: two arrays, a row for each expression."""
         numbers = [float(value) for value in parameters.values()]
-        found = [np.zeros_like(part(times, parameters)) for part in (self.values, self.rates)]
-        for sides in self._changed:
-            for k, here in enumerate(
+        uncertainties = [
+            np.zeros_like(part(times, parameters)) for part in (self.values, self.rates)
+        ]
+        for sides in self._perturbed:
+            for k, written in enumerate(
                 (self.values(times, parameters), self.rates(times, parameters))
             ):
-                moved = [np.abs(at_instants(side[k], times, *numbers) - here) for side in sides]
-                found[k] = found[k] + np.nan_to_num(np.fmax(*moved))
-        return found
+                changes = [
+                    np.abs(at_instants(side[k], times, *numbers) - written) for side in sides
+                ]
+                uncertainties[k] = uncertainties[k] + np.nan_to_num(np.fmax(*changes))
+        return uncertainties
 
 
 def _with_slopes(written, slopes, time):
@@ -127,9 +131,9 @@ class Control(Claim):
             and len(answer)
             and all(_is_list(arc) and len(arc) == 2 for arc in answer)
         ):
-            others = [symbol for symbol in symbols if symbol != time]
+            constants = [symbol for symbol in symbols if symbol != time]
             return [
-                (coercion.as_expression(value, symbols), coercion.as_expression(until, others))
+                (coercion.as_expression(value, symbols), coercion.as_expression(until, constants))
                 for value, until in answer
             ]
         return [(coercion.as_expression(answer, symbols), None)]
@@ -138,29 +142,29 @@ class Control(Claim):
 class Steering:
     """A control that was read, evaluated for many parameters."""
 
-    def __init__(self, arcs, time, parameters, followed=True):
+    def __init__(self, arcs, time, parameters, with_variants=True):
         self.time, self.parameters = time, list(parameters or ())
         self._values = [real_function([time, *self.parameters], [value]) for value, _ in arcs]
         self._ends = [
             until if until is None else real_function(self.parameters, [until]) for _, until in arcs
         ]
         parts = [part for arc in arcs for part in arc if part is not None]
-        others = perturbed(*parts) if followed and in_decimals(*parts) else []
+        variants = perturbed(*parts) if with_variants and in_decimals(*parts) else []
         #: Pairs of controls that the decimals of this one leave open.
-        self.changed = [
+        self.perturbed = [
             [Steering(_arcs(side, arcs), time, parameters, False) for side in sides]
-            for sides in others or ()
+            for sides in variants or ()
         ]
         #: The same with two of them changed, a row for each decimal and one for each after it.
-        self.together = [
-            [Steering(_arcs(both, arcs), time, parameters, False) for both in row]
-            for row in (perturbed_in_pairs(*parts) if others else ())
+        self.perturbed_in_pairs = [
+            [Steering(_arcs(pair, arcs), time, parameters, False) for pair in row]
+            for row in (perturbed_in_pairs(*parts) if variants else ())
         ]
         self.rounding = (
-            relative_tolerance(*parts, computed=INTEGRATED) if others is None else INTEGRATED
+            relative_tolerance(*parts, computed=INTEGRATED) if variants is None else INTEGRATED
         )
         #: What decimals leave open at worst, as a share.
-        self.roughly = relative_tolerance(*parts, computed=INTEGRATED)
+        self.decimal_tolerance = relative_tolerance(*parts, computed=INTEGRATED)
 
     def ends(self, values):
         """When the arcs end, one after the other; None for a single expression, which goes on for
@@ -181,17 +185,20 @@ class Steering:
                 )
         return ends
 
-    def ends_left_open(self, values):
+    def end_uncertainties(self, values):
         """By how much the decimals of arcs leave open when each of them ends."""
         numbers = [float(values[p]) for p in self.parameters]
 
-        def ends(read):
-            return np.array([until(*numbers)[0] for until in read._ends])
+        def ends(steering):
+            return np.array([until(*numbers)[0] for until in steering._ends])
 
-        here = ends(self)
+        written_ends = ends(self)
         return sum(
-            (np.fmax(*(abs(ends(side) - here) for side in sides)) for sides in self.changed),
-            np.zeros(len(here)),
+            (
+                np.fmax(*(abs(ends(side) - written_ends) for side in sides))
+                for sides in self.perturbed
+            ),
+            np.zeros(len(written_ends)),
         )
 
     def sections(self, values, duration):
@@ -204,12 +211,12 @@ class Steering:
                 claimed = at_instants(value, times, *numbers)[0]
                 # At a single instant, as between the cases t < 1 and t > 1, a control need not be
                 # defined.
-                for aside in (1e-9 * duration, -1e-9 * duration):
+                for offset in (1e-9 * duration, -1e-9 * duration):
                     undefined = np.flatnonzero(np.isnan(claimed))
                     if len(undefined):
-                        claimed[undefined] = at_instants(value, times[undefined] + aside, *numbers)[
-                            0
-                        ]
+                        claimed[undefined] = at_instants(
+                            value, times[undefined] + offset, *numbers
+                        )[0]
                 for t in times[np.isnan(claimed)]:
                     raise Wrong(
                         f"your control at {self.time} = {t:.4g} is no real number, or not defined"
@@ -296,8 +303,8 @@ def _inside(u, begin, end):
     return lambda times: u(np.clip(times, begin + margin, end - margin))
 
 
-def _real(value, what):
+def _real(value, name):
     """The only entry of an array, which `real_function` gives."""
     if not np.isfinite(value[0]):
-        raise Wrong(f"{what} is no real number, or not defined")
+        raise Wrong(f"{name} is no real number, or not defined")
     return float(value[0])

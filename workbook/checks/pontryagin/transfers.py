@@ -57,12 +57,12 @@ def meeting_time(claim, problem, count):
 def polar_angle_rate(claim, problem, angle):
     """Check the rate of the polar angle of a planar state, in the angle and the control."""
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
-    random = np.random.default_rng(9)
+    generator = np.random.default_rng(9)
     for _ in range(20):
         theta, u, r = (
-            random.uniform(-math.pi, math.pi),
-            random.uniform(*map(float, bounds)),
-            random.uniform(0.3, 3),
+            generator.uniform(-math.pi, math.pi),
+            generator.uniform(*map(float, bounds)),
+            generator.uniform(0.3, 3),
         )
         point = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
         rates = [float(f.subs(point)) for f in problem.dynamics.values()]
@@ -85,10 +85,10 @@ def least_rate(claim, quantity, problem):
     """
     state, ((control, bounds),) = list(problem.dynamics), problem.controls.items()
     slope = sum(sp.diff(quantity, x) * f for x, f in problem.dynamics.items())
-    random = np.random.default_rng(3)
+    generator = np.random.default_rng(3)
     for k in range(20):
         point = {
-            x: sp.Rational(int(random.integers(2, 60)), 13) * int(random.choice((-1, 1)))
+            x: sp.Rational(int(generator.integers(2, 60)), 13) * int(generator.choice((-1, 1)))
             for x in state
         }
         if k >= 16:
@@ -133,10 +133,10 @@ def reachable_in_time(answer, problem, duration, parameters):
     It is a condition on the parameters and the symbol `duration`.
     """
     transfer = Transfer(problem, parameters)
-    found = list(transfer.samples())
+    samples = list(transfer.samples())
 
     def points():
-        for values, best in found:
+        for values, best in samples:
             for part in (0.3, 0.999, 1.001, 4):
                 yield {
                     duration: sp.Rational(best.duration * part).limit_denominator(10**9),
@@ -145,7 +145,10 @@ def reachable_in_time(answer, problem, duration, parameters):
 
     def in_time(point):
         values = {p: point[p] for p in parameters}
-        return next(best for known, best in found if known == values).duration <= point[duration]
+        return (
+            next(best for sample_values, best in samples if sample_values == values).duration
+            <= point[duration]
+        )
 
     reference = exactly(transfer.in_time_condition(duration), at=in_time, points=points)
     agreement = compare(
@@ -192,15 +195,15 @@ def _judge_greatest_count(claim, problem):
     transfer = Transfer(problem, [x for x in problem.dynamics if problem.initial.get(x) is None])
     greatest = max(best.switchings() for _, best in transfer.samples(4 * SAMPLES))
     if claim < greatest:
-        how = f"there are starts from which the fastest control switches more often than {_times(claim)}"
+        failure = f"there are starts from which the fastest control switches more often than {_times(claim)}"
     elif claim > greatest:
-        how = (
+        failure = (
             f"among {4 * SAMPLES} starts there is none from which the fastest control switches as "
             f"often as {_times(claim)}"
         )
     else:
         return f"the fastest controls from {4 * SAMPLES} starts confirm it"
-    raise Wrong(directed(how, f"{claim} is not the greatest number of switchings"))
+    raise Wrong(directed(failure, f"{claim} is not the greatest number of switchings"))
 
 
 @judged(Number())
