@@ -133,7 +133,7 @@ def _mean(quantity, vector, law, values):
 
 
 def _covariances(quantities, vector, law, values):
-    """The covariance matrix, and the size of the terms of each entry."""
+    """Return the covariance matrix, and the size of the terms of each entry."""
     if not isinstance(law, dict):
         rows = np.array(sp.Matrix(quantities).jacobian(vector).subs(values), dtype=float)
         matrix = np.array(sp.Matrix(law).subs(values), dtype=float)

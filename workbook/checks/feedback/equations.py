@@ -24,8 +24,10 @@ from workbook.checks.tools.wording import number_text
 
 
 class StateForm(Claim):
-    """A list of matrices named A, B, C, ... of one state space: A is square, a name in ROWS a row,
-    another a column."""
+    """A list of matrices A, B, C, ... of one state space.
+
+    A is square, a matrix named in ROWS is a row, any other a column.
+    """
 
     ROWS = "CHK"
 

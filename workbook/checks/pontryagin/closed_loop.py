@@ -7,32 +7,32 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
 
-#: A law may be slower than the optimum by this share: its switching curve may be written in
+#: Relative excess over the fastest time that is allowed: a switching curve may be written in
 #: decimals.
 SLOWER = 0.004
-#: How close to the target counts as on it, in units of the size of the state.
+#: Distance at which a state counts as on the target, relative to the size of the state.
 CLOSE = 3e-5
-#: How close to a curve counts as on it, where a law is not defined beyond.
+#: Distance at which a state counts as on a curve beyond which a law is not defined.
 ON_CURVE = 1e-6
-#: Two values of a law this close are one.
+#: Values of a law that differ by less are equal.
 EQUAL_CONTROLS = 1e-6
-#: The parts of the fastest time for which a law is followed; whether the rest suffices is asked of
-#: the optimum after each of them, since no law makes up for what was lost.
+#: Fractions of the fastest time at which a motion under a law is compared with the optimum: the
+#: remaining time has to suffice, since no law makes up for lost time.
 FOLLOWED = (0.12, 0.4, 0.97)
-#: In so many steps it is followed, and asked at so many moments of each; and once more, closely,
-#: from where it comes too late. Next to states from which the target is out of reach it may have to
-#: switch within a thousandth of the way.
+#: Numbers of steps of a motion and of instants in each step at which the law is evaluated; CLOSELY
+#: for a second run from states from which the first came too late. Close to states from which the
+#: target cannot be reached, a law may have to switch within a thousandth of the way.
 STEPS, CLOSELY = (48, 1), (480, 16)
 
 
 class Law:
-    """An expression of the state and the parameters, on many states at once."""
+    """A law in the state and the parameters, evaluated at many states at once."""
 
     def __init__(self, expression, reference, curve=None):
         symbols = [*reference.state, *reference.parameters, *([curve[0]] if curve else [])]
         self._function = real_function(symbols, [expression])
-        # What a law says on a curve alone counts where it says nothing beyond, on the border of the
-        # starts it is for.
+        # The value of a law on a curve alone is used where the law is not defined beyond the curve,
+        # on the border of its initial states.
         self._on_curves = expression.has(sp.Eq) and real_function(
             symbols, [expression.replace(sp.Eq, lambda a, b: abs(a - b) <= ON_CURVE * (1 + abs(a)))]
         )
@@ -67,10 +67,10 @@ class Law:
 
 
 def follow(law, reference, batch):
-    """Raise `Wrong` for a start from which the law needs longer than the optimum."""
+    """Raise `Wrong` for an initial state from which the law needs longer than the optimum."""
     x, late_indices, remaining_time = _late_states(law, reference, batch, STEPS)
     subset = batch.take(late_indices)
-    # What is in time by a hair's breadth may come out as late: there the distance decides.
+    # Rounding may make a motion late that is just in time: then its distance decides.
     distance = (
         reference.missing(x[late_indices], subset.case, remaining_time[late_indices], subset.inside)
         if len(late_indices)
@@ -78,11 +78,10 @@ def follow(law, reference, batch):
     )
     late_indices = late_indices[~(distance <= CLOSE * (1 + np.linalg.norm(subset.x, axis=1)))]
     for first in range(0, len(late_indices), 8):
-        # Close to the border of the starts that a law is meant for a switching may have been
-        # stepped over.
+        # Close to the border of the initial states of a law, a step may have missed a switching.
         subset = batch.take(late_indices[first : first + 8])
         _, slow, remaining_time = _late_states(law, reference, subset, CLOSELY)
-        # Next to a barrier a thin target may have been missed by the optimum too.
+        # Close to a barrier the computed optimum may have missed a thin target too.
         for k in slow[~reference.beside_barrier(subset.take(slow))] if len(slow) else ():
             elapsed = subset.time[k] * (1 + SLOWER) + 1e-3 - remaining_time[k]
             raise Wrong(
@@ -92,27 +91,24 @@ def follow(law, reference, batch):
 
 
 def _late_states(law, reference, batch, resolution):
-    """Where the law has brought each start, for which of them the time left does not suffice then,
-    and this time."""
+    """Return the states reached, the indices of those that are late, and the remaining times."""
     for x, elapsed in _closed_loop(law, reference.plant, batch, *resolution):
         time, remaining_time = (
             reference.solve(x, batch.case).time,
             batch.time * (1 + SLOWER) + 1e-3 - elapsed,
         )
-        # On the way the target may seem to be out of reach by a hair's breadth: what is lost can be
-        # counted.
+        # Rounding may make the target unreachable on the way; only a finite loss of time counts.
         if (np.isfinite(time) & (time > remaining_time)).all():
             break
     return x, np.flatnonzero(~(time <= remaining_time)), remaining_time
 
 
 def _closed_loop(law, plant, batch, steps, instant_count):
-    """Where the law has brought each start after each part of its fastest time: pairs (states,
-    times).
+    """Yield (states, times) of the motions under a law at each of the FOLLOWED fractions.
 
-    The control is held until no value of the law next to the state is the control held: rounding,
-    and what the law says on a curve alone, decide nothing. The law is asked at some moments of each
-    step, and when it switches is found by bisection between two of them.
+    The control is held as long as the law has this value at some point close to the state, so that
+    rounding and the value of the law on a curve alone decide nothing. The law is evaluated at some
+    instants of each step; bisection between two of them finds the switching time.
     """
     x, case = batch.x.copy(), batch.case
     t, h, last_switch = (
@@ -137,8 +133,8 @@ def _closed_loop(law, plant, batch, steps, instant_count):
         ).any(axis=1)
 
     u = clipped(x, case)
-    # A start whose law switches waits until all others have come to a switching or to the end: one
-    # search serves them together.
+    # A motion that comes to a switching waits until all others have come to one or to the end, so
+    # that one bisection finds all switching times.
     waiting, rounds = np.zeros(len(x), dtype=bool), np.zeros(len(x), dtype=int)
     first, last = np.zeros(len(x)), np.zeros(len(x))
     for end in (part * batch.time for part in FOLLOWED):
@@ -147,8 +143,8 @@ def _closed_loop(law, plant, batch, steps, instant_count):
             if len(active):
                 rounds[active] += 1
                 step = np.minimum(h[active], end[active] - t[active])
-                # A law that chatters is followed with a small delay; where this delay decides,
-                # there is nothing to search for.
+                # A chattering law switches with a small delay; where this delay decides, there is no
+                # switching time to search for.
                 delay = np.clip(last_switch[active] + h[active] / 40 - t[active], 0, step)
                 delayed_rows = np.flatnonzero(delay > 0)
                 instants = np.maximum(

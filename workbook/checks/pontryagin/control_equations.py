@@ -4,9 +4,8 @@ There H_u = 0, and so is its derivative along the equations of motion and of the
 
     u' = -(the derivative of H_u for a fixed u) / H_uu.
 
-H_u and H_uu are linear in the costates. Where H_u = 0, with the costates that transversality says,
-leaves these free up to a factor that does not matter, they can be eliminated; if it leaves more, H
-= 0 may help where the time is free.
+H_u and H_uu are linear in the costates. The costates can be eliminated if H_u = 0 and transversality
+determine them up to a factor, which cancels. Otherwise H = 0 may help if the final time is free.
 """
 
 import numpy as np
@@ -21,12 +20,13 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text
 
-#: At so many places of states, control and parameters an equation is compared, of so many that are
-#: tried.
+#: Number of points (states, control, parameters) at which an equation is compared, and of attempts
+#: to find them.
 SAMPLES, ATTEMPTS = 8, 60
-#: So many costates are tried at each place, and u' is the same for all of them up to this share.
+#: Number of costates that are tried at each point, and the relative tolerance to which u' is the
+#: same for all of them.
 COSTATES, DETERMINED = 6, 1e-7
-#: Where H_uu is a smaller share of its terms, u' has lost its digits.
+#: If H_uu is smaller than this relative to its terms, u' has lost its digits.
 CURVED = 1e-3
 
 
@@ -43,7 +43,7 @@ def control_equation(claim, problem, domain=None):
     """
     reference = _Rate(problem)
     samples = list(reference.samples(domain))
-    # the one true number would be the answer itself
+    # A single true number would be the answer itself.
     varies = len({round(true, 6) for _, true, _ in samples}) > 1
     u = problem.control[0]
     for values, true, size in samples:
@@ -65,7 +65,7 @@ def control_equation(claim, problem, domain=None):
 
 
 class _Rate:
-    """The rate of the control of a problem, found with costates as numbers."""
+    """The rate of the control of a problem, computed with costates as numbers."""
 
     def __init__(self, problem):
         if len(problem.control) != 1:
@@ -89,13 +89,15 @@ class _Rate:
             for e in (slope, H, drift, sp.diff(slope, u))
             for part in _affine(e.subs(costate_values), free)
         ]
-        #: What it depends on.
+        #: The symbols that the rate depends on.
         self.symbols = set().union(*(part.free_symbols for part in affine))
         self._parts = real_function(self._symbols, affine)
 
     def samples(self, domain):
-        """Values of all symbols at which a costate makes H greatest, the rate of the control, the
-        size of its terms."""
+        """Yield (values of all symbols, rate of the control, size of its terms).
+
+        At each of these points some costate makes H greatest.
+        """
         generator, count = np.random.default_rng(31), 0
         low, high = self._problem.controls[self._problem.control[0]]
         if low.is_number and high.is_number and low.is_finite and high.is_finite:
@@ -111,7 +113,7 @@ class _Rate:
         raise RuntimeError("too few places were found where a costate makes H greatest")
 
     def _rate_at(self, values, generator):
-        """The rate and the size of its terms, or None where no costate makes H greatest."""
+        """Return the rate and the size of its terms, or None if no costate makes H greatest."""
         parts = self._parts(*values.values()).reshape(4, self._count)
         if not np.isfinite(parts).all():
             return None
@@ -134,14 +136,12 @@ class _Rate:
 
 
 def _affine(e, symbols):
-    """An expression that is linear in symbols: its value where they vanish, and its
-    coefficients."""
+    """Return the constant term and the coefficients of an expression that is linear in symbols."""
     return [e.subs(dict.fromkeys(symbols, 0)), *(sp.diff(e, s) for s in symbols)]
 
 
 def _solutions(rows, generator):
-    """Vectors (1, psi) with rows @ (1, psi) = 0, some of all; None if there are none or only psi =
-    0."""
+    """Return some vectors (1, psi) with rows @ (1, psi) = 0; None if none has psi other than 0."""
     constant, matrix = rows[:, 0], rows[:, 1:]
     _, sizes, basis = np.linalg.svd(matrix)
     rank = int((sizes > 1e-9 * max(sizes.max(initial=0), np.abs(constant).max())).sum())
@@ -152,7 +152,7 @@ def _solutions(rows, generator):
     ):
         return None
     homogeneous = generator.normal(size=(COSTATES, len(basis) - rank)) @ basis[rank:]
-    homogeneous = np.vstack([homogeneous, -homogeneous])  # one of both signs makes H greatest
+    homogeneous = np.vstack([homogeneous, -homogeneous])  # one of the two signs makes H greatest
     return (
         np.column_stack([np.ones(len(homogeneous)), particular + homogeneous])
         if (particular + homogeneous).any()

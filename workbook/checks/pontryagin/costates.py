@@ -13,7 +13,7 @@ from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.tools.wording import prefix_text
 
-#: To which share a control between its bounds is known.
+#: Relative accuracy of a control between its bounds.
 CONTROL_ACCURACY = 2e-3
 
 
@@ -33,7 +33,8 @@ def optimal_costate(claims, problem, time, parameters=None):
             psi, slope = (part(t * (1 - 1e-7), values) for part in (costate.values, costate.rates))
             if not np.all(np.isfinite([*psi, *slope])):
                 raise Wrong(f"{where}at t = {t:.4g} your costates are not real")
-            # H is the product of this with the rates, the running cost being the last of them.
+            # H is the product of these extended costates with the rates, the last of which is the
+            # running cost.
             extended, process_point = (
                 np.append(psi, -sign),
                 (best, best.states[:, k], best.controls[k], costate.rounding),
@@ -149,8 +150,10 @@ def _require_maximum(extended, best, y, u, rounding, duration, location, uncerta
 
 
 def _require_equal_at_jumps(costate, best, values, sign, where):
-    """Where the best control jumps H has to be the same for both of its values. Of the fastest
-    transfers H = 0 says it."""
+    """Raise `Wrong` unless H has equal values before and after each jump of the best control.
+
+    For the fastest transfers H = 0 implies it.
+    """
     for j, *kinds in getattr(best, "changes", list)():
         if None in kinds:
             continue
@@ -175,7 +178,7 @@ def _require_equal_at_jumps(costate, best, values, sign, where):
 
 
 def _require_stationary(extended, best, y, u, uncertainty, location):
-    """dH/du = 0 where the control lies between its bounds."""
+    """Raise `Wrong` unless dH/du = 0 where the control lies between its bounds."""
     step = 1e-4 * (best.units.control + abs(u))
     if not best.bounds[0] < u - 9 * step < u + 9 * step < best.bounds[1]:
         return
@@ -205,7 +208,7 @@ def _require_transversality(residual, normals, allowed, message, uncertainty):
 
 
 def _rival_controls(best, u):
-    """Controls with which that of the optimum is compared."""
+    """Return admissible controls with which the optimal control is compared."""
     low, high = best.bounds
     around = u + (best.units.control + abs(u)) * np.array([-1, -0.1, 0.1, 1])
     return [*np.clip(around, low, high), *(v for v in (low, high) if np.isfinite(v))]

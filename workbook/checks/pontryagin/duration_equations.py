@@ -10,8 +10,8 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import left_open
 from workbook.checks.tools.wording import rounded_text, tried_text
 
-#: At so many shorter durations an equation for the shortest one is tried, up to this part of it,
-#: and next to it.
+#: Number of shorter durations at which an equation is evaluated; the longest of them and the step
+#: around the shortest duration, as fractions of it.
 SHORTER, ALMOST, NEXT = 400, 0.99, 1e-2
 
 

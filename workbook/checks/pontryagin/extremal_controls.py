@@ -18,8 +18,8 @@ from workbook.checks.tools.wording import rounded_text
 def extremal_control(answer, problem, time, parameters=None, start=None):
     """Check a control in time under which the maximum principle holds, optimal or not.
 
-    For problems with one control, a given duration and a free end: forward in time go the
-    states, backward the costates. `parameters` is a dict from symbols in the control to
+    For problems with one control, a given duration and a free end: the states are integrated
+    forward in time, the costates backward. `parameters` is a dict from symbols in the control to
     intervals; with `start`, the control begins with this one of them.
     """
     u, (low, high) = problem.control[0], control_bounds(problem, {})[0]
@@ -34,8 +34,7 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     )
 
     def advantage(steps):
-        """By how much the control makes H greater than others do: a row for each step, a column for
-        each of these."""
+        """Return H under the control minus H under others: a row a step, a column a control."""
         y = np.array([float(v) for v in problem.initial.values()])
         for _, h, controls in steps:
             y = _step(lambda z, v: flow(*z, *np.zeros_like(z), v)[: len(z)], y, h, controls)
@@ -90,7 +89,7 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
 
 
 def _steps(sections, count=120):
-    """A control in small steps: (time, length, values at the beginning, middle and end)."""
+    """Return small steps of a control: (time, length, values at beginning, middle and end)."""
     steps = []
     for begin, end, u in sections:
         claimed, h = u(np.linspace(begin, end, 2 * count + 1)), (end - begin) / count
@@ -99,5 +98,5 @@ def _steps(sections, count=120):
 
 
 def _step(field, y, h, controls):
-    """A step of the method of Runge and Kutta, the time counted in steps."""
+    """Return the state after a Runge-Kutta step, in which time is counted in steps."""
     return rk4(lambda part, z: h * field(z, controls[round(2 * part)]), 0.0, y, 1.0)

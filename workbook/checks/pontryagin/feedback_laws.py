@@ -11,18 +11,18 @@ from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
 
-#: A law is followed in so many steps. Where it switches it lags by a step, which costs it this
-#: share at most.
+#: Number of steps of a motion under a law. A law switches late by at most one step; LAGGING bounds
+#: the relative cost of this delay.
 STEPS, LAGGING = 1500, 2e-3
-#: In so many parts the distance of the bounds is divided, so often, to find what control an
-#: equation means.
+#: Number of parts into which the interval between the bounds is divided, and of such divisions, to
+#: solve an equation for the control.
 PARTS, ROUNDS = 16, 2
 
 
 class FeedbackLaw:
-    """A law, read once: at many states and times it gives values of the control."""
+    """A law, read once, that gives values of the control at many states and times."""
 
-    def __init__(self, answer, problem, parameters, time, followed=True):
+    def __init__(self, answer, problem, parameters, time, with_variants=True):
         self.state, (self.control,) = list(problem.dynamics), problem.controls
         law_parameters = [p for p in parameters if p not in self.state]
         symbols = [*self.state, *law_parameters, *([time] if time else [])]
@@ -46,7 +46,8 @@ class FeedbackLaw:
         self._function, self._arguments = real_function(symbols, [claim]), (symbols, [claim])
         self.no_value = "no solution between the bounds" if self.implicit else "no real number"
         self.decimals = in_decimals(claim)
-        #: Pairs of laws that the decimals of this one leave open; none if there are too many.
+        #: Pairs of laws, in each pair one decimal is changed by its uncertainty; none if the
+        #: decimals are too many.
         self.perturbed = (
             [
                 [
@@ -61,19 +62,19 @@ class FeedbackLaw:
                 ]
                 for pair in perturbed(claim) or ()
             ]
-            if followed
+            if with_variants
             else ()
         )
         self.rounding = relative_tolerance(claim, computed=LAGGING)
 
     def multiprecision(self):
-        """The same law in numbers of any size."""
+        """Return the same law, evaluated in multiprecision numbers."""
         law = copy.copy(self)
         law._function = multiprecision_function(*self._arguments)
         return law
 
     def __call__(self, states, times, values, bounds):
-        """The controls at states (n x K) and times (K); nan where there is none."""
+        """Return the controls at states (n x K) and times (K); nan where there is none."""
         numbers = [
             np.broadcast_to(float(v) if np.ndim(v) == 0 else v, len(times))
             for v in (values[p] for p in self._parameters)
@@ -89,8 +90,7 @@ class FeedbackLaw:
         return self._solved(arguments, bounds)
 
     def _solved(self, arguments, bounds):
-        """The solutions between the bounds: brackets, made smaller together, and a chord in the
-        last one."""
+        """Return the solutions between the bounds, by nested brackets and a final secant step."""
         bounds = [np.broadcast_to(bound, arguments[0].shape) for bound in bounds]
         low, high = bounds
         allowed, columns = max(1e-9, self.rounding / 10), np.arange(low.size)
@@ -110,7 +110,7 @@ class FeedbackLaw:
                         f"at the state {point_text([v[k] for v in arguments[:2]])} your equation has "
                         f"several solutions between the bounds of {self.control}"
                     )
-                # What ends just beyond a bound is meant to be this bound.
+                # A solution just beyond a bound is read as this bound.
                 ends = np.abs(residuals[[0, -1]])
                 at_bound = ~has_root.any(axis=0) & (
                     np.nanmin(ends, axis=0, initial=np.inf) <= allowed * size

@@ -2,10 +2,10 @@
 
 Motions on which the functional is least, its least value, and whether there is a best motion.
 
-A motion is judged by what defines it: it has the given values at the ends, no variation that keeps
-them changes the functional to first order, which is asked of variations inside and of such that
-move a free end, and the functional has the value there that direct optimisation finds
-(`functional_optimum`). Euler's equation is not formed.
+A motion is judged by its definition. It has the given values at the ends. No admissible variation
+changes the functional to first order; variations inside the interval and variations of a free end
+are tried. The functional has the value that direct optimisation finds (`functional_optimum`). The
+Euler equation is not formed.
 """
 
 import functools
@@ -29,19 +29,19 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import sample_values
 from workbook.checks.tools.wording import values_text
 
-#: Sets of parameters that an answer is tried for.
+#: Number of sets of parameters at which an answer is compared.
 SAMPLES = 4
-#: What the quadrature and direct optimisation leave uncertain, as a share of the terms.
+#: Relative uncertainty of the quadrature and of direct optimisation.
 COMPUTED = 1e-6
-#: Windows in which a motion is varied, as parts of the interval: each overlaps with its neighbours,
-#: the last is all.
+#: Windows in which a motion is varied, as parts of the interval. Neighbours overlap; the last one is
+#: the whole interval.
 WINDOWS = [*((k / 10, (k + 2) / 10) for k in range(9)), (0, 1)]
-#: A rate of change with the duration that is less than this share of value/duration is zero.
+#: A rate of change with the duration that is smaller than this, relative to value/duration, is zero.
 STILL = 1e-7
-#: So far beside a duration in decimals the rates tell where it is zero; up to such a part of that
-#: two zeros are one.
+#: Relative step around a duration in decimals, within which the zero of the rate is interpolated;
+#: two zeros closer than DOUBLE steps count as a double zero.
 BESIDE, DOUBLE = 0.01, 0.1
-#: Durations among which the best one would be seen, from short to long.
+#: Durations among which a best one is looked for, from short to long.
 DURATIONS = np.geomspace(0.2, 80, 14)
 
 
@@ -107,8 +107,8 @@ def extremum_value(claim, functional, parameters=()):
 def extremum_exists(claim, functional, duration=None):
     """Check whether a functional has a best motion.
 
-    With `duration`, the symbol in the end of the interval, a motion is meant that is best among
-    those of all durations.
+    With `duration`, the symbol in the end of the interval, the motion has to be best among those
+    of all durations.
 
     For integrands that are at most quadratic. A functional that is strictly convex for the
     motions with the given ends has a best motion.
@@ -153,8 +153,8 @@ def stationary_duration(claim, functional, duration):
         before, after = (
             _rate(functional, duration, T * (1 + shift))[0] for shift in (-BESIDE, BESIDE)
         )
-        # The zero of the parabola through the three rates; a double one may come out as a pair
-        # close to the real line.
+        # Zeros of the parabola through the three rates; rounding may split a double zero into a
+        # complex pair close to the real line.
         zeros = np.roots([(before + after) / 2 - rate, (after - before) / 2, rate])
         if any(
             abs(zero.imag) < DOUBLE and rounds_to(T, T * (1 + BESIDE * zero.real)) for zero in zeros
@@ -166,7 +166,7 @@ def stationary_duration(claim, functional, duration):
 
 
 def _rate(functional, duration, T, step=0.004):
-    """How the best value changes with the duration, by central differences, and what size is."""
+    """Return the derivative of the best value by the duration, and the size of its terms."""
 
     def value(part):
         return _optimum(functional.subs({duration: sp.Float(T * (1 + part * step))})).value
@@ -176,8 +176,10 @@ def _rate(functional, duration, T, step=0.004):
 
 
 class _Motion:
-    """A student's motion for given values of the parameters; `perturbed` are pairs of motions that
-    its decimals leave open."""
+    """A claimed motion at values of the parameters.
+
+    `perturbed` are pairs of motions, in each pair one decimal is changed by its uncertainty.
+    """
 
     def __init__(self, claim, best, where, rounding=COMPUTED, perturbed=()):
         self.perturbed = perturbed
@@ -266,33 +268,31 @@ class _Motion:
             )
 
     def _uncertainty(self, value, quantity):
-        """By how much the decimals leave open a quantity of the motion that is `here` as they are
-        written."""
+        """Return the uncertainty, from its decimals, of a quantity with this value."""
         return sum(max(abs(quantity(motion) - value) for motion in pair) for pair in self.perturbed)
 
     def _functional(self):
-        """The value of the functional, and the size of its terms."""
+        """Return the value of the functional, and the size of its terms."""
         nodes, along, weights = self._along()
         rates = self._rates(nodes, *along)[0]
         claimed = float(weights @ rates) + self._at_end()[0]
         return claimed, max(abs(claimed), float(weights @ abs(rates)))
 
     def _free_end_variation(self, variation, point, middle, k):
-        """The first variation along a polynomial that moves a free end, and the size of its
-        terms."""
+        """Return the first variation along a polynomial that moves a free end, and its size."""
         rate, size = self._variation(variation, min(point, middle), max(point, middle))
         at_end = self._at_end()[1 + k] if point == self.end else 0.0
         return rate + at_end, size + abs(at_end)
 
     def _variation(self, variation, a, b):
-        """The first variation along a polynomial on [a, b], and the size of its terms."""
+        """Return the first variation along a polynomial on [a, b], and the size of its terms."""
         nodes, weights = _quadrature(a, b)
         rates = self._rates(nodes, *self._values(nodes))[1:]
         terms = [weights * rate * np.polyder(variation, k)(nodes) for k, rate in enumerate(rates)]
         return float(sum(term.sum() for term in terms)), sum(np.abs(term).sum() for term in terms)
 
     def _at_end(self):
-        """Phi and its derivatives, at the values that it holds; the others are of no account."""
+        """Return the final cost Phi and its derivatives at the end of the motion."""
         values = [
             self._value(k, self.end) if k in self._needed else 0.0
             for k in range(self.functional.order)
@@ -332,8 +332,10 @@ class _Motion:
 
 @functools.lru_cache(maxsize=256)
 def _quadrature(a, b, steps=40, reach=3.2):
-    """Nodes and weights on (a, b) by the rule of Takahasi and Mori: ends where an integrand is
-    infinite do no harm."""
+    """Return nodes and weights on (a, b) of the tanh-sinh rule of Takahasi and Mori.
+
+    The integrand may be infinite at the ends.
+    """
     s = np.linspace(-reach, reach, 2 * steps + 1)
     inner = np.pi / 2 * np.sinh(s)
     nodes = (a + b) / 2 + (b - a) / 2 * np.tanh(inner)
@@ -343,8 +345,10 @@ def _quadrature(a, b, steps=40, reach=3.2):
 
 
 def _end_variation(point, middle, k, n):
-    """The polynomial whose k-th derivative is 1 at `place`, all others up to n - 1 zero there and
-    at `middle`."""
+    """Return the polynomial whose k-th derivative is 1 at `point`.
+
+    All other derivatives up to order n - 1 vanish there, and all of them at `middle`.
+    """
     rows, size = [], 2 * n
     for position in (point, middle):
         for order in range(n):
@@ -366,7 +370,7 @@ def _optimum(functional):
 
 
 def _optima(functional, parameters):
-    """Pairs of values of the parameters and the optimum there."""
+    """Return pairs (values of the parameters, optimum there)."""
     samples = sample_values(parameters, SAMPLES) if parameters else [{}]
     return [
         (values, _optimum(functional.subs(values) if values else functional)) for values in samples

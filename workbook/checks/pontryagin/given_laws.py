@@ -1,9 +1,9 @@
-"""Motions under a law in time that is given up to some constants, and what their ends are.
+"""Motions, and their final states, under a law in time that is given up to some constants.
 
 `problem` is a `pontryagin.Problem` with a given duration and one control, `law` its value as an
 expression in `time` and `parameters`, continuous in time: a dict from symbols to the intervals in
-which answers are tried. Nothing is optimised here: the motion is followed in small steps from the
-start that the problem gives.
+which answers are compared. Nothing is optimised here: the motion is integrated in small steps from
+the initial state of the problem.
 """
 
 import functools
@@ -20,12 +20,12 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import prefix_text, rounded_text, tried_text
 
-#: In so many steps a motion is followed, and how well its states are known then.
+#: Number of steps in which a motion is integrated, and the relative accuracy of its states.
 STEPS, COMPUTED = 240, 1e-7
-#: At every so many of these steps an answer is compared.
+#: An answer is compared at each step whose number is a multiple of this.
 STRIDE = 30
-#: From so many values of each unknown its search begins; so many steps it may take, and how well
-#: ends are kept, as a part of the size of the states.
+#: Number of initial values of each unknown for Newton's method and of its iterations; the residual
+#: of the final conditions at convergence, relative to the size of the states.
 STARTS, ITERATIONS, CONVERGED = 4, 30, 1e-10
 
 
@@ -67,8 +67,8 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
     The constants of the law are unknown.
 
     `unknown` is a dict from these constants, the duration perhaps among them, to intervals, as
-    many as the problem has conditions at the end: these determine them, one value each in its
-    interval.
+    many as the problem has conditions at the end. These conditions determine one value of each
+    constant in its interval.
     """
     names = [*unknown, *parameters]
     final_quantity = real_function([*problem.state, *names], [sp.sympify(quantity)])
@@ -90,8 +90,10 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
 
 
 class _Run:
-    """Motions for arrays of values of the symbols `names`: times, states, controls, one row for
-    each step."""
+    """Motions for arrays of values of the symbols `names`.
+
+    A call returns times, states and controls, with a row for each step.
+    """
 
     def __init__(self, problem, law, time, names):
         self._steered = real_function([time, *names], [sp.sympify(law)])
@@ -118,8 +120,10 @@ class _Run:
 
 @functools.lru_cache(maxsize=32)
 def _final_states(problem, law, time, unknown, parameters):
-    """For each case of the parameters: the case, the constants with which the conditions at the end
-    hold, the state there, the size of the states on the way."""
+    """Return (case, constants, final state, size of the states) for each case of the parameters.
+
+    With these constants the conditions at the end hold.
+    """
     unknown, parameters = dict(unknown), dict(parameters)
     names, cases = [*unknown, *parameters], np.array(sample_cases(parameters)).T
     run, terminal_conditions = (
@@ -161,7 +165,7 @@ def _final_states(problem, law, time, unknown, parameters):
 
 
 def _newton(residual, points, cases, low, high):
-    """Newton's method from many points at once, which are moved; returns where it has arrived."""
+    """Move many points to roots by Newton's method; return which of them converged."""
     width, unknowns = high - low, len(points)
     increment, converged = 1e-6 * width, np.zeros(points.shape[1], dtype=bool)
     for _ in range(ITERATIONS):

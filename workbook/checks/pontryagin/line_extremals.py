@@ -40,8 +40,10 @@ def other_extremal_exists(answer, system, target, start=None):
 
 
 def _second_extremal(system, target, start):
-    """From which starts off the line there are two extremals: decided where the controls on them do
-    not switch."""
+    """Return the condition on initial states off the line that have two extremals.
+
+    It is decided exactly if the controls on the extremals do not switch, else at samples.
+    """
     state, control, bounds = system.state, system.control, system.bounds
     line, zero = sp.sympify(target[0]), dict.fromkeys([*state, control], 0)
     plant = sp.Matrix([sp.sympify(f) for f in system.field])
@@ -71,8 +73,10 @@ def _second_extremal(system, target, start):
         )
 
     def ends(time, steepness):
-        """An extremal ends at the time: it crosses the line, or touches it, which counts either
-        way."""
+        """Return the condition that an extremal ends at a time, where it crosses the line.
+
+        If it only touches the line there, either answer is accepted.
+        """
         return sp.Or(
             *(
                 sp.And(sp.Eq(F.subs(first, time), 0), steepness(F.diff(first).subs(first, time), 0))
@@ -121,13 +125,14 @@ def other_extremal_time(claim, system, target, start=None):
 
 
 def _line_extremals(reference):
-    """Starts, and the time of the extremal to a line that is next to the fastest one (inf where
-    there is none).
+    """Return initial states, and the times of their second fastest extremals to a line.
 
-    The costate at the end is p = +-c for the line c.y + d = 0, so F(T) = max p.y over R(T) says it
-    all: an extremal ends at T if F reaches the line there, and rises, since its rate is the
-    Hamiltonian; the first of all is the fastest one. Starts next to a border of their set are left
-    out.
+    The time is inf where there is none.
+
+    The costate at the end is p = +-c for the line c.y + d = 0, so F(T) = max p.y over R(T) decides:
+    an extremal ends at T if F reaches the line there and increases, since its rate is the
+    Hamiltonian; the first one is the fastest. Initial states close to a border of their set are
+    left out.
     """
     if "extremals" in reference.kept:
         return reference.kept["extremals"]

@@ -33,7 +33,7 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import entry_uncertainties, number_at, uncertainty_at, value_at
 from workbook.checks.tools.wording import other_text, rounded_text, values_text
 
-#: Between what a control without a bound is compared.
+#: Largest distance of compared controls from the claimed one, where it has no bound.
 UNBOUNDED = 20.0
 
 
@@ -106,7 +106,7 @@ def switching_function(claim, problem, costates, control=None, domain=None):
                 f"and your function is {claimed:.4g}"
             )
     _require_sign(claim, slope, control, known_costates(problem, costates), domain)
-    # Of one sign at random places is less than vanishing together: there each has to.
+    # Equal signs at random points do not imply common zeros, which are compared too.
     return _require_common_zeros(claim, slope, problem, costates, domain)
 
 
@@ -159,7 +159,7 @@ def maximising_control(answer, problem, costates, domain=None):
                 raise Wrong(
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
-        # What decimals leave open is a control, of which H near its maximum says little.
+        # Decimals leave the control uncertain, and near its maximum H hardly depends on it.
         near, rivals = (
             np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
             for parts in (
@@ -242,9 +242,11 @@ def _require_equal(claim, true, values, quantity):
 
 
 def _require_sign(claim, slope, control, costate_values, domain):
-    """Raise `Wrong` where a function has not the sign of dH/du, if that can be decided of all
-    places: a factor may change its sign where none was tried. Where a sign changes in decimals is
-    open."""
+    """Raise `Wrong` where a function does not have the sign of dH/du, if this can be decided.
+
+    A factor may change its sign where no sample lies. With decimals the zeros are uncertain, and
+    nothing is decided.
+    """
     if in_decimals(claim):
         return
     claim, slope = claim.subs(costate_values), slope.subs(costate_values)
@@ -290,7 +292,7 @@ def _require_common_zeros(claim, slope, problem, costates, domain):
 
 
 def _rivals(value, low, high):
-    """Admissible controls with which one is compared: all over its interval, and around it."""
+    """Return admissible controls to compare with: over the whole interval and around a value."""
     low, high = max(low, value - UNBOUNDED), min(high, value + UNBOUNDED)
     around = (1 + abs(value)) * np.geomspace(1e-4, 0.1, 13)
     return np.unique(

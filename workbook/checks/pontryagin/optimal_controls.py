@@ -30,18 +30,18 @@ from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.wording import prefix_text
 
-#: To what share of its range a control on an arc of the best process is known, and of the duration
-#: an arc; a shorter one may be missed.
+#: Accuracy of a control on an arc of the best process, relative to its range; of the length of an
+#: arc, relative to the duration; and the relative length below which an arc may be missed.
 CONTROL_ACCURACY, ARC_ACCURACY, MISSED_ARC = 1e-3, 1e-6, 1e-4
-#: How far from a change of the best control, as a part of the duration, that of another one is
-#: looked for, and by what share of the distance of its bounds a control that is found numerically
-#: may seem to jump.
+#: Distance from a change of the best control within which the change of a claimed one is looked for,
+#: relative to the duration; and the apparent jump of a numerical control, relative to the distance
+#: of its bounds.
 NEAR, BENT = 0.02, 4e-3
-#: Values of a control that differ by a smaller part of its jump are one; a jump takes so small a
-#: part of the duration.
+#: Values of a control that differ by less, relative to its jump, are equal; largest duration of a
+#: jump, relative to that of the process.
 SAME, SUDDEN = 1e-6, 1e-9
-#: How much better the duration of the best process is known, and so where it ends, if it is what is
-#: to be least.
+#: Factor on the tolerance of the end of the process if its duration is minimised, since then the
+#: duration is known more accurately.
 TIMED = 0.05
 
 
@@ -90,9 +90,12 @@ def optimal_control(claim, problem, time, parameters=None):
 
 
 def _require_matching_end(steering, values, best, problem, where, source):
-    """Raise `Wrong` for arcs that end too early, of which the last one begins after the end, or
-    that come to the target later alone: by what they come to at their own end, since what costs too
-    much may end at another time."""
+    """Raise `Wrong` unless the arcs end when the best process does.
+
+    The last arc may neither end too early nor begin after the end. With a free duration the process
+    is judged at its own end if that is closer to the target, since a process that costs too much may
+    end at another time.
+    """
     if not (ends := steering.ends(values)):
         return
     (begin, end), uncertainties = [0.0, *ends][-2:], [0.0, *steering.end_uncertainties(values)][-2:]
@@ -134,9 +137,11 @@ def _require_matching_end(steering, values, best, problem, where, source):
 
 
 def _require_jumps(sections, best, rounding, where):
-    """Raise `Wrong` for a control that goes over by and by from one value to another where the best
-    one jumps, or comes to the value of its first or last arc by and by: if it is quick, that costs
-    next to nothing."""
+    """Raise `Wrong` for a control that changes gradually where the best one jumps.
+
+    It may not reach the value of its first or last arc gradually either. The cost cannot decide: a
+    quick change costs hardly anything.
+    """
     times, controls = np.asarray(best.times), np.asarray(best.controls)
     for k in range(1, len(times) - 2):
         before, after = controls[k], controls[k + 1]
@@ -166,9 +171,11 @@ def _require_jumps(sections, best, rounding, where):
 
 
 def _gradual_change_time(sections, first, before, last, after, slack, duration):
-    """The time at which a control leaves the value before and does not come to the one after at
-    once; None where it does, or has other values at the two instants. Without a value after that of
-    the control itself stands for it."""
+    """Return the time at which a control begins to change gradually from one value to another.
+
+    It is None if the control jumps, or has other values at the two instants. If `after` is None it
+    is the value of the control itself at the last instant.
+    """
     low, high = sorted((first, last))
     for u in (u for begin, end, u in sections if begin <= low and high <= end):
         after = u(np.array([last]))[0] if after is None else after
@@ -186,7 +193,7 @@ def _gradual_change_time(sections, first, before, last, after, slack, duration):
 
 
 def _values(sections, times):
-    """A control at instants."""
+    """Return the values of a control at instants."""
     times = np.clip(times, sections[0][0], sections[-1][1])
     values, remaining = np.empty(len(times)), np.ones(len(times), dtype=bool)
     for begin, end, u in sections:
@@ -198,8 +205,7 @@ def _values(sections, times):
 
 
 def _require_continuous_changes(sections, perturbed, best, values, where):
-    """Raise `Wrong` for a control that jumps where the best one leaves a bound, or comes to one,
-    without a jump."""
+    """Raise `Wrong` for a control that jumps where the best one meets a bound without a jump."""
     low, high = best.bounds
     for j, before, after in getattr(best, "changes", list)():
         if (before is None) == (after is None):
@@ -210,7 +216,7 @@ def _require_continuous_changes(sections, perturbed, best, values, where):
             abs((v - (w - v) * t / (s - t) if after is None else after) - best.controls[j])
             > allowed
         ):
-            continue  # to a singular arc the best one jumps too
+            continue  # at a singular arc the best one jumps too
         bound, inner = best.times[j] + (offset if before is None else -offset) * np.array(
             [1.0, -1.0]
         )
@@ -232,8 +238,7 @@ def _require_continuous_changes(sections, perturbed, best, values, where):
 
 
 def _jump(sections, first, last, tolerance):
-    """By how much a control jumps where it leaves the value that it has at the first of two
-    instants."""
+    """Return the jump of a control where it leaves its value at the first of two instants."""
     first_value = _values(sections, [first])[0]
     point = bisect(
         lambda t, _: abs(_values(sections, t) - first_value) <= tolerance,

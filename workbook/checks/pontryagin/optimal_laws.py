@@ -1,11 +1,11 @@
 """Laws of optimal processes, whatever the cost, and the curves on which they change.
 
-`problem` is a `pontryagin.Problem` with one control, whose start stands in it as symbols: these are
-among `parameters`, a dict from symbols to the intervals in which starts and parameters are tried.
-The optimum comes from `direct_optimum`, which knows nothing of costates. A law has to say what the
-best process does, at its states and close to them, and next to where its control changes above all:
-what a border of a law that is a little off costs is of second order. Then the law is followed from
-the start, has to keep to the ends, and may cost no more.
+`problem` is a `pontryagin.Problem` with one control, whose initial states are symbols. These are
+among `parameters`, a dict from symbols to the intervals in which initial states and parameters are
+sampled. The optimum comes from `direct_optimum`, which does not use costates. A law has to give the
+control of the best process at its states and close to them, above all where the control changes,
+since a small error of a switching curve changes the cost in the second order only. Then the motion
+under the law is integrated; it has to keep to the ends and may cost no more.
 """
 
 import itertools
@@ -24,22 +24,23 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import prefix_text
 
-#: How far from a change of its control the best process is compared with a law, as a part of the
-#: duration, and how close to a state the law is asked, as a part of its coordinates; each for exact
-#: laws and for laws in decimals.
+#: Distance from a change of its control at which the best process is compared with a law, relative
+#: to the duration, and distance of the states at which the law is evaluated, relative to the
+#: coordinates; each for exact laws and for laws in decimals.
 BEFORE, BESIDE = (3e-4, 2e-3), (5e-5, 5e-3)
-#: Which parts of the way to the next time known are taken besides, where the control varies.
+#: Fractions of the time from a change to the next known time at which a varying control is compared.
 CLOSER = (0.05, 0.15, 0.25, 0.4)
-#: To what share of the distance of its bounds a control between them is known along the best
-#: process, and next to where it comes to a bound without a jump: the moment of this changes the
-#: cost in the third order only.
+#: Accuracy of a control between its bounds along the best process, relative to their distance, and
+#: close to where it reaches a bound smoothly: the time of this changes the cost in the third order
+#: only.
 CONTROL_ACCURACY, BENT = 2e-4, 1e-3
-#: What is a smaller part of the state than this is next to the origin, where all borders meet.
+#: States smaller than this, relative to the largest one, are not compared: they are close to the
+#: origin, where all switching curves meet.
 AWAY = 0.05
-#: The law on both sides of a border, so close to it in parts of the way across, has to have both
-#: values.
+#: Distance on both sides of a switching curve, relative to the way across, at which the law has to
+#: have the values before and after the jump.
 ACROSS = 1e-6
-#: To what share of its coordinates the place of a change is found.
+#: Accuracy of the state at a change of the control, relative to its coordinates.
 LOCATED = 3e-4
 
 
@@ -107,8 +108,7 @@ def _kind(best, value):
 
 
 def _require_best_control(law, values, best):
-    """Raise `Wrong` where the law differs from the control of the best process in all states around
-    one of it."""
+    """Raise `Wrong` where the law differs from the best control at all states around a best one."""
     coarse = law.decimals and not law.perturbed
     times, states, controls = _compared_points(best, BEFORE[coarse])
     low, high = best.bounds
@@ -154,8 +154,7 @@ def _require_best_control(law, values, best):
 
 
 def _require_scale_invariance(law, values, best, factors):
-    """Raise `Wrong` for a law that gives other values in other units, in which the problem is the
-    same."""
+    """Raise `Wrong` for a law that changes with the units, in which the problem is the same."""
     times, states, _ = _compared_points(best, BEFORE[law.decimals])
     weights = [float(factors[x]) for x in law.state]
     scaled_states, scaled_values = (
@@ -184,25 +183,24 @@ def _require_scale_invariance(law, values, best, factors):
 
 
 def _compared_points(best, share):
-    """Times, states and controls of the best process at which a law is compared, some of them next
-    to the changes."""
-    near = share * best.duration
+    """Return times, states and controls of the best process, some of them close to changes."""
+    offset = share * best.duration
     breaks = [best.times[j] for j, *_ in best.changes()]
     keep = [
         k
         for k, t in enumerate(best.times)
-        if t < best.duration - near / 2
-        and all(abs(t - change_time) > near / 2 for change_time in breaks)
+        if t < best.duration - offset / 2
+        and all(abs(t - change_time) > offset / 2 for change_time in breaks)
     ]
     points = [(best.times[k], best.states[:, k], best.controls[k]) for k in keep]
     ends = [0.0, *breaks, best.duration]
     for (j, *kinds), begin, end in zip(best.changes(), ends, ends[2:]):
         for u, side, available in zip(kinds, (-1, 1), (best.times[j] - begin, end - best.times[j])):
-            if u is not None and 2 * near < available:
+            if u is not None and 2 * offset < available:
                 points.append(
                     (
-                        best.times[j] + side * near,
-                        _state_after(best, best.states[:, j], u, side * near),
+                        best.times[j] + side * offset,
+                        _state_after(best, best.states[:, j], u, side * offset),
                         u,
                     )
                 )
@@ -210,20 +208,19 @@ def _compared_points(best, share):
                 points += [
                     part
                     for part in _points_near_change(best, j, side)
-                    if abs(part[0] - best.times[j]) > near / 2
+                    if abs(part[0] - best.times[j]) > offset / 2
                 ]
     times, states, controls = zip(*points)
     return np.array(times), np.array(states).T, np.array(controls)
 
 
 def _points_near_change(best, j, side):
-    """Times, states and controls between a change and the next time known on an arc with a control
-    that varies."""
+    """Yield (time, state, control) between a change and the next time of a varying control."""
     next_control, control_at_change = (
         best.controls[j + side],
         best.controls[j] if side < 0 else best.controls[j + 1],
     )
-    if side > 0:  # at the change itself the control of the arc before it is known
+    if side > 0:  # at the change only the control of the arc before it is known
         (t, s), (v, w) = best.times[j + 1 : j + 3] - best.times[j], best.controls[j + 1 : j + 3]
         control_at_change = v - (w - v) * t / (s - t)
     span, y = best.times[j + side] - best.times[j], np.append(best.states[:, j], 0)
@@ -240,25 +237,24 @@ def _points_near_change(best, j, side):
 
 
 def _state_after(best, y, u, h):
-    """The state after a short time, which may be negative, under a constant control."""
+    """Return the state after a short time, which may be negative, under a constant control."""
     return rk4(lambda _, z: best.field(z, u), 0, np.append(y, 0), h)[:-1]
 
 
 def _require_jumps(law, values, best):
-    """Raise `Wrong` for a law that goes over from one value to another by and by, where the best
-    control jumps.
+    """Raise `Wrong` for a law that changes gradually where the best control jumps.
 
-    The way across: what is before the jump, and where the motion would come to with the control
-    kept.
+    It is evaluated on the line from the state before the jump to the state that the motion would
+    reach with the same control.
     """
-    near = BEFORE[law.decimals] * best.duration
+    offset = BEFORE[law.decimals] * best.duration
     _low, _high = best.bounds
     for j, before, after in best.changes():
         if before is None or after is None:
             continue
         t, (before_jump, after_jump) = (
             best.times[[j]],
-            (_state_after(best, best.states[:, j], before, h)[:, None] for h in (-near, near)),
+            (_state_after(best, best.states[:, j], before, h)[:, None] for h in (-offset, offset)),
         )
         slack = law.rounding * abs(after - before)
 
@@ -281,8 +277,10 @@ def _require_jumps(law, values, best):
 
 
 def _motions_under_law(law, processes):
-    """Times and states of the motions under a law, all starts together, in small steps with a
-    constant control."""
+    """Return times and states of the motions under a law from all initial states.
+
+    The control is constant in each small step.
+    """
     bests = [best for _, best in processes]
     values = {p: np.array([float(case[p]) for case, _ in processes]) for p in processes[0][0]}
     low, high = bounds = np.array([best.bounds for best in bests]).T

@@ -1,4 +1,4 @@
-"""Optimal motions, judged as the process with the control that they need.
+"""Optimal motions, judged as the process with the control that produces them.
 
 The data are those of `optimal_controls`.
 """
@@ -24,9 +24,8 @@ from workbook.checks.references.optima.best_processes import (
 from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.wording import prefix_text
 
-#: Where rates are no linear functions of the control, it is tried at so many places between its
-#: bounds, then closer to the best of them, so often; and so far to both sides where it has no
-#: bounds.
+#: Where rates are not linear in the control: number of parts of its interval, number of refinements
+#: around the best value, and the largest absolute value where it has no bounds.
 PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
 
 
@@ -40,7 +39,7 @@ def optimal_motion(claims, problem, time, parameters=None):
         InTime(claims, time, parameters),
         ~np.array(free_at_the_start(problem, parameters)),
     )
-    # A motion that arrives at the least time is optimal, whatever it does before.
+    # A motion that arrives in the least time is optimal, whatever its earlier states are.
     only_time = is_time_optimal(problem)
     for values, best in best_processes(problem, parameters):
         where, slack = prefix_text(values), motion.rounding * best.size() * best.units.states
@@ -90,8 +89,10 @@ def optimal_motion(claims, problem, time, parameters=None):
 
 
 def _admissible_state(motion, t, values, best, problem, where):
-    """The state of a motion at an instant, with a zero for the cost; `Wrong` if it does not obey
-    the equations there under any admissible control."""
+    """Return the state of a motion at an instant, with a zero for the cost.
+
+    Raise `Wrong` if it does not obey the equations there under any admissible control.
+    """
     instant = t * (1 - 1e-7)  # at a jump of the control a derivative need not exist
     y, rate = motion.values(instant, values), motion.rates(instant, values)
     if not np.all(np.isfinite([*y, *rate])):
@@ -120,8 +121,10 @@ def _admissible_state(motion, t, values, best, problem, where):
 
 
 def _nearest_rates(best, y, rate):
-    """Of the rates of the states that admissible controls give, those nearest to `rate`; all in the
-    units of the states, the control in its own."""
+    """Return the rates of the states under an admissible control that are nearest to `rate`.
+
+    States and control are in their units.
+    """
     unit = best.units.control
 
     def rates(u):
@@ -139,7 +142,7 @@ def _nearest_rates(best, y, rate):
         return rates_0 + slope * np.clip(
             slope @ (rate - rates_0) / size if size else 0.0, low, high
         )
-    # An angle is tried all round, what is no angle as far as `UNBOUNDED`.
+    # An angle is tried over a full turn, any other control up to `UNBOUNDED`.
     is_angle = np.allclose(
         rates([0.3, 1.7]), rates([0.3 + 2 * np.pi, 1.7 + 2 * np.pi]), rtol=1e-9, atol=1e-9
     )

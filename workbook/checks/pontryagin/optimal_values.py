@@ -34,13 +34,13 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainties_at, uncertainty_at, value_at, values_at
 from workbook.checks.tools.wording import other_text, prefix_text
 
-#: A smaller part of a time than this is none; after so small parts of a way its growth is looked
-#: at.
+#: A time smaller than this, relative to the largest one, is zero; the growth of a time from zero is
+#: compared at these fractions of the way.
 ABSENT, GROWN = 1e-13, (1e-2, 1e-6)
-#: How close two places are that lie on both sides of a bend, and how many times as far as the reference
-#: an expression may move between them.
+#: Tolerance within which two points lie on both sides of a kink, and the largest ratio of the change
+#: of an expression between them to that of the reference.
 BESIDE, LEAPS = 1e-5, 4
-#: To what share the extreme values of a quantity along the best process are known.
+#: Relative accuracy of the range of a quantity along the best process.
 RANGE_ACCURACY = 5e-4
 
 
@@ -48,8 +48,8 @@ RANGE_ACCURACY = 5e-4
 def optimal_cost(claim, problem, parameters=None):
     """Check the cost of the optimal process, as an expression in the parameters.
 
-    Where these are the start and the duration is free, what is left of a process is optimal
-    too: the cost is asked there as well.
+    Where these are the initial state and the duration is free, the remaining part of a process is
+    optimal too: the cost is compared at its states as well.
     """
     better = "greater" if problem.maximise else "less"
     starts = list(problem.initial.values())
@@ -59,7 +59,7 @@ def optimal_cost(claim, problem, parameters=None):
         and len(set(starts)) == len(starts)
         and all(start in (parameters or {}) for start in starts)
     )
-    # A constant hides no digits of an exact answer; of decimals it does.
+    # An added constant hides digits of a decimal answer, but not of an exact one.
     constant = sp.S.Zero if in_decimals(claim) else constant_of(problem)
     varying = claim - constant
     cost_of = (
@@ -105,16 +105,17 @@ def optimal_cost(claim, problem, parameters=None):
 
 
 def _evaluated(claim, processes, quantity):
-    """The pairs found, each with what a claim is there, in the digits of floats, and what its
-    decimals leave open."""
+    """Return triples (pair of `processes`, value of the claim, uncertainty from its decimals)."""
     points = [values for values, _ in processes]
     return zip(processes, values_at(claim, points, quantity), uncertainties_at(claim, points))
 
 
 def _require_cost_at_kinks(claim, problem, parameters, processes, quantity):
-    """Raise `Wrong` for an expression that is not the cost, or the duration, next to where it goes
-    over from one form to another, on the way between the places of the processes found; decimals
-    leave open where that is."""
+    """Raise `Wrong` unless an expression is the cost, or the duration, close to its kinks.
+
+    They are looked for between the parameters of the processes. With decimals their positions are
+    uncertain, and nothing is compared.
+    """
     if (
         in_decimals(claim)
         or len(processes) < 2
@@ -155,7 +156,7 @@ def _require_cost_at_kinks(claim, problem, parameters, processes, quantity):
 
 
 def _require_remaining_cost(claim, cost_of, values, best, starts, parameters, kept_constant):
-    """Raise `Wrong` where a claim for all starts is not what the rest of the best process costs."""
+    """Raise `Wrong` where a claim is not the remaining cost of the best process at its states."""
     states, true = best.left()
     inside = np.all(
         [
@@ -250,9 +251,11 @@ def initial_arc_duration(claim, problem, control, value, parameters):
 
 
 def _require_corner(claim, true_durations):
-    """Raise `Wrong` for a time that grows from zero by and by, on the way from parameters for which
-    it is zero to others: where the arc appears it grows with a corner, so that next to it the slope
-    is no smaller."""
+    """Raise `Wrong` for a duration of an arc that grows from zero without a corner.
+
+    On the way from parameters without the arc to others with it, the true duration has a corner
+    where the arc appears, so that the slope is no smaller close to it.
+    """
     symbols = [s for s in true_durations[0][0] if s in claim.free_symbols]
     absent, present = (
         np.array(
@@ -300,7 +303,7 @@ def _require_corner(claim, true_durations):
 def optimal_range(claim, problem, quantity, parameters=None):
     """Check the range of a quantity along the optimal process.
 
-    The range goes from the least value of the quantity to its greatest, as an expression in the
+    The range is the greatest value of the quantity minus its least one, as an expression in the
     parameters; where several processes are optimal, it is the same for all of them.
     """
     from scipy.interpolate import CubicHermiteSpline

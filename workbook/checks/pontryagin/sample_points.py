@@ -17,17 +17,17 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import cached_points
 from workbook.checks.tools.substitution import substituted
 
-#: At so many places an identity is tried, and with so many other controls a greatest value is
-#: compared.
+#: Number of points at which an identity is compared, and of other controls with which a greatest
+#: value is compared.
 SAMPLES, RIVALS = 8, 41
-#: How well points of singular arcs and of a claimed surface are known.
+#: Accuracy of points of singular arcs and of a claimed surface.
 POINT_ACCURACY = 1e-7
-#: How close to a switching a control is looked at, as a share of the way there.
+#: Distance from a switching at which a control is compared, relative to the distance of the sample.
 NEXT_TO = 1e-4
 
 
 class ZeroSet:
-    """The places where several expressions in `symbols` vanish."""
+    """The set of common zeros of several expressions in `symbols`."""
 
     def __init__(self, claims, symbols, parameters):
         self._symbols, self._parameters, self._count = symbols, parameters, len(claims)
@@ -35,16 +35,15 @@ class ZeroSet:
         self._slopes = real_function(
             [*symbols, *parameters], [sp.diff(e, s) for e in claims for s in symbols]
         )
-        followed = perturbed(*claims) if in_decimals(*claims) else []
-        self._largest_uncertainty = POINT_ACCURACY if followed == [] else DECIMALS
+        variants = perturbed(*claims) if in_decimals(*claims) else []
+        self._largest_uncertainty = POINT_ACCURACY if variants == [] else DECIMALS
         self._perturbed = [
             [real_function([*symbols, *parameters], side) for side in sides]
-            for sides in followed or ()
+            for sides in variants or ()
         ]
 
     def uncertainty(self, values):
-        """How far from them a point may be, counted as `distance` is, for what decimals leave
-        open."""
+        """Return the `distance` that a point may have because of the decimals."""
         if not self._perturbed:
             return self._largest_uncertainty
         numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
@@ -62,8 +61,10 @@ class ZeroSet:
         )
 
     def distance(self, values):
-        """How far a point is from them, as a share of its own size, to first order; infinite where
-        undefined."""
+        """Return the distance of a point from the zeros, relative to its size, to first order.
+
+        It is infinite where an expression is undefined.
+        """
         numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
         residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
         if not (np.isfinite(residuals).all() and np.isfinite(slopes).all()):
@@ -75,7 +76,7 @@ class ZeroSet:
         return max(steps) / (1 + np.linalg.norm(numbers[: len(self._symbols)]))
 
     def zero_near(self, values):
-        """The place of zeros next to a point, as a dict, or None."""
+        """Return a zero close to a point, as a dict, or None."""
         parameter_values = [float(values[s]) for s in self._parameters]
         point = np.array([float(values[s]) for s in self._symbols])
         for _ in range(80):  # at double zeros each step halves the distance
@@ -95,8 +96,10 @@ class ZeroSet:
 
 @cached_points
 def sample_points(problem, costates, domain, controls=True, use_known_costates=False):
-    """Random values of all symbols, the controls on their bounds first; costates that are `known`
-    may have their values."""
+    """Yield random values of all symbols, first with the controls on their bounds.
+
+    With `use_known_costates` those that transversality determines have their values.
+    """
     generator, values = (
         np.random.default_rng(11),
         known_costates(problem, costates) if use_known_costates else {},
@@ -125,8 +128,10 @@ def sample_points(problem, costates, domain, controls=True, use_known_costates=F
 
 @cached_points
 def points_near_switching(problem, costates, domain):
-    """Places next to those where a control does not enter H: a smooth imitation of a jump is seen
-    there."""
+    """Yield points close to those where H does not depend on a control.
+
+    There a smooth approximation of a jump differs from the jump.
+    """
     symbols = [*costates, *problem.state]
     for slope in (sp.diff(hamiltonian(problem, costates), u) for u in problem.control):
         if slope.free_symbols & set(problem.control):
@@ -139,7 +144,7 @@ def points_near_switching(problem, costates, domain):
 
 
 def is_in_domain(values, domain):
-    """Whether values lie where those of their symbols may."""
+    """Return whether values lie in the intervals of their symbols."""
     return all(low < values[s] < high for s in values for low, high in [endpoints(s, domain)])
 
 

@@ -1,7 +1,7 @@
 """Simulation of a process: control bounds, end conditions and cost against the optimum.
 
 A process has to keep to the bounds of the control and to the ends, and to cost what the best
-process found costs. The motion under a control in time is followed in small steps.
+process found costs. The motion under a control in time is integrated in small steps.
 """
 
 import numpy as np
@@ -10,21 +10,22 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.pontryagin.time_functions import INTEGRATED
 from workbook.checks.tools import wording
 
-#: Up to which share of its terms the least cost is known, and the cost of a process that is
-#: followed in small steps.
+#: Relative accuracy of the least cost, and of the cost of a process that is integrated in small
+#: steps.
 COSTS = 1e-6
-#: At so many values of each decimal, between those that three digits leave open, the cost is looked
-#: at.
+#: Number of values of each decimal, within its uncertainty, at which the cost is compared.
 ACROSS = 41
-#: How well a parabola says what the cost is between three of them, as a part of its changes.
+#: Relative accuracy of the parabola that interpolates the change of the cost between three values.
 BENT = 0.02
-#: When a process is asked for its state, in words.
+#: The time at which the state of a process is compared, in words.
 AT_BEST_END, AT_OWN_END = "when the best process ends", "when your last arc ends"
 
 
 class Path:
-    """The motion under a student's control: lists of times, of states with the cost so far as the
-    last entry, and of pairs (time, control)."""
+    """The motion under a claimed control: lists of times, states and pairs (time, control).
+
+    The last entry of a state is the cost so far.
+    """
 
     def __init__(self, best, sections, where):
         self.best, self.where = best, where
@@ -69,11 +70,13 @@ def require_optimal(
     paired_ends=(),
     when=AT_BEST_END,
 ):
-    """Raise `Wrong` unless a process keeps to the ends and costs no more than the best one;
-    `states` hold the cost so far as the last entry, `whose` says what the process is made by,
-    `when` when it ends. `others` are the pairs of ends to which it comes when one of its decimals
-    is changed by what it leaves open, `together` those where two are, as `changed_together` lists
-    them."""
+    """Raise `Wrong` unless a process keeps to the ends and costs no more than the best one.
+
+    The last entry of `states` is the cost so far; `source` (the control or law) and `when` (the
+    end of the process) are words for the message. `perturbed_ends` are pairs of ends of the process
+    when one of its decimals is changed by its uncertainty, `paired_ends` the ends when two of them
+    are, in the order of `perturbed_in_pairs`.
+    """
     if problem.first_return:
         require_single_meeting(times, states, best, where)
     require_end_conditions(
@@ -99,7 +102,7 @@ def require_optimal(
     if not least <= allowed + BENT * max(
         (abs(part) for sides in cost_changes for part in sides), default=0
     ):
-        # not what it costs: next to the optimum that is hardly more than the least cost
+        # Without the cost: close to the optimum it would show the least cost.
         raise Wrong(
             f"{where}{source} keeps to the ends; there is an admissible process with the same ends "
             "that costs " + ("more, and the cost is to be great" if problem.maximise else "less")
@@ -107,10 +110,12 @@ def require_optimal(
 
 
 def require_end_conditions(y, best, rounding, prefix, perturbed_ends=(), when=AT_BEST_END):
-    """Raise `Wrong` unless a process ends on the target; `others` are pairs of ends that a decimal
-    leaves open."""
+    """Raise `Wrong` unless a process ends on the target.
+
+    `perturbed_ends` are pairs of ends when one decimal is changed by its uncertainty.
+    """
     if not on_target(y, best, rounding, perturbed_ends):
-        # not where it is when the best process ends, as when that is may be asked for
+        # Without the state when the best process ends, since the duration may be an answer.
         state = (
             f"{point_text(y[:-1])} {when}, which is not on the target"
             if when == AT_OWN_END
@@ -120,7 +125,7 @@ def require_end_conditions(y, best, rounding, prefix, perturbed_ends=(), when=AT
 
 
 def on_target(y, best, rounding, perturbed_ends=()):
-    """Whether a process that ends in y keeps to the ends."""
+    """Return whether a process that ends in y keeps to the ends."""
     gap, allowed = best.gap(y), 2 * rounding * best.size()
     ranges = [parabola_range(*(best.gap(end) - gap for end in sides)) for sides in perturbed_ends]
     least, greatest = (gap + sum((part[k] for part in ranges), np.zeros(len(gap))) for k in (0, 1))
@@ -128,8 +133,10 @@ def on_target(y, best, rounding, perturbed_ends=()):
 
 
 def parabola_range(below, above):
-    """The least and the greatest value on [-1, 1] of the parabola through zero that has the given
-    values at its ends; of arrays entry by entry."""
+    """Return the least and the greatest value on [-1, 1] of a parabola, entry by entry.
+
+    It vanishes at zero and has the values `below` and `above` at -1 and 1.
+    """
     slope, curvature = np.subtract(above, below) / 2, np.asarray(np.add(above, below) / 2)
     with np.errstate(all="ignore"):
         inner = np.where(np.abs(slope) < 2 * np.abs(curvature), -(slope**2) / (4 * curvature), 0.0)
@@ -137,8 +144,11 @@ def parabola_range(below, above):
 
 
 def _least_quadratic(sides, paired_values):
-    """The least value on [-1, 1]^n of the polynomial of second degree that vanishes at zero and has
-    the given values at -1 and 1 on the axes, and where two coordinates are 1."""
+    """Return the least value on [-1, 1]^n of a quadratic polynomial that vanishes at zero.
+
+    `sides` are its values at -1 and 1 on the axes, `paired_values` those where two coordinates are
+    1.
+    """
     axes = np.meshgrid(*[np.linspace(-1, 1, ACROSS)] * len(sides))
     value = sum(
         (above - below) / 2 * s + (above + below) / 2 * s**2
@@ -151,7 +161,7 @@ def _least_quadratic(sides, paired_values):
 
 
 def require_single_meeting(times, states, best, where):
-    # When the best process ends is known up to `INTEGRATED`.
+    # The duration of the best process has the relative accuracy `INTEGRATED`.
     early = np.asarray(times[1:-1]) < (1 - INTEGRATED) * times[-1]
     sides = np.array([best.gap(y)[0] for y, is_early in zip(states[1:-1], early) if is_early])
     tolerance = 1e-6 * best.size()
@@ -164,14 +174,13 @@ def require_single_meeting(times, states, best, where):
 
 
 def point_text(values):
-    """A state for a message; of one coordinate it is a number."""
+    """Return a state as text; one coordinate is written as a number."""
     text = wording.point_text(values)
     return text[1:-1] if len(values) == 1 else text
 
 
 def _step(field, controls, y, h):
-    """A step of the method of Runge and Kutta under a control given at its begin, middle and
-    end."""
+    """Return the state after a Runge-Kutta step; the control is given at its begin, middle, end."""
     begin, middle, end = controls
     a = field(y, begin)
     b = field(y + h / 2 * a, middle)

@@ -29,8 +29,6 @@ from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text
 
-# Singular arcs.
-
 
 @judged(Integer())
 def singular_order(claim, problem, costates, control=None):
@@ -108,9 +106,11 @@ def singular_control(claim, problem, costates, control=None, domain=None):
             continue
         claimed = value_at(claim, values, f"the singular {arcs.control}")
         low, high = control_bounds(problem, values)[list(problem.control).index(arcs.control)]
-        # of a control that is zero
-        is_zero = np.isfinite(high - low) and abs(claimed + a / b) <= POINT_ACCURACY * (high - low)
-        if not is_zero and not agree(
+        # A relative accuracy means nothing for a control that is zero.
+        agrees_absolutely = np.isfinite(high - low) and abs(claimed + a / b) <= POINT_ACCURACY * (
+            high - low
+        )
+        if not agrees_absolutely and not agree(
             claimed, -a / b, claim, abs(a / b), POINT_ACCURACY, uncertainty_at(claim, values)
         ):
             raise Wrong(

@@ -22,7 +22,7 @@ from workbook.checks.tools.domains import values_inside
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
 
-#: To what share of its coordinates a switching curve is found.
+#: Accuracy of a switching curve, relative to its coordinates.
 LOCATED = 1e-4
 
 
@@ -82,8 +82,10 @@ def _judge_dispersal(*curve):
 
 
 def _require_extremal_switchings(claim, domain, data):
-    """Raise `Wrong` where a curve on both sides of a target that is a point leaves the places at
-    which extremals switch, next to the target or far out."""
+    """Raise `Wrong` where a curve does not contain the switching points of extremals.
+
+    Only curves on both sides of a target point are compared, close to the target and far out.
+    """
     reference, (variable, interval) = sampled_optimum(*data), domain
     index = data.state.index(variable)
     _, batch = reference.extremals() or (None, None)
@@ -110,8 +112,10 @@ def _require_extremal_switchings(claim, domain, data):
 
 
 def _require_change_on_curve(points, claim, domain, data):
-    """Raise `Wrong` where the control of the fastest motions changes beside a curve and not on it;
-    else their times just before this change and behind it."""
+    """Raise `Wrong` where the control of the fastest motions changes beside a curve.
+
+    Return their times on the two sides of the change.
+    """
     reference, index = sampled_optimum(*data), 1 - data.state.index(domain[0])
     first, last = (np.array([point[side][0].x for point in points]) for side in (1, 2))
     control, case = (
@@ -145,8 +149,8 @@ def _require_change_on_curve(points, claim, domain, data):
 def _judge_barrier(*curve):
     for message, first, second, _ in _sides_of(*curve, (0.04, 0.01)):
         jump, closer_jump = (abs(a.time - b.time) for a, b in zip(first, second))
-        # At the edge of what is in reach the time may jump to infinity, or grow to it steadily:
-        # that is no jump.
+        # At the border of the reachable set the time may jump to infinity, or grow without bound,
+        # which is no jump.
         if np.isinf(jump) and any(
             abs(a.time - b.time) > 0.3 for a, b in (first, second) if np.isfinite(a.time + b.time)
         ):
@@ -154,8 +158,8 @@ def _judge_barrier(*curve):
                 f"{message} of your curve the fastest time does not jump: it grows without bound as "
                 "the curve is approached"
             )
-        # What grows like a root, as next to a motion that grazes the target, would fall to the
-        # half.
+        # A difference that grows like a square root, as close to a motion that touches the target,
+        # would fall to half.
         if not (
             jump > 0.02 and (closer_jump > 0.7 * jump or (np.isinf(jump) and np.isinf(closer_jump)))
         ):
@@ -167,14 +171,16 @@ def _judge_barrier(*curve):
 
 
 def _sides_of(claim, domain, data, shares):
-    """For points of a curve: a text, the optima on one side and on the other at some distances,
-    whether both motions move away."""
+    """Yield (text, optima on the first side, on the second, away) for points of a curve.
+
+    The optima are at the distances `shares`; `away` is whether both motions leave the curve.
+    """
     reference, parameters, (variable, interval) = (
         sampled_optimum(*data),
         dict(data.parameters),
         domain,
     )
-    beside = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
+    relative_distance = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
     index = data.state.index(variable)
     function = real_function([variable, *parameters], [claim])
     for case, values in enumerate(reference.cases):
@@ -196,7 +202,7 @@ def _sides_of(claim, domain, data, shares):
             [-slope, np.ones_like(slope)] if index == 0 else [np.ones_like(slope), -slope]
         )
         normal /= np.linalg.norm(normal, axis=1)[:, None]
-        distance = beside * (0.3 + np.linalg.norm(curve_points, axis=1))[:, None]
+        distance = relative_distance * (0.3 + np.linalg.norm(curve_points, axis=1))[:, None]
         shifts = [sign * share * distance * normal for sign in (1, -1) for share in shares]
         solved = reference.solve(
             np.concatenate([curve_points + shift for shift in shifts]),

@@ -52,7 +52,7 @@ def time_optimal_law(claim, system, target, parameters=None, start=None, curve=N
 
 @functools.lru_cache(maxsize=64)
 def _time_optimal(claim, data, curve):
-    """The sentence on a law that is optimal: a law is often judged again beside another answer."""
+    """Return the message on an optimal law, cached since a law is often judged again."""
     reference, control = sampled_optimum(*data), data.control
     if curve:
         parameters = dict(data.parameters)
@@ -73,7 +73,7 @@ def _time_optimal(claim, data, curve):
         )
     _judge_on_extremals(readings_of_law, reference, control)
     differing = np.flatnonzero(abs(values - batch.control) > EQUAL_CONTROLS)
-    # The starts far from the switching curve first: there a law loses most.
+    # Initial states far from the switching curve come first: there a law loses most time.
     differing = differing[np.argsort(-abs(batch.switching[differing]))]
     while len(differing):
         subset, differing = differing[:3], differing[3:]
@@ -97,14 +97,16 @@ def _time_optimal(claim, data, curve):
 
 
 def _judge_next_to_curves(laws, reference, control):
-    """Raise `Wrong` where all readings of a law differ from the optimum next to a switching curve:
-    there it may lose hardly any time."""
+    """Raise `Wrong` where all readings of a law differ from the optimum near a switching curve.
+
+    The time cannot decide there, since a wrong law loses hardly any.
+    """
     batch = reference.next_to_curves()
     if batch is None:
         return
     claimed = np.array([law(batch.x, batch.case) for law in laws])
     differ = np.flatnonzero((abs(claimed - batch.control) > EQUAL_CONTROLS).all(axis=0))
-    # Next to a barrier a thin target may have been missed by the optimum too.
+    # Close to a barrier the computed optimum may have missed a thin target too.
     if len(differ) and reference.convex.kind == "hull":
         differ = differ[~reference.beside_barrier(batch.take(differ), far=True)]
     for k in differ[:1]:
@@ -115,14 +117,16 @@ def _judge_next_to_curves(laws, reference, control):
 
 
 def _judge_on_extremals(laws, reference, control):
-    """Raise `Wrong` where all readings of a law differ from the control of an extremal, next to the
-    target or far out."""
+    """Raise `Wrong` where all readings of a law differ from the control of an extremal.
+
+    The states are close to the target or far out.
+    """
     batch, _ = reference.extremals() or (None, None)
     if batch is None:
         return
     claimed = np.array([law(batch.x, batch.case) for law in laws])
     differ = np.flatnonzero(~(abs(claimed - batch.control) <= EQUAL_CONTROLS).any(axis=0))
-    # Of states that are neither small nor large a student knows best what happens there.
+    # The message names a state that is neither small nor large, where motions are easiest to see.
     for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(batch.x[k]))))[:1]:
         value_text = (
             f"{control} = {claimed[0][k]:.4g}" if np.isfinite(claimed[0][k]) else "no real number"
@@ -134,7 +138,7 @@ def _judge_on_extremals(laws, reference, control):
 
 
 def _judge_change(law, reference, batch, control):
-    """Raise `Wrong` for a law that goes over from one bound to the other by steps."""
+    """Raise `Wrong` for a law with values between the bounds where it should jump between them."""
     claimed, (low, high) = law(batch.x, batch.case), reference.plant.bounds
     ends = (np.flatnonzero(abs(claimed - bound) < EQUAL_CONTROLS)[:40] for bound in (low, high))
     pairs = np.array(
@@ -166,7 +170,7 @@ def _judge_change(law, reference, batch, control):
 def minimal_time(claim, system, target, parameters=None, start=None):
     """Check the shortest time to the target as an expression in the initial state.
 
-    It is asked where the target can be reached.
+    It is compared where the target can be reached.
     """
     reference = sampled_optimum(*synthesis_data(system, target, parameters, start))
     batch = reference.batch(in_decimals(claim))

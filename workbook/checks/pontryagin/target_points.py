@@ -66,8 +66,10 @@ def family_of(data, ends, variable):
 
 @functools.lru_cache(maxsize=32)
 def _arrivals(family, offset=0.002):
-    """Places on the target, many of them on both sides of where the arcs end that are reached. No
-    answer changes them."""
+    """Return points of the target, many of them on both sides of the ends of reached arcs.
+
+    They do not depend on the answer.
+    """
     points = []
     for values in family.samples():
         positions = family.arguments(values)
@@ -77,8 +79,8 @@ def _arrivals(family, offset=0.002):
             for a, b in itertools.pairwise(positions)
             if np.sign(family.rates(np.array([a, b]), values)).prod() < 0
         ]
-        # Samples at which the rate hardly differs from zero stay undecided; the borders are tried
-        # on both sides instead.
+        # Samples at which the rate is close to zero stay undecided; points on both sides of the
+        # borders replace them.
         candidates = np.concatenate(
             [
                 positions[abs(rates) > 1e-3 * abs(rates).max()],
@@ -177,10 +179,10 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
 def minimal_time_continuous(answer, system, target, ends, variable, parameters, start=None):
     """Check the values of a parameter for which the fastest time is continuous.
 
-    Continuous is meant where the target can be reached; borders count either way.
+    It is continuous on the states from which the target can be reached; borders count either way.
 
-    It jumps where a motion touches the target from the side of the starts while no control
-    could bring it closer: from beyond this motion the target is missed.
+    The time jumps where a motion touches the target from the side of the initial states while no
+    control brings it closer: motions beyond this one miss the target.
     """
     ((name, interval),) = ((p, i) for p, i in parameters.items() if p != variable)
     data, ends = synthesis_data(system, target, parameters, start), tuple(map(sp.sympify, ends))
@@ -212,8 +214,7 @@ def minimal_time_continuous(answer, system, target, ends, variable, parameters, 
 
 
 def _beside_changes(jump, name, interval, offset=0.03):
-    """Values of a parameter, some of them on both sides of where the fastest time begins to
-    jump."""
+    """Yield values of a parameter, some of them on both sides of where a jump appears."""
     values = [
         float(value) for value in sorted(values_inside(float(interval.inf), float(interval.sup), 8))
     ]
@@ -231,8 +232,10 @@ def _beside_changes(jump, name, interval, offset=0.03):
 
 @functools.lru_cache(maxsize=256)
 def _jump(value, data, ends, variable, name):
-    """By how much the fastest time jumps next to the motions that touch the target, for a value of
-    a parameter."""
+    """Return the jump of the fastest time across motions that touch the target.
+
+    `value` is that of the parameter `name`.
+    """
     fixed = {name: sp.Float(value)}
     data = data._replace(
         target=tuple(part.subs(fixed) for part in data.target),

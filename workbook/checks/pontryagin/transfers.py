@@ -1,9 +1,10 @@
 """Transfers in least or greatest time: initial states, times and numbers of switchings.
 
-`problem` is a `pontryagin.Problem` of which the cost is the time. Its parameters stand in a list; a
-state without a value at the start that is one of them stands for its start. What an optimal
-control, motion or costate is, and the time itself, is judged in `optimal_controls` and its like. The optimum comes from
-`transfer_optima`, where neither the maximum principle nor a shooting is used.
+`problem` is a `pontryagin.Problem` whose cost is the time. Its parameters are a list; a state without
+an initial value that is one of them is the symbol of its initial value. Optimal controls, motions,
+costates and times are judged in `optimal_controls`, `optimal_motions`, `costates` and
+`optimal_values`. The optimum comes from `transfer_optima`, which uses neither the maximum principle
+nor shooting.
 """
 
 import functools
@@ -119,7 +120,7 @@ def transferable_initial_states(answer, problem, parameters):
 
 @functools.lru_cache(maxsize=32)
 def _reachable(problem, parameters):
-    """A transfer and from where its target can be reached: found once for all answers."""
+    """Return a transfer and the condition that its target can be reached, for all answers."""
     transfer = Transfer(problem, parameters)
     return transfer, exactly(
         transfer.solvable_condition(), transfer.off_target(), at=transfer.solvable
@@ -167,10 +168,10 @@ def reachable_in_time(answer, problem, duration, parameters):
 def switching_count(answer, problem, parameters=()):
     """Check how often the fastest control switches, as an expression in the parameters.
 
-    It is not asked where all of the parameters are whole numbers.
+    It is not compared where all of the parameters are whole numbers.
 
-    Without parameters: the greatest number of switchings that a fastest transfer needs, from
-    whatever initial state.
+    Without parameters: the greatest number of switchings of a fastest transfer from any initial
+    state.
     """
     if not parameters:
         return _judge_greatest_count(coercion.as_integer(answer), problem)
@@ -178,7 +179,7 @@ def switching_count(answer, problem, parameters=()):
     transfer = Transfer(problem, parameters)
     for values, best in transfer.samples(4 * SAMPLES):
         if all(value.is_integer for value in values.values()):
-            # the number may be another one at exceptional starts: those on a switching curve
+            # The number may differ at exceptional initial states, on a switching curve.
             continue
         claimed = real_at(claim, values)
         count = best.switchings()
@@ -259,11 +260,8 @@ def isochrone_radius(claim, problem, duration, count):
     return "all around the origin the starts that need this time lie at that distance"
 
 
-# Small things.
-
-
 def _close(claimed, true, claim, size=0.0, uncertain=None):
-    """Equality to the precision of the optimum; three digits where the claim holds decimals."""
+    """Return whether a claim agrees to the accuracy of the optimum, decimals to three digits."""
     return agree(claimed, true, claim, size, computed=2 * INTEGRATED, uncertain=uncertain)
 
 

@@ -62,7 +62,7 @@ def transversality(answer, problem, costates):
 
 @cached_points
 def _on_target(problem):
-    """States at the end, and parameters, as dicts."""
+    """Return states at the end, with parameters, as dicts."""
     zeros = (
         ZeroSet(list(problem.terminal), list(problem.state), list(problem.parameters))
         if problem.terminal
@@ -85,8 +85,10 @@ def _on_target(problem):
 
 
 def _affine_rows(claims, costates, values):
-    """Rows (coefficients of the costates, constant) of conditions at an end. A sum of squares
-    vanishes where all of them do."""
+    """Return rows (coefficients of the costates, constant) of the conditions at an end.
+
+    A sum of squares gives a row for each square.
+    """
     rows, zero = [], dict.fromkeys(costates, 0)
     for claim in claims:
         expanded = sp.expand(claim.subs(values))
@@ -108,8 +110,10 @@ def _affine_rows(claims, costates, values):
 
 
 def _squares(hessian, slopes, constant):
-    """The rows that vanish where psi.bends.psi/2 + slopes.psi + rest does, which is to be its least
-    or greatest value, zero."""
+    """Return rows that vanish where psi.hessian.psi/2 + slopes.psi + constant does.
+
+    Zero has to be the least or the greatest value of this expression.
+    """
     minimiser, (sizes, _) = (
         np.linalg.lstsq(hessian, -slopes, rcond=1e-9)[0],
         np.linalg.eigh(hessian),
@@ -126,7 +130,7 @@ def _squares(hessian, slopes, constant):
 
 
 def _kernel(rows):
-    """An orthonormal basis of the vectors that all rows are orthogonal to, as rows."""
+    """Return an orthonormal basis of the kernel of the rows, as rows."""
     _, sizes, basis = np.linalg.svd(rows)
     return basis[int((sizes > 1e-9 * sizes.max(initial=0)).sum()) :]
 
