@@ -4,10 +4,10 @@ The reference is the conditional law of a Gaussian vector of all states and meas
 the stabilising solution of a Riccati equation at numbers, from an invariant subspace
 (`references/processes.py`); no filter is run.
 
-What is `measured` are pairs (time, value or values); times, values and the time `at` which the
-state is asked for may hold the parameters, and for a time there may stand `sp.Range(1, n + 1)`: the
-value at each of these moments. Without R the measurements are exact. A process that keeps its mean
-and covariance may be asked for at times before 0.
+The data `measured` are pairs (time, value or values). Times, values and the time `at` of the
+estimated state may contain the parameters. A time may also be `sp.Range(1, n + 1)`: then the value is
+measured at each of these times. Without R the measurements are exact. The state of a stationary
+process may also be estimated at times before 0.
 """
 
 import numpy as np
@@ -35,12 +35,14 @@ BEFORE, AFTER = "before", "after"
 
 @judged(MatrixOrVector("parameters", shape=processes.shape_of("mean")))
 def estimate(claim, process, measured, at, parameters=(), given=sp.true):
-    """Check the best estimate of the state at a time from what was measured.
+    """Check the best estimate of the state at a time from the measurements.
 
     Of a single coordinate it is an expression.
     """
-    for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true, _ = processes.conditional_moments(one, known, time)
+    for model, values, measurements, time in _numeric_cases(
+        process, measured, at, claim, parameters, given
+    ):
+        true, _ = processes.conditional_moments(model, measurements, time)
         yield SameEntries(
             claim,
             true,
@@ -49,7 +51,7 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
                 "the state under the condition of what was measured"
             ),
             values,
-            abs(true).max() + _size(known),
+            abs(true).max() + _size(measurements),
         )
     return "it is the mean of the state under the condition of what was measured"
 
@@ -60,14 +62,18 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
 
     Of a single coordinate it is the variance.
     """
-    for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = processes.conditional_moments(one, known, time)[1]
+    for model, values, measurements, time in _numeric_cases(
+        process, measured, at, claim, parameters, given
+    ):
+        true = processes.conditional_moments(model, measurements, time)[1]
         yield SameEntries(
             claim,
             true,
-            _other("is not that of the state under the condition of what was measured", values),
+            _covariance_message(
+                "is not that of the state under the condition of what was measured", values
+            ),
             values,
-            abs(processes.moments(one, time)[1]).max(),
+            abs(processes.moments(model, time)[1]).max(),
         )
     return "it is the covariance of the state under the condition of what was measured"
 
@@ -78,8 +84,12 @@ def estimate_standard_deviations(claim, process, measured, at, parameters=(), gi
 
     They are a column; of a single coordinate an expression.
     """
-    for one, values, known, time in _measured(process, measured, at, claim, parameters, given):
-        true = np.sqrt(np.diag(processes.conditional_moments(one, known, time)[1]))[:, None]
+    for model, values, measurements, time in _numeric_cases(
+        process, measured, at, claim, parameters, given
+    ):
+        true = np.sqrt(np.diag(processes.conditional_moments(model, measurements, time)[1]))[
+            :, None
+        ]
         yield SameEntries(
             claim,
             true,
@@ -103,12 +113,14 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
     In discrete time it is that at the `moment` of a measurement, "before" or "after".
     """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.at_values(process, values, start=False)
-        true = processes.steady_covariances(one)[(BEFORE, AFTER).index(moment)]
+        model = processes.at_values(process, values, start=False)
+        true = processes.steady_covariances(model)[(BEFORE, AFTER).index(moment)]
         yield SameEntries(
             claim,
             true,
-            _other("is not the solution of the Riccati equation with which errors decay", values),
+            _covariance_message(
+                "is not the solution of the Riccati equation with which errors decay", values
+            ),
             values,
             abs(true).max(),
         )
@@ -124,23 +136,23 @@ def steady_gain(claim, process, parameters=(), given=sp.true):
     The filter is y' = A y + K (z - H y), in discrete time y+ = y + K (z - H y).
     """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = processes.at_values(process, values, start=False)
-        true = processes.filter_gain(one, processes.steady_covariances(one)[0])
+        model = processes.at_values(process, values, start=False)
+        true = processes.filter_gain(model, processes.steady_covariances(model)[0])
 
         def message(claimed, i, j):
-            loop = one.A - (one.A @ claimed if one.discrete else claimed) @ one.H
-            growing = (
+            loop = model.A - (model.A @ claimed if model.discrete else claimed) @ model.H
+            error_grows = (
                 np.log(abs(np.linalg.eigvals(loop)))
-                if one.discrete
+                if model.discrete
                 else np.linalg.eigvals(loop).real
             ).max() > 0
-            does = (
+            effect = (
                 "an error grows"
-                if growing
+                if error_grows
                 else "the errors settle to a larger covariance than they need"
             )
             return (
-                f"with your gain {does}{where_text(values)}: look at row {i + 1}, where it is "
+                f"with your gain {effect}{where_text(values)}: look at row {i + 1}, where it is "
                 f"{number_text(claimed[i, j])}"
             )
 
@@ -166,8 +178,8 @@ def steady_filter_exists(answer, process, parameters):
             )
         )
 
-    known = compare(answer, parameters, processes.steady_exists(process), message)
-    return f"a filter settles, and its errors decay, for these values alone: {known}"
+    agreement = compare(answer, parameters, processes.steady_exists(process), message)
+    return f"a filter settles, and its errors decay, for these values alone: {agreement}"
 
 
 @judged(
@@ -183,13 +195,13 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
     """
     symbols = [*parameters, *estimates, *outputs, *sorted(covariance.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
-        one, P = (
+        model, P = (
             processes.at_values(process, values, start=False),
             processes.to_array(covariance, values),
         )
         y, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
-        gain = processes.filter_gain(one, P)
-        terms = one.A @ y, gain @ z, -gain @ one.H @ y
+        gain = processes.filter_gain(model, P)
+        terms = model.A @ y, gain @ z, -gain @ model.H @ y
         yield SameEntries(
             claim,
             sum(terms),
@@ -214,26 +226,34 @@ def riccati_equation(claim, process, covariance, parameters=()):
     symbols = [*parameters, *sorted(covariance.free_symbols, key=str)]
     for k, values in enumerate(in_every_case(allowed_values(symbols, sp.true, COUNT), claim)):
         values = _definite(covariance, values, sp.Rational(1, 9) if k % 2 else 1)
-        one, P = (
+        model, P = (
             processes.at_values(process, values, start=False),
             processes.to_array(covariance, values),
         )
-        if one.discrete:
+        if model.discrete:
             terms = (
-                one.A @ P @ one.A.T,
-                -one.A @ processes.filter_gain(one, P) @ one.H @ P @ one.A.T,
-                one.Q,
+                model.A @ P @ model.A.T,
+                -model.A @ processes.filter_gain(model, P) @ model.H @ P @ model.A.T,
+                model.Q,
             )
-            found, does = "your next entry ({}, {})", "give another number"
+            subject, predicate = "your next entry ({}, {})", "give another number"
         else:
-            terms = one.A @ P, P @ one.A.T, one.Q, -P @ one.H.T @ processes.filter_gain(one, P).T
-            found, does = "your rate of change of the entry ({}, {})", "change it at another rate"
+            terms = (
+                model.A @ P,
+                P @ model.A.T,
+                model.Q,
+                -P @ model.H.T @ processes.filter_gain(model, P).T,
+            )
+            subject, predicate = (
+                "your rate of change of the entry ({}, {})",
+                "change it at another rate",
+            )
         yield SameEntries(
             claim,
             sum(terms),
             lambda claimed, i, j: (
-                f"{found.format(i + 1, j + 1)} is {number_text(claimed[i, j])}{where_text(values)}; "
-                f"the motion, the noise and the measurement together {does}"
+                f"{subject.format(i + 1, j + 1)} is {number_text(claimed[i, j])}{where_text(values)}; "
+                f"the motion, the noise and the measurement together {predicate}"
             ),
             values,
             sum(map(abs, terms)),
@@ -248,23 +268,23 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
     The matrix is A - K H, in discrete time A (I - K H).
     """
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
-        one = processes.at_values(process, values, start=False)
-        gain = processes.filter_gain(one, processes.steady_covariances(one)[0])
-        loop = one.A - (one.A @ gain if one.discrete else gain) @ one.H
+        model = processes.at_values(process, values, start=False)
+        gain = processes.filter_gain(model, processes.steady_covariances(model)[0])
+        loop = model.A - (model.A @ gain if model.discrete else gain) @ model.H
         size = np.linalg.norm(loop)
         claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
-        def fits(number, other):
+        def fits(member, eigenvalue):
             return agree(
-                number[1], other, number[0], size, REPEATED, uncertainty_at(number[0], values)
+                member[1], eigenvalue, member[0], size, REPEATED, uncertainty_at(member[0], values)
             )
 
         yield SameMembers(
             list(zip(claims, claimed)),
             list(np.linalg.eigvals(loop)),
             fits,
-            lambda number: (
-                f"{number_text(number[1])} is no eigenvalue of the matrix of the "
+            lambda member: (
+                f"{number_text(member[1])} is no eigenvalue of the matrix of the "
                 f"errors{where_text(values)}: no error is multiplied by it"
             ),
             lambda *_: (
@@ -275,19 +295,22 @@ def error_eigenvalues(claims, process, parameters=(), given=sp.true):
 
 
 def _definite(covariance, values, size):
-    """The values with those on the diagonal so large that the matrix of symbols is positive
-    definite, times `size`."""
-    rows = covariance.subs(values)
-    definite = rows + sp.diag(*[sum(map(abs, rows[k, :])) - rows[k, k] for k in range(rows.rows)])
+    """Return values with the diagonal of the covariance enlarged until it is positive definite.
+
+    All its entries are then multiplied by `size`.
+    """
+    matrix = covariance.subs(values)
+    definite = matrix + sp.diag(
+        *[sum(map(abs, matrix[k, :])) - matrix[k, k] for k in range(matrix.rows)]
+    )
     return values | dict(zip(covariance, size * definite))
 
 
-def _measured(process, measured, at, claim, parameters, given):
-    """(process, values, measured, at) at numbers; at more of them for a formula in the time asked
-    for."""
+def _numeric_cases(process, measured, at, claim, parameters, given):
+    """Yield (model, values, measurements, time); twice as many if the time has symbols."""
     count = COUNT * (1 + bool(sp.sympify(at).free_symbols))
     for values in in_every_case(allowed_values(parameters, given, count), claim, given):
-        known = [
+        measurements = [
             (
                 time,
                 [
@@ -295,21 +318,26 @@ def _measured(process, measured, at, claim, parameters, given):
                     for z in np.atleast_1d(np.array(value, dtype=object))
                 ],
             )
-            for moment, value in measured
-            for time in _times(sp.sympify(moment).subs(values))
+            for instant, value in measured
+            for time in _times(sp.sympify(instant).subs(values))
         ]
-        yield processes.at_values(process, values), values, known, sp.sympify(at).subs(values)
+        yield (
+            processes.at_values(process, values),
+            values,
+            measurements,
+            sp.sympify(at).subs(values),
+        )
 
 
-def _times(moment):
-    return list(moment) if isinstance(moment, sp.Range) else [moment]
+def _times(instant):
+    return list(instant) if isinstance(instant, sp.Range) else [instant]
 
 
-def _size(known):
-    return max((abs(z) for _, row in known for z in row), default=0)
+def _size(measurements):
+    return max((abs(z) for _, row in measurements for z in row), default=0)
 
 
-def _other(fails, values):
+def _covariance_message(failure, values):
     return lambda claimed, i, j: (
-        f"your covariance {fails}{where_text(values)}: {entry_text(claimed, i, j)}"
+        f"your covariance {failure}{where_text(values)}: {entry_text(claimed, i, j)}"
     )

@@ -1,8 +1,8 @@
-"""Estimates by least squares: the weighted sum of the squared residuals is least there.
+"""Estimates by least squares, which minimise the weighted sum of the squared residuals.
 
 Measurements are [(quantity, measured value), ...], the quantities linear in the unknowns;
-`deviations` are the standard deviations of their errors, without which all are 1 and independent. A
-third entry, (quantity, value, count), stands for so many measurements with this value.
+`deviations` are the standard deviations of their independent errors, 1 by default. A third entry,
+(quantity, value, count), gives the number of measurements with this value.
 """
 
 import numpy as np
@@ -22,14 +22,14 @@ from workbook.checks.tools.wording import number_text, where_text
 def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
     """Check the estimate of the unknowns, in their order."""
     for values in in_every_case(general_values(parameters), claims):
-        rows, wanted = _weighted(measured, unknowns, deviations, values)
+        rows, right_side = _weighted(measured, unknowns, deviations, values)
         true, claimed = (
-            np.linalg.lstsq(rows, wanted, rcond=None)[0],
+            np.linalg.lstsq(rows, right_side, rcond=None)[0],
             numbers_at(claims, values, unknowns),
         )
         uncertain = [uncertainty_at(claim, values) for claim in claims]
         if not agree(claimed, true, claims, abs(true).max(), uncertain=uncertain).all():
-            residuals = wanted - rows @ claimed.real
+            residuals = right_side - rows @ claimed.real
             slopes = rows.T @ residuals
             k = int(np.argmax(abs(slopes)))
             raise Wrong(
@@ -45,14 +45,14 @@ def least_squares(claims, measured, unknowns, deviations=None, parameters=()):
 def least_sum_of_squares(claim, measured, unknowns, deviations=None, parameters=()):
     """Check the least value of the weighted sum of the squared residuals."""
     for values in in_every_case(general_values(parameters), claim):
-        rows, wanted = _weighted(measured, unknowns, deviations, values)
-        residuals = wanted - rows @ np.linalg.lstsq(rows, wanted, rcond=None)[0]
+        rows, right_side = _weighted(measured, unknowns, deviations, values)
+        residuals = right_side - rows @ np.linalg.lstsq(rows, right_side, rcond=None)[0]
         yield SameValue(
             claim,
             residuals @ residuals,
             "the weighted sum of the squared residuals at the estimate",
             values,
-            wanted @ wanted,
+            right_side @ right_side,
         )
     return "it is the sum at the estimate"
 
@@ -62,34 +62,34 @@ def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
     """Check the covariance matrix of the errors of the estimate."""
     for values in in_every_case(general_values(parameters), claim):
         rows, _ = _weighted(measured, unknowns, deviations, values)
-        # Each estimate is a sum of measurements, whose weighted errors are independent with the
-        # variance 1.
-        shares = np.linalg.pinv(rows)
+        # Each estimate is a linear combination of the measurements, whose weighted errors are
+        # independent with variance 1.
+        pseudoinverse = np.linalg.pinv(rows)
         yield SameEntries(
             claim,
-            shares @ shares.T,
+            pseudoinverse @ pseudoinverse.T,
             lambda claimed, i, j: (
                 f"the entry ({i + 1}, {j + 1}) of your matrix is "
                 f"{number_text(claimed[i, j])}{where_text(values)}; the errors "
                 "of the measurements, taken through the estimate, give another one"
             ),
             values,
-            abs(shares) @ abs(shares).T,
+            abs(pseudoinverse) @ abs(pseudoinverse).T,
         )
     return "so the errors of the measurements pass into the estimate"
 
 
 def _weighted(measured, unknowns, deviations, values):
-    """Rows and measured values, divided by the standard deviations."""
+    """Return rows and right side of the linear equations, divided by the standard deviations."""
     quantities = sp.Matrix([quantity for quantity, *_ in measured])
-    rest = quantities.subs(dict.fromkeys(unknowns, 0))
-    wanted = sp.Matrix([value for _, value, *_ in measured]) - rest
+    constant_terms = quantities.subs(dict.fromkeys(unknowns, 0))
+    right_side = sp.Matrix([value for _, value, *_ in measured]) - constant_terms
     counts = [sp.sqrt(*count) if count else 1 for _, _, *count in measured]
     scale = sp.diag(
         *[count / sp.sympify(s) for count, s in zip(counts, deviations or [1] * len(measured))]
     )
-    rows, wanted = (
+    rows, right_side = (
         np.array((scale * part).subs(values).evalf(30), dtype=float)
-        for part in (quantities.jacobian(unknowns), wanted)
+        for part in (quantities.jacobian(unknowns), right_side)
     )
-    return rows, wanted[:, 0]
+    return rows, right_side[:, 0]

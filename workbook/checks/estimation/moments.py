@@ -1,6 +1,6 @@
 """Means, covariances and correlations of quantities linear or nonlinear in a random vector.
 
-Known is either the covariance matrix of the vector, and the quantities are linear in it, or the
+The `law` is either the covariance matrix of the vector, and the quantities are linear in it, or the
 probabilities of all its values, {value: probability}, and the quantities may be any functions of
 it.
 """
@@ -32,7 +32,7 @@ def expectations(claims, quantities, vector, law, parameters=()):
 @judged(
     Matrix(
         "parameters",
-        shape=lambda data: (len(_several(data["first"])), len(_several(data["second"]))),
+        shape=lambda data: (len(_as_list(data["first"])), len(_as_list(data["second"]))),
     )
 )
 def covariance(claim, first, second, vector, law, parameters=()):
@@ -41,16 +41,16 @@ def covariance(claim, first, second, vector, law, parameters=()):
     Of two lists of them it is the matrix of the covariances of each of the first with each of
     the second.
     """
-    rows, columns = _several(first), _several(second)
+    rows, columns = _as_list(first), _as_list(second)
     for values in in_every_case(general_values(parameters), claim):
-        found, size = (
+        covariances, size = (
             part[: len(rows), len(rows) :]
             for part in _covariances([*rows, *columns], vector, law, values)
         )
         for i, j in np.ndindex(claim.shape):
             yield SameValue(
                 claim[i, j],
-                found[i, j],
+                covariances[i, j],
                 f"the mean of the product of the deviations of {rows[i]} and {columns[j]}",
                 values,
                 size[i, j],
@@ -62,10 +62,10 @@ def covariance(claim, first, second, vector, law, parameters=()):
 def correlation(claim, first, second, vector, law, parameters=()):
     """Check the correlation coefficient of two quantities."""
     for values in in_every_case(general_values(parameters), claim):
-        found, _ = _covariances([first, second], vector, law, values)
+        covariances, _ = _covariances([first, second], vector, law, values)
         yield SameValue(
             claim,
-            found[0, 1] / np.sqrt(found[0, 0] * found[1, 1]),
+            covariances[0, 1] / np.sqrt(covariances[0, 0] * covariances[1, 1]),
             "the covariance over the product of the standard deviations",
             values,
         )
@@ -79,57 +79,61 @@ def uncorrelated(claims, first, second, vector, law, angle):
     The angles run from 0 to pi, without pi itself.
     """
     rows = [sp.Matrix([quantity]).jacobian(vector) for quantity in (first, second)]
-    crossed = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
+    cross_covariance = (rows[0] * sp.Matrix(law) * rows[1].T)[0]
     claimed = [(claim, value_at(claim, {}, "an angle")) for claim in claims]
-    true = list(_zeros(crossed, angle))
+    true = list(_zeros(cross_covariance, angle))
 
-    def stranger(one):
-        there = complex(crossed.subs(angle, one[1])).real
+    def extra(member):
+        value = complex(cross_covariance.subs(angle, member[1])).real
         return (
-            f"at {number_text(one[1])} the covariance is {number_text(there)}"
-            if abs(there) > EXACT
-            else f"{number_text(one[1])} does not lie between 0 and pi"
+            f"at {number_text(member[1])} the covariance is {number_text(value)}"
+            if abs(value) > EXACT
+            else f"{number_text(member[1])} does not lie between 0 and pi"
         )
 
     yield SameMembers(
         claimed,
         true,
-        lambda one, other: agree(one[1], other, one[0]),
-        stranger,
-        lambda count, others: "there is another angle at which the covariance vanishes",
+        lambda member, zero: agree(member[1], zero, member[0]),
+        extra,
+        lambda count, zeros: "there is another angle at which the covariance vanishes",
     )
     if in_decimals(*claims):
-        known = "to three digits"
-    elif all(sp.simplify(crossed.subs(angle, claim)) == 0 for claim in claims):
-        known = "proved"
+        precision = "to three digits"
+    elif all(sp.simplify(cross_covariance.subs(angle, claim)) == 0 for claim in claims):
+        precision = "proved"
     else:
-        known = "to the digits computed"
-    return f"there the covariance vanishes, and nowhere else: {known}"
+        precision = "to the digits computed"
+    return f"there the covariance vanishes, and nowhere else: {precision}"
 
 
 @functools.lru_cache(maxsize=16)
 def _zeros(expression, angle):
-    """The angles from 0 to pi, without pi, at which an expression of the data vanishes: kept for
-    all verdicts."""
+    """Return the angles from 0 to pi, without pi, at which an expression of the data vanishes.
+
+    They are cached for all verdicts.
+    """
     return tuple(
         float(zero) for zero in sp.solveset(expression, angle, sp.Interval.Ropen(0, sp.pi))
     )
 
 
-def _several(quantities):
+def _as_list(quantities):
     return quantities if isinstance(quantities, list) else [quantities]
 
 
 def _mean(quantity, vector, law, values):
     terms = [
-        complex(sp.sympify(p * quantity.subs(dict(zip(vector, _entries(at))))).subs(values)).real
-        for at, p in law.items()
+        complex(
+            sp.sympify(probability * quantity.subs(dict(zip(vector, _entries(value))))).subs(values)
+        ).real
+        for value, probability in law.items()
     ]
     return sum(terms), sum(map(abs, terms))
 
 
 def _covariances(quantities, vector, law, values):
-    """The covariance matrix, and the size of the terms of each entry."""
+    """Return the covariance matrix, and the size of the terms of each entry."""
     if not isinstance(law, dict):
         rows = np.array(sp.Matrix(quantities).jacobian(vector).subs(values), dtype=float)
         matrix = np.array(sp.Matrix(law).subs(values), dtype=float)
@@ -142,5 +146,5 @@ def _covariances(quantities, vector, law, values):
     return tuple(np.array([[pair[k] for pair in row] for row in pairs]) for k in (0, 1))
 
 
-def _entries(at):
-    return at if isinstance(at, tuple) else (at,)
+def _entries(value):
+    return value if isinstance(value, tuple) else (value,)

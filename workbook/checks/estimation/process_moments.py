@@ -1,8 +1,8 @@
 """Moments of a linear process as functions of time: mean, covariance and their limits.
 
-The reference comes at numbers from the exponential of a block matrix (`references/processes.py`), for times
-and parameters of all sizes; where a covariance settles, and whether it rises, from the signs of
-determinants.
+At numbers, the reference is computed from the exponential of a block matrix
+(`references/processes.py`), for times and parameters of all sizes. The signs of determinants decide
+where a covariance converges and whether it increases.
 """
 
 import itertools
@@ -21,10 +21,10 @@ from workbook.checks.tools.samples import allowed_values, conjunction, in_every_
 from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import entry_text, number_text, tried_text, where_text
 
-#: The times that answers are tried at, with other values of the parameters each.
+#: The times at which answers are compared, each with other values of the parameters.
 TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
 STEPS = (0, 1, 2, 3, 5, 6)
-#: The last time at which a case of an answer is tried.
+#: The last time at which a case of an answer is compared.
 LATEST = 1000
 
 
@@ -45,13 +45,13 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
     for values in in_every_case(
         allowed_values([*parameters, *symbols], given, len(TIMES)), claim, given
     ):
-        A, (true, *added) = (
+        A, (true, *disturbances) = (
             processes.to_array(process.A, values),
             [processes.to_array(c, values) for c in columns],
         )
         size = abs(true)
-        for noise in added:
-            true, size = A @ true + noise, abs(A) @ size + abs(noise)
+        for disturbance in disturbances:
+            true, size = A @ true + disturbance, abs(A) @ size + abs(disturbance)
         yield SameEntries(
             claim,
             true,
@@ -74,10 +74,10 @@ def mean_at_time(claim, process, time, parameters=(), given=sp.true, times=None)
 
     `times` are those for which the answer is asked, if not for all.
     """
-    for one, values in _in_time(process, time, claim, parameters, given, times):
-        F, _ = processes.transition(one, values[time])
+    for model, values in _numeric_cases(process, time, claim, parameters, given, times):
+        F, _ = processes.transition(model, values[time])
         yield SameEntries(
-            claim, F @ one.mean, _text("mean", values), values, abs(F) @ abs(one.mean)
+            claim, F @ model.mean, _moment_message("mean", values), values, abs(F) @ abs(model.mean)
         )
     return f"it is the mean{tried_text(parameters, 'times')}"
 
@@ -90,17 +90,21 @@ def covariance_at_time(claim, process, time, parameters=(), given=sp.true, times
 
     `times` are those for which the answer is asked, if not for all.
     """
-    for one, values in _in_time(process, time, claim, parameters, given, times):
-        F, N = processes.transition(one, values[time])
-        # At the start too terms may cancel that are as large as the noise makes them soon.
-        soon = (
+    for model, values in _numeric_cases(process, time, claim, parameters, given, times):
+        F, N = processes.transition(model, values[time])
+        # At the initial time too, terms may cancel that are as large as this covariance soon is.
+        early_covariance = (
             N
             if values[time]
-            else processes.transition(one, STEPS[1] if one.discrete else TIMES[1])[1]
+            else processes.transition(model, STEPS[1] if model.discrete else TIMES[1])[1]
         )
-        size = abs(F) @ abs(one.covariance) @ abs(F).T + abs(soon)
+        size = abs(F) @ abs(model.covariance) @ abs(F).T + abs(early_covariance)
         yield SameEntries(
-            claim, F @ one.covariance @ F.T + N, _text("covariance", values), values, size.max()
+            claim,
+            F @ model.covariance @ F.T + N,
+            _moment_message("covariance", values),
+            values,
+            size.max(),
         )
     return f"it is the covariance{tried_text(parameters, 'times')}"
 
@@ -112,12 +116,16 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
     `times` are those for which the answer is asked, if not for all after the start.
     """
     rows = processes.to_array(of, {})
-    found = []
-    for one, values in _in_time(process, time, claim, parameters, given, times or TIMES[1:]):
-        covariance = rows @ processes.moments(one, values[time])[1] @ rows.T
-        found.append((covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values))
-    constant = np.ptp([true for true, _ in found]) < 1e-9
-    for true, values in found:
+    correlations = []
+    for model, values in _numeric_cases(
+        process, time, claim, parameters, given, times or TIMES[1:]
+    ):
+        covariance = rows @ processes.moments(model, values[time])[1] @ rows.T
+        correlations.append(
+            (covariance[0, 1] / np.sqrt(covariance[0, 0] * covariance[1, 1]), values)
+        )
+    constant = np.ptp([true for true, _ in correlations]) < 1e-9
+    for true, values in correlations:
         yield SameValue(
             claim,
             true,
@@ -135,8 +143,10 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
     The equation is w' = a w + q, with the intensity Q of q and the variance D of w(0).
     """
     for values in in_every_case(allowed_values(parameters, given, len(TIMES)), claims, given):
-        D, a = (float(part.subs(values)) for part in processes.variance_and_rate(process))
-        for claim, true, what in zip(
+        D, a = (
+            float(expression.subs(values)) for expression in processes.variance_and_rate(process)
+        )
+        for claim, true, quantity in zip(
             claims,
             (-a, 2 * a * D, D),
             ("the coefficient", "the intensity", "the variance at the start"),
@@ -144,7 +154,7 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
             yield SameValue(
                 claim,
                 true,
-                f"{what} of the equation that keeps the given correlation",
+                f"{quantity} of the equation that keeps the given correlation",
                 values,
                 max(a, a * D, D),
             )
@@ -155,13 +165,15 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
 def stationary_covariance(claim, process, parameters=(), given=sp.true):
     """Check the covariance matrix that the process converges to from every initial covariance.
 
-    It is asked for those parameters with which the process converges.
+    It is compared at the parameters for which the process converges.
     """
     process = processes.as_process(process)
-    settling = sp.And(conjunction(given), decays(process.A, process.discrete))
-    for values in in_every_case(allowed_values(parameters, settling, len(TIMES)), claim, settling):
-        one = processes.at_values(process, values, start=False)
-        true = processes.stationary_covariance(one)
+    convergence = sp.And(conjunction(given), decays(process.A, process.discrete))
+    for values in in_every_case(
+        allowed_values(parameters, convergence, len(TIMES)), claim, convergence
+    ):
+        model = processes.at_values(process, values, start=False)
+        true = processes.stationary_covariance(model)
         yield SameEntries(
             claim,
             true,
@@ -190,18 +202,18 @@ def covariance_exponents(claims, process, parameters=(), given=sp.true):
         size = max(map(abs, true))
         claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
-        def fits(number, other):
+        def fits(member, exponent):
             return agree(
-                number[1], other, number[0], size, REPEATED, uncertainty_at(number[0], values)
+                member[1], exponent, member[0], size, REPEATED, uncertainty_at(member[0], values)
             )
 
         yield SameMembers(
             list(zip(claims, claimed)),
             true,
             fits,
-            lambda number: (
+            lambda member: (
                 "no part of the covariance changes with the exponent "
-                f"{number_text(number[1])}{where_text(values)}"
+                f"{number_text(member[1])}{where_text(values)}"
             ),
             lambda *_: (
                 f"a part of the covariance changes with an exponent that your answer does not name"
@@ -246,52 +258,53 @@ def covariance_increases(answer, process, parameters, given=sp.true):
     A, P = sp.Matrix(process.A), sp.Matrix(process.covariance)
     rate = A * P * A.T + process.Q - P if process.discrete else A * P + P * A.T + process.Q
     minors = [sp.factor(rate[:k, :k].det()) for k in range(1, A.rows + 1)]
-    rises = sp.And(
+    increases = sp.And(
         *(minor > 0 for minor in minors), sp.Ne(A.det(), 0) if process.discrete else sp.true
     )
 
     def message(values):
-        at = sp.Matrix(rate.subs(values))
-        if at.rows == 1:
-            return (
-                f"from the start on the variance changes at the rate {number_text(complex(at[0]))}"
-            )
-        return f"there the variances change at the rates {', '.join(map(str, at.diagonal()))} at the start"
+        rate_there = sp.Matrix(rate.subs(values))
+        if rate_there.rows == 1:
+            return f"from the start on the variance changes at the rate {number_text(complex(rate_there[0]))}"
+        return f"there the variances change at the rates {', '.join(map(str, rate_there.diagonal()))} at the start"
 
     agreement = compare(
-        answer, parameters, exactly(rises, conjunction(given)), contradiction_message(message)
+        answer, parameters, exactly(increases, conjunction(given)), contradiction_message(message)
     )
     return f"it rises there and nowhere else: {agreement}"
 
 
-def _in_time(process, time, claim, parameters, given, times):
-    asked = (
-        sp.Or(*(sp.Eq(time, moment) for moment in times))
+def _numeric_cases(process, time, claim, parameters, given, times):
+    """Yield (model, values) at several times, the time being one of the values."""
+    time_range = (
+        sp.Or(*(sp.Eq(time, instant) for instant in times))
         if times
         else sp.And(time >= 0, time <= LATEST)
     )
     times = times or (STEPS if processes.as_process(process).discrete else TIMES)
     samples = allowed_values(parameters, given, max(len(times), len(TIMES)))
-    # However few the times are, the parameters get as many values as elsewhere.
+    # However few the times are, the parameters take as many values as elsewhere.
     count = max(len(times), len(samples))
     samples = [
-        values | {time: sp.sympify(moment)}
-        for moment, values, _ in zip(itertools.cycle(times), itertools.cycle(samples), range(count))
+        values | {time: sp.sympify(instant)}
+        for instant, values, _ in zip(
+            itertools.cycle(times), itertools.cycle(samples), range(count)
+        )
     ]
-    for values in in_every_case(samples, claim, sp.And(conjunction(given), asked)):
+    for values in in_every_case(samples, claim, sp.And(conjunction(given), time_range)):
         yield processes.at_values(process, values), values
 
 
-#: What the moments of a process satisfy.
+#: The equation that each moment of a process satisfies.
 EQUATIONS = {"mean": "equation", "covariance": "dispersion equation"}
 
 
-def _text(what, values):
+def _moment_message(moment, values):
     def message(claimed, i, j):
         if list(values.values())[-1] == 0:
-            return f"at the start your {what} is not the one given: {entry_text(claimed, i, j)}"
+            return f"at the start your {moment} is not the one given: {entry_text(claimed, i, j)}"
         return (
-            f"your {what} does not satisfy the {EQUATIONS[what]} of the process"
+            f"your {moment} does not satisfy the {EQUATIONS[moment]} of the process"
             f"{where_text(values)}: {entry_text(claimed, i, j)}"
         )
 

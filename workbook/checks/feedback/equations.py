@@ -3,9 +3,9 @@
 Its state-space forms are y' = Ay + Bu, x = Cy, z = Hy; the feedback is by the estimate of such a
 state, which the student chooses.
 
-By such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, u, u', ... may have
-any values at one moment. It is right if these satisfy the equation and give z, and if x, x', ...,
-x^(n-1) tell y: then the equation and the form have the same motions. A form with the right transfer
+For such a form x^(k) = C A^k y + sum over j < k of C A^(k-1-j) B u^(j), and y, u, u', ... may have
+any values at one time. The form is right if these satisfy the equation and give z, and if x, x', ...,
+x^(n-1) determine y: then the equation and the form have the same motions. A form with the right transfer
 function alone need not have all of them.
 """
 
@@ -24,8 +24,10 @@ from workbook.checks.tools.wording import number_text
 
 
 class StateForm(Claim):
-    """A list of matrices named A, B, C, ... of one state space: A is square, a name in ROWS a row,
-    another a column."""
+    """A list of matrices A, B, C, ... of one state space.
+
+    A is square, a matrix named in ROWS is a row, any other a column.
+    """
 
     ROWS = "CHK"
 
@@ -72,8 +74,8 @@ def equation_gains(claim, equation):
     if greatest is not None and greatest <= 0:
         raise ValueError("no feedback stabilises this equation")
     requirement = Requirement(margin=greatest or 0)
-    requirement.hold(lambda gain: A + B * gain, K, "the matrix A + BK of the loop")
-    message = requirement.hold(lambda gain: A - gain * H, L, "the matrix A - LH of the errors")
+    requirement.judge(lambda gain: A + B * gain, K, "the matrix A + BK of the loop")
+    message = requirement.judge(lambda gain: A - gain * H, L, "the matrix A - LH of the errors")
     return f"{message}, and so do those of A + BK"
 
 
@@ -93,7 +95,7 @@ def _comparisons(form, equation):
     )
 
     def motions(A, B, C):
-        """Row k: how x^(k) depends on y, and how on u, u', ..."""
+        """Return the matrices whose row k gives x^(k) as a combination of y, and of u, u', ..."""
         on_state = [C]
         while len(on_state) <= n:
             on_state.append(on_state[-1] @ A)
@@ -109,41 +111,42 @@ def _comparisons(form, equation):
         return left @ on_state, left @ on_control, measured @ on_state - H[0]
 
     on_state, on_control = motions(A, B, C)
-    found = left @ on_state, left @ on_control, measured @ on_state
+    coefficients = left @ on_state, left @ on_control, measured @ on_state
     sizes = (
         abs(left) @ abs(on_state),
         abs(left) @ abs(on_control),
         abs(measured) @ abs(on_state) + abs(H[0]),
     )
-    here = sides(A, B, C, H)
-    others = [
-        sides(*other)
-        for other in perturbed_arrays(
+    side_values = sides(A, B, C, H)
+    perturbed_values = [
+        sides(*matrices)
+        for matrices in perturbed_arrays(
             (A, B, C, H), [entry_uncertainties(part, {}) for part in form]
         )
     ]
     allowed = [
-        EXACT * (max(size) + extra) + sum(abs(other[k] - here[k]) for other in others)
+        EXACT * (max(size) + extra)
+        + sum(abs(perturbed[k] - side_values[k]) for perturbed in perturbed_values)
         for k, (size, extra) in enumerate(zip(sizes, (0, max(abs(right)), 0)))
     ]
     yield SameSides(
-        found[0],
+        coefficients[0],
         0,
         allowed[0],
         lambda point: (
             f"the motion of your form without control from y{point[0] + 1} = 1, the others zero, "
             "does not satisfy the "
-            f"equation: its left-hand side begins with {number_text(found[0][point])}"
+            f"equation: its left-hand side begins with {number_text(coefficients[0][point])}"
         ),
         1,
     )
     yield SameSides(
-        found[1],
+        coefficients[1],
         right[:-1],
         allowed[1],
         lambda point: (
             f"from rest your form does not satisfy the equation: u{_primes(point[0])} enters its "
-            f"left-hand side with the coefficient {number_text(found[1][point])}, its right-hand "
+            f"left-hand side with the coefficient {number_text(coefficients[1][point])}, its right-hand "
             f"side with {number_text(right[point])}"
         ),
         1,
@@ -156,11 +159,11 @@ def _comparisons(form, equation):
         )
     yield SameSides(
         H[0],
-        found[2],
+        coefficients[2],
         allowed[2],
         lambda point: (
             f"z is not what is measured: at y{point[0] + 1} = 1, the others zero, your row H gives "
-            f"{number_text(H[0][point])}, and x and its derivatives {number_text(found[2][point])}"
+            f"{number_text(H[0][point])}, and x and its derivatives {number_text(coefficients[2][point])}"
         ),
         1,
     )

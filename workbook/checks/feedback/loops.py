@@ -29,15 +29,14 @@ from workbook.systems import Linear, Scalar
 
 
 class Gain(MatrixOrVector):
-    """A matrix of the `shape` given, a vector also lying down or upright; None for an empty
-    list."""
+    """A matrix of a given `shape`, a vector also as a row or a column; None for an empty list."""
 
     def read(self, answer, data):
         return None if is_empty_list(answer) else super().read(answer, data)
 
 
 class Gains(Claim):
-    """A list of two matrices of the `shapes` given; None for an empty list."""
+    """A list of two matrices of given `shapes`; None for an empty list."""
 
     def read(self, answer, data):
         if is_empty_list(answer):
@@ -54,8 +53,10 @@ class Gains(Claim):
 
 @dataclass(frozen=True)
 class Requirement:
-    """What a spectrum has to be where the parameters are as `given`: `polynomial` in `symbol`, or
-    else a `margin`."""
+    """A required characteristic `polynomial` in `symbol`, or else a `margin`.
+
+    It is required where the parameters satisfy the conditions `given`.
+    """
 
     parameters: tuple = ()
     given: object = sp.true
@@ -64,12 +65,12 @@ class Requirement:
     symbol: object = None
 
     def impossible(self, pair):
-        """Whether no gain of the pair meets it."""
+        """Return whether no gain of the pair meets the requirement."""
         if self.polynomial is None:
             return slower_than(self.margin, pair)
-        (others, *_) = self.samples()
+        (parameter_values, *_) = self.samples()
         for (values, _), fixed in zip(pair.samples, fixed_eigenvalues(pair)):
-            coefficients = self._coefficients(others | values)
+            coefficients = self._coefficients(parameter_values | values)
             if any(
                 abs(np.polyval(coefficients, root))
                 > 1e-7 * np.polyval(abs(coefficients), abs(root))
@@ -78,23 +79,25 @@ class Requirement:
                 return True
         return False
 
-    def hold(self, loop, gain, what, by="your gain"):
-        """Raise `Wrong` unless the matrix `loop(gain)`, called `what` in a message, meets it; `by`
-        is what the student calls the answer."""
+    def judge(self, loop, gain, matrix_name, answer_name="your gain"):
+        """Raise `Wrong` unless the matrix `loop(gain)` meets the requirement; return the message.
+
+        Messages call the matrix `matrix_name` and the answer `answer_name`.
+        """
         for values in in_every_case(self.samples(), gain, conjunction(self.given)):
             if abs(matrix_at(gain, values).imag).max(initial=0) > 0:
-                raise Wrong(f"with {by} {what} is not real{where_text(values)}")
+                raise Wrong(f"with {answer_name} {matrix_name} is not real{where_text(values)}")
             if self.polynomial is not None:
-                self._hold_polynomial(loop, gain, what, by, values)
+                self._judge_polynomial(loop, gain, matrix_name, answer_name, values)
         if self.polynomial is not None:
-            return f"the characteristic polynomial of {what} is the one required"
-        return self._hold_margin(loop, gain, what, by)
+            return f"the characteristic polynomial of {matrix_name} is the one required"
+        return self._judge_margin(loop, gain, matrix_name, answer_name)
 
-    def _asked(self, values):
+    def _admits(self, values):
         return conjunction(self.given).subs(values) is sp.true
 
     def samples(self):
-        return [values for values in general_values(self.parameters) if self._asked(values)]
+        return [values for values in general_values(self.parameters) if self._admits(values)]
 
     def _coefficients(self, values):
         poly = sp.Poly(self.polynomial, self.symbol)
@@ -102,13 +105,13 @@ class Requirement:
             poly.LC().subs(values)
         )
 
-    def _hold_polynomial(self, loop, gain, what, by, values):
-        def found(matrix):
+    def _judge_polynomial(self, loop, gain, matrix_name, answer_name, values):
+        def coefficients(matrix):
             closed = loop(sp.Matrix(matrix))
             return np.poly(np.array(closed.subs(values).evalf(30).tolist(), dtype=complex))
 
-        there = matrix_at(gain, values)
-        claimed, true = found(there), self._coefficients(values)
+        numbers = matrix_at(gain, values)
+        claimed, true = coefficients(numbers), self._coefficients(values)
         if len(claimed) != len(true):
             raise RuntimeError("the required polynomial has not the order of the loop")
         size = (
@@ -116,22 +119,22 @@ class Requirement:
         )
         allowed = EXACT * np.maximum(abs(true), size ** np.arange(len(true)))
         if in_decimals(gain):
-            # Every coefficient is linear in each entry: what its last digit may change.
-            left_open = entry_uncertainties(gain, values)
-            for k in np.ndindex(there.shape):
-                moved = there.copy()
-                moved[k] += left_open[k]
-                allowed = allowed + abs(found(moved) - claimed)
+            # Every coefficient is linear in each entry, so this bounds the effect of its last digit.
+            uncertainty = entry_uncertainties(gain, values)
+            for k in np.ndindex(numbers.shape):
+                perturbed = numbers.copy()
+                perturbed[k] += uncertainty[k]
+                allowed = allowed + abs(coefficients(perturbed) - claimed)
         wrong = ~(abs(claimed - true) <= allowed)
         if wrong.any():
             k = int(np.argmax(wrong))
             raise Wrong(
-                f"with {by} the characteristic polynomial of {what} is not the one required"
+                f"with {answer_name} the characteristic polynomial of {matrix_name} is not the one required"
                 f"{where_text(values)}: the coefficient of {self.symbol}^{len(claimed) - 1 - k} is "
                 f"{number_text(claimed[k] if abs(claimed[k]) > EXACT * size**k else 0)}"
             )
 
-    def _hold_margin(self, loop, gain, what, by):
+    def _judge_margin(self, loop, gain, matrix_name, answer_name):
         matrix, slack = loop(in_fractions(gain)), 0
         if self.margin and in_decimals(gain):
             slack = self._slack(loop, gain)
@@ -142,8 +145,11 @@ class Requirement:
 
         def message(values, holds):
             if undefined(values):
-                return f"an entry of {by} has no value{where_text(values)}"
-            return f"with {by} {what} is not as required{where_text(values)}: {spectrum.describe(values)}"
+                return f"an entry of {answer_name} has no value{where_text(values)}"
+            return (
+                f"with {answer_name} {matrix_name} is not as required{where_text(values)}: "
+                f"{spectrum.describe(values)}"
+            )
 
         if self.parameters:
             # A pole of an entry may cancel in the characteristic polynomial.
@@ -162,34 +168,34 @@ class Requirement:
                 (outside,),
                 lambda values: (
                     not undefined(values) and spectrum.is_stable(values)
-                    if self._asked(values)
+                    if self._admits(values)
                     else None
                 ),
             )
             return (
-                f"all eigenvalues of {what} lie where they have to: "
+                f"all eigenvalues of {matrix_name} lie where they have to: "
                 f"{compare(sp.true, self.parameters, reference, message)}"
             )
         if not _largest_real_part(matrix) <= (
             slack - self.margin + EXACT if self.margin else -EXACT
         ):
             raise Wrong(message({}, False))
-        return f"all eigenvalues of {what} lie where they have to"
+        return f"all eigenvalues of {matrix_name} lie where they have to"
 
     def _slack(self, loop, gain):
-        """By how much the decimals of a gain may shift the spectrum."""
+        """Return how far the rounding of the entries of a gain may shift the spectrum."""
 
-        def rate(entries):
+        def largest(entries):
             return _largest_real_part(loop(sp.Matrix(*gain.shape, entries)))
 
         entries = list(in_fractions(gain))
-        moved = (
+        perturbed_gains = (
             [*entries[:k], entries[k] * (1 + side * sp.Rational(1, 200)), *entries[k + 1 :]]
             for k in range(len(entries))
             for side in (-1, 1)
         )
         return sp.Rational(
-            sum(abs(rate(other) - rate(entries)) for other in moved)
+            sum(abs(largest(perturbed) - largest(entries)) for perturbed in perturbed_gains)
         ).limit_denominator(10**6)
 
 
@@ -200,50 +206,56 @@ def in_fractions(gain):
 
 
 def _largest_real_part(matrix):
-    """Of the eigenvalues; multiple ones without loss of digits where the entries are rational."""
+    """Return the largest real part of the eigenvalues.
+
+    With rational entries, multiple eigenvalues lose no digits.
+    """
     polynomial = matrix.charpoly()
     roots = np.roots([float(c) for c in polynomial.sqf_part().all_coeffs()])
     largest = max(roots.real)
     return largest if abs(largest) > EXACT else 0.0
 
 
-def _judge(gain, loop, what, requirement, pair):
+def _judge(gain, loop, matrix_name, requirement, pair):
     if gain is None:
         if not requirement.impossible(pair):
             raise Wrong(
                 "some gain makes the spectrum as required: no mode that stays the same forbids it"
             )
         return "there is no such gain: a mode that no gain changes forbids it"
-    # That no gain exists is the answer, so the message does not say it.
-    message = requirement.hold(loop, gain, what)
+    # That no gain exists would be the answer, so the message does not say it.
+    message = requirement.judge(loop, gain, matrix_name)
     if requirement.polynomial is not None:
-        in_general = sp.true if pair is None or not pair.parameters else pair.generic_condition
+        generic = sp.true if pair is None or not pair.parameters else pair.generic_condition
         judge_everywhere(
             gain,
             requirement.parameters,
-            lambda: sp.And(conjunction(requirement.given), in_general),
+            lambda: sp.And(conjunction(requirement.given), generic),
             "an entry of your gain has no value",
         )
     if pair is not None and requirement.impossible(pair):
-        raise Wrong(f"with your gain the spectrum of {what} is not as required")
+        raise Wrong(f"with your gain the spectrum of {matrix_name} is not as required")
     return message
 
 
-def _column(data):
-    both = augmented(data["system"])
-    return both.A.rows, both.H.rows
+def _observer_shape(data):
+    extended = augmented(data["system"])
+    return extended.A.rows, extended.H.rows
 
 
-def _by_state(data):
+def _state_feedback_shape(data):
     return data["system"].B.cols, data["system"].A.rows
 
 
-def _by_what_is_fed_back(data):
+def _feedback_shape(data):
     return data["system"].B.cols, data["system"].H.rows or data["system"].A.rows
 
 
 def loop_of(system):
-    """What a gain closes: (what spectrum decides, as a function of the gain, what it is called)."""
+    """Return (closed loop as a function of the gain, its name in messages).
+
+    The loop is a matrix, or for a `Scalar` its characteristic polynomial.
+    """
     if isinstance(system, Scalar):
         return lambda k: sp.expand(
             system.left - k * system.right * system.measured
@@ -256,7 +268,7 @@ def loop_of(system):
     return lambda K: A + B * K * H, "the matrix A + BKH of the loop"
 
 
-@judged(Gain("parameters", shape=_column))
+@judged(Gain("parameters", shape=_observer_shape))
 def observer_gain(
     gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
 ):
@@ -269,10 +281,10 @@ def observer_gain(
     `polynomial` in `symbol`, whose coefficients are parameters.
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
-    return _judge(gain, *_watched(system, parameters, requirement))
+    return _judge(gain, *_error_loop(system, parameters, requirement))
 
 
-@judged(Gain("parameters", shape=_by_what_is_fed_back))
+@judged(Gain("parameters", shape=_feedback_shape))
 def feedback_gain(
     gain, system, parameters=(), given=sp.true, margin=0, polynomial=None, symbol=None
 ):
@@ -285,17 +297,17 @@ def feedback_gain(
     """
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
     if not system.H:
-        return _judge(gain, *_driven(system, parameters, requirement))
+        return _judge(gain, *_state_loop(system, parameters, requirement))
     if gain is None:
         return _judge_none_static(system, requirement)
     return _judge(gain, *loop_of(system), requirement, None)
 
 
 def _judge_none_static(system, requirement):
-    """Without a gain at some values of the parameters there is none for all of them."""
+    """Accept "no gain" if at some values of the parameters no static gain stabilises."""
     shape = system.B.cols, system.H.rows
     entries = sp.symbols(f"k1:{shape[0] * shape[1] + 1}", real=True, cls=sp.Dummy)
-    closed, found = loop_of(system)[0](sp.Matrix(*shape, entries)), None
+    closed, last_error = loop_of(system)[0](sp.Matrix(*shape, entries)), None
     for values in requirement.samples():
         loop = closed.subs(values)
         try:
@@ -305,14 +317,16 @@ def _judge_none_static(system, requirement):
                 Spectrum(loop, entries, requirement.margin).stability,
                 lambda *_, where=where_text(values): f"there is a gain that does it{where}",
             )
-        except Wrong as wrong:
-            found = wrong
+        except Wrong as error:
+            last_error = error
         else:
             return "there is no such gain, whatever its entries"
-    raise found
+    raise last_error
 
 
-@judged(Gains("parameters", shapes=lambda data: [_by_state(data), _column(data)]))
+@judged(
+    Gains("parameters", shapes=lambda data: [_state_feedback_shape(data), _observer_shape(data)])
+)
 def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=0):
     """Check the gains [K, L] of a feedback u = K e by the estimate e of an observer.
 
@@ -322,7 +336,10 @@ def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=
     all values of the parameters, of the loop and of the errors.
     """
     requirement = Requirement(tuple(parameters), given, margin)
-    parts = [_driven(system, parameters, requirement), _watched(system, parameters, requirement)]
+    parts = [
+        _state_loop(system, parameters, requirement),
+        _error_loop(system, parameters, requirement),
+    ]
     if gains is None:
         if not any(requirement.impossible(pair) for *_, pair in parts):
             raise Wrong("there are such gains: no mode that stays the same forbids it")
@@ -331,23 +348,27 @@ def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=
     return f"{message}, and so do those of A + BK"
 
 
-def _driven(system, parameters, requirement):
-    """What `_judge` needs of the loop by the whole state."""
+def _state_loop(system, parameters, requirement):
+    """Return the arguments of `_judge` for feedback of the whole state."""
     system = Linear(system.A, system.B)
     return (
         *loop_of(system),
         requirement,
-        controlled_pair(system, _of(parameters, system.A, system.B)),
+        controlled_pair(system, _system_parameters(parameters, system.A, system.B)),
     )
 
 
-def _watched(system, parameters, requirement):
-    """What it needs of the errors of an observer."""
-    both = augmented(system)
-    system = Linear(both.A, H=both.H)
-    return *loop_of(system), requirement, observed_pair(system, _of(parameters, system.A, system.H))
+def _error_loop(system, parameters, requirement):
+    """Return the arguments of `_judge` for the errors of an observer."""
+    extended = augmented(system)
+    system = Linear(extended.A, H=extended.H)
+    return (
+        *loop_of(system),
+        requirement,
+        observed_pair(system, _system_parameters(parameters, system.A, system.H)),
+    )
 
 
-def _of(parameters, *matrices):
-    """The parameters that stand in the system itself, and not in what is required alone."""
+def _system_parameters(parameters, *matrices):
+    """Return the parameters in the matrices, without those in the requirement alone."""
     return tuple(p for p in parameters if any(p in matrix.free_symbols for matrix in matrices))

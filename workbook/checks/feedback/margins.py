@@ -41,8 +41,8 @@ def gain_region(answer, system, gain, parameters, margin=0):
     Of one equation, `Scalar`, u = `gain` z. With a margin its border counts either way.
     """
     loop, _ = loop_of(system)
-    what = "stable" if isinstance(system, Scalar) or system.B else "convergent"
-    return compare_region(answer, loop(gain), parameters, what, margin)
+    property_name = "stable" if isinstance(system, Scalar) or system.B else "convergent"
+    return compare_region(answer, loop(gain), parameters, property_name, margin)
 
 
 @judged
@@ -58,32 +58,36 @@ def possible_margins(answer, system, mu, parameters=()):
     no margin.
     """
     if isinstance(system, Scalar):
-        what, reference = "feedback by an estimate", up_to(mu, common_margin(system))
+        device, reference = "feedback by an estimate", up_to(mu, common_margin(system))
     elif not parameters:
-        what = "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
+        device = (
+            "observer" if not system.B else "feedback by an estimate" if system.H else "feedback"
+        )
         pairs = ([controlled_pair(system)] if system.B else []) + (
             [observed_pair(augmented(system))] if system.H else []
         )
         reference = up_to(mu, *map(greatest_margin, pairs))
     else:
-        what, one = ("feedback", system.dual) if has_control(system) else ("observer", system)
-        reference = margins_with_parameters(one.A, one.H, mu, parameters)
-    return compare_margins(answer, [*parameters, mu], reference, what)
+        device, observed = (
+            ("feedback", system.dual) if has_control(system) else ("observer", system)
+        )
+        reference = margins_with_parameters(observed.A, observed.H, mu, parameters)
+    return compare_margins(answer, [*parameters, mu], reference, device)
 
 
 def up_to(mu, *greatest):
-    """The `ReferenceCondition` that mu is at most the least of the margins; those that are None set no bound."""
+    """Return the `ReferenceCondition` that mu is at most each margin; None sets no bound."""
     bounds = [margin for margin in greatest if margin is not None]
     return exactly(mu <= min(bounds, key=float) if bounds else sp.true)
 
 
-def compare_margins(answer, symbols, reference, what):
+def compare_margins(answer, symbols, reference, device):
     def message(values, holds):
         if holds:
-            return f"your condition does not hold for {values_text(values)}, yet some {what} has this margin"
-        return f"your condition holds for {values_text(values)}, yet no {what} has this margin"
+            return f"your condition does not hold for {values_text(values)}, yet some {device} has this margin"
+        return f"your condition holds for {values_text(values)}, yet no {device} has this margin"
 
-    return f"these are the margins that some {what} has: {compare(answer, symbols, reference, message)}"
+    return f"these are the margins that some {device} has: {compare(answer, symbols, reference, message)}"
 
 
 @judged
@@ -119,7 +123,7 @@ def undetectable_mode(answer, system, parameters=()):
         points.append(zero)
     for value, vector in claims.items():
         for values in in_every_case(points, [value, vector]):
-            _hold_mode(value, vector, A, H, values, where_text(values))
+            _judge_mode(value, vector, A, H, values, where_text(values))
         judge_everywhere(
             vector,
             parameters,
@@ -130,22 +134,26 @@ def undetectable_mode(answer, system, parameters=()):
     return "it is a mode that does not decay, and nothing can be done about it: A v = lambda v"
 
 
-def _hold_mode(value, vector, A, H, values, where):
+def _judge_mode(value, vector, A, H, values, where):
     root, column = number_at(value, values, "your lambda"), matrix_at(vector, values)
     matrix, output = matrix_at(A, values), matrix_at(H, values)
     if not abs(column).max() > 0:
         raise Wrong(f"your vector v is zero{where}")
-    open_, (open_root,) = (
+    vector_uncertainty, (root_uncertainty,) = (
         entry_uncertainties(vector, values),
         *entry_uncertainties(sp.Matrix([value]), values),
     )
     image = matrix @ column
     size = (abs(matrix) @ abs(column)).max() + abs(root) * abs(column).max()
-    left_open = abs(matrix) @ open_ + abs(root) * open_ + open_root * abs(column)
-    if not (abs(image - root * column) <= EXACT * size + left_open).all():
+    residual_uncertainty = (
+        abs(matrix) @ vector_uncertainty
+        + abs(root) * vector_uncertainty
+        + root_uncertainty * abs(column)
+    )
+    if not (abs(image - root * column) <= EXACT * size + residual_uncertainty).all():
         raise Wrong(f"v and lambda = {number_text(root)} do not satisfy A v = lambda v{where}")
-    shown = abs(output) @ abs(column)
-    if not (abs(output @ column) <= EXACT * shown + abs(output) @ open_).all():
+    output_size = abs(output) @ abs(column)
+    if not (abs(output @ column) <= EXACT * output_size + abs(output) @ vector_uncertainty).all():
         k = int(abs(output @ column).argmax())
         raise Wrong(
             "the output shows it: H v has the component "

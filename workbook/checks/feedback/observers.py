@@ -50,32 +50,34 @@ def observer_equations(
     requirement = Requirement(tuple(parameters), given, margin, polynomial, symbol)
     A, B, H = system.A, system.B, system.H
     symbols = [*estimates, *outputs, *controls]
-    right = sp.Matrix(claims)
-    _hold_linear(claims, symbols, parameters, estimates)
-    plain = dict.fromkeys(symbols, sp.Integer(0))
+    right_sides = sp.Matrix(claims)
+    _require_linear(claims, symbols, parameters, estimates)
+    zeros = dict.fromkeys(symbols, sp.Integer(0))
     F, G, J = (
-        right.jacobian(part).subs(plain) if part else sp.zeros(A.rows, 0)
+        right_sides.jacobian(part).subs(zeros) if part else sp.zeros(A.rows, 0)
         for part in (estimates, outputs, controls)
     )
     for values in in_every_case(general_values(parameters), claims):
-        open_F, open_G, open_J = (entry_uncertainties(part, values) for part in (F, G, J))
-        _hold_same(
+        uncertainty_F, uncertainty_G, uncertainty_J = (
+            entry_uncertainties(part, values) for part in (F, G, J)
+        )
+        _require_equal(
             J,
             B,
             values,
-            open_J,
+            uncertainty_J,
             "a control that is known acts on the estimate as on the state",
             controls,
         )
-        _hold_same(
+        _require_equal(
             F + G * H,
             A,
             values,
-            open_F + open_G @ abs(matrix_at(H, values)),
+            uncertainty_F + uncertainty_G @ abs(matrix_at(H, values)),
             "an estimate that is exact at one moment does not stay so while the state moves",
             estimates,
         )
-    return requirement.hold(in_fractions, F, "the matrix of the errors", "your equations")
+    return requirement.judge(in_fractions, F, "the matrix of the errors", "your equations")
 
 
 @judged(
@@ -94,17 +96,20 @@ def closed_loop_equations(claims, field, state, controls, desired, H, K, L, esti
     The deviations are those from the process x*, u* with the `desired` motion, under u = u* + K
     e and the observer e' = Ae + BKe + L (z - H x* - He), z = Hx.
 
-    The field is linear, `desired` prescribes some of the state as functions of time; what it
-    leaves open is constant.
+    The field is linear; `desired` prescribes some of the state as functions of time, and the rest
+    of the state and the controls are constant.
     """
-    e, prescribed = sp.Matrix(estimates), {s: sp.sympify(motion) for s, motion in desired.items()}
-    open_ = [s for s in (*state, *controls) if s not in prescribed]
-    (found,) = sp.solve(
+    e, prescribed = (
+        sp.Matrix(estimates),
+        {s: sp.sympify(function) for s, function in desired.items()},
+    )
+    unprescribed = [s for s in (*state, *controls) if s not in prescribed]
+    (constants,) = sp.solve(
         [f.subs(prescribed) - sp.diff(prescribed.get(s, 0), time) for s, f in zip(state, field)],
-        open_,
+        unprescribed,
         dict=True,
     )
-    process = prescribed | found
+    process = prescribed | constants
     field = sp.Matrix(field)
     A, B = field.jacobian(state), field.jacobian(controls)
     deviations = sp.Matrix([s - process[s] for s in state])
@@ -114,30 +119,37 @@ def closed_loop_equations(claims, field, state, controls, desired, H, K, L, esti
     ]
     symbols = sorted(
         set().union(
-            *(right.free_symbols for right in true), *(claim.free_symbols for claim in claims)
+            *(right_side.free_symbols for right_side in true),
+            *(claim.free_symbols for claim in claims),
         ),
         key=str,
     )
     for values in in_every_case(sample_values(symbols), claims):
-        for symbol, claim, right in zip((*state, *estimates), claims, true):
-            terms = [abs(complex(term.subs(values))) for term in sp.Add.make_args(sp.expand(right))]
+        for symbol, claim, right_side in zip((*state, *estimates), claims, true):
+            terms = [
+                abs(complex(term.subs(values))) for term in sp.Add.make_args(sp.expand(right_side))
+            ]
             yield SameValue(
-                claim, complex(right.subs(values)).real, f"the rate of {symbol}", values, sum(terms)
+                claim,
+                complex(right_side.subs(values)).real,
+                f"the rate of {symbol}",
+                values,
+                sum(terms),
             )
     return "the plant, its control and the observer agree with the signs and the process that were asked"
 
 
-def _hold_linear(claims, symbols, parameters, estimates):
-    """Whether each right-hand side is a sum of multiples of the symbols, at values of them."""
-    plain = dict.fromkeys(symbols, sp.Integer(0))
-    coefficients = [[claim.diff(s).subs(plain) for s in symbols] for claim in claims]
-    for values, others in zip(
+def _require_linear(claims, symbols, parameters, estimates):
+    """Raise `Wrong` unless each right-hand side is linear in the symbols, at values of them."""
+    zeros = dict.fromkeys(symbols, sp.Integer(0))
+    coefficients = [[claim.diff(s).subs(zeros) for s in symbols] for claim in claims]
+    for values, symbol_values in zip(
         itertools.cycle(general_values(parameters)), in_every_case(signed_values(symbols), claims)
     ):
         for symbol, claim, parts in zip(estimates, claims, coefficients):
-            claimed = number_at(claim, values | others, f"the right-hand side for {symbol}")
+            claimed = number_at(claim, values | symbol_values, f"the right-hand side for {symbol}")
             terms = [
-                number_at(part, values, "a coefficient") * others[s]
+                number_at(part, values, "a coefficient") * symbol_values[s]
                 for part, s in zip(parts, symbols)
             ]
             if not abs(claimed - sum(terms)) <= 1e-9 * (abs(claimed) + sum(map(abs, terms))):
@@ -147,18 +159,18 @@ def _hold_linear(claims, symbols, parameters, estimates):
                 )
 
 
-def _hold_same(claimed, true, values, left_open, what, names):
-    found, wanted = (
+def _require_equal(claimed, true, values, uncertainty, failure, names):
+    numbers, expected = (
         np.array(m.subs(values).evalf(30).tolist(), dtype=complex).reshape(m.shape)
         for m in (claimed, true)
     )
     wrong = ~(
-        abs(found - wanted)
-        <= left_open + EXACT * (abs(wanted).max(initial=0) + abs(found).max(initial=0) + 1)
+        abs(numbers - expected)
+        <= uncertainty + EXACT * (abs(expected).max(initial=0) + abs(numbers).max(initial=0) + 1)
     )
     if wrong.any():
         i, k = np.argwhere(wrong)[0]
         raise Wrong(
-            f"{what}{where_text(values)}: in equation {i + 1} the part of {names[k]} adds up to "
-            f"{number_text(found[i, k])}"
+            f"{failure}{where_text(values)}: in equation {i + 1} the part of {names[k]} adds up to "
+            f"{number_text(numbers[i, k])}"
         )

@@ -1,9 +1,9 @@
 """Linear-quadratic regulators, `Quadratic`, and feedback by noisy measurements.
 
-A gain is judged by its own cost, which is linear algebra: every state decays, and no other gain is
-better at a first moment if what comes later costs what it costs under the gain itself. A gain of
-which this is true is the best one. Where the end is given, or states need not decay, the least cost
-is found from the data (`references/regulators.py`).
+A gain is judged by its own cost, which is linear algebra. It is the best one if every state decays
+and no other gain is better at first, when the later cost is that under the gain itself (one step of
+policy iteration). With a given end, or where states need not decay, the least cost is computed from
+the data (`references/regulators.py`).
 """
 
 import numpy as np
@@ -21,9 +21,9 @@ from workbook.checks.tools.values import matrix_at, numbers_at, uncertainty_at
 from workbook.checks.tools.wording import entry_text, number_text, where_text
 
 COUNT = 6
-#: What rounding leaves of a zero.
+#: Relative size below which a number is zero up to rounding.
 ROUNDED = 1e-9
-#: At which parts of the duration a law or a cost that changes with time is tried.
+#: The fractions of the duration at which a law or a cost that depends on time is compared.
 PARTS = (0, 0.2, 0.5, 0.8, 0.95, 1)
 
 
@@ -50,25 +50,24 @@ def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
                 "that the cost does not see"
             )
         return "no law is the best one: a mode stands in the way that the control or the cost does not reach"
-    for values, one, moment in _moments(problem, time, claim, parameters, given):
-        if np.isfinite(one.duration) or one.anywhere:
-            true, message = one.gain_for(one.least(moment)), _other_control
+    for values, regulator, instant in _regulators_in_time(problem, time, claim, parameters, given):
+        if np.isfinite(regulator.duration) or regulator.anywhere:
+            true, message = regulator.gain_for(regulator.least(instant)), _control_message
         else:
-            true, message = _improved(claim, one, values)
+            true, message = _improved_gain(claim, regulator, values)
         yield SameEntries(claim, true, message(values), values, abs(true).max())
     return "every state is led at the least cost"
 
 
-def _improved(claim, one, values):
-    """The best gain for a moment, if afterwards the gain claimed is kept, and the message that it
-    is another one."""
+def _improved_gain(claim, regulator, values):
+    """Return the best gain at present if the claimed one is used later, and a message builder."""
     claimed = matrix_at(claim, values)
     if claimed.imag.any():
         raise Wrong(f"your gain is not real{where_text(values)}")
     claimed = claimed.real
-    roots = np.linalg.eigvals(one.A + one.B @ claimed)
+    roots = np.linalg.eigvals(regulator.A + regulator.B @ claimed)
     try:
-        cost = one.cost_of(claimed)
+        cost = regulator.cost_of(claimed)
     except np.linalg.LinAlgError:
         raise Wrong(
             f"under your law not every state comes to zero{where_text(values)}: A + BK has the "
@@ -76,16 +75,16 @@ def _improved(claim, one, values):
         ) from None
 
     def message(values):
-        # not what it costs: next to the best gain that is hardly more than the least cost
+        # Without the cost: close to the best gain it would show the least cost.
         return lambda *_: (
             f"under your law every state comes to zero{where_text(values)}, but there is a gain with "
             "which it costs less from some state, and more from none"
         )
 
-    return one.gain_for(cost), message
+    return regulator.gain_for(cost), message
 
 
-def _other_control(values):
+def _control_message(values):
     def message(claimed, i, j):
         return (
             "from some states another control than yours leads to the least "
@@ -102,38 +101,39 @@ def cost_matrix(claim, problem, time=None, parameters=(), given=sp.true):
 
     With a given end it is an expression in the symbol of `time`.
     """
-    for values, one, moment in _moments(problem, time, claim, parameters, given):
-        true = one.least(moment)
-        yield SameEntries(claim, true, _other_cost(one, values), values, abs(true).max())
+    for values, regulator, instant in _regulators_in_time(problem, time, claim, parameters, given):
+        true = regulator.least(instant)
+        yield SameEntries(claim, true, _cost_message(regulator, values), values, abs(true).max())
     return "it solves the Riccati equation, and the law that belongs to it leads each state at this cost"
 
 
-def _other_cost(one, values):
+def _cost_message(regulator, values):
     def message(claimed, i, j):
         point, S = where_text(values), claimed.real
-        if np.isfinite(one.duration) or claimed.imag.any():
+        if np.isfinite(regulator.duration) or claimed.imag.any():
             return (
                 "your matrix does not satisfy the Riccati equation with its condition at the "
                 f"end{point}: {entry_text(claimed, i, j)}"
             )
         if not abs(S - S.T).max() <= ROUNDED * abs(S).max():
             return f"your matrix is not symmetric{point}, and that of a cost is"
-        rate, size = sum(one.rates(S)), sum(map(abs, one.rates(S))).max()
+        rate, size = sum(regulator.rates(S)), sum(map(abs, regulator.rates(S))).max()
         if not abs(rate).max() <= ROUNDED * size:
             i, j = np.unravel_index(abs(rate).argmax(), rate.shape)
             return (
                 f"your matrix would not stay constant{point}: by the Riccati equation its entry "
                 f"({i + 1}, {j + 1}) changes at the rate {number_text(rate[i, j])}"
             )
-        stays = (
-            not one.anywhere
-            and np.linalg.eigvals(one.A + one.B @ one.gain_for(S)).real.max() >= -ON_BORDER
+        does_not_decay = (
+            not regulator.anywhere
+            and np.linalg.eigvals(regulator.A + regulator.B @ regulator.gain_for(S)).real.max()
+            >= -ON_BORDER
         )
         return f"your matrix solves the Riccati equation{point}, but " + (
             "a cost cannot be negative"
             if np.linalg.eigvalsh(S).min() < -ROUNDED * abs(S).max()
             else "under its law not every state comes to zero"
-            if stays
+            if does_not_decay
             else "there is a law that costs less"
         )
 
@@ -146,14 +146,17 @@ def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
     for values in in_every_case(
         allowed_values([*start, *parameters], given, 2 * COUNT), claim, given
     ):
-        one, x = regulators.Regulator(problem, values), np.array([float(values[s]) for s in start])
-        least = one.least()
+        regulator, x = (
+            regulators.Regulator(problem, values),
+            np.array([float(values[s]) for s in start]),
+        )
+        least = regulator.least()
         yield SameValue(
             claim,
-            one.factor * x @ least @ x,
+            regulator.factor * x @ least @ x,
             "the least cost",
             values,
-            one.factor * abs(x) @ abs(least) @ abs(x),
+            regulator.factor * abs(x) @ abs(least) @ abs(x),
         )
     return "there is a law that costs this, and none that costs less"
 
@@ -162,21 +165,21 @@ def least_quadratic_cost(claim, problem, start, parameters=(), given=sp.true):
 def optimal_eigenvalues(claims, problem, parameters=(), given=sp.true):
     """Check the different eigenvalues of A + BK under the law of least cost for infinite time."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claims, given):
-        one = regulators.Regulator(problem, values)
-        loop = one.A + one.B @ one.gain_for(one.least())
+        regulator = regulators.Regulator(problem, values)
+        loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
         claimed = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
 
-        def fits(number, other, size=np.linalg.norm(loop)):
+        def fits(member, eigenvalue, size=np.linalg.norm(loop)):
             return agree(
-                number[1], other, number[0], size, REPEATED, uncertainty_at(number[0], values)
+                member[1], eigenvalue, member[0], size, REPEATED, uncertainty_at(member[0], values)
             )
 
         yield SameMembers(
             list(zip(claims, claimed)),
             list(np.linalg.eigvals(loop)),
             fits,
-            lambda number: (
-                f"{number_text(number[1])} is no eigenvalue of the loop with the best "
+            lambda member: (
+                f"{number_text(member[1])} is no eigenvalue of the loop with the best "
                 f"law{where_text(values)}"
             ),
             lambda *_: (
@@ -196,12 +199,14 @@ def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
     from scipy.linalg import null_space
 
     for values in in_every_case(allowed_values([*start, *parameters], given, COUNT), claim, given):
-        one = regulators.Regulator(problem, values)
-        loop = one.A + one.B @ one.gain_for(one.least())
-        # where it may be, what stays
-        rest, kept = (null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T))
-        begin = np.array([[float(values[s])] for s in start])
-        true = rest @ np.linalg.solve(kept.T @ rest, kept.T @ begin)
+        regulator = regulators.Regulator(problem, values)
+        loop = regulator.A + regulator.B @ regulator.gain_for(regulator.least())
+        # The limit lies in the right kernel of the loop; the left kernel gives the invariants.
+        right_kernel, left_kernel = (
+            null_space(matrix, rcond=ON_BORDER) for matrix in (loop, loop.T)
+        )
+        initial = np.array([[float(values[s])] for s in start])
+        true = right_kernel @ np.linalg.solve(left_kernel.T @ right_kernel, left_kernel.T @ initial)
         yield SameEntries(
             claim,
             true,
@@ -210,7 +215,7 @@ def optimal_limit_state(claim, problem, start, parameters=(), given=sp.true):
                 f"at component {i + 1}, where yours is {number_text(claimed[i, 0])}"
             ),
             values,
-            abs(begin).max(),
+            abs(initial).max(),
         )
     return "the motion under the best law comes to rest there"
 
@@ -223,8 +228,8 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
     """
     symbols = [*parameters, *sorted(cost.free_symbols, key=str)]
     for values in in_every_case(allowed_values(symbols, sp.true, COUNT), claim):
-        one, S = regulators.Regulator(problem, values), processes.to_array(cost, values)
-        terms = one.rates(S)
+        regulator, S = regulators.Regulator(problem, values), processes.to_array(cost, values)
+        terms = regulator.rates(S)
         yield SameEntries(
             claim,
             sum(terms),
@@ -274,13 +279,18 @@ def controller_equations(claim, problem, process, estimates, outputs, parameters
     for values in in_every_case(
         allowed_values([*estimates, *outputs, *parameters], given, COUNT), claim, given
     ):
-        one, noise = (
+        regulator, model = (
             regulators.Regulator(problem, values),
             processes.at_values(process, values, start=False),
         )
         e, z = (processes.to_array(sp.Matrix(names), values) for names in (estimates, outputs))
-        L = processes.filter_gain(noise, processes.steady_covariances(noise)[0])
-        terms = one.A @ e, one.B @ one.gain_for(one.least()) @ e, L @ z, -L @ noise.H @ e
+        L = processes.filter_gain(model, processes.steady_covariances(model)[0])
+        terms = (
+            regulator.A @ e,
+            regulator.B @ regulator.gain_for(regulator.least()) @ e,
+            L @ z,
+            -L @ model.H @ e,
+        )
         yield SameEntries(
             claim,
             sum(terms),
@@ -295,15 +305,15 @@ def controller_equations(claim, problem, process, estimates, outputs, parameters
     return "the estimate moves like the system with its control, and the innovation is taken in with the best gain"
 
 
-def _moments(problem, time, claim, parameters, given):
-    """(values, regulator, time) at numbers; with a given end at several times each."""
+def _regulators_in_time(problem, time, claim, parameters, given):
+    """Yield (values, regulator, time) at numbers; with a given end at several times each."""
     for values in in_every_case(allowed_values(parameters, given, COUNT), claim, given):
-        one = regulators.Regulator(problem, values)
+        regulator = regulators.Regulator(problem, values)
         if time is None:
-            yield values, one, 0.0
+            yield values, regulator, 0.0
             continue
         for part in PARTS:
-            moment = sp.Rational(part).limit_denominator(100) * sp.nsimplify(
-                one.duration, rational=True
+            instant = sp.Rational(part).limit_denominator(100) * sp.nsimplify(
+                regulator.duration, rational=True
             )
-            yield values | {time: moment}, one, float(moment)
+            yield values | {time: instant}, regulator, float(instant)

@@ -4,9 +4,8 @@ There H_u = 0, and so is its derivative along the equations of motion and of the
 
     u' = -(the derivative of H_u for a fixed u) / H_uu.
 
-H_u and H_uu are linear in the costates. Where H_u = 0, with the costates that transversality says,
-leaves these free up to a factor that does not matter, they can be eliminated; if it leaves more, H
-= 0 may help where the time is free.
+H_u and H_uu are linear in the costates. The costates can be eliminated if H_u = 0 and transversality
+determine them up to a factor, which cancels. Otherwise H = 0 may help if the final time is free.
 """
 
 import numpy as np
@@ -21,12 +20,13 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text
 
-#: At so many places of states, control and parameters an equation is compared, of so many that are
-#: tried.
-PLACES, TRIED = 8, 60
-#: So many costates are tried at each place, and u' is the same for all of them up to this share.
+#: Number of points (states, control, parameters) at which an equation is compared, and of attempts
+#: to find them.
+SAMPLES, ATTEMPTS = 8, 60
+#: Number of costates that are tried at each point, and the relative tolerance to which u' is the
+#: same for all of them.
 COSTATES, DETERMINED = 6, 1e-7
-#: Where H_uu is a smaller share of its terms, u' has lost its digits.
+#: If H_uu is smaller than this relative to its terms, u' has lost its digits.
 CURVED = 1e-3
 
 
@@ -42,15 +42,15 @@ def control_equation(claim, problem, domain=None):
     with one control.
     """
     reference = _Rate(problem)
-    places = list(reference.places(domain))
-    # the one true number would be the answer itself
-    message = len({round(true, 6) for _, true, _ in places}) > 1
+    samples = list(reference.samples(domain))
+    # A single true number would be the answer itself.
+    varies = len({round(true, 6) for _, true, _ in samples}) > 1
     u = problem.control[0]
-    for values, true, size in places:
+    for values, true, size in samples:
         claimed = value_at(claim, values, f"{u}'")
         if agree(claimed, true, claim, size, EXACT, uncertainty_at(claim, values)):
             continue
-        if not message:
+        if not varies:
             raise Wrong(
                 f"dH/d{u} does not stay zero where your expression gives {u}' the value {claimed:.4g}"
             )
@@ -61,18 +61,18 @@ def control_equation(claim, problem, domain=None):
             f"for {rounded_text(shown)} your expression gives {u}' the value {claimed:.4g}, with "
             f"which dH/d{u} does not stay zero"
         )
-    return f"under it dH/d{u} stays zero, tried at {PLACES} places"
+    return f"under it dH/d{u} stays zero, tried at {SAMPLES} places"
 
 
 class _Rate:
-    """The rate of the control of a problem, found with costates as numbers."""
+    """The rate of the control of a problem, computed with costates as numbers."""
 
     def __init__(self, problem):
         if len(problem.control) != 1:
             raise RuntimeError("the equation is known for problems with one control")
         self._problem, (u,) = problem, problem.control
         costates = sp.symbols(f"psi:{len(problem.state)}", cls=sp.Dummy, real=True)
-        H, known = hamiltonian(problem, costates), known_costates(problem, costates)
+        H, costate_values = hamiltonian(problem, costates), known_costates(problem, costates)
         slope = sp.diff(H, u)
         drift = sum(
             (
@@ -81,74 +81,80 @@ class _Rate:
             ),
             sp.S.Zero,
         )
-        free = [psi for psi in costates if psi not in known]
+        free = [psi for psi in costates if psi not in costate_values]
         self._count = len(free) + 1
         self._symbols = [*problem.state, u, *problem.parameters]
         affine = [
             part
             for e in (slope, H, drift, sp.diff(slope, u))
-            for part in _affine(e.subs(known), free)
+            for part in _affine(e.subs(costate_values), free)
         ]
-        #: What it depends on.
+        #: The symbols that the rate depends on.
         self.symbols = set().union(*(part.free_symbols for part in affine))
         self._parts = real_function(self._symbols, affine)
 
-    def places(self, domain):
-        """Values of all symbols at which a costate makes H greatest, the rate of the control, the
-        size of its terms."""
-        random, found = np.random.default_rng(31), 0
+    def samples(self, domain):
+        """Yield (values of all symbols, rate of the control, size of its terms).
+
+        At each of these points some costate makes H greatest.
+        """
+        generator, count = np.random.default_rng(31), 0
         low, high = self._problem.controls[self._problem.control[0]]
         if low.is_number and high.is_number and low.is_finite and high.is_finite:
             domain = {self._problem.control[0]: sp.Interval(low, high)} | (domain or {})
-        for _ in range(TRIED):
-            values = {s: random_value(random, s, domain) for s in self._symbols}
-            rate = self._at(values, random)
+        for _ in range(ATTEMPTS):
+            values = {s: random_value(generator, s, domain) for s in self._symbols}
+            rate = self._rate_at(values, generator)
             if rate is not None:
                 yield values, *rate
-                found += 1
-            if found == PLACES:
+                count += 1
+            if count == SAMPLES:
                 return
         raise RuntimeError("too few places were found where a costate makes H greatest")
 
-    def _at(self, values, random):
-        """The rate and the size of its terms, or None where no costate makes H greatest."""
+    def _rate_at(self, values, generator):
+        """Return the rate and the size of its terms, or None if no costate makes H greatest."""
         parts = self._parts(*values.values()).reshape(4, self._count)
         if not np.isfinite(parts).all():
             return None
-        slope, H, drift, bend = parts
+        slope, H, drift, curvature = parts
         for rows in [slope[None]] + ([np.vstack([slope, H])] if self._problem.free_time else []):
-            costates = _solutions(rows, random)
+            costates = _solutions(rows, generator)
             if costates is None:
                 return None
-            bends, sizes = costates @ bend, np.abs(costates) @ np.abs(bend)
-            curved = np.abs(bends) > CURVED * sizes
-            if not (bends[curved] < 0).any():
+            curvatures, sizes = costates @ curvature, np.abs(costates) @ np.abs(curvature)
+            significant = np.abs(curvatures) > CURVED * sizes
+            if not (curvatures[significant] < 0).any():
                 return None
-            rates = -(costates @ drift)[curved] / bends[curved]
-            terms = (np.abs(costates) @ np.abs(drift))[curved] / np.abs(bends[curved])
+            rates = -(costates @ drift)[significant] / curvatures[significant]
+            terms = (np.abs(costates) @ np.abs(drift))[significant] / np.abs(
+                curvatures[significant]
+            )
             if np.ptp(rates) <= DETERMINED * terms.max():
                 return float(rates[0]), float(terms[0])
         raise RuntimeError("the costates cannot be eliminated from the equation of the control")
 
 
 def _affine(e, symbols):
-    """An expression that is linear in symbols: its value where they vanish, and its
-    coefficients."""
+    """Return the constant term and the coefficients of an expression that is linear in symbols."""
     return [e.subs(dict.fromkeys(symbols, 0)), *(sp.diff(e, s) for s in symbols)]
 
 
-def _solutions(rows, random):
-    """Vectors (1, psi) with rows @ (1, psi) = 0, some of all; None if there are none or only psi =
-    0."""
+def _solutions(rows, generator):
+    """Return some vectors (1, psi) with rows @ (1, psi) = 0; None if none has psi other than 0."""
     constant, matrix = rows[:, 0], rows[:, 1:]
     _, sizes, basis = np.linalg.svd(matrix)
     rank = int((sizes > 1e-9 * max(sizes.max(initial=0), np.abs(constant).max())).sum())
-    one = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+    particular = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
     if (
-        np.abs(matrix @ one + constant).max()
-        > 1e-9 * (np.abs(constant) + np.abs(matrix) @ np.abs(one)).max()
+        np.abs(matrix @ particular + constant).max()
+        > 1e-9 * (np.abs(constant) + np.abs(matrix) @ np.abs(particular)).max()
     ):
         return None
-    free = random.normal(size=(COSTATES, len(basis) - rank)) @ basis[rank:]
-    free = np.vstack([free, -free])  # one of both signs makes H greatest
-    return np.column_stack([np.ones(len(free)), one + free]) if (one + free).any() else None
+    homogeneous = generator.normal(size=(COSTATES, len(basis) - rank)) @ basis[rank:]
+    homogeneous = np.vstack([homogeneous, -homogeneous])  # one of the two signs makes H greatest
+    return (
+        np.column_stack([np.ones(len(homogeneous)), particular + homogeneous])
+        if (particular + homogeneous).any()
+        else None
+    )

@@ -13,8 +13,8 @@ from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
 from workbook.checks.tools.wording import prefix_text
 
-#: To which share a control between its bounds is known.
-KNOWN = 2e-3
+#: Relative accuracy of a control between its bounds.
+CONTROL_ACCURACY = 2e-3
 
 
 @judged(Costates("time", "parameters", problem="problem"))
@@ -33,41 +33,46 @@ def optimal_costate(claims, problem, time, parameters=None):
             psi, slope = (part(t * (1 - 1e-7), values) for part in (costate.values, costate.rates))
             if not np.all(np.isfinite([*psi, *slope])):
                 raise Wrong(f"{where}at t = {t:.4g} your costates are not real")
-            # H is the product of this with the rates, the running cost being the last of them.
-            full, along = (
+            # H is the product of these extended costates with the rates, the last of which is the
+            # running cost.
+            extended, process_point = (
                 np.append(psi, -sign),
                 (best, best.states[:, k], best.controls[k], costate.rounding),
             )
-            open_psi, open_slope = costate.uncertain(t * (1 - 1e-7), values)
-            _adjoint(
-                full,
+            psi_uncertainty, slope_uncertainty = costate.uncertainty(t * (1 - 1e-7), values)
+            _require_adjoint_equation(
+                extended,
                 slope,
-                *along,
+                *process_point,
                 units,
                 largest,
                 list(problem.dynamics),
                 f"{where}at t = {t:.4g}",
-                (open_psi, open_slope),
+                (psi_uncertainty, slope_uncertainty),
             )
-            _greatest(
-                full, *along, problem.duration, f"{where}at t = {t:.4g}", np.append(open_psi, 0)
+            _require_maximum(
+                extended,
+                *process_point,
+                problem.duration,
+                f"{where}at t = {t:.4g}",
+                np.append(psi_uncertainty, 0),
             )
-        _equal_at_jumps(costate, best, values, sign, where)
+        _require_equal_at_jumps(costate, best, values, sign, where)
         _, final, normals = best.jacobians(best.states[:, -1], best.controls[-1])
-        psi, begin = costate.values(ENDING * best.duration, values), costate.values(0.0, values)
-        _transversal(
+        psi, initial = costate.values(ENDING * best.duration, values), costate.values(0.0, values)
+        _require_transversality(
             (psi + sign * final[0]) / units,
             normals / units if len(normals) else normals,
             costate.rounding * (largest + np.abs(final / units).sum()),
             f"{where}at the end your costates are {point_text(psi)}",
-            costate.uncertain(ENDING * best.duration, values)[0] / units,
+            costate.uncertainty(ENDING * best.duration, values)[0] / units,
         )
         if not np.all(
-            np.abs(begin[free])
-            <= (10 * costate.rounding * largest * units + costate.uncertain(0.0, values)[0])[free]
+            np.abs(initial[free])
+            <= (10 * costate.rounding * largest * units + costate.uncertainty(0.0, values)[0])[free]
         ):
             raise Wrong(
-                f"{where}at the beginning your costates are {point_text(begin)}; what is free "
+                f"{where}at the beginning your costates are {point_text(initial)}; what is free "
                 "there has none"
             )
     return (
@@ -82,13 +87,13 @@ def optimal_switching(claim, problem, time):
     The time of the transfer is minimised or maximised.
     """
     function, ((_, best),) = InTime([claim], time, ()), best_processes(problem)
-    found = best.switching_function()
-    size = max(abs(value) for _, value in found)
-    for t, true in found:
+    samples = best.switching_function()
+    size = max(abs(value) for _, value in samples)
+    for t, true in samples:
         claimed = function.values(t, {})[0]
         if (
             not abs(claimed - true)
-            <= 4 * function.rounding * size + function.uncertain(t, {})[0][0]
+            <= 4 * function.rounding * size + function.uncertainty(t, {})[0][0]
         ):
             raise Wrong(
                 f"at t = {t:.4g} your function is {claimed:.4g}; dH/du has another "
@@ -99,99 +104,111 @@ def optimal_switching(claim, problem, time):
     return "it is dH/du along the best process, with the costate followed back from the end"
 
 
-def _adjoint(full, slope, best, y, u, rounding, units, largest, state, there, left_open):
-    terms = -best.jacobians(y, u)[0].T * full
+def _require_adjoint_equation(
+    extended, slope, best, y, u, rounding, units, largest, state, location, uncertainties
+):
+    terms = -best.jacobians(y, u)[0].T * extended
     size = np.abs(terms / units[:, None]).sum() + largest / best.duration
-    wanted = terms.sum(axis=1)
+    expected = terms.sum(axis=1)
     allowed = (
         10 * rounding * size * units
-        + left_open[1]
-        + np.abs(best.jacobians(y, u)[0].T) @ np.append(left_open[0], 0)
+        + uncertainties[1]
+        + np.abs(best.jacobians(y, u)[0].T) @ np.append(uncertainties[0], 0)
     )
-    if not np.all(np.abs(slope - wanted) <= allowed):
-        j = int(np.argmax(np.abs(slope - wanted) / units))
+    if not np.all(np.abs(slope - expected) <= allowed):
+        j = int(np.argmax(np.abs(slope - expected) / units))
         raise Wrong(
-            f"{there} the adjoint equation for {state[j]} does not hold: with your costates it "
+            f"{location} the adjoint equation for {state[j]} does not hold: with your costates it "
             "demands another derivative than theirs"
         )
 
 
-def _greatest(full, best, y, u, rounding, duration, there, left_open):
-    here, *others = (full * best.field(np.append(y, 0), v) for v in (u, *_others(best, u)))
-    fields = [best.field(np.append(y, 0), v) for v in (u, *_others(best, u))]
-    H, most = (
-        here.sum(),
+def _require_maximum(extended, best, y, u, rounding, duration, location, uncertainty):
+    terms, *rival_terms = (
+        extended * best.field(np.append(y, 0), v) for v in (u, *_rival_controls(best, u))
+    )
+    fields = [best.field(np.append(y, 0), v) for v in (u, *_rival_controls(best, u))]
+    H, greatest_rival = (
+        terms.sum(),
         max(
-            other.sum() - left_open @ np.abs(field - fields[0])
-            for other, field in zip(others, fields[1:])
+            rival.sum() - uncertainty @ np.abs(field - fields[0])
+            for rival, field in zip(rival_terms, fields[1:])
         ),
     )
-    size = max(abs(H), *(abs(other.sum()) for other in others)) + np.abs(here).sum()
-    if not H >= most - 10 * rounding * size:
+    size = max(abs(H), *(abs(rival.sum()) for rival in rival_terms)) + np.abs(terms).sum()
+    if not H >= greatest_rival - 10 * rounding * size:
         raise Wrong(
-            f"{there} the optimal control does not make H greatest with your costates: another one "
+            f"{location} the optimal control does not make H greatest with your costates: another one "
             "gives more"
         )
-    _stationary(full, best, y, u, left_open, there)
-    open_H = left_open @ np.abs(fields[0])
+    _require_stationary(extended, best, y, u, uncertainty, location)
+    H_uncertainty = uncertainty @ np.abs(fields[0])
     if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (
         size + best.units.cost / best.units.time
-    ) + open_H:
-        raise Wrong(f"{there} H with your costates is not what a free duration demands")
+    ) + H_uncertainty:
+        raise Wrong(f"{location} H with your costates is not what a free duration demands")
 
 
-def _equal_at_jumps(costate, best, values, sign, where):
-    """Where the best control jumps H has to be the same for both of its values. Of the fastest
-    transfers H = 0 says it."""
+def _require_equal_at_jumps(costate, best, values, sign, where):
+    """Raise `Wrong` unless H has equal values before and after each jump of the best control.
+
+    For the fastest transfers H = 0 implies it.
+    """
     for j, *kinds in getattr(best, "changes", list)():
         if None in kinds:
             continue
         t, y = best.times[j], np.append(best.states[:, j], 0)
-        full, left_open = (
+        extended, uncertainty = (
             np.append(part, last)
             for part, last in (
                 (costate.values(t * (1 - 1e-7), values), -sign),
-                (costate.uncertain(t * (1 - 1e-7), values)[0], 0),
+                (costate.uncertainty(t * (1 - 1e-7), values)[0], 0),
             )
         )
         before, after = (best.field(y, u) for u in kinds)
         unit = best.units.cost / best.units.time
-        allowed = 10 * costate.rounding * (np.abs(full) @ (np.abs(before) + np.abs(after)) + unit)
-        if not abs(full @ (after - before)) <= allowed + left_open @ np.abs(after - before):
+        allowed = (
+            10 * costate.rounding * (np.abs(extended) @ (np.abs(before) + np.abs(after)) + unit)
+        )
+        if not abs(extended @ (after - before)) <= allowed + uncertainty @ np.abs(after - before):
             raise Wrong(
                 f"{where}where the optimal control jumps H has two values with your costates, one "
                 "before the jump and another after it"
             )
 
 
-def _stationary(full, best, y, u, left_open, there):
-    """dH/du = 0 where the control lies between its bounds."""
+def _require_stationary(extended, best, y, u, uncertainty, location):
+    """Raise `Wrong` unless dH/du = 0 where the control lies between its bounds."""
     step = 1e-4 * (best.units.control + abs(u))
     if not best.bounds[0] < u - 9 * step < u + 9 * step < best.bounds[1]:
         return
-    before, here, after = (best.field(np.append(y, 0), u + side * step) for side in (-1, 0, 1))
-    rate, bend = (after - before) / (2 * step), after + before - 2 * here
-    if np.abs(bend).max() > 1e-2 * np.abs(after - before).max():
+    before, middle, after = (best.field(np.append(y, 0), u + side * step) for side in (-1, 0, 1))
+    rate, curvature = (after - before) / (2 * step), after + before - 2 * middle
+    if np.abs(curvature).max() > 1e-2 * np.abs(after - before).max():
         return  # a corner, as of |u| at zero
-    if not abs(full @ rate) <= KNOWN * np.abs(full * rate).sum() + (
-        left_open + KNOWN / 10
+    if not abs(extended @ rate) <= CONTROL_ACCURACY * np.abs(extended * rate).sum() + (
+        uncertainty + CONTROL_ACCURACY / 10
     ) @ np.abs(rate):
         raise Wrong(
-            f"{there} dH/du is not zero with your costates, where the optimal control lies between "
+            f"{location} dH/du is not zero with your costates, where the optimal control lies between "
             "its bounds"
         )
 
 
-def _transversal(rest, normals, allowed, what, left_open):
-    along = (
-        np.eye(len(rest)) - np.linalg.pinv(normals) @ normals if len(normals) else np.eye(len(rest))
+def _require_transversality(residual, normals, allowed, message, uncertainty):
+    projection = (
+        np.eye(len(residual)) - np.linalg.pinv(normals) @ normals
+        if len(normals)
+        else np.eye(len(residual))
     )
-    if not np.all(np.abs(along @ rest) <= 10 * allowed + 1e-9 + np.abs(along) @ left_open):
-        raise Wrong(f"{what}; the condition of transversality does not hold for them")
+    if not np.all(
+        np.abs(projection @ residual) <= 10 * allowed + 1e-9 + np.abs(projection) @ uncertainty
+    ):
+        raise Wrong(f"{message}; the condition of transversality does not hold for them")
 
 
-def _others(best, u):
-    """Controls with which that of the optimum is compared."""
+def _rival_controls(best, u):
+    """Return admissible controls with which the optimal control is compared."""
     low, high = best.bounds
     around = u + (best.units.control + abs(u)) * np.array([-1, -0.1, 0.1, 1])
     return [*np.clip(around, low, high), *(v for v in (low, high) if np.isfinite(v))]

@@ -10,8 +10,8 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import left_open
 from workbook.checks.tools.wording import rounded_text, tried_text
 
-#: At so many shorter durations an equation for the shortest one is tried, up to this part of it,
-#: and next to it.
+#: Number of shorter durations at which an equation is evaluated; the longest of them and the step
+#: around the shortest duration, as fractions of it.
 SHORTER, ALMOST, NEXT = 400, 0.99, 1e-2
 
 
@@ -31,20 +31,22 @@ def duration_equation(answer, problem, duration, parameters):
     function = real_function(symbols, [claim])
     for values, best in best_processes(problem, parameters):
         T, numbers, where = best.duration, [float(v) for v in values.values()], rounded_text(values)
-        at, *near = function(T * np.array([1, 1 - NEXT, 1 + NEXT]), *numbers)[0]
-        if not np.isfinite([at, *near]).all():
+        value, *nearby = function(T * np.array([1, 1 - NEXT, 1 + NEXT]), *numbers)[0]
+        if not np.isfinite([value, *nearby]).all():
             raise Wrong(f"for {where} your equation is not defined next to the shortest duration")
-        open_ = left_open(
+        uncertainty = left_open(
             [claim], lambda parts, at=(T, *numbers): real_function(symbols, parts)(*at)[0]
         )
-        if not abs(at) <= 1e-6 * np.abs(near).max() + open_ or at == max(near, key=abs):
+        if not abs(value) <= 1e-6 * np.abs(nearby).max() + uncertainty or value == max(
+            nearby, key=abs
+        ):
             raise Wrong(f"for {where} the shortest duration does not satisfy your equation")
         shorter = T * ALMOST * np.arange(1, SHORTER + 1) / SHORTER
-        left = function(shorter, *numbers)[0]
-        found = np.flatnonzero(~(left[1:] * left[:-1] > 0))
-        if found.size:
+        values_below = function(shorter, *numbers)[0]
+        roots = np.flatnonzero(~(values_below[1:] * values_below[:-1] > 0))
+        if roots.size:
             raise Wrong(
-                f"for {where} your equation has a root near {duration} = {shorter[found[0]]:.4g}, "
+                f"for {where} your equation has a root near {duration} = {shorter[roots[0]]:.4g}, "
                 "and no admissible process is so short"
             )
     return f"its least positive root is the shortest duration{tried_text(parameters)}"

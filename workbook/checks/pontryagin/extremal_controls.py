@@ -5,7 +5,7 @@ import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.sample_points import RIVALS, control_bounds
-from workbook.checks.pontryagin.simulation import reach
+from workbook.checks.pontryagin.simulation import parabola_range
 from workbook.checks.pontryagin.time_functions import Control, Steering
 from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.singular_arcs import hamiltonian
@@ -18,26 +18,27 @@ from workbook.checks.tools.wording import rounded_text
 def extremal_control(answer, problem, time, parameters=None, start=None):
     """Check a control in time under which the maximum principle holds, optimal or not.
 
-    For problems with one control, a given duration and a free end: forward in time go the
-    states, backward the costates. `parameters` is a dict from symbols in the control to
+    For problems with one control, a given duration and a free end: the states are integrated
+    forward in time, the costates backward. `parameters` is a dict from symbols in the control to
     intervals; with `start`, the control begins with this one of them.
     """
     u, (low, high) = problem.control[0], control_bounds(problem, {})[0]
     arcs = Control.coerce(answer, [time, *(parameters or {})], time)
-    read, sign = Steering(arcs, time, parameters), -1 if problem.maximise else 1
+    steering, sign = Steering(arcs, time, parameters), -1 if problem.maximise else 1
     costates = [sp.Dummy() for _ in problem.state]
     H, symbols = hamiltonian(problem, costates), [*problem.state, *costates, u]
     function = real_function(symbols, [H])
     flow = real_function(symbols, [*problem.field, *(-sp.diff(H, y) for y in problem.state)])
-    last = real_function(problem.state, [-sign * sp.diff(problem.final, y) for y in problem.state])
+    final_costates = real_function(
+        problem.state, [-sign * sp.diff(problem.final, y) for y in problem.state]
+    )
 
     def advantage(steps):
-        """By how much the control makes H greater than others do: a row for each step, a column for
-        each of these."""
+        """Return H under the control minus H under others: a row a step, a column a control."""
         y = np.array([float(v) for v in problem.initial.values()])
         for _, h, controls in steps:
             y = _step(lambda z, v: flow(*z, *np.zeros_like(z), v)[: len(z)], y, h, controls)
-        z, rows = np.concatenate([y, last(*y)]), []
+        z, rows = np.concatenate([y, final_costates(*y)]), []
         for _, h, controls in reversed(steps):
             z = _step(lambda z, v: flow(*z, v), z, -h, controls[::-1])
             rows.append(
@@ -48,37 +49,38 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     for case in sample_cases(parameters or {}):
         values = dict(zip(parameters or {}, case))
         where = f"for {rounded_text(values)} " if values else ""
-        ends = read.ends(values)
+        ends = steering.ends(values)
         if ends and ends[-1] < (
-            float(problem.duration) * (1 - read.rounding) - read.ends_left_open(values)[-1]
+            float(problem.duration) * (1 - steering.rounding)
+            - steering.end_uncertainties(values)[-1]
         ):
             raise Wrong(
                 f"{where}your last arc ends at {ends[-1]:.4g}, and the process lasts longer"
             )
-        steps = _steps(read.sections(values, float(problem.duration)))
+        steps = _steps(steering.sections(values, float(problem.duration)))
         for t, _, controls in steps:
             for value in controls:
-                if not low - read.rounding <= value <= high + read.rounding:
+                if not low - steering.rounding <= value <= high + steering.rounding:
                     raise Wrong(
                         f"{where}your control is {value:.4g} near t = {t:.4g}, outside its bounds"
                     )
-        if start is not None and not abs(steps[0][2][0] - values[start]) <= read.rounding:
+        if start is not None and not abs(steps[0][2][0] - values[start]) <= steering.rounding:
             raise Wrong(f"{where}your control begins with {steps[0][2][0]:.4g}")
-        found = advantage(steps)
-        others = [
+        advantages = advantage(steps)
+        perturbed_advantages = [
             [advantage(_steps(side.sections(values, float(problem.duration)))) for side in sides]
-            for sides in read.changed
+            for sides in steering.perturbed
         ]
-        gained = sum(
+        uncertainty = sum(
             (
-                reach(*(side - found for side in sides))[1]
-                for sides in others
-                if all(side.shape == found.shape for side in sides)
+                parabola_range(*(side - advantages for side in sides))[1]
+                for sides in perturbed_advantages
+                if all(side.shape == advantages.shape for side in sides)
             ),
-            np.zeros_like(found),
+            np.zeros_like(advantages),
         )
-        slack = 10 * read.rounding * (1 + np.abs(found).max())
-        for k in np.flatnonzero((found + gained < -slack).any(axis=1))[-1:]:
+        slack = 10 * steering.rounding * (1 + np.abs(advantages).max())
+        for k in np.flatnonzero((advantages + uncertainty < -slack).any(axis=1))[-1:]:
             raise Wrong(
                 f"{where}at t = {steps[k][0]:.4g} your control, with the costates that belong to "
                 "it, gives a smaller H than another admissible one does"
@@ -87,14 +89,14 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
 
 
 def _steps(sections, count=120):
-    """A control in small steps: (time, length, values at the beginning, middle and end)."""
-    found = []
+    """Return small steps of a control: (time, length, values at beginning, middle and end)."""
+    steps = []
     for begin, end, u in sections:
         claimed, h = u(np.linspace(begin, end, 2 * count + 1)), (end - begin) / count
-        found += [(begin + k * h, h, claimed[2 * k : 2 * k + 3]) for k in range(count)]
-    return found
+        steps += [(begin + k * h, h, claimed[2 * k : 2 * k + 3]) for k in range(count)]
+    return steps
 
 
 def _step(field, y, h, controls):
-    """A step of the method of Runge and Kutta, the time counted in steps."""
+    """Return the state after a Runge-Kutta step, in which time is counted in steps."""
     return rk4(lambda part, z: h * field(z, controls[round(2 * part)]), 0.0, y, 1.0)

@@ -11,24 +11,24 @@ from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
 
-#: A law is followed in so many steps. Where it switches it lags by a step, which costs it this
-#: share at most.
+#: Number of steps of a motion under a law. A law switches late by at most one step; LAGGING bounds
+#: the relative cost of this delay.
 STEPS, LAGGING = 1500, 2e-3
-#: In so many parts the distance of the bounds is divided, so often, to find what control an
-#: equation means.
+#: Number of parts into which the interval between the bounds is divided, and of such divisions, to
+#: solve an equation for the control.
 PARTS, ROUNDS = 16, 2
 
 
 class FeedbackLaw:
-    """A law, read once: at many states and times it gives values of the control."""
+    """A law, read once, that gives values of the control at many states and times."""
 
-    def __init__(self, answer, problem, parameters, time, followed=True):
+    def __init__(self, answer, problem, parameters, time, with_variants=True):
         self.state, (self.control,) = list(problem.dynamics), problem.controls
-        others = [p for p in parameters if p not in self.state]
-        symbols = [*self.state, *others, *([time] if time else [])]
-        self._timed, self._others, self.implicit = (
+        law_parameters = [p for p in parameters if p not in self.state]
+        symbols = [*self.state, *law_parameters, *([time] if time else [])]
+        self._timed, self._parameters, self.implicit = (
             time is not None,
-            others,
+            law_parameters,
             isinstance(answer, sp.Eq),
         )
         if self.implicit:
@@ -43,11 +43,12 @@ class FeedbackLaw:
             symbols = [self.control, *symbols]
         else:
             claim = coercion.as_expression(answer, symbols)
-        self._function, self._written = real_function(symbols, [claim]), (symbols, [claim])
-        self.none = "no solution between the bounds" if self.implicit else "no real number"
+        self._function, self._arguments = real_function(symbols, [claim]), (symbols, [claim])
+        self.no_value = "no solution between the bounds" if self.implicit else "no real number"
         self.decimals = in_decimals(claim)
-        #: Pairs of laws that the decimals of this one leave open; none if there are too many.
-        self.changed = (
+        #: Pairs of laws, in each pair one decimal is changed by its uncertainty; none if the
+        #: decimals are too many.
+        self.perturbed = (
             [
                 [
                     FeedbackLaw(
@@ -61,65 +62,66 @@ class FeedbackLaw:
                 ]
                 for pair in perturbed(claim) or ()
             ]
-            if followed
+            if with_variants
             else ()
         )
         self.rounding = relative_tolerance(claim, computed=LAGGING)
 
-    def wide(self):
-        """The same law in numbers of any size."""
-        other = copy.copy(self)
-        other._function = multiprecision_function(*self._written)
-        return other
+    def multiprecision(self):
+        """Return the same law, evaluated in multiprecision numbers."""
+        law = copy.copy(self)
+        law._function = multiprecision_function(*self._arguments)
+        return law
 
     def __call__(self, states, times, values, bounds):
-        """The controls at states (n x K) and times (K); nan where there is none."""
+        """Return the controls at states (n x K) and times (K); nan where there is none."""
         numbers = [
             np.broadcast_to(float(v) if np.ndim(v) == 0 else v, len(times))
-            for v in (values[p] for p in self._others)
+            for v in (values[p] for p in self._parameters)
         ]
-        known = [*states, *numbers, *([times] if self._timed else [])]
+        arguments = [*states, *numbers, *([times] if self._timed else [])]
         if not self.implicit:
-            return self._function(*known)[0]
+            return self._function(*arguments)[0]
         if not np.all(np.isfinite(bounds)):
             raise Invalid(
                 "the control has no bounds, so that an equation may have any solution: write the "
                 "law as an expression"
             )
-        return self._solved(known, bounds)
+        return self._solved(arguments, bounds)
 
-    def _solved(self, known, bounds):
-        """The solutions between the bounds: brackets, made smaller together, and a chord in the
-        last one."""
-        bounds = [np.broadcast_to(bound, known[0].shape) for bound in bounds]
+    def _solved(self, arguments, bounds):
+        """Return the solutions between the bounds, by nested brackets and a final secant step."""
+        bounds = [np.broadcast_to(bound, arguments[0].shape) for bound in bounds]
         low, high = bounds
-        allowed, every = max(1e-9, self.rounding / 10), np.arange(low.size)
-        for turn in range(ROUNDS):
+        allowed, columns = max(1e-9, self.rounding / 10), np.arange(low.size)
+        for level in range(ROUNDS):
             points = low + (high - low) * np.arange(PARTS + 1)[:, None] / PARTS
-            left = self._function(points, *(np.broadcast_to(v, points.shape) for v in known))[0]
+            residuals = self._function(
+                points, *(np.broadcast_to(v, points.shape) for v in arguments)
+            )[0]
             with np.errstate(invalid="ignore"):
-                changed = (left[:-1] * left[1:] <= 0) & (left[:-1] != 0)
-            changed[0] |= left[0] == 0
-            if turn == 0:
-                size = np.nanmax(np.abs(left), axis=0, initial=0)
-                if (changed.sum(axis=0) > 1).any():
-                    k = int(np.argmax(changed.sum(axis=0)))
+                has_root = (residuals[:-1] * residuals[1:] <= 0) & (residuals[:-1] != 0)
+            has_root[0] |= residuals[0] == 0
+            if level == 0:
+                size = np.nanmax(np.abs(residuals), axis=0, initial=0)
+                if (has_root.sum(axis=0) > 1).any():
+                    k = int(np.argmax(has_root.sum(axis=0)))
                     raise Wrong(
-                        f"at the state {point_text([v[k] for v in known[:2]])} your equation has "
+                        f"at the state {point_text([v[k] for v in arguments[:2]])} your equation has "
                         f"several solutions between the bounds of {self.control}"
                     )
-                # What ends just beyond a bound is meant to be this bound.
-                ends = np.abs(left[[0, -1]])
-                meant = ~changed.any(axis=0) & (
+                # A solution just beyond a bound is read as this bound.
+                ends = np.abs(residuals[[0, -1]])
+                at_bound = ~has_root.any(axis=0) & (
                     np.nanmin(ends, axis=0, initial=np.inf) <= allowed * size
                 )
                 bound = np.where(ends[0] <= ends[1], *bounds)
-                none = ~changed.any(axis=0) & ~meant
-            first = changed.argmax(axis=0)
-            low, high = points[first, every], points[first + 1, every]
-            at_low, at_high = left[first, every], left[first + 1, every]
+                unsolved = ~has_root.any(axis=0) & ~at_bound
+            first = has_root.argmax(axis=0)
+            low, high = points[first, columns], points[first + 1, columns]
+            at_low, at_high = residuals[first, columns], residuals[first + 1, columns]
         with np.errstate(all="ignore"):
             chord = np.where(
                 at_low == at_high, low, low - at_low * (high - low) / (at_high - at_low)
             )
-        return np.where(none, np.nan, np.where(meant, bound, np.clip(chord, low, high)))
+        return np.where(unsolved, np.nan, np.where(at_bound, bound, np.clip(chord, low, high)))

@@ -2,10 +2,10 @@
 
 Motions on which the functional is least, its least value, and whether there is a best motion.
 
-A motion is judged by what defines it: it has the given values at the ends, no variation that keeps
-them changes the functional to first order, which is asked of variations inside and of such that
-move a free end, and the functional has the value there that direct optimisation finds
-(`functional_optimum`). Euler's equation is not formed.
+A motion is judged by its definition. It has the given values at the ends. No admissible variation
+changes the functional to first order; variations inside the interval and variations of a free end
+are tried. The functional has the value that direct optimisation finds (`functional_optimum`). The
+Euler equation is not formed.
 """
 
 import functools
@@ -29,19 +29,19 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import sample_values
 from workbook.checks.tools.wording import values_text
 
-#: Sets of parameters that an answer is tried for.
+#: Number of sets of parameters at which an answer is compared.
 SAMPLES = 4
-#: What the quadrature and direct optimisation leave uncertain, as a share of the terms.
+#: Relative uncertainty of the quadrature and of direct optimisation.
 COMPUTED = 1e-6
-#: Windows in which a motion is varied, as parts of the interval: each overlaps with its neighbours,
-#: the last is all.
+#: Windows in which a motion is varied, as parts of the interval. Neighbours overlap; the last one is
+#: the whole interval.
 WINDOWS = [*((k / 10, (k + 2) / 10) for k in range(9)), (0, 1)]
-#: A rate of change with the duration that is less than this share of value/duration is zero.
+#: A rate of change with the duration that is smaller than this, relative to value/duration, is zero.
 STILL = 1e-7
-#: So far beside a duration in decimals the rates tell where it is zero; up to such a part of that
-#: two zeros are one.
+#: Relative step around a duration in decimals, within which the zero of the rate is interpolated;
+#: two zeros closer than DOUBLE steps count as a double zero.
 BESIDE, DOUBLE = 0.01, 0.1
-#: Durations among which the best one would be seen, from short to long.
+#: Durations among which a best one is looked for, from short to long.
 DURATIONS = np.geomspace(0.2, 80, 14)
 
 
@@ -68,9 +68,9 @@ def extremum_motion(claim, functional, parameters=()):
             relative_tolerance(claim) if sides is None else COMPUTED,
             [[_Motion(side.subs(values), best, where) for (side,) in pair] for pair in sides or ()],
         )
-        motion.has_the_given_ends()
-        motion.is_stationary()
-        motion.is_the_best()
+        motion.require_given_ends()
+        motion.require_stationary()
+        motion.require_best()
     return (
         "it has the given values at the ends, no variation changes the functional to first order, "
         f"and its value there is the {_word(functional)} one"
@@ -90,12 +90,12 @@ def extremum_value(claim, functional, parameters=()):
         if not agree(claimed, best.value, claim, computed=COMPUTED):
             if not np.isfinite(claimed):
                 raise Wrong("your value is no real number")
-            beyond = (claimed < best.value) != functional.maximise
+            unattainable = (claimed < best.value) != functional.maximise
             raise Wrong(
                 f"your value is {claimed:.4g}; "
                 + directed(
                     "no motion with the given ends attains it"
-                    if beyond
+                    if unattainable
                     else "there is a motion with the given ends that does better",
                     f"it is not the {_word(functional)} one",
                 )
@@ -107,8 +107,8 @@ def extremum_value(claim, functional, parameters=()):
 def extremum_exists(claim, functional, duration=None):
     """Check whether a functional has a best motion.
 
-    With `duration`, the symbol in the end of the interval, a motion is meant that is best among
-    those of all durations.
+    With `duration`, the symbol in the end of the interval, the motion has to be best among those
+    of all durations.
 
     For integrands that are at most quadratic. A functional that is strictly convex for the
     motions with the given ends has a best motion.
@@ -153,8 +153,8 @@ def stationary_duration(claim, functional, duration):
         before, after = (
             _rate(functional, duration, T * (1 + shift))[0] for shift in (-BESIDE, BESIDE)
         )
-        # The zero of the parabola through the three rates; a double one may come out as a pair
-        # close to the real line.
+        # Zeros of the parabola through the three rates; rounding may split a double zero into a
+        # complex pair close to the real line.
         zeros = np.roots([(before + after) / 2 - rate, (after - before) / 2, rate])
         if any(
             abs(zero.imag) < DOUBLE and rounds_to(T, T * (1 + BESIDE * zero.real)) for zero in zeros
@@ -166,7 +166,7 @@ def stationary_duration(claim, functional, duration):
 
 
 def _rate(functional, duration, T, step=0.004):
-    """How the best value changes with the duration, by central differences, and what size is."""
+    """Return the derivative of the best value by the duration, and the size of its terms."""
 
     def value(part):
         return _optimum(functional.subs({duration: sp.Float(T * (1 + part * step))})).value
@@ -176,11 +176,13 @@ def _rate(functional, duration, T, step=0.004):
 
 
 class _Motion:
-    """A student's motion for given values of the parameters; `perturbed` are pairs of motions that
-    its decimals leave open."""
+    """A claimed motion at values of the parameters.
 
-    def __init__(self, claim, best, where, rounding=COMPUTED, changed=()):
-        self.changed = changed
+    `perturbed` are pairs of motions, in each pair one decimal is changed by its uncertainty.
+    """
+
+    def __init__(self, claim, best, where, rounding=COMPUTED, perturbed=()):
+        self.perturbed = perturbed
         self.functional, self.best, self.where, self.rounding = (
             best.functional,
             best,
@@ -204,29 +206,32 @@ class _Motion:
         self._needed = [k for k, s in enumerate(symbols[1:-1]) if final.has(s)]
         self.begin, self.end = best.begin, best.begin + best.duration
 
-    def has_the_given_ends(self):
-        for point, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
-            for k, value in enumerate(given):
+    def require_given_ends(self):
+        for point, end_values in (
+            (self.begin, self.functional.start),
+            (self.end, self.functional.end),
+        ):
+            for k, value in enumerate(end_values):
                 if value is None:
                     continue
-                claimed, wanted = self._value(k, point), float(value)
-                size = max(abs(wanted), np.abs(self._along()[1][k]).max())
-                if not abs(claimed - wanted) <= self.rounding * size + self._open(
-                    claimed, lambda one: one._value(k, point)
+                claimed, expected = self._value(k, point), float(value)
+                size = max(abs(expected), np.abs(self._along()[1][k]).max())
+                if not abs(claimed - expected) <= self.rounding * size + self._uncertainty(
+                    claimed, lambda motion: motion._value(k, point)
                 ):
                     raise Wrong(
                         f"{self.where}{self._name(k)} is {claimed:.4g} at t = {point:.4g} for your "
                         "motion, and another value is given"
                     )
 
-    def is_stationary(self):
+    def require_stationary(self):
         n, span = self.functional.order, self.end - self.begin
         for first, last in WINDOWS:
             a, b = self.begin + first * span, self.begin + last * span
             bump = np.poly1d([-1, a + b, -a * b]) ** n / ((b - a) / 2) ** (2 * n)
             rate, size = self._variation(bump, a, b)
-            if not abs(rate) <= self.rounding * size + self._open(
-                rate, lambda one: one._variation(bump, a, b)[0]
+            if not abs(rate) <= self.rounding * size + self._uncertainty(
+                rate, lambda motion: motion._variation(bump, a, b)[0]
             ):
                 part = "" if last - first == 1 else f" between t = {a:.4g} and t = {b:.4g} alone"
                 raise Wrong(
@@ -234,56 +239,60 @@ class _Motion:
                     "functional to first order. Along an extremal no variation does"
                 )
         middle = (self.begin + self.end) / 2
-        for point, given in ((self.begin, self.functional.start), (self.end, self.functional.end)):
-            for k, value in enumerate(given):
+        for point, end_values in (
+            (self.begin, self.functional.start),
+            (self.end, self.functional.end),
+        ):
+            for k, value in enumerate(end_values):
                 if value is None:
-                    move = _reaching(point, middle, k, n)
-                    rate, size = self._moved(move, point, middle, k)
-                    left_open = self._open(rate, lambda one: one._moved(move, point, middle, k)[0])
-                    if not abs(rate) <= self.rounding * size + left_open:
+                    variation = _end_variation(point, middle, k, n)
+                    rate, size = self._free_end_variation(variation, point, middle, k)
+                    uncertainty = self._uncertainty(
+                        rate,
+                        lambda motion: motion._free_end_variation(variation, point, middle, k)[0],
+                    )
+                    if not abs(rate) <= self.rounding * size + uncertainty:
                         raise Wrong(
                             f"{self.where}{self._name(k)} is not given at t = {point:.4g}; moved "
                             "there, the functional changes to first order. So the natural condition "
                             "at this end fails"
                         )
 
-    def is_the_best(self):
+    def require_best(self):
         claimed, size = self._functional()
-        left_open = self._open(claimed, lambda one: one._functional()[0])
-        if not abs(claimed - self.best.value) <= self.rounding * size + left_open:
+        uncertainty = self._uncertainty(claimed, lambda motion: motion._functional()[0])
+        if not abs(claimed - self.best.value) <= self.rounding * size + uncertainty:
             raise Wrong(
                 f"{self.where}your motion is an extremal and gives the functional the value "
                 f"{claimed:.4g}, but another motion with the given ends does better"
             )
 
-    def _open(self, here, quantity):
-        """By how much the decimals leave open a quantity of the motion that is `here` as they are
-        written."""
-        return sum(max(abs(quantity(side) - here) for side in pair) for pair in self.changed)
+    def _uncertainty(self, value, quantity):
+        """Return the uncertainty, from its decimals, of a quantity with this value."""
+        return sum(max(abs(quantity(motion) - value) for motion in pair) for pair in self.perturbed)
 
     def _functional(self):
-        """The value of the functional, and the size of its terms."""
+        """Return the value of the functional, and the size of its terms."""
         nodes, along, weights = self._along()
         rates = self._rates(nodes, *along)[0]
         claimed = float(weights @ rates) + self._at_end()[0]
         return claimed, max(abs(claimed), float(weights @ abs(rates)))
 
-    def _moved(self, move, point, middle, k):
-        """The first variation along a polynomial that moves a free end, and the size of its
-        terms."""
-        rate, size = self._variation(move, min(point, middle), max(point, middle))
+    def _free_end_variation(self, variation, point, middle, k):
+        """Return the first variation along a polynomial that moves a free end, and its size."""
+        rate, size = self._variation(variation, min(point, middle), max(point, middle))
         at_end = self._at_end()[1 + k] if point == self.end else 0.0
         return rate + at_end, size + abs(at_end)
 
-    def _variation(self, move, a, b):
-        """The first variation along a polynomial on [a, b], and the size of its terms."""
+    def _variation(self, variation, a, b):
+        """Return the first variation along a polynomial on [a, b], and the size of its terms."""
         nodes, weights = _quadrature(a, b)
         rates = self._rates(nodes, *self._values(nodes))[1:]
-        terms = [weights * rate * np.polyder(move, k)(nodes) for k, rate in enumerate(rates)]
+        terms = [weights * rate * np.polyder(variation, k)(nodes) for k, rate in enumerate(rates)]
         return float(sum(term.sum() for term in terms)), sum(np.abs(term).sum() for term in terms)
 
     def _at_end(self):
-        """Phi and its derivatives, at the values that it holds; the others are of no account."""
+        """Return the final cost Phi and its derivatives at the end of the motion."""
         values = [
             self._value(k, self.end) if k in self._needed else 0.0
             for k in range(self.functional.order)
@@ -302,12 +311,12 @@ class _Motion:
         return nodes, self._values(nodes), weights
 
     def _values(self, nodes):
-        found = self._at(nodes)
-        for t in nodes[~np.isfinite(found).all(axis=0)]:
+        values = self._at(nodes)
+        for t in nodes[~np.isfinite(values).all(axis=0)]:
             raise Wrong(
                 f"{self.where}your motion, or a derivative of it, is no real number at t = {t:.4g}"
             )
-        return found
+        return values
 
     def _value(self, k, point):
         claimed = self._claim_at[k](point)[0]
@@ -323,8 +332,10 @@ class _Motion:
 
 @functools.lru_cache(maxsize=256)
 def _quadrature(a, b, steps=40, reach=3.2):
-    """Nodes and weights on (a, b) by the rule of Takahasi and Mori: ends where an integrand is
-    infinite do no harm."""
+    """Return nodes and weights on (a, b) of the tanh-sinh rule of Takahasi and Mori.
+
+    The integrand may be infinite at the ends.
+    """
     s = np.linspace(-reach, reach, 2 * steps + 1)
     inner = np.pi / 2 * np.sinh(s)
     nodes = (a + b) / 2 + (b - a) / 2 * np.tanh(inner)
@@ -333,16 +344,20 @@ def _quadrature(a, b, steps=40, reach=3.2):
     return nodes[inside], weights[inside]
 
 
-def _reaching(point, middle, k, n):
-    """The polynomial whose k-th derivative is 1 at `place`, all others up to n - 1 zero there and
-    at `middle`."""
+def _end_variation(point, middle, k, n):
+    """Return the polynomial whose k-th derivative is 1 at `point`.
+
+    All other derivatives up to order n - 1 vanish there, and all of them at `middle`.
+    """
     rows, size = [], 2 * n
-    for where in (point, middle):
+    for position in (point, middle):
         for order in range(n):
-            rows.append([np.polyder(np.poly1d([1] + [0] * m), order)(where) for m in range(size)])
-    wanted = np.zeros(size)
-    wanted[k] = 1.0
-    return np.poly1d(np.linalg.solve(np.array(rows), wanted)[::-1])
+            rows.append(
+                [np.polyder(np.poly1d([1] + [0] * m), order)(position) for m in range(size)]
+            )
+    right_side = np.zeros(size)
+    right_side[k] = 1.0
+    return np.poly1d(np.linalg.solve(np.array(rows), right_side)[::-1])
 
 
 def _word(functional):
@@ -355,7 +370,7 @@ def _optimum(functional):
 
 
 def _optima(functional, parameters):
-    """Pairs of values of the parameters and the optimum there."""
+    """Return pairs (values of the parameters, optimum there)."""
     samples = sample_values(parameters, SAMPLES) if parameters else [{}]
     return [
         (values, _optimum(functional.subs(values) if values else functional)) for values in samples

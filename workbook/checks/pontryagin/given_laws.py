@@ -1,9 +1,9 @@
-"""Motions under a law in time that is given up to some constants, and what their ends are.
+"""Motions, and their final states, under a law in time that is given up to some constants.
 
 `problem` is a `pontryagin.Problem` with a given duration and one control, `law` its value as an
 expression in `time` and `parameters`, continuous in time: a dict from symbols to the intervals in
-which answers are tried. Nothing is optimised here: the motion is followed in small steps from the
-start that the problem gives.
+which answers are compared. Nothing is optimised here: the motion is integrated in small steps from
+the initial state of the problem.
 """
 
 import functools
@@ -20,13 +20,13 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import prefix_text, rounded_text, tried_text
 
-#: In so many steps a motion is followed, and how well its states are known then.
-STEPS, FOLLOWED = 240, 1e-7
-#: At every so many of these steps an answer is compared.
-APART = 30
-#: From so many values of each unknown its search begins; so many steps it may take, and how well
-#: ends are kept, as a part of the size of the states.
-BEGINNINGS, SEARCHED, MET = 4, 30, 1e-10
+#: Number of steps in which a motion is integrated, and the relative accuracy of its states.
+STEPS, COMPUTED = 240, 1e-7
+#: An answer is compared at each step whose number is a multiple of this.
+STRIDE = 30
+#: Number of initial values of each unknown for Newton's method and of its iterations; the residual
+#: of the final conditions at convergence, relative to the size of the states.
+STARTS, ITERATIONS, CONVERGED = 4, 30, 1e-10
 
 
 @judged(
@@ -47,13 +47,13 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
         values = dict(zip(parameters, case))
         times, states, controls = run(*(np.array([float(v)]) for v in case))
         size = np.abs(states).max(axis=0)
-        for k in range(0, STEPS + 1, APART):
-            at = values | {variable: sp.Float((times if by is None else controls)[k, 0], 17)}
+        for k in range(0, STEPS + 1, STRIDE):
+            point = values | {variable: sp.Float((times if by is None else controls)[k, 0], 17)}
             for name, claim, true, scale in zip(problem.state, claims, states[k, :, 0], size[:, 0]):
-                claimed = value_at(claim, at, str(name))
-                if not agree(claimed, true, claim, scale, FOLLOWED, uncertainty_at(claim, at)):
+                claimed = value_at(claim, point, str(name))
+                if not agree(claimed, true, claim, scale, COMPUTED, uncertainty_at(claim, point)):
                     raise Wrong(
-                        f"for {rounded_text(at)} your {name} is {claimed:.4g}; under the law given "
+                        f"for {rounded_text(point)} your {name} is {claimed:.4g}; under the law given "
                         "the motion that starts as it should "
                         + ("has another value there" if k else "begins otherwise")
                     )
@@ -67,17 +67,20 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
     The constants of the law are unknown.
 
     `unknown` is a dict from these constants, the duration perhaps among them, to intervals, as
-    many as the problem has conditions at the end: these determine them, one value each in its
-    interval.
+    many as the problem has conditions at the end. These conditions determine one value of each
+    constant in its interval.
     """
     names = [*unknown, *parameters]
-    wanted = real_function([*problem.state, *names], [sp.sympify(quantity)])
-    for case, found, state, size in _ends(
+    final_quantity = real_function([*problem.state, *names], [sp.sympify(quantity)])
+    for case, constants, state, size in _final_states(
         problem, law, time, tuple(unknown.items()), tuple(parameters.items())
     ):
         values = dict(zip(parameters, case))
-        true, claimed = wanted(*state, *found, *case)[0], value_at(claim, values, str(quantity))
-        if not agree(claimed, true, claim, size, 10 * FOLLOWED, uncertainty_at(claim, values)):
+        true, claimed = (
+            final_quantity(*state, *constants, *case)[0],
+            value_at(claim, values, str(quantity)),
+        )
+        if not agree(claimed, true, claim, size, 10 * COMPUTED, uncertainty_at(claim, values)):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
                 f"{prefix_text(values)}your {quantity} is {claimed:.4g}; if the constants of the law are "
@@ -87,8 +90,10 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
 
 
 class _Run:
-    """Motions for arrays of values of the symbols `names`: times, states, controls, one row for
-    each step."""
+    """Motions for arrays of values of the symbols `names`.
+
+    A call returns times, states and controls, with a row for each step.
+    """
 
     def __init__(self, problem, law, time, names):
         self._steered = real_function([time, *names], [sp.sympify(law)])
@@ -114,12 +119,14 @@ class _Run:
 
 
 @functools.lru_cache(maxsize=32)
-def _ends(problem, law, time, unknown, parameters):
-    """For each case of the parameters: the case, the constants with which the conditions at the end
-    hold, the state there, the size of the states on the way."""
+def _final_states(problem, law, time, unknown, parameters):
+    """Return (case, constants, final state, size of the states) for each case of the parameters.
+
+    With these constants the conditions at the end hold.
+    """
     unknown, parameters = dict(unknown), dict(parameters)
     names, cases = [*unknown, *parameters], np.array(sample_cases(parameters)).T
-    run, missed = (
+    run, terminal_conditions = (
         _Run(problem, law, time, names),
         real_function([*problem.state, *names], list(problem.terminal)),
     )
@@ -127,44 +134,56 @@ def _ends(problem, law, time, unknown, parameters):
         np.array([float(getattr(domain, side)) for domain in unknown.values()])[:, None]
         for side in ("inf", "sup")
     )
-    shares = (np.arange(BEGINNINGS) + 0.5) / BEGINNINGS
-    begun = low + (high - low) * np.array(list(itertools.product(shares, repeat=len(unknown)))).T
-    at, cases_there = np.tile(begun, cases.shape[1]), np.repeat(cases, begun.shape[1], axis=1)
+    shares = (np.arange(STARTS) + 0.5) / STARTS
+    initial_points = (
+        low + (high - low) * np.array(list(itertools.product(shares, repeat=len(unknown)))).T
+    )
+    points, point_cases = (
+        np.tile(initial_points, cases.shape[1]),
+        np.repeat(cases, initial_points.shape[1], axis=1),
+    )
 
-    def gap(points, there):
-        states = run(*points, *there)[1]
-        return missed(*states[-1], *points, *there), np.abs(states).max(axis=(0, 1))
+    def residual(candidates, candidate_cases):
+        states = run(*candidates, *candidate_cases)[1]
+        return terminal_conditions(*states[-1], *candidates, *candidate_cases), np.abs(states).max(
+            axis=(0, 1)
+        )
 
-    met, width = _searched(gap, at, cases_there, low, high), high - low
-    found = []
+    converged, width = _newton(residual, points, point_cases, low, high), high - low
+    solutions = []
     for k, _case in enumerate(cases.T):
-        part = slice(k * begun.shape[1], (k + 1) * begun.shape[1])
-        own = at[:, part][:, met[part]]
-        if not own.shape[1] or np.any(np.ptp(own, axis=1) > 1e-6 * width[:, 0]):
-            raise RuntimeError(f"the constants of the law are not determined: {own.T.tolist()}")
-        found.append(own[:, 0])
-    _, states, _ = run(*np.array(found).T, *cases)
+        part = slice(k * initial_points.shape[1], (k + 1) * initial_points.shape[1])
+        roots = points[:, part][:, converged[part]]
+        if not roots.shape[1] or np.any(np.ptp(roots, axis=1) > 1e-6 * width[:, 0]):
+            raise RuntimeError(f"the constants of the law are not determined: {roots.T.tolist()}")
+        solutions.append(roots[:, 0])
+    _, states, _ = run(*np.array(solutions).T, *cases)
     return [
         (tuple(case), constants, states[-1, :, k], np.abs(states[:, :, k]).max())
-        for k, (case, constants) in enumerate(zip(cases.T, found))
+        for k, (case, constants) in enumerate(zip(cases.T, solutions))
     ]
 
 
-def _searched(gap, at, cases, low, high):
-    """Newton's method from many points at once, which are moved; returns where it has arrived."""
-    width, unknowns = high - low, len(at)
-    nudge, met = 1e-6 * width, np.zeros(at.shape[1], dtype=bool)
-    for _ in range(SEARCHED):
-        moved = [at, *(at + nudge * np.eye(unknowns)[:, [j]] for j in range(unknowns))]
-        gaps, sizes = gap(np.hstack(moved), np.tile(cases, unknowns + 1))
-        here, *beside = np.split(gaps, unknowns + 1, axis=1)
-        met = np.abs(here).max(axis=0) <= MET * sizes[: at.shape[1]]
-        if met.all():
+def _newton(residual, points, cases, low, high):
+    """Move many points to roots by Newton's method; return which of them converged."""
+    width, unknowns = high - low, len(points)
+    increment, converged = 1e-6 * width, np.zeros(points.shape[1], dtype=bool)
+    for _ in range(ITERATIONS):
+        shifted_points = [
+            points,
+            *(points + increment * np.eye(unknowns)[:, [j]] for j in range(unknowns)),
+        ]
+        all_residuals, sizes = residual(np.hstack(shifted_points), np.tile(cases, unknowns + 1))
+        residuals, *shifted_residuals = np.split(all_residuals, unknowns + 1, axis=1)
+        converged = np.abs(residuals).max(axis=0) <= CONVERGED * sizes[: points.shape[1]]
+        if converged.all():
             break
         # unknown, condition, point
-        slopes = np.array([(one - here) / nudge[j] for j, one in enumerate(beside)])
-        for k in np.flatnonzero(~met):
-            step = np.linalg.lstsq(slopes[:, :, k].T, -here[:, k], rcond=None)[0]
+        slopes = np.array(
+            [(shifted - residuals) / increment[j] for j, shifted in enumerate(shifted_residuals)]
+        )
+        for k in np.flatnonzero(~converged):
+            step = np.linalg.lstsq(slopes[:, :, k].T, -residuals[:, k], rcond=None)[0]
             step = np.clip(step, -0.3 * width[:, 0], 0.3 * width[:, 0])
-            at[:, k] = np.clip(at[:, k] + step, low[:, 0], high[:, 0])
-    return met
+            points[:, k] = np.clip(points[:, k] + step, low[:, 0], high[:, 0])
+    return converged

@@ -40,8 +40,10 @@ def other_extremal_exists(answer, system, target, start=None):
 
 
 def _second_extremal(system, target, start):
-    """From which starts off the line there are two extremals: decided where the controls on them do
-    not switch."""
+    """Return the condition on initial states off the line that have two extremals.
+
+    It is decided exactly if the controls on the extremals do not switch, else at samples.
+    """
     state, control, bounds = system.state, system.control, system.bounds
     line, zero = sp.sympify(target[0]), dict.fromkeys([*state, control], 0)
     plant = sp.Matrix([sp.sympify(f) for f in system.field])
@@ -59,16 +61,22 @@ def _second_extremal(system, target, start):
         else None
     )
     if beyond is None:
-        batch, later = _line_extremals(sampled_optimum(*synthesis_data(system, target, {}, start)))
-        found = {tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(batch.x, later)}
+        batch, second_times = _line_extremals(
+            sampled_optimum(*synthesis_data(system, target, {}, start))
+        )
+        has_second = {
+            tuple(map(sp.Rational, x)): np.isfinite(T) for x, T in zip(batch.x, second_times)
+        }
         return ReferenceCondition(
-            at=lambda point: found[tuple(point.values())],
-            points=lambda: (dict(zip(state, x)) for x in found),
+            at=lambda point: has_second[tuple(point.values())],
+            points=lambda: (dict(zip(state, x)) for x in has_second),
         )
 
     def ends(time, steepness):
-        """An extremal ends at the time: it crosses the line, or touches it, which counts either
-        way."""
+        """Return the condition that an extremal ends at a time, where it crosses the line.
+
+        If it only touches the line there, either answer is accepted.
+        """
         return sp.Or(
             *(
                 sp.And(sp.Eq(F.subs(first, time), 0), steepness(F.diff(first).subs(first, time), 0))
@@ -76,22 +84,22 @@ def _second_extremal(system, target, start):
             )
         )
 
-    def two(steepness):
+    def two_ends(steepness):
         return sp.And(0 < first, first < second, ends(first, steepness), ends(second, steepness))
 
-    off = sp.And(sp.Ne(line, 0), sp.true if start is None else start)
+    off_line = sp.And(sp.Ne(line, 0), sp.true if start is None else start)
 
     def at(point):
         times = {T for F in beyond for T in sp.Poly(F.subs(point), first).real_roots() if T > 0}
-        crossed, met = (
+        crossed, touched = (
             sum(bool(ends(T, steepness).subs(point)) for T in times) >= 2
             for steepness in (sp.Gt, sp.Ge)
         )
-        return crossed if crossed == met else None
+        return crossed if crossed == touched else None
 
     return ReferenceCondition(
-        (Case(sp.And(off, two(sp.Gt)), (first, second)),),
-        (Case(sp.And(off, sp.Not(two(sp.Ge))), (first, second), every=True),),
+        (Case(sp.And(off_line, two_ends(sp.Gt)), (first, second)),),
+        (Case(sp.And(off_line, sp.Not(two_ends(sp.Ge))), (first, second), every=True),),
         at,
     )
 
@@ -100,10 +108,13 @@ def _second_extremal(system, target, start):
 def other_extremal_time(claim, system, target, start=None):
     """Check the time that the extremal of `other_extremal_exists` takes, where there is one."""
     reference = sampled_optimum(*synthesis_data(system, target, {}, start))
-    batch, later = _line_extremals(reference)
+    batch, second_times = _line_extremals(reference)
     claimed = Law(claim, reference)(batch.x, batch.case)
-    open_ = left_open([claim], lambda parts: Law(*parts, reference)(batch.x, batch.case))
-    for k in np.flatnonzero(np.isfinite(later) & ~(abs(claimed - later) <= 1e-6 * later + open_)):
+    uncertainty = left_open([claim], lambda parts: Law(*parts, reference)(batch.x, batch.case))
+    for k in np.flatnonzero(
+        np.isfinite(second_times)
+        & ~(abs(claimed - second_times) <= 1e-6 * second_times + uncertainty)
+    ):
         point = ", ".join(f"{s} = {v:.4g}" for s, v in zip(system.state, batch.x[k]))
         message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         raise Wrong(
@@ -114,24 +125,25 @@ def other_extremal_time(claim, system, target, start=None):
 
 
 def _line_extremals(reference):
-    """Starts, and the time of the extremal to a line that is next to the fastest one (inf where
-    there is none).
+    """Return initial states, and the times of their second fastest extremals to a line.
 
-    The costate at the end is p = +-c for the line c.y + d = 0, so F(T) = max p.y over R(T) says it
-    all: an extremal ends at T if F reaches the line there, and rises, since its rate is the
-    Hamiltonian; the first of all is the fastest one. Starts next to a border of their set are left
-    out.
+    The time is inf where there is none.
+
+    The costate at the end is p = +-c for the line c.y + d = 0, so F(T) = max p.y over R(T) decides:
+    an extremal ends at T if F reaches the line there and increases, since its rate is the
+    Hamiltonian; the first one is the fastest. Initial states close to a border of their set are
+    left out.
     """
     if "extremals" in reference.cache:
         return reference.cache["extremals"]
     plant, (points, case) = reference.plant, reference._points(1000, seed=7)
     c, d = reference.convex._c[0], reference.convex._d[0]
     times = 60 * (np.arange(0, 1501) / 1500) ** 1.5
-    whole = plant.exponential(times)
-    owner, found, doubtful = [], [], np.zeros(len(points), dtype=bool)
+    transitions = plant.exponential(times)
+    point_indices, crossing_times, doubtful = [], [], np.zeros(len(points), dtype=bool)
     for p, level in ((c, -d), (-c, d)):
 
-        def ahead(T, x, p=p, level=level):
+        def support_gap(T, x, p=p, level=level):
             rows = np.tile(p, (len(T), 1))
             return (
                 np.einsum("i,nij,nj->n", p, plant.exponential(T), x)
@@ -140,24 +152,26 @@ def _line_extremals(reference):
             )
 
         reach = plant.extreme(np.tile(p, (len(times), 1)), times, np.ones(len(times)))
-        F = np.einsum("i,tij,nj->nt", p, whole, points) + reach - level
+        F = np.einsum("i,tij,nj->nt", p, transitions, points) + reach - level
         n, j = np.nonzero((F[:, :-1] < 0) & (F[:, 1:] >= 0))
         low, high = times[j], times[j + 1]
         for _ in range(45):
             middle = (low + high) / 2
-            before = ahead(middle, points[n]) < 0
-            low, high = np.where(before, middle, low), np.where(before, high, middle)
-        owner.append(n)
-        found.append((low + high) / 2)
+            negative = support_gap(middle, points[n]) < 0
+            low, high = np.where(negative, middle, low), np.where(negative, high, middle)
+        point_indices.append(n)
+        crossing_times.append((low + high) / 2)
         turning = (F[:, 1:-1] < F[:, :-2]) & (F[:, 1:-1] < F[:, 2:]) | (F[:, 1:-1] > F[:, :-2]) & (
             F[:, 1:-1] > F[:, 2:]
         )
         doubtful |= (
             turning & (abs(F[:, 1:-1]) < 0.004 * (0.3 + np.linalg.norm(points, axis=1))[:, None])
         ).any(axis=1)
-    ends = np.full((len(points), 1 + max(np.bincount(np.concatenate(owner)), default=0)), np.inf)
-    rows, column = np.concatenate(owner), np.zeros(len(points), dtype=int)
-    for n, T in zip(rows, np.concatenate(found)):
+    ends = np.full(
+        (len(points), 1 + max(np.bincount(np.concatenate(point_indices)), default=0)), np.inf
+    )
+    rows, column = np.concatenate(point_indices), np.zeros(len(points), dtype=int)
+    for n, T in zip(rows, np.concatenate(crossing_times)):
         ends[n, column[n]], column[n] = T, column[n] + 1
     ends = np.sort(ends, axis=1)
     first = ends[:, 0].copy()

@@ -19,8 +19,8 @@ from workbook.checks.contract.tolerance import (
 )
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
-    PLACES,
     RIVALS,
+    SAMPLES,
     ZeroSet,
     control_bounds,
     is_in_domain,
@@ -33,7 +33,7 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import entry_uncertainties, number_at, uncertainty_at, value_at
 from workbook.checks.tools.wording import other_text, rounded_text, values_text
 
-#: Between what a control without a bound is compared.
+#: Largest distance of compared controls from the claimed one, where it has no bound.
 UNBOUNDED = 20.0
 
 
@@ -54,8 +54,8 @@ def pontryagin_function(claim, problem, costates, domain=None):
     """
     true = hamiltonian(problem, costates)
     for values in sample_points(problem, costates, domain):
-        _equal(claim, true, values, "H")
-    return f"it is H, tried at {PLACES} places"
+        _require_equal(claim, true, values, "H")
+    return f"it is H, tried at {SAMPLES} places"
 
 
 @judged(
@@ -77,8 +77,8 @@ def adjoint_equations(claims, problem, costates, domain=None):
     H = hamiltonian(problem, costates)
     for psi, y, claim in zip(costates, problem.state, claims):
         for values in sample_points(problem, costates, domain):
-            _equal(claim, -sp.diff(H, y), values, f"{psi}'")
-    return f"they are the adjoint equations at {PLACES} places"
+            _require_equal(claim, -sp.diff(H, y), values, f"{psi}'")
+    return f"they are the adjoint equations at {SAMPLES} places"
 
 
 @judged(
@@ -98,16 +98,16 @@ def switching_function(claim, problem, costates, control=None, domain=None):
     """
     control = control or problem.control[0]
     slope = sp.diff(hamiltonian(problem, costates), control)
-    for values in sample_points(problem, costates, domain, known=True):
+    for values in sample_points(problem, costates, domain, use_known_costates=True):
         claimed, true = (value_at(e, values, "the switching function") for e in (claim, slope))
         if np.sign(claimed) != np.sign(true):
             raise Wrong(
                 f"for {rounded_text(values)}, H {'grows' if true > 0 else 'falls'} with {control}, "
                 f"and your function is {claimed:.4g}"
             )
-    _has_the_sign(claim, slope, control, known_costates(problem, costates), domain)
-    # Of one sign at random places is less than vanishing together: there each has to.
-    return _vanish_together(claim, slope, problem, costates, domain)
+    _require_sign(claim, slope, control, known_costates(problem, costates), domain)
+    # Equal signs at random points do not imply common zeros, which are compared too.
+    return _require_common_zeros(claim, slope, problem, costates, domain)
 
 
 @judged(
@@ -126,9 +126,9 @@ def switching_rate(claim, problem, costates, control=None, domain=None):
     H = hamiltonian(problem, costates)
     flow = dict(problem.dynamics) | {psi: -sp.diff(H, y) for psi, y in zip(costates, problem.state)}
     true = sum((sp.diff(first, s) * rate for s, rate in flow.items()), sp.S.Zero)
-    for values in sample_points(problem, costates, domain, known=True):
-        _equal(claim, true, values, "the derivative of dH/du")
-    return f"it is the derivative of dH/du at {PLACES} places"
+    for values in sample_points(problem, costates, domain, use_known_costates=True):
+        _require_equal(claim, true, values, "the derivative of dH/du")
+    return f"it is the derivative of dH/du at {SAMPLES} places"
 
 
 @judged
@@ -152,34 +152,36 @@ def maximising_control(answer, problem, costates, domain=None):
     ):
         numbers, bounds = [float(values[s]) for s in symbols], control_bounds(problem, values)
         claimed = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
-        open_ = entry_uncertainties(sp.Matrix(claims), values).ravel()
-        for u, value, (low, high), own in zip(controls, claimed, bounds, open_):
-            slack = EXACT * (1 + abs(value)) + own
+        uncertainties = entry_uncertainties(sp.Matrix(claims), values).ravel()
+        for u, value, (low, high), uncertainty in zip(controls, claimed, bounds, uncertainties):
+            slack = EXACT * (1 + abs(value)) + uncertainty
             if not low - slack <= value <= high + slack:
                 raise Wrong(
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
                 )
-        # What decimals leave open is a control, of which H near its maximum says little.
+        # Decimals leave the control uncertain, and near its maximum H hardly depends on it.
         near, rivals = (
             np.array(np.meshgrid(*parts)).reshape(len(controls), -1)
             for parts in (
                 [
-                    np.clip(value + one * np.linspace(-1, 1, 21), *pair)
-                    for value, one, pair in zip(claimed, open_, bounds)
+                    np.clip(value + uncertainty * np.linspace(-1, 1, 21), *pair)
+                    for value, uncertainty, pair in zip(claimed, uncertainties, bounds)
                 ],
                 [_rivals(value, *pair) for value, pair in zip(claimed, bounds)],
             )
         )
-        found, others = (
-            H(*numbers, *near)[0] if open_.any() else H(*numbers, *claimed)[:1],
+        claimed_values, rival_values = (
+            H(*numbers, *near)[0] if uncertainties.any() else H(*numbers, *claimed)[:1],
             H(*numbers, *rivals)[0],
         )
-        if not found.max() >= np.nanmax(others) - 1e-9 * np.ptp(others) - 0.01 * np.ptp(found):
+        if not claimed_values.max() >= np.nanmax(rival_values) - 1e-9 * np.ptp(
+            rival_values
+        ) - 0.01 * np.ptp(claimed_values):
             raise Wrong(
                 f"for {rounded_text(values)} your control gives H = {H(*numbers, *claimed)[0]:.4g}, "
                 "and another admissible one more"
             )
-    return f"no admissible control gives a greater H, tried at {PLACES} places"
+    return f"no admissible control gives a greater H, tried at {SAMPLES} places"
 
 
 @judged(
@@ -193,9 +195,9 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
     The controls enter H linearly.
     """
     H, controls = sp.expand(hamiltonian(problem, costates)), list(problem.control)
-    if any(sp.diff(H, one, other) != 0 for one in controls for other in controls):
+    if any(sp.diff(H, u, v) != 0 for u in controls for v in controls):
         raise ValueError("H is not linear in the controls")
-    rest, slopes = H.subs(dict.fromkeys(controls, 0)), [sp.diff(H, u) for u in controls]
+    remaining_terms, slopes = H.subs(dict.fromkeys(controls, 0)), [sp.diff(H, u) for u in controls]
     for values in (
         *sample_points(problem, costates, domain, controls=False),
         *points_near_switching(problem, costates, domain),
@@ -205,14 +207,14 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
             max(slope * low, slope * high)
             for slope, (low, high) in zip(numbers, control_bounds(problem, values))
         ]
-        parts = [float(part.subs(values)) for part in sp.Add.make_args(rest)]
-        claimed, wanted = (
+        parts = [float(part.subs(values)) for part in sp.Add.make_args(remaining_terms)]
+        claimed, expected = (
             value_at(claim, values, "the greatest value of H"),
             sum(parts) + sum(terms),
         )
         if not agree(
             claimed,
-            wanted,
+            expected,
             claim,
             max(map(abs, [*parts, *terms])),
             uncertain=uncertainty_at(claim, values),
@@ -221,63 +223,68 @@ def maximised_hamiltonian(claim, problem, costates, domain=None):
                 f"for {rounded_text(values)} your expression gives {claimed:.4g}; "
                 + directed(
                     "no admissible control gives H so great a value"
-                    if claimed > wanted
+                    if claimed > expected
                     else "there are admissible controls that give H a greater value",
                     "that is not the greatest value of H",
                 )
             )
-    return f"it is the greatest value of H, at {PLACES} places"
+    return f"it is the greatest value of H, at {SAMPLES} places"
 
 
-def _equal(claim, true, values, what):
+def _require_equal(claim, true, values, quantity):
     true = sp.expand(true)
     parts = [abs(number_at(part, values)) for part in sp.Add.make_args(true)]
-    claimed, wanted = value_at(claim, values, what), number_at(true, values).real
-    if not agree(claimed, wanted, claim, max(parts), uncertain=uncertainty_at(claim, values)):
+    claimed, expected = value_at(claim, values, quantity), number_at(true, values).real
+    if not agree(claimed, expected, claim, max(parts), uncertain=uncertainty_at(claim, values)):
         if true.is_number:  # the true number would be the answer itself
-            raise Wrong(f"{what} is not {claimed:.4g}, which your expression gives")
-        raise Wrong(f"for {rounded_text(values)}, {other_text(what, claimed, wanted)}")
+            raise Wrong(f"{quantity} is not {claimed:.4g}, which your expression gives")
+        raise Wrong(f"for {rounded_text(values)}, {other_text(quantity, claimed, expected)}")
 
 
-def _has_the_sign(claim, slope, control, known, domain):
-    """Raise `Wrong` where a function has not the sign of dH/du, if that can be decided of all
-    places: a factor may change its sign where none was tried. Where a sign changes in decimals is
-    open."""
+def _require_sign(claim, slope, control, costate_values, domain):
+    """Raise `Wrong` where a function does not have the sign of dH/du, if this can be decided.
+
+    A factor may change its sign where no sample lies. With decimals the zeros are uncertain, and
+    nothing is decided.
+    """
     if in_decimals(claim):
         return
-    claim, slope = claim.subs(known), slope.subs(known)
+    claim, slope = claim.subs(costate_values), slope.subs(costate_values)
     symbols = sorted({*claim.free_symbols, *slope.free_symbols}, key=str)
-    given = sp.And(*(domain[s].as_relational(s) for s in symbols if s in (domain or {})))
-    for sign, does, not_ in ((sp.Gt, "grows", "does not grow"), (sp.Lt, "falls", "does not fall")):
-        _, point = decide(sign(claim, 0), symbols, exactly(sign(slope, 0), given))
+    domain_condition = sp.And(*(domain[s].as_relational(s) for s in symbols if s in (domain or {})))
+    for sign, verb, negated_verb in (
+        (sp.Gt, "grows", "does not grow"),
+        (sp.Lt, "falls", "does not fall"),
+    ):
+        _, point = decide(sign(claim, 0), symbols, exactly(sign(slope, 0), domain_condition))
         if point:
             values, holds = point
             raise Wrong(
-                f"for {values_text(values)}, H {does if holds else not_} with {control}, and your "
+                f"for {values_text(values)}, H {verb if holds else negated_verb} with {control}, and your "
                 "function has another sign"
             )
 
 
-def _vanish_together(claim, slope, problem, costates, domain):
-    known = known_costates(problem, costates)
-    symbols = [s for s in (*costates, *problem.state) if s not in known]
-    own, other = (
-        ZeroSet([e.subs(known)], symbols, [*problem.parameters, *problem.control])
+def _require_common_zeros(claim, slope, problem, costates, domain):
+    costate_values = known_costates(problem, costates)
+    symbols = [s for s in (*costates, *problem.state) if s not in costate_values]
+    claimed_zeros, true_zeros = (
+        ZeroSet([e.subs(costate_values)], symbols, [*problem.parameters, *problem.control])
         for e in (claim, slope)
     )
-    for values in sample_points(problem, costates, domain, known=True):
-        for zeros, rival in ((own, other), (other, own)):
-            point = zeros.near({s: v for s, v in values.items() if s not in known})
+    for values in sample_points(problem, costates, domain, use_known_costates=True):
+        for zeros, other_zeros in ((claimed_zeros, true_zeros), (true_zeros, claimed_zeros)):
+            point = zeros.zero_near({s: v for s, v in values.items() if s not in costate_values})
             if (
                 point is not None
                 and is_in_domain(point, domain)
-                and not rival.distance(point) <= own.left_open(point)
+                and not other_zeros.distance(point) <= claimed_zeros.uncertainty(point)
             ):
                 raise Wrong(
                     f"for {rounded_text(point)} your function "
                     + (
                         "vanishes, and dH/du does not"
-                        if zeros is own
+                        if zeros is claimed_zeros
                         else "does not vanish, and dH/du does"
                     )
                 )
@@ -285,7 +292,7 @@ def _vanish_together(claim, slope, problem, costates, domain):
 
 
 def _rivals(value, low, high):
-    """Admissible controls with which one is compared: all over its interval, and around it."""
+    """Return admissible controls to compare with: over the whole interval and around a value."""
     low, high = max(low, value - UNBOUNDED), min(high, value + UNBOUNDED)
     around = (1 + abs(value)) * np.geomspace(1e-4, 0.1, 13)
     return np.unique(

@@ -12,10 +12,10 @@ import numpy as np
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.simulation import (
-    ENDING_ITSELF,
+    AT_OWN_END,
     Path,
-    does_as_well,
     on_target,
+    require_optimal,
 )
 from workbook.checks.pontryagin.time_functions import (
     INTEGRATED,
@@ -30,18 +30,18 @@ from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.wording import prefix_text
 
-#: To what share of its range a control on an arc of the best process is known, and of the duration
-#: an arc; a shorter one may be missed.
-CERTAIN, ARC, MISSED = 1e-3, 1e-6, 1e-4
-#: How far from a change of the best control, as a part of the duration, that of another one is
-#: looked for, and by what share of the distance of its bounds a control that is found numerically
-#: may seem to jump.
+#: Accuracy of a control on an arc of the best process, relative to its range; of the length of an
+#: arc, relative to the duration; and the relative length below which an arc may be missed.
+CONTROL_ACCURACY, ARC_ACCURACY, MISSED_ARC = 1e-3, 1e-6, 1e-4
+#: Distance from a change of the best control within which the change of a claimed one is looked for,
+#: relative to the duration; and the apparent jump of a numerical control, relative to the distance
+#: of its bounds.
 NEAR, BENT = 0.02, 4e-3
-#: Values of a control that differ by a smaller part of its jump are one; a jump takes so small a
-#: part of the duration.
+#: Values of a control that differ by less, relative to its jump, are equal; largest duration of a
+#: jump, relative to that of the process.
 SAME, SUDDEN = 1e-6, 1e-9
-#: How much better the duration of the best process is known, and so where it ends, if it is what is
-#: to be least.
+#: Factor on the tolerance of the end of the process if its duration is minimised, since then the
+#: duration is known more accurately.
 TIMED = 0.05
 
 
@@ -51,17 +51,19 @@ def optimal_control(claim, problem, time, parameters=None):
 
     It is an expression in time and parameters, or a list of arcs [value, until].
     """
-    read = Steering(claim, time, parameters)
-    begun = ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""
-    timed = TIMED if is_time_optimal(problem) and read.rounding == INTEGRATED else 1
+    steering = Steering(claim, time, parameters)
+    start_text = (
+        ", begun as the best process is," if any(free_at_the_start(problem, parameters)) else ""
+    )
+    duration_factor = TIMED if is_time_optimal(problem) and steering.rounding == INTEGRATED else 1
     for values, best in best_processes(problem, parameters):
         where = prefix_text(values)
-        whose = "your control" + begun
-        _ends_with_the_best(read, values, best, problem, where, whose)
-        sections = read.sections(values, best.duration)
+        source = "your control" + start_text
+        _require_matching_end(steering, values, best, problem, where, source)
+        sections = steering.sections(values, best.duration)
         path = Path(best, sections, where)
-        path.admissible(read.roughly)
-        others, together = (
+        path.require_admissible(steering.decimal_tolerance)
+        perturbed_ends, paired_ends = (
             [
                 [
                     Path(best, side.sections(values, best.duration), where).states[-1]
@@ -69,55 +71,58 @@ def optimal_control(claim, problem, time, parameters=None):
                 ]
                 for sides in part
             ]
-            for part in (read.changed, read.together)
+            for part in (steering.perturbed, steering.perturbed_in_pairs)
         )
-        does_as_well(
+        require_optimal(
             path.times,
             path.states,
             best,
             problem,
-            timed * read.rounding,
+            duration_factor * steering.rounding,
             where,
-            whose,
-            others,
-            together,
+            source,
+            perturbed_ends,
+            paired_ends,
         )
-        _jumps_where_it_should(sections, best, read.rounding, where)
-        _bends_where_it_should(sections, read.changed, best, values, where)
+        _require_jumps(sections, best, steering.rounding, where)
+        _require_continuous_changes(sections, steering.perturbed, best, values, where)
     return "it is admissible, keeps to the ends, and no process was found that does better"
 
 
-def _ends_with_the_best(read, values, best, problem, where, whose):
-    """Raise `Wrong` for arcs that end too early, of which the last one begins after the end, or
-    that come to the target later alone: by what they come to at their own end, since what costs too
-    much may end at another time."""
-    if not (ends := read.ends(values)):
+def _require_matching_end(steering, values, best, problem, where, source):
+    """Raise `Wrong` unless the arcs end when the best process does.
+
+    The last arc may neither end too early nor begin after the end. With a free duration the process
+    is judged at its own end if that is closer to the target, since a process that costs too much may
+    end at another time.
+    """
+    if not (ends := steering.ends(values)):
         return
-    (begin, end), open_ = [0.0, *ends][-2:], [0.0, *read.ends_left_open(values)][-2:]
+    (begin, end), uncertainties = [0.0, *ends][-2:], [0.0, *steering.end_uncertainties(values)][-2:]
     early, late = (
-        end < best.duration * (1 - read.rounding) - open_[1],
-        begin > best.duration * (1 + read.rounding) + open_[0],
+        end < best.duration * (1 - steering.rounding) - uncertainties[1],
+        begin > best.duration * (1 + steering.rounding) + uncertainties[0],
     )
     if problem.duration is None or isinstance(problem.duration, tuple):
-        own, cut = (
-            Path(best, read.sections(values, until), where) for until in (end, best.duration)
+        own_path, cut_path = (
+            Path(best, steering.sections(values, until), where) for until in (end, best.duration)
         )
         if (
             early
             or late
-            or on_target(own.states[-1], best, read.rounding)
-            > on_target(cut.states[-1], best, read.rounding)
+            or on_target(own_path.states[-1], best, steering.rounding)
+            > on_target(cut_path.states[-1], best, steering.rounding)
         ):
-            own.admissible(read.roughly)
-            does_as_well(
-                own.times,
-                own.states,
+            own_path.require_admissible(steering.decimal_tolerance)
+            require_optimal(
+                own_path.times,
+                own_path.states,
                 best,
                 problem,
-                read.rounding,
+                steering.rounding,
                 where,
-                whose,
-                when=ENDING_ITSELF,
+                source,
+                when=AT_OWN_END,
             )
     if early or late:
         raise Wrong(
@@ -131,16 +136,18 @@ def _ends_with_the_best(read, values, best, problem, where, whose):
         )
 
 
-def _jumps_where_it_should(sections, best, rounding, where):
-    """Raise `Wrong` for a control that goes over by and by from one value to another where the best
-    one jumps, or comes to the value of its first or last arc by and by: if it is quick, that costs
-    next to nothing."""
+def _require_jumps(sections, best, rounding, where):
+    """Raise `Wrong` for a control that changes gradually where the best one jumps.
+
+    It may not reach the value of its first or last arc gradually either. The cost cannot decide: a
+    quick change costs hardly anything.
+    """
     times, controls = np.asarray(best.times), np.asarray(best.controls)
     for k in range(1, len(times) - 2):
         before, after = controls[k], controls[k + 1]
         slack = max(rounding, SAME) * abs(after - before)
         if max(abs(controls[k - 1] - before), abs(controls[k + 2] - after)) < slack and (
-            point := _slowly(
+            point := _gradual_change_time(
                 sections, times[k - 1], before, times[k + 2], after, slack, best.duration
             )
         ):
@@ -148,12 +155,14 @@ def _jumps_where_it_should(sections, best, rounding, where):
                 f"{where}at t = {point:.4g} the best control jumps; yours takes values between"
             )
     for inner, k, end in ((1, 0, SUDDEN * best.duration), (-2, -1, (1 - SUDDEN) * best.duration)):
-        held, slack = (
+        bound_value, slack = (
             controls[k],
             max(rounding, SAME) * max(abs(controls[k]), SAME * best.units.control),
         )
-        if abs(controls[inner] - held) < slack and (
-            point := _slowly(sections, times[inner], held, end, None, slack, best.duration)
+        if abs(controls[inner] - bound_value) < slack and (
+            point := _gradual_change_time(
+                sections, times[inner], bound_value, end, None, slack, best.duration
+            )
         ):
             raise Wrong(
                 f"{where}next to t = {point:.4g} the best control keeps one value; yours takes "
@@ -161,10 +170,12 @@ def _jumps_where_it_should(sections, best, rounding, where):
             )
 
 
-def _slowly(sections, first, before, last, after, slack, duration):
-    """The time at which a control leaves the value before and does not come to the one after at
-    once; None where it does, or has other values at the two instants. Without a value after that of
-    the control itself stands for it."""
+def _gradual_change_time(sections, first, before, last, after, slack, duration):
+    """Return the time at which a control begins to change gradually from one value to another.
+
+    It is None if the control jumps, or has other values at the two instants. If `after` is None it
+    is the value of the control itself at the last instant.
+    """
     low, high = sorted((first, last))
     for u in (u for begin, end, u in sections if begin <= low and high <= end):
         after = u(np.array([last]))[0] if after is None else after
@@ -182,57 +193,57 @@ def _slowly(sections, first, before, last, after, slack, duration):
 
 
 def _values(sections, times):
-    """A control at instants."""
+    """Return the values of a control at instants."""
     times = np.clip(times, sections[0][0], sections[-1][1])
-    found, left = np.empty(len(times)), np.ones(len(times), dtype=bool)
+    values, remaining = np.empty(len(times)), np.ones(len(times), dtype=bool)
     for begin, end, u in sections:
-        here = left & (begin <= times) & (times <= end)
-        if here.any():
-            found[here] = u(times[here])
-        left &= ~here
-    return found
+        inside = remaining & (begin <= times) & (times <= end)
+        if inside.any():
+            values[inside] = u(times[inside])
+        remaining &= ~inside
+    return values
 
 
-def _bends_where_it_should(sections, changed, best, values, where):
-    """Raise `Wrong` for a control that jumps where the best one leaves a bound, or comes to one,
-    without a jump."""
+def _require_continuous_changes(sections, perturbed, best, values, where):
+    """Raise `Wrong` for a control that jumps where the best one meets a bound without a jump."""
     low, high = best.bounds
     for j, before, after in getattr(best, "changes", list)():
         if (before is None) == (after is None):
             continue
         (t, s), (v, w) = best.times[j + 1 : j + 3] - best.times[j], best.controls[j + 1 : j + 3]
-        near, allowed = NEAR * best.duration, BENT * (high - low)
+        offset, allowed = NEAR * best.duration, BENT * (high - low)
         if (
             abs((v - (w - v) * t / (s - t) if after is None else after) - best.controls[j])
             > allowed
         ):
-            continue  # to a singular arc the best one jumps too
-        bound, inner = best.times[j] + (near if before is None else -near) * np.array([1.0, -1.0])
-        claimed, *others = (
-            _leap(one, bound, inner, SAME * (high - low))
-            for one in (
+            continue  # at a singular arc the best one jumps too
+        bound, inner = best.times[j] + (offset if before is None else -offset) * np.array(
+            [1.0, -1.0]
+        )
+        claimed, *perturbed_jumps = (
+            _jump(arcs, bound, inner, SAME * (high - low))
+            for arcs in (
                 sections,
-                *(side.sections(values, best.duration) for sides in changed for side in sides),
+                *(side.sections(values, best.duration) for sides in perturbed for side in sides),
             )
         )
-        left_open = sum(
-            max(abs(one - claimed), abs(other - claimed))
-            for one, other in zip(others[::2], others[1::2])
+        uncertainty = sum(
+            max(abs(below - claimed), abs(above - claimed))
+            for below, above in zip(perturbed_jumps[::2], perturbed_jumps[1::2])
         )
-        if not abs(claimed) <= allowed / 10 + left_open:
+        if not abs(claimed) <= allowed / 10 + uncertainty:
             raise Wrong(
                 f"{where}your control jumps by {claimed:.2g} where the best one changes without a jump"
             )
 
 
-def _leap(sections, first, last, same):
-    """By how much a control jumps where it leaves the value that it has at the first of two
-    instants."""
-    held = _values(sections, [first])[0]
+def _jump(sections, first, last, tolerance):
+    """Return the jump of a control where it leaves its value at the first of two instants."""
+    first_value = _values(sections, [first])[0]
     point = bisect(
-        lambda t, _: abs(_values(sections, t) - held) <= same,
+        lambda t, _: abs(_values(sections, t) - first_value) <= tolerance,
         np.array([first]),
         np.array([last]),
         48,
     )[1]
-    return _values(sections, point)[0] - held
+    return _values(sections, point)[0] - first_value

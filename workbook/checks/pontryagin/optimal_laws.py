@@ -1,11 +1,11 @@
 """Laws of optimal processes, whatever the cost, and the curves on which they change.
 
-`problem` is a `pontryagin.Problem` with one control, whose start stands in it as symbols: these are
-among `parameters`, a dict from symbols to the intervals in which starts and parameters are tried.
-The optimum comes from `direct_optimum`, which knows nothing of costates. A law has to say what the
-best process does, at its states and close to them, and next to where its control changes above all:
-what a border of a law that is a little off costs is of second order. Then the law is followed from
-the start, has to keep to the ends, and may cost no more.
+`problem` is a `pontryagin.Problem` with one control, whose initial states are symbols. These are
+among `parameters`, a dict from symbols to the intervals in which initial states and parameters are
+sampled. The optimum comes from `direct_optimum`, which does not use costates. A law has to give the
+control of the best process at its states and close to them, above all where the control changes,
+since a small error of a switching curve changes the cost in the second order only. Then the motion
+under the law is integrated; it has to keep to the ends and may cost no more.
 """
 
 import itertools
@@ -16,7 +16,7 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.feedback_laws import STEPS, FeedbackLaw
-from workbook.checks.pontryagin.simulation import does_as_well, point_text
+from workbook.checks.pontryagin.simulation import point_text, require_optimal
 from workbook.checks.references.optima.direct_optimum import optima
 from workbook.checks.references.optima.runge_kutta import rk4
 from workbook.checks.references.scales import TIME, first_difference, judge_at_every_scale, scales
@@ -24,22 +24,23 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import prefix_text
 
-#: How far from a change of its control the best process is compared with a law, as a part of the
-#: duration, and how close to a state the law is asked, as a part of its coordinates; each for exact
-#: laws and for laws in decimals.
+#: Distance from a change of its control at which the best process is compared with a law, relative
+#: to the duration, and distance of the states at which the law is evaluated, relative to the
+#: coordinates; each for exact laws and for laws in decimals.
 BEFORE, BESIDE = (3e-4, 2e-3), (5e-5, 5e-3)
-#: Which parts of the way to the next time known are taken besides, where the control varies.
+#: Fractions of the time from a change to the next known time at which a varying control is compared.
 CLOSER = (0.05, 0.15, 0.25, 0.4)
-#: To what share of the distance of its bounds a control between them is known along the best
-#: process, and next to where it comes to a bound without a jump: the moment of this changes the
-#: cost in the third order only.
-KNOWN, BENT = 2e-4, 1e-3
-#: What is a smaller part of the state than this is next to the origin, where all borders meet.
+#: Accuracy of a control between its bounds along the best process, relative to their distance, and
+#: close to where it reaches a bound smoothly: the time of this changes the cost in the third order
+#: only.
+CONTROL_ACCURACY, BENT = 2e-4, 1e-3
+#: States smaller than this, relative to the largest one, are not compared: they are close to the
+#: origin, where all switching curves meet.
 AWAY = 0.05
-#: The law on both sides of a border, so close to it in parts of the way across, has to have both
-#: values.
+#: Distance on both sides of a switching curve, relative to the way across, at which the law has to
+#: have the values before and after the jump.
 ACROSS = 1e-6
-#: To what share of its coordinates the place of a change is found.
+#: Accuracy of the state at a change of the control, relative to its coordinates.
 LOCATED = 3e-4
 
 
@@ -53,14 +54,14 @@ def optimal_law(answer, problem, parameters, time=None):
     bounds: with sp.Piecewise one for each region.
     """
     law = FeedbackLaw(answer, problem, parameters, time)
-    found = list(optima(problem, parameters))
-    for values, best in found:
-        _says_what_is_best(law, values, best)
+    processes = list(optima(problem, parameters))
+    for values, best in processes:
+        _require_best_control(law, values, best)
     for factors in scales(problem, parameters):
-        for values, best in found:
-            _same_at_a_scale(law, values, best, factors)
-    for (values, best), times, states in zip(found, *_followed(law, found)):
-        does_as_well(times, states, best, problem, law.rounding, prefix_text(values), "your law")
+        for values, best in processes:
+            _require_scale_invariance(law, values, best, factors)
+    for (values, best), times, states in zip(processes, *_motions_under_law(law, processes)):
+        require_optimal(times, states, best, problem, law.rounding, prefix_text(values), "your law")
     return "from all starts tried it does what the best process found does, keeps to the ends, and costs no more"
 
 
@@ -73,24 +74,27 @@ def arc_transition_curve(claim, problem, change, domain, parameters):
     `change` is a pair of "bound" and "inside", before and after; `domain` gives the interval of
     one state, in which the claim is the other one.
     """
-    ((given, interval),) = domain.items()
+    ((variable, interval),) = domain.items()
     state = list(problem.dynamics)
-    k, low, high = state.index(given), float(interval.inf), float(interval.sup)
-    others = [p for p in parameters if p not in state]
-    curve, points = real_function([given, *others], [claim]), []
+    k, low, high = state.index(variable), float(interval.inf), float(interval.sup)
+    other_parameters = [p for p in parameters if p not in state]
+    curve, points = real_function([variable, *other_parameters], [claim]), []
     for values, best in optima(problem, parameters):
         for j, *kinds in best.changes():
             y = best.states[:, j]
             if [_kind(best, u) for u in kinds] != list(change) or not low <= y[k] <= high:
                 continue
-            claimed, true = float(curve(y[k], *(float(values[p]) for p in others))[0]), y[1 - k]
-            points.append({given: y[k], **{p: values[p] for p in others}})
+            claimed, true = (
+                float(curve(y[k], *(float(values[p]) for p in other_parameters))[0]),
+                y[1 - k],
+            )
+            points.append({variable: y[k], **{p: values[p] for p in other_parameters}})
             uncertain = uncertainty_at(claim, points[-1])
             if not np.isfinite(claimed):
-                raise Wrong(f"for {given} = {y[k]:.4g} your curve gives no real number")
+                raise Wrong(f"for {variable} = {y[k]:.4g} your curve gives no real number")
             if not agree(claimed, true, claim, true, LOCATED, uncertain):
                 raise Wrong(
-                    f"for {given} = {y[k]:.4g} your curve gives {state[1 - k]} = {claimed:.4g}; the "
+                    f"for {variable} = {y[k]:.4g} your curve gives {state[1 - k]} = {claimed:.4g}; the "
                     f"control of the best process {prefix_text(values)}does not change there"
                 )
     if not points:
@@ -103,17 +107,16 @@ def _kind(best, value):
     return "bound" if value is not None and value in best.bounds else "inside"
 
 
-def _says_what_is_best(law, values, best):
-    """Raise `Wrong` where the law differs from the control of the best process in all states around
-    one of it."""
-    roughly = law.decimals and not law.changed
-    times, states, controls = _compared(best, BEFORE[roughly])
+def _require_best_control(law, values, best):
+    """Raise `Wrong` where the law differs from the best control at all states around a best one."""
+    coarse = law.decimals and not law.perturbed
+    times, states, controls = _compared_points(best, BEFORE[coarse])
     low, high = best.bounds
     largest = np.abs(best.states).max(axis=1, initial=0, keepdims=True)
-    far = (np.abs(states) > AWAY * largest).any(axis=0)
-    times, states, controls = times[far], states[:, far], controls[far]
+    selected = (np.abs(states) > AWAY * largest).any(axis=0)
+    times, states, controls = times[selected], states[:, selected], controls[selected]
     width = high - low if np.isfinite(high - low) else best.units.control + np.abs(controls)
-    n, (steps,) = len(states), (BESIDE[roughly] * (np.abs(states) + 0.02 * largest)[None],)
+    n, (steps,) = len(states), (BESIDE[coarse] * (np.abs(states) + 0.02 * largest)[None],)
     shifts = np.array(
         [s for s in itertools.product((-1, 0, 1), repeat=n) if n < 3 or np.count_nonzero(s) < 2]
     )
@@ -123,152 +126,163 @@ def _says_what_is_best(law, values, best):
     )
     claimed = claimed.reshape(len(shifts), -1)
     bends = [best.times[j] for j, *kinds in best.changes() if None in kinds]
-    known = np.where(
+    accuracy = np.where(
         [
-            min((abs(t - one) for one in bends), default=np.inf) < AWAY * best.duration
+            min((abs(t - bend) for bend in bends), default=np.inf) < AWAY * best.duration
             for t in times
         ],
         BENT,
-        KNOWN,
+        CONTROL_ACCURACY,
     )
-    slack = (known + (law.rounding if roughly else 0)) * width
-    for pair in law.changed:
-        here, *sides = (one(states, times, values, best.bounds) for one in (law, *pair))
-        slack = slack + np.nan_to_num(np.fmax(*(abs(side - here) for side in sides)))
+    slack = (accuracy + (law.rounding if coarse else 0)) * width
+    for pair in law.perturbed:
+        claimed_here, *sides = (
+            variant(states, times, values, best.bounds) for variant in (law, *pair)
+        )
+        slack = slack + np.nan_to_num(np.fmax(*(abs(side - claimed_here) for side in sides)))
     inside = (np.nanmin(claimed, axis=0, initial=np.inf) - slack <= controls) & (
         controls <= np.nanmax(claimed, axis=0, initial=-np.inf) + slack
     )
     for k in np.flatnonzero(~inside)[:1]:
-        here = law(states[:, [k]], times[[k]], values, best.bounds)[0]
-        gives = f"{here:.4g}" if np.isfinite(here) else law.none
+        value = law(states[:, [k]], times[[k]], values, best.bounds)[0]
+        value_text = f"{value:.4g}" if np.isfinite(value) else law.no_value
         raise Wrong(
             f"{prefix_text(values)}the best process found comes to {point_text(states[:, k])}; "
-            f"there your law gives {gives}, unlike the best control"
+            f"there your law gives {value_text}, unlike the best control"
         )
-    _jumps_where_it_should(law, values, best)
+    _require_jumps(law, values, best)
 
 
-def _same_at_a_scale(law, values, best, factors):
-    """Raise `Wrong` for a law that gives other values in other units, in which the problem is the
-    same."""
-    times, states, _ = _compared(best, BEFORE[law.decimals])
+def _require_scale_invariance(law, values, best, factors):
+    """Raise `Wrong` for a law that changes with the units, in which the problem is the same."""
+    times, states, _ = _compared_points(best, BEFORE[law.decimals])
     weights = [float(factors[x]) for x in law.state]
-    there, own = np.array(weights)[:, None] * states, {p: v * factors[p] for p, v in values.items()}
+    scaled_states, scaled_values = (
+        np.array(weights)[:, None] * states,
+        {p: v * factors[p] for p, v in values.items()},
+    )
     scale, time = float(factors[law.control]), float(factors[TIME])
     bounds = [scale * bound for bound in best.bounds]
-    claimed, wanted = (
-        law(there, times * time, own, bounds),
+    claimed, expected = (
+        law(scaled_states, times * time, scaled_values, bounds),
         scale * law(states, times, values, best.bounds),
     )
     for k in first_difference(
         claimed,
-        wanted,
-        KNOWN,
-        lambda k: law.wide()(there[:, [k]], times[[k]] * time, own, bounds)[0],
+        expected,
+        CONTROL_ACCURACY,
+        lambda k: law.multiprecision()(
+            scaled_states[:, [k]], times[[k]] * time, scaled_values, bounds
+        )[0],
     ):
         raise Wrong(
             f"{prefix_text(values)}at {point_text(states[:, k])} your law gives "
-            f"{wanted[k] / scale:.4g}. In other units the problem is the same, but there your law gives "
+            f"{expected[k] / scale:.4g}. In other units the problem is the same, but there your law gives "
             "another control at this state"
         )
 
 
-def _compared(best, share):
-    """Times, states and controls of the best process at which a law is compared, some of them next
-    to the changes."""
-    near = share * best.duration
+def _compared_points(best, share):
+    """Return times, states and controls of the best process, some of them close to changes."""
+    offset = share * best.duration
     breaks = [best.times[j] for j, *_ in best.changes()]
     keep = [
         k
         for k, t in enumerate(best.times)
-        if t < best.duration - near / 2 and all(abs(t - one) > near / 2 for one in breaks)
+        if t < best.duration - offset / 2
+        and all(abs(t - change_time) > offset / 2 for change_time in breaks)
     ]
-    found = [(best.times[k], best.states[:, k], best.controls[k]) for k in keep]
+    points = [(best.times[k], best.states[:, k], best.controls[k]) for k in keep]
     ends = [0.0, *breaks, best.duration]
     for (j, *kinds), begin, end in zip(best.changes(), ends, ends[2:]):
-        for u, side, room in zip(kinds, (-1, 1), (best.times[j] - begin, end - best.times[j])):
-            if u is not None and 2 * near < room:
-                found.append(
+        for u, side, available in zip(kinds, (-1, 1), (best.times[j] - begin, end - best.times[j])):
+            if u is not None and 2 * offset < available:
+                points.append(
                     (
-                        best.times[j] + side * near,
-                        _moved(best, best.states[:, j], u, side * near),
+                        best.times[j] + side * offset,
+                        _state_after(best, best.states[:, j], u, side * offset),
                         u,
                     )
                 )
             elif u is None:
-                found += [
+                points += [
                     part
-                    for part in _close(best, j, side)
-                    if abs(part[0] - best.times[j]) > near / 2
+                    for part in _points_near_change(best, j, side)
+                    if abs(part[0] - best.times[j]) > offset / 2
                 ]
-    times, states, controls = zip(*found)
+    times, states, controls = zip(*points)
     return np.array(times), np.array(states).T, np.array(controls)
 
 
-def _close(best, j, side):
-    """Times, states and controls between a change and the next time known on an arc with a control
-    that varies."""
-    next_to, kept = best.controls[j + side], best.controls[j] if side < 0 else best.controls[j + 1]
-    if side > 0:  # at the change itself the control of the arc before it is known
+def _points_near_change(best, j, side):
+    """Yield (time, state, control) between a change and the next time of a varying control."""
+    next_control, control_at_change = (
+        best.controls[j + side],
+        best.controls[j] if side < 0 else best.controls[j + 1],
+    )
+    if side > 0:  # at the change only the control of the arc before it is known
         (t, s), (v, w) = best.times[j + 1 : j + 3] - best.times[j], best.controls[j + 1 : j + 3]
-        kept = v - (w - v) * t / (s - t)
+        control_at_change = v - (w - v) * t / (s - t)
     span, y = best.times[j + side] - best.times[j], np.append(best.states[:, j], 0)
     for part in CLOSER:
 
-        def rates(t, z, slope=(next_to - kept) / span):
-            return best.field(z, kept + slope * t)
+        def rates(t, z, slope=(next_control - control_at_change) / span):
+            return best.field(z, control_at_change + slope * t)
 
         yield (
             best.times[j] + part * span,
             rk4(rates, 0, y, part * span)[:-1],
-            kept + part * (next_to - kept),
+            control_at_change + part * (next_control - control_at_change),
         )
 
 
-def _moved(best, y, u, h):
-    """The state after a short time, which may be negative, under a constant control."""
+def _state_after(best, y, u, h):
+    """Return the state after a short time, which may be negative, under a constant control."""
     return rk4(lambda _, z: best.field(z, u), 0, np.append(y, 0), h)[:-1]
 
 
-def _jumps_where_it_should(law, values, best):
-    """Raise `Wrong` for a law that goes over from one value to another by and by, where the best
-    control jumps.
+def _require_jumps(law, values, best):
+    """Raise `Wrong` for a law that changes gradually where the best control jumps.
 
-    The way across: what is before the jump, and where the motion would come to with the control
-    kept.
+    It is evaluated on the line from the state before the jump to the state that the motion would
+    reach with the same control.
     """
-    near = BEFORE[law.decimals] * best.duration
+    offset = BEFORE[law.decimals] * best.duration
     _low, _high = best.bounds
     for j, before, after in best.changes():
         if before is None or after is None:
             continue
-        t, (one, other) = (
+        t, (before_jump, after_jump) = (
             best.times[[j]],
-            (_moved(best, best.states[:, j], before, h)[:, None] for h in (-near, near)),
+            (_state_after(best, best.states[:, j], before, h)[:, None] for h in (-offset, offset)),
         )
         slack = law.rounding * abs(after - before)
 
-        def at(point, one=one, other=other, t=t):
-            return law(one + point * (other - one), t, values, best.bounds)[0]
+        def control_at(point, before_jump=before_jump, after_jump=after_jump, t=t):
+            return law(before_jump + point * (after_jump - before_jump), t, values, best.bounds)[0]
 
-        if not (abs(at(0.0) - before) <= slack and abs(at(1.0) - after) <= slack):
+        if not (abs(control_at(0.0) - before) <= slack and abs(control_at(1.0) - after) <= slack):
             continue
         first, last = 0.0, 1.0
         for _ in range(30):
             middle = (first + last) / 2
-            first, last = (middle, last) if abs(at(middle) - before) <= slack else (first, middle)
-        if not abs(at(min(last + ACROSS, 1.0)) - after) <= slack:
+            first, last = (
+                (middle, last) if abs(control_at(middle) - before) <= slack else (first, middle)
+            )
+        if not abs(control_at(min(last + ACROSS, 1.0)) - after) <= slack:
             raise Wrong(
                 f"{prefix_text(values)}at {point_text(best.states[:, j])} the best control jumps; "
                 "your law gives values between"
             )
 
 
-def _followed(law, found):
-    """Times and states of the motions under a law, all starts together, in small steps with a
-    constant control."""
-    bests = [best for _, best in found]
-    values = {p: np.array([float(one[p]) for one, _ in found]) for p in found[0][0]}
+def _motions_under_law(law, processes):
+    """Return times and states of the motions under a law from all initial states.
+
+    The control is constant in each small step.
+    """
+    bests = [best for _, best in processes]
+    values = {p: np.array([float(case[p]) for case, _ in processes]) for p in processes[0][0]}
     low, high = bounds = np.array([best.bounds for best in bests]).T
     slack = max(1e-9, law.rounding / 10) * np.where(np.isfinite(high - low), high - low, 1)
     h = np.array([best.duration for best in bests]) / STEPS
@@ -278,10 +292,12 @@ def _followed(law, found):
         u = law(y[:, :-1].T, t, values, bounds)
         for k in np.flatnonzero(~((low - slack <= u) & (u <= high + slack))):
             claimed = (
-                f"{u[k]:.4g}, outside the bounds of the control" if np.isfinite(u[k]) else law.none
+                f"{u[k]:.4g}, outside the bounds of the control"
+                if np.isfinite(u[k])
+                else law.no_value
             )
             raise Wrong(
-                f"{prefix_text(found[k][0])}at t = {t[k]:.4g} the motion under your law is at "
+                f"{prefix_text(processes[k][0])}at t = {t[k]:.4g} the motion under your law is at "
                 f"{point_text(y[k, :-1])}, and the law gives {claimed}"
             )
         y = np.array(

@@ -1,4 +1,4 @@
-"""Optimal motions, judged as the process with the control that they need.
+"""Optimal motions, judged as the process with the control that produces them.
 
 The data are those of `optimal_controls`.
 """
@@ -7,9 +7,9 @@ import numpy as np
 
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.simulation import (
-    keeps_to_the_ends,
-    meets_once,
     point_text,
+    require_end_conditions,
+    require_single_meeting,
 )
 from workbook.checks.pontryagin.time_functions import (
     ENDING,
@@ -24,9 +24,8 @@ from workbook.checks.references.optima.best_processes import (
 from workbook.checks.references.optima.units import is_time_optimal
 from workbook.checks.tools.wording import prefix_text
 
-#: Where rates are no linear functions of the control, it is tried at so many places between its
-#: bounds, then closer to the best of them, so often; and so far to both sides where it has no
-#: bounds.
+#: Where rates are not linear in the control: number of parts of its interval, number of refinements
+#: around the best value, and the largest absolute value where it has no bounds.
 PARTS, ROUNDS, UNBOUNDED = 24, 7, 20.0
 
 
@@ -36,20 +35,22 @@ def optimal_motion(claims, problem, time, parameters=None):
 
     The first state suffices if the others are its derivatives.
     """
-    motion, given = (
+    motion, has_initial_value = (
         InTime(claims, time, parameters),
         ~np.array(free_at_the_start(problem, parameters)),
     )
-    # A motion that arrives at the least time is optimal, whatever it does before.
+    # A motion that arrives in the least time is optimal, whatever its earlier states are.
     only_time = is_time_optimal(problem)
     for values, best in best_processes(problem, parameters):
         where, slack = prefix_text(values), motion.rounding * best.size() * best.units.states
         start = motion.values(0.0, values)
         if not np.all(
-            (np.abs(start - best.start[:-1]) <= slack + motion.uncertain(0.0, values)[0])[given]
+            (np.abs(start - best.start[:-1]) <= slack + motion.uncertainty(0.0, values)[0])[
+                has_initial_value
+            ]
         ):
             raise Wrong(f"{where}your motion starts at {point_text(start)}, not where it should")
-        states = [_possible(motion, t, values, best, problem, where) for t in best.times]
+        states = [_admissible_state(motion, t, values, best, problem, where) for t in best.times]
         for j, name in enumerate(problem.dynamics):
             for t in jumps(lambda times, j=j: motion.values(times, values)[j], best.duration):
                 before, after = (
@@ -57,13 +58,13 @@ def optimal_motion(claims, problem, time, parameters=None):
                 )
                 if (
                     not abs(after - before)
-                    <= (motion.uncertain(t * (1 - 1e-6), values)[0] + slack)[j]
+                    <= (motion.uncertainty(t * (1 - 1e-6), values)[0] + slack)[j]
                 ):
                     raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
         if problem.first_return:
-            meets_once([0.0, *best.times], [start, *states], best, where)
+            require_single_meeting([0.0, *best.times], [start, *states], best, where)
         end = np.append(motion.values(ENDING * best.duration, values), 0)
-        keeps_to_the_ends(
+        require_end_conditions(
             end,
             best,
             motion.rounding,
@@ -71,14 +72,14 @@ def optimal_motion(claims, problem, time, parameters=None):
             [
                 (end - side, end + side)
                 for side in np.diag(
-                    np.append(motion.uncertain(ENDING * best.duration, values)[0], 0)
+                    np.append(motion.uncertainty(ENDING * best.duration, values)[0], 0)
                 )
             ],
         )
         differences = np.abs(np.array(states)[:, :-1].T - best.states)
         if not (
             only_time
-            or np.all(differences.T <= 3 * slack + motion.uncertain(best.times, values)[0].T)
+            or np.all(differences.T <= 3 * slack + motion.uncertainty(best.times, values)[0].T)
         ):
             raise Wrong(
                 f"{where}your motion is one that the system can have, but another one with the "
@@ -87,37 +88,43 @@ def optimal_motion(claims, problem, time, parameters=None):
     return "it starts where it should, obeys the equations, keeps to the ends, and is the best motion found"
 
 
-def _possible(motion, t, values, best, problem, where):
-    """The state of a motion at an instant, with a zero for the cost; `Wrong` if it does not obey
-    the equations there under any admissible control."""
-    near = t * (1 - 1e-7)  # at a jump of the control a derivative need not exist
-    y, rate = motion.values(near, values), motion.rates(near, values)
+def _admissible_state(motion, t, values, best, problem, where):
+    """Return the state of a motion at an instant, with a zero for the cost.
+
+    Raise `Wrong` if it does not obey the equations there under any admissible control.
+    """
+    instant = t * (1 - 1e-7)  # at a jump of the control a derivative need not exist
+    y, rate = motion.values(instant, values), motion.rates(instant, values)
     if not np.all(np.isfinite([*y, *rate])):
         raise Wrong(f"{where}your motion is not real at t = {t:.4g}")
     units = best.units.states * np.ones(len(y))
     largest = (np.abs(best.states).T / units).max()
     scale = 10 * motion.rounding * (1 + largest * (1 + best.units.time / best.duration))
     scale = scale * units / best.units.time
-    open_y, open_rate = motion.uncertain(near, values)
-    if open_y.any():
+    y_uncertainty, rate_uncertainty = motion.uncertainty(instant, values)
+    if y_uncertainty.any():
         middle = np.mean(np.nan_to_num(best.bounds, posinf=0, neginf=0))
-        moved = open_rate + np.abs(best.jacobians(y, middle)[0])[:-1, : len(y)] @ open_y
-        scale += (moved / units).sum() * units
-    off = np.abs(_nearest_rates(best, y, rate / units) * units - rate)
-    if not np.all(off <= scale):
-        j = int(np.argmax(off / units))
-        others = "" if len(y) == 1 else ", with the other rates that it has there"
+        total_uncertainty = (
+            rate_uncertainty + np.abs(best.jacobians(y, middle)[0])[:-1, : len(y)] @ y_uncertainty
+        )
+        scale += (total_uncertainty / units).sum() * units
+    differences = np.abs(_nearest_rates(best, y, rate / units) * units - rate)
+    if not np.all(differences <= scale):
+        j = int(np.argmax(differences / units))
+        ending = "" if len(y) == 1 else ", with the other rates that it has there"
         raise Wrong(
             f"{where}at t = {t:.4g} your motion has "
             f"{list(problem.dynamics)[j]}' = {rate[j]:.4g}, which no admissible control gives "
-            f"there{others}"
+            f"there{ending}"
         )
     return np.append(y, 0)
 
 
 def _nearest_rates(best, y, rate):
-    """Of the rates of the states that admissible controls give, those nearest to `rate`; all in the
-    units of the states, the control in its own."""
+    """Return the rates of the states under an admissible control that are nearest to `rate`.
+
+    States and control are in their units.
+    """
     unit = best.units.control
 
     def rates(u):
@@ -126,23 +133,27 @@ def _nearest_rates(best, y, rate):
         ).T
 
     low, high = (bound / unit for bound in best.bounds)
-    zero, one, two = rates([0.0, 1.0, 2.0]).T
-    slope = one - zero
-    if np.allclose(two - one, slope, rtol=1e-12, atol=1e-12) and np.allclose(
-        rates([-np.pi])[:, 0], zero - np.pi * slope, rtol=1e-9, atol=1e-9
+    rates_0, rates_1, rates_2 = rates([0.0, 1.0, 2.0]).T
+    slope = rates_1 - rates_0
+    if np.allclose(rates_2 - rates_1, slope, rtol=1e-12, atol=1e-12) and np.allclose(
+        rates([-np.pi])[:, 0], rates_0 - np.pi * slope, rtol=1e-9, atol=1e-9
     ):
         size = slope @ slope
-        return zero + slope * np.clip(slope @ (rate - zero) / size if size else 0.0, low, high)
-    # An angle is tried all round, what is no angle as far as `UNBOUNDED`.
-    turns = np.allclose(
+        return rates_0 + slope * np.clip(
+            slope @ (rate - rates_0) / size if size else 0.0, low, high
+        )
+    # An angle is tried over a full turn, any other control up to `UNBOUNDED`.
+    is_angle = np.allclose(
         rates([0.3, 1.7]), rates([0.3 + 2 * np.pi, 1.7 + 2 * np.pi]), rtol=1e-9, atol=1e-9
     )
     begin, end = np.clip(
-        (-np.pi, np.pi) if turns and high - low >= 2 * np.pi else (-UNBOUNDED, UNBOUNDED), low, high
+        (-np.pi, np.pi) if is_angle and high - low >= 2 * np.pi else (-UNBOUNDED, UNBOUNDED),
+        low,
+        high,
     )
     for _ in range(ROUNDS):
         points = np.linspace(begin, end, PARTS + 1)
-        found = rates(points)
-        k = int(np.argmin(np.linalg.norm(found - rate[:, None], axis=0)))
+        sampled_rates = rates(points)
+        k = int(np.argmin(np.linalg.norm(sampled_rates - rate[:, None], axis=0)))
         begin, end = points[max(k - 1, 0)], points[min(k + 1, PARTS)]
-    return found[:, k]
+    return sampled_rates[:, k]

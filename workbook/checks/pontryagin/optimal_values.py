@@ -13,7 +13,7 @@ from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import agree, in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.optimal_controls import ARC, CERTAIN, MISSED
+from workbook.checks.pontryagin.optimal_controls import ARC_ACCURACY, CONTROL_ACCURACY, MISSED_ARC
 from workbook.checks.pontryagin.simulation import (
     COSTS,
     point_text,
@@ -34,119 +34,129 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.values import uncertainties_at, uncertainty_at, value_at, values_at
 from workbook.checks.tools.wording import other_text, prefix_text
 
-#: A smaller part of a time than this is none; after so small parts of a way its growth is looked
-#: at.
+#: A time smaller than this, relative to the largest one, is zero; the growth of a time from zero is
+#: compared at these fractions of the way.
 ABSENT, GROWN = 1e-13, (1e-2, 1e-6)
-#: How close two places are that lie on both sides of a bend, and how many times as far as the reference
-#: an expression may move between them.
+#: Tolerance within which two points lie on both sides of a kink, and the largest ratio of the change
+#: of an expression between them to that of the reference.
 BESIDE, LEAPS = 1e-5, 4
-#: To what share the extreme values of a quantity along the best process are known.
-FOLLOWED = 5e-4
+#: Relative accuracy of the range of a quantity along the best process.
+RANGE_ACCURACY = 5e-4
 
 
 @judged(Expression("parameters"))
 def optimal_cost(claim, problem, parameters=None):
     """Check the cost of the optimal process, as an expression in the parameters.
 
-    Where these are the start and the duration is free, what is left of a process is optimal
-    too: the cost is asked there as well.
+    Where these are the initial state and the duration is free, the remaining part of a process is
+    optimal too: the cost is compared at its states as well.
     """
     better = "greater" if problem.maximise else "less"
     starts = list(problem.initial.values())
-    anywhere = (
+    for_all_starts = (
         problem.duration is None
         and not problem.first_return
         and len(set(starts)) == len(starts)
         and all(start in (parameters or {}) for start in starts)
     )
-    # A constant hides no digits of an exact answer; of decimals it does.
+    # An added constant hides digits of a decimal answer, but not of an exact one.
     constant = sp.S.Zero if in_decimals(claim) else constant_of(problem)
     varying = claim - constant
     cost_of = (
         real_function([*starts, *(p for p in parameters if p not in starts)], [varying])
-        if anywhere
+        if for_all_starts
         else None
     )
-    found = best_processes(problem, parameters, 2 * SAMPLES)
-    for (values, best), claimed, open_ in _evaluated(varying, found, "the cost"):
+    processes = best_processes(problem, parameters, 2 * SAMPLES)
+    for (values, best), claimed, uncertain in _evaluated(varying, processes, "the cost"):
         where = prefix_text(values)
-        left_out = float(constant.subs(values))
-        kept = best.units.constant - left_out
-        right = functools.partial(
+        removed_constant = float(constant.subs(values))
+        kept_constant = best.units.constant - removed_constant
+        agrees = functools.partial(
             agree,
-            true=best.cost + kept,
+            true=best.cost + kept_constant,
             written=claim,
             size=best.cost_size(),
             computed=COSTS,
-            uncertain=open_,
+            uncertain=uncertain,
         )
-        if not (right(claimed) or right(claimed := value_at(varying, values, "the cost"))):
-            claimed += left_out
-            beyond = (claimed < best.cost + best.units.constant) != problem.maximise
+        if not (agrees(claimed) or agrees(claimed := value_at(varying, values, "the cost"))):
+            claimed += removed_constant
+            unattainable = (claimed < best.cost + best.units.constant) != problem.maximise
             raise Wrong(
                 f"{where}your value is {claimed:.4g}; "
                 + directed(
                     "no admissible process that keeps to the ends was found that does so well"
-                    if beyond
+                    if unattainable
                     else f"there is an admissible process for which it is {better}",
                     "it is not that of the best process found",
                 )
             )
-        if anywhere:
-            _left_over(varying, cost_of, values, best, starts, parameters, kept)
-    _right_next_to_bends(varying, problem, parameters, found, "cost")
+        if for_all_starts:
+            _require_remaining_cost(
+                varying, cost_of, values, best, starts, parameters, kept_constant
+            )
+    _require_cost_at_kinks(varying, problem, parameters, processes, "cost")
     scaled = problem if in_decimals(claim) else without_constant(problem)
     judge_at_every_scale(
-        varying, scaled, parameters, [values for values, _ in found], COST, "value"
+        varying, scaled, parameters, [values for values, _ in processes], COST, "value"
     )
     return "it is the value for the best process found"
 
 
-def _evaluated(claim, found, what):
-    """The pairs found, each with what a claim is there, in the digits of floats, and what its
-    decimals leave open."""
-    points = [values for values, _ in found]
-    return zip(found, values_at(claim, points, what), uncertainties_at(claim, points))
+def _evaluated(claim, processes, quantity):
+    """Return triples (pair of `processes`, value of the claim, uncertainty from its decimals)."""
+    points = [values for values, _ in processes]
+    return zip(processes, values_at(claim, points, quantity), uncertainties_at(claim, points))
 
 
-def _right_next_to_bends(claim, problem, parameters, found, what):
-    """Raise `Wrong` for an expression that is not the cost, or the duration, next to where it goes
-    over from one form to another, on the way between the places of the processes found; decimals
-    leave open where that is."""
+def _require_cost_at_kinks(claim, problem, parameters, processes, quantity):
+    """Raise `Wrong` unless an expression is the cost, or the duration, close to its kinks.
+
+    They are looked for between the parameters of the processes. With decimals their positions are
+    uncertain, and nothing is compared.
+    """
     if (
         in_decimals(claim)
-        or len(found) < 2
+        or len(processes) < 2
         or not isinstance(parameters, dict)
         or not all(isinstance(domain, sp.Interval) for domain in parameters.values())
     ):
         return
-    size = max(abs(getattr(best, what)) for _, best in found)
-    near = best_processes_at(
-        problem, parameters, points_at_kinks(claim, [values for values, _ in found])
+    size = max(abs(getattr(best, quantity)) for _, best in processes)
+    processes_at_kinks = best_processes_at(
+        problem, parameters, points_at_kinks(claim, [values for values, _ in processes])
     )
-    seen = []
-    for (values, best), claimed, open_ in _evaluated(claim, near, f"the {what}") if near else ():
-        true = getattr(best, what)
-        if not agree(claimed, true, claim, size, max(INTEGRATED, best.MISSED), open_):
+    compared = []
+    for (values, best), claimed, uncertain in (
+        _evaluated(claim, processes_at_kinks, f"the {quantity}") if processes_at_kinks else ()
+    ):
+        true = getattr(best, quantity)
+        if not agree(claimed, true, claim, size, max(INTEGRATED, best.MISSED), uncertain):
             raise Wrong(
                 f"{prefix_text(values)}your expression goes over from one form to another, and gives "
-                f"{claimed:.4g} next to that; the {what} of the best process found is "
+                f"{claimed:.4g} next to that; the {quantity} of the best process found is "
                 + directed("less" if claimed > true else "greater", "another one")
             )
-        seen.append((values, claimed, true))
-    for (values, one, least), (others, other, greatest) in itertools.pairwise(seen):
-        beside = all(
-            np.isclose(float(values[s]), float(others[s]), rtol=BESIDE, atol=BESIDE) for s in values
+        compared.append((values, claimed, true))
+    for first, second in itertools.pairwise(compared):
+        values, first_claimed, first_true = first
+        second_values, second_claimed, second_true = second
+        adjacent = all(
+            np.isclose(float(values[s]), float(second_values[s]), rtol=BESIDE, atol=BESIDE)
+            for s in values
         )
-        if beside and abs(other - one) > LEAPS * max(abs(greatest - least), COSTS * abs(one)):
+        if adjacent and abs(second_claimed - first_claimed) > LEAPS * max(
+            abs(second_true - first_true), COSTS * abs(first_claimed)
+        ):
             raise Wrong(
                 f"{prefix_text(values)}your expression jumps, from one form to another; next to that "
-                f"the {what} of the best process found hardly changes"
+                f"the {quantity} of the best process found hardly changes"
             )
 
 
-def _left_over(claim, cost_of, values, best, starts, parameters, kept):
-    """Raise `Wrong` where a claim for all starts is not what the rest of the best process costs."""
+def _require_remaining_cost(claim, cost_of, values, best, starts, parameters, kept_constant):
+    """Raise `Wrong` where a claim is not the remaining cost of the best process at its states."""
     states, true = best.remaining_costs()
     inside = np.all(
         [
@@ -155,16 +165,16 @@ def _left_over(claim, cost_of, values, best, starts, parameters, kept):
         ],
         axis=0,
     )
-    states, true = states[:, inside], true[inside] + kept
+    states, true = states[:, inside], true[inside] + kept_constant
     claimed = cost_of(*states, *(float(v) for p, v in values.items() if p not in starts))[0]
     uncertain = uncertainties_at(claim, [values | dict(zip(starts, y)) for y in states.T])
-    off = ~np.atleast_1d(
+    wrong = ~np.atleast_1d(
         agree(np.nan_to_num(claimed, nan=np.inf), true, claim, best.cost_size(), COSTS, uncertain)
     )
-    for k in np.flatnonzero(off)[:1]:
-        gives = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
+    for k in np.flatnonzero(wrong)[:1]:
+        value_text = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         raise Wrong(
-            f"from the start {point_text(states[:, k])} your value is {gives}; for the best "
+            f"from the start {point_text(states[:, k])} your value is {value_text}; for the best "
             "process found it is "
             + (
                 directed("greater" if true[k] > claimed[k] else "less", "another one")
@@ -177,19 +187,19 @@ def _left_over(claim, cost_of, values, best, starts, parameters, kept):
 @judged(Expression("parameters"))
 def optimal_duration(claim, problem, parameters=None):
     """Check the duration of the optimal process, as an expression in the parameters."""
-    found = best_processes(problem, parameters, 2 * SAMPLES)
-    for (values, best), claimed, open_ in _evaluated(claim, found, "the duration"):
-        right = functools.partial(
-            agree, true=best.duration, written=claim, computed=INTEGRATED, uncertain=open_
+    processes = best_processes(problem, parameters, 2 * SAMPLES)
+    for (values, best), claimed, uncertain in _evaluated(claim, processes, "the duration"):
+        agrees = functools.partial(
+            agree, true=best.duration, written=claim, computed=INTEGRATED, uncertain=uncertain
         )
-        if not (right(claimed) or right(claimed := value_at(claim, values, "the duration"))):
+        if not (agrees(claimed) or agrees(claimed := value_at(claim, values, "the duration"))):
             raise Wrong(
                 f"{prefix_text(values)}your duration is {claimed:.4g}; {best.duration_message(claimed)}"
             )
     if is_time_optimal(problem):
-        _right_next_to_bends(claim, problem, parameters, found, "duration")
+        _require_cost_at_kinks(claim, problem, parameters, processes, "duration")
     judge_at_every_scale(
-        claim, problem, parameters, [values for values, _ in found], TIME, "duration"
+        claim, problem, parameters, [values for values, _ in processes], TIME, "duration"
     )
     return "it is the duration of the best process found"
 
@@ -202,21 +212,23 @@ def initial_arc_duration(claim, problem, control, value, parameters):
     """
     j = list(problem.controls).index(control)
     low, high = problem.controls[control]
-    held, found = [], best_processes(problem, parameters)
+    true_durations, processes = [], best_processes(problem, parameters)
     for (values, best), claimed in zip(
-        found, values_at(claim, [values for values, _ in found], "the time")
+        processes, values_at(claim, [values for values, _ in processes], "the time")
     ):
-        given = float(sp.sympify(value).subs(values))
-        near = CERTAIN * float((high - low).subs(values))
-        first = itertools.takewhile(lambda arc: abs(arc[1][j] - given) <= near, best.arcs)
-        true = float(sum(length for length, _ in first))
-        held.append((values, true))
+        level = float(sp.sympify(value).subs(values))
+        tolerance = CONTROL_ACCURACY * float((high - low).subs(values))
+        initial_arcs = itertools.takewhile(
+            lambda arc: abs(arc[1][j] - level) <= tolerance, best.arcs
+        )
+        true = float(sum(length for length, _ in initial_arcs))
+        true_durations.append((values, true))
         if not agree(
             claimed,
             true,
             claim,
             best.duration,
-            ARC if true else MISSED,
+            ARC_ACCURACY if true else MISSED_ARC,
             uncertainty_at(claim, values),
         ):
             raise Wrong(
@@ -231,45 +243,58 @@ def initial_arc_duration(claim, problem, control, value, parameters):
                     "for another time",
                 )
             )
-    _begins_at_once(claim, held)
-    judge_at_every_scale(claim, problem, parameters, [values for values, _ in held], TIME, "time")
+    _require_corner(claim, true_durations)
+    judge_at_every_scale(
+        claim, problem, parameters, [values for values, _ in true_durations], TIME, "time"
+    )
     return "the best processes found keep it so long"
 
 
-def _begins_at_once(claim, held):
-    """Raise `Wrong` for a time that grows from zero by and by, on the way from parameters for which
-    it is zero to others: where the arc appears it grows with a corner, so that next to it the slope
-    is no smaller."""
-    symbols = [s for s in held[0][0] if s in claim.free_symbols]
-    none, some = (
+def _require_corner(claim, true_durations):
+    """Raise `Wrong` for a duration of an arc that grows from zero without a corner.
+
+    On the way from parameters without the arc to others with it, the true duration has a corner
+    where the arc appears, so that the slope is no smaller close to it.
+    """
+    symbols = [s for s in true_durations[0][0] if s in claim.free_symbols]
+    absent, present = (
         np.array(
-            [[float(values[s]) for s in symbols] for values, true in held if (true > 0) == part]
+            [
+                [float(values[s]) for s in symbols]
+                for values, true in true_durations
+                if (true > 0) == is_positive
+            ]
         )
-        for part in (False, True)
+        for is_positive in (False, True)
     )
-    function, count = real_function(symbols, [claim]), min(len(none), len(some))
+    function, count = real_function(symbols, [claim]), min(len(absent), len(present))
     if not count:
         return
 
-    def claimed(parts, rows):
-        return function(*(none[rows] + parts[:, None] * (some[rows] - none[rows])).T)[0]
+    def claimed_times(parts, rows):
+        return function(*(absent[rows] + parts[:, None] * (present[rows] - absent[rows])).T)[0]
 
     rows = np.arange(count)
-    whole = claimed(np.ones(count), rows)
-    begun = bisect(
-        lambda parts, rows: abs(claimed(parts, rows)) <= ABSENT * whole[rows],
+    full_times = claimed_times(np.ones(count), rows)
+    onset = bisect(
+        lambda parts, rows: abs(claimed_times(parts, rows)) <= ABSENT * full_times[rows],
         np.zeros(count),
         np.ones(count),
         50,
     )[1]
-    here, *grown = (claimed(np.minimum(begun + step, 1), rows) for step in (0, *GROWN))
-    far, near = ((one - here) / step for one, step in zip(grown, GROWN))
+    time_at_onset, *later_times = (
+        claimed_times(np.minimum(onset + step, 1), rows) for step in (0, *GROWN)
+    )
+    far_rate, near_rate = ((time - time_at_onset) / step for time, step in zip(later_times, GROWN))
     for k in np.flatnonzero(
-        ~((near > far / 2) & (abs(claimed(np.zeros(count), rows)) <= ABSENT * whole))
+        ~(
+            (near_rate > far_rate / 2)
+            & (abs(claimed_times(np.zeros(count), rows)) <= ABSENT * full_times)
+        )
     )[:1]:
-        at = dict(zip(symbols, none[k] + begun[k] * (some[k] - none[k])))
+        point = dict(zip(symbols, absent[k] + onset[k] * (present[k] - absent[k])))
         raise Wrong(
-            f"{prefix_text(at)}your time leaves zero by and by; that of the best process does so at "
+            f"{prefix_text(point)}your time leaves zero by and by; that of the best process does so at "
             "once"
         )
 
@@ -278,28 +303,28 @@ def _begins_at_once(claim, held):
 def optimal_range(claim, problem, quantity, parameters=None):
     """Check the range of a quantity along the optimal process.
 
-    The range goes from the least value of the quantity to its greatest, as an expression in the
+    The range is the greatest value of the quantity minus its least one, as an expression in the
     parameters; where several processes are optimal, it is the same for all of them.
     """
     from scipy.interpolate import CubicHermiteSpline
 
-    symbols, named = list(problem.dynamics), list(parameters or {})
-    value = real_function([*symbols, *named], [quantity])
-    slopes = real_function([*symbols, *named], [quantity.diff(s) for s in symbols])
+    symbols, names = list(problem.dynamics), list(parameters or {})
+    value = real_function([*symbols, *names], [quantity])
+    slopes = real_function([*symbols, *names], [quantity.diff(s) for s in symbols])
     for values, best in best_processes(problem, parameters):
-        given = [float(values[p]) for p in named]
-        along = np.column_stack([best.start[:-1], best.states])
+        parameter_values = [float(values[p]) for p in names]
+        states = np.column_stack([best.start[:-1], best.states])
         controls = [best.controls[0], *best.controls]
-        rates = [best.field(np.append(y, 0), u)[:-1] for y, u in zip(along.T, controls)]
+        rates = [best.field(np.append(y, 0), u)[:-1] for y, u in zip(states.T, controls)]
         path = CubicHermiteSpline(
             np.append(0, best.times),
-            value(*along, *given)[0],
-            [slopes(*y, *given) @ rate for y, rate in zip(along.T, rates)],
+            value(*states, *parameter_values)[0],
+            [slopes(*y, *parameter_values) @ rate for y, rate in zip(states.T, rates)],
         )
         true = float(np.ptp(path(np.linspace(0, best.duration, 4001))))
         claimed = value_at(claim, values, "the extent")
         if not agree(
-            claimed, true, claim, computed=FOLLOWED, uncertain=uncertainty_at(claim, values)
+            claimed, true, claim, computed=RANGE_ACCURACY, uncertain=uncertainty_at(claim, values)
         ):
             raise Wrong(
                 prefix_text(values)

@@ -17,17 +17,17 @@ from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import cached_points
 from workbook.checks.tools.substitution import substituted
 
-#: At so many places an identity is tried, and with so many other controls a greatest value is
-#: compared.
-PLACES, RIVALS = 8, 41
-#: How well points of singular arcs and of a claimed surface are known.
-POINTS = 1e-7
-#: How close to a switching a control is looked at, as a share of the way there.
+#: Number of points at which an identity is compared, and of other controls with which a greatest
+#: value is compared.
+SAMPLES, RIVALS = 8, 41
+#: Accuracy of points of singular arcs and of a claimed surface.
+POINT_ACCURACY = 1e-7
+#: Distance from a switching at which a control is compared, relative to the distance of the sample.
 NEXT_TO = 1e-4
 
 
 class ZeroSet:
-    """The places where several expressions in `symbols` vanish."""
+    """The set of common zeros of several expressions in `symbols`."""
 
     def __init__(self, claims, symbols, parameters):
         self._symbols, self._parameters, self._count = symbols, parameters, len(claims)
@@ -35,68 +35,75 @@ class ZeroSet:
         self._slopes = real_function(
             [*symbols, *parameters], [sp.diff(e, s) for e in claims for s in symbols]
         )
-        followed = perturbed(*claims) if in_decimals(*claims) else []
-        self._most = POINTS if followed == [] else DECIMALS
-        self._changed = [
+        variants = perturbed(*claims) if in_decimals(*claims) else []
+        self._largest_uncertainty = POINT_ACCURACY if variants == [] else DECIMALS
+        self._perturbed = [
             [real_function([*symbols, *parameters], side) for side in sides]
-            for sides in followed or ()
+            for sides in variants or ()
         ]
 
-    def left_open(self, values):
-        """How far from them a point may be, counted as `distance` is, for what decimals leave
-        open."""
-        if not self._changed:
-            return self._most
+    def uncertainty(self, values):
+        """Return the `distance` that a point may have because of the decimals."""
+        if not self._perturbed:
+            return self._largest_uncertainty
         numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
-        here, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
-        moved = sum(
-            np.fmax(*(abs(side(*numbers) - here) for side in sides)) for sides in self._changed
+        residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
+        changes = sum(
+            np.fmax(*(abs(side(*numbers) - residuals) for side in sides))
+            for sides in self._perturbed
         )
-        steps = moved / np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
+        steps = changes / np.maximum(np.linalg.norm(slopes, axis=1), 1e-300)
         return float(
             np.fmin(
-                self._most,
-                POINTS + steps.max() / (1 + np.linalg.norm(numbers[: len(self._symbols)])),
+                self._largest_uncertainty,
+                POINT_ACCURACY + steps.max() / (1 + np.linalg.norm(numbers[: len(self._symbols)])),
             )
         )
 
     def distance(self, values):
-        """How far a point is from them, as a share of its own size, to first order; infinite where
-        undefined."""
+        """Return the distance of a point from the zeros, relative to its size, to first order.
+
+        It is infinite where an expression is undefined.
+        """
         numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
-        rest, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
-        if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+        residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
+        if not (np.isfinite(residuals).all() and np.isfinite(slopes).all()):
             return np.inf
         steps = [
             0.0 if r == 0 else abs(r) / max(np.linalg.norm(row), 1e-300)
-            for r, row in zip(rest, slopes)
+            for r, row in zip(residuals, slopes)
         ]
         return max(steps) / (1 + np.linalg.norm(numbers[: len(self._symbols)]))
 
-    def near(self, values):
-        """The place of zeros next to a point, as a dict, or None."""
-        given = [float(values[s]) for s in self._parameters]
+    def zero_near(self, values):
+        """Return a zero close to a point, as a dict, or None."""
+        parameter_values = [float(values[s]) for s in self._parameters]
         point = np.array([float(values[s]) for s in self._symbols])
         for _ in range(80):  # at double zeros each step halves the distance
-            rest, slopes = (
-                self._values(*point, *given),
-                self._slopes(*point, *given).reshape(self._count, -1),
+            residuals, slopes = (
+                self._values(*point, *parameter_values),
+                self._slopes(*point, *parameter_values).reshape(self._count, -1),
             )
-            if not (np.isfinite(rest).all() and np.isfinite(slopes).all()):
+            if not (np.isfinite(residuals).all() and np.isfinite(slopes).all()):
                 return None
-            step = np.linalg.lstsq(slopes, rest, rcond=1e-12)[0]
+            step = np.linalg.lstsq(slopes, residuals, rcond=1e-12)[0]
             point = point - step
             if np.linalg.norm(step) <= 1e-12 * (1 + np.linalg.norm(point)):
-                found = values | dict(zip(self._symbols, point))
-                return found if self.distance(found) < 1e-9 else None
+                zero = values | dict(zip(self._symbols, point))
+                return zero if self.distance(zero) < 1e-9 else None
         return None
 
 
 @cached_points
-def sample_points(problem, costates, domain, controls=True, known=False):
-    """Random values of all symbols, the controls on their bounds first; costates that are `known`
-    may have their values."""
-    random, values = np.random.default_rng(11), known_costates(problem, costates) if known else {}
+def sample_points(problem, costates, domain, controls=True, use_known_costates=False):
+    """Yield random values of all symbols, first with the controls on their bounds.
+
+    With `use_known_costates` those that transversality determines have their values.
+    """
+    generator, values = (
+        np.random.default_rng(11),
+        known_costates(problem, costates) if use_known_costates else {},
+    )
     symbols = [
         *problem.state,
         *costates,
@@ -105,10 +112,11 @@ def sample_points(problem, costates, domain, controls=True, known=False):
     ]
     # Each symbol takes values all over its range.
     shares = {
-        s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES for s in symbols
+        s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
+        for s in symbols
     }
-    for k in range(PLACES):
-        position = {s: random_value(random, s, domain, shares[s][k]) for s in symbols}
+    for k in range(SAMPLES):
+        position = {s: random_value(generator, s, domain, shares[s][k]) for s in symbols}
         if controls and k < 2:
             position |= {
                 u: pair[k]
@@ -120,27 +128,29 @@ def sample_points(problem, costates, domain, controls=True, known=False):
 
 @cached_points
 def points_near_switching(problem, costates, domain):
-    """Places next to those where a control does not enter H: a smooth imitation of a jump is seen
-    there."""
+    """Yield points close to those where H does not depend on a control.
+
+    There a smooth approximation of a jump differs from the jump.
+    """
     symbols = [*costates, *problem.state]
     for slope in (sp.diff(hamiltonian(problem, costates), u) for u in problem.control):
         if slope.free_symbols & set(problem.control):
             continue
         zeros = ZeroSet([slope], symbols, list(problem.parameters))
         for values in itertools.islice(sample_points(problem, costates, domain, controls=False), 2):
-            position = zeros.near(values)
+            position = zeros.zero_near(values)
             if position is not None and is_in_domain(position, domain):
                 yield {s: v + NEXT_TO * (values[s] - v) for s, v in position.items()}
 
 
 def is_in_domain(values, domain):
-    """Whether values lie where those of their symbols may."""
+    """Return whether values lie in the intervals of their symbols."""
     return all(low < values[s] < high for s in values for low, high in [endpoints(s, domain)])
 
 
 def as_difference(part, symbols):
     if isinstance(part, sp.Or):  # where one of several vanishes their product does
-        return sp.prod([as_difference(one, symbols) for one in part.args])
+        return sp.prod([as_difference(factor, symbols) for factor in part.args])
     if isinstance(part, sp.Eq):
         return coercion.as_expression(part.lhs, symbols) - coercion.as_expression(part.rhs, symbols)
     return coercion.as_expression(part, symbols)

@@ -1,7 +1,7 @@
 """Simulation of a process: control bounds, end conditions and cost against the optimum.
 
 A process has to keep to the bounds of the control and to the ends, and to cost what the best
-process found costs. The motion under a control in time is followed in small steps.
+process found costs. The motion under a control in time is integrated in small steps.
 """
 
 import numpy as np
@@ -10,21 +10,22 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.pontryagin.time_functions import INTEGRATED
 from workbook.checks.tools import wording
 
-#: Up to which share of its terms the least cost is known, and the cost of a process that is
-#: followed in small steps.
+#: Relative accuracy of the least cost, and of the cost of a process that is integrated in small
+#: steps.
 COSTS = 1e-6
-#: At so many values of each decimal, between those that three digits leave open, the cost is looked
-#: at.
+#: Number of values of each decimal, within its uncertainty, at which the cost is compared.
 ACROSS = 41
-#: How well a parabola says what the cost is between three of them, as a part of its changes.
+#: Relative accuracy of the parabola that interpolates the change of the cost between three values.
 BENT = 0.02
-#: When a process is asked for its state, in words.
-ENDING_WITH_IT, ENDING_ITSELF = "when the best process ends", "when your last arc ends"
+#: The time at which the state of a process is compared, in words.
+AT_BEST_END, AT_OWN_END = "when the best process ends", "when your last arc ends"
 
 
 class Path:
-    """The motion under a student's control: lists of times, of states with the cost so far as the
-    last entry, and of pairs (time, control)."""
+    """The motion under a claimed control: lists of times, states and pairs (time, control).
+
+    The last entry of a state is the cost so far.
+    """
 
     def __init__(self, best, sections, where):
         self.best, self.where = best, where
@@ -47,7 +48,7 @@ class Path:
                 self.states.append(y)
                 self.controls.append((times[k], claimed[k]))
 
-    def admissible(self, rounding):
+    def require_admissible(self, rounding):
         low, high = self.best.bounds
         slack = max(1e-9, rounding / 10) * (high - low)
         for t, u in self.controls:
@@ -57,101 +58,114 @@ class Path:
                 )
 
 
-def does_as_well(
+def require_optimal(
     times,
     states,
     best,
     problem,
     rounding,
     where,
-    whose,
-    others=(),
-    together=(),
-    when=ENDING_WITH_IT,
+    source,
+    perturbed_ends=(),
+    paired_ends=(),
+    when=AT_BEST_END,
 ):
-    """Raise `Wrong` unless a process keeps to the ends and costs no more than the best one;
-    `states` hold the cost so far as the last entry, `whose` says what the process is made by,
-    `when` when it ends. `others` are the pairs of ends to which it comes when one of its decimals
-    is changed by what it leaves open, `together` those where two are, as `changed_together` lists
-    them."""
+    """Raise `Wrong` unless a process keeps to the ends and costs no more than the best one.
+
+    The last entry of `states` is the cost so far; `source` (the control or law) and `when` (the
+    end of the process) are words for the message. `perturbed_ends` are pairs of ends of the process
+    when one of its decimals is changed by its uncertainty, `paired_ends` the ends when two of them
+    are, in the order of `perturbed_in_pairs`.
+    """
     if problem.first_return:
-        meets_once(times, states, best, where)
-    keeps_to_the_ends(states[-1], best, rounding, f"{where}under {whose}", others, when)
+        require_single_meeting(times, states, best, where)
+    require_end_conditions(
+        states[-1], best, rounding, f"{where}under {source}", perturbed_ends, when
+    )
     sign = -1 if problem.maximise else 1
     cost = best.total(states[-1])
     excess = sign * (cost - best.cost)
     allowed = max(COSTS, rounding if rounding > INTEGRATED else 0) * best.cost_size()
-    gained, both = (
+    cost_changes, paired_changes = (
         [[sign * (best.total(end) - cost) for end in ends] for ends in part]
-        for part in (others, together)
+        for part in (perturbed_ends, paired_ends)
     )
     least = excess + (
-        _least_of_all(gained, both) if both else sum(reach(*sides)[0] for sides in gained)
+        _least_quadratic(cost_changes, paired_changes)
+        if paired_changes
+        else sum(parabola_range(*sides)[0] for sides in cost_changes)
     )
-    if least < -10 * allowed and not others:
+    if least < -10 * allowed and not perturbed_ends:
         raise RuntimeError(
             f"a process was given that does better than the best one found, by {-excess:.2g}"
         )
     if not least <= allowed + BENT * max(
-        (abs(part) for sides in gained for part in sides), default=0
+        (abs(part) for sides in cost_changes for part in sides), default=0
     ):
-        # not what it costs: next to the optimum that is hardly more than the least cost
+        # Without the cost: close to the optimum it would show the least cost.
         raise Wrong(
-            f"{where}{whose} keeps to the ends; there is an admissible process with the same ends "
+            f"{where}{source} keeps to the ends; there is an admissible process with the same ends "
             "that costs " + ("more, and the cost is to be great" if problem.maximise else "less")
         )
 
 
-def keeps_to_the_ends(y, best, rounding, what, others=(), when=ENDING_WITH_IT):
-    """Raise `Wrong` unless a process ends on the target; `others` are pairs of ends that a decimal
-    leaves open."""
-    if not on_target(y, best, rounding, others):
-        # not where it is when the best process ends, as when that is may be asked for
+def require_end_conditions(y, best, rounding, prefix, perturbed_ends=(), when=AT_BEST_END):
+    """Raise `Wrong` unless a process ends on the target.
+
+    `perturbed_ends` are pairs of ends when one decimal is changed by its uncertainty.
+    """
+    if not on_target(y, best, rounding, perturbed_ends):
+        # Without the state when the best process ends, since the duration may be an answer.
         state = (
             f"{point_text(y[:-1])} {when}, which is not on the target"
-            if when == ENDING_ITSELF
+            if when == AT_OWN_END
             else f"not on the target {when}"
         )
-        raise Wrong(f"{what} the state is {state}")
+        raise Wrong(f"{prefix} the state is {state}")
 
 
-def on_target(y, best, rounding, others=()):
-    """Whether a process that ends in y keeps to the ends."""
+def on_target(y, best, rounding, perturbed_ends=()):
+    """Return whether a process that ends in y keeps to the ends."""
     gap, allowed = best.gap(y), 2 * rounding * best.size()
-    ranges = [reach(*(best.gap(end) - gap for end in sides)) for sides in others]
+    ranges = [parabola_range(*(best.gap(end) - gap for end in sides)) for sides in perturbed_ends]
     least, greatest = (gap + sum((part[k] for part in ranges), np.zeros(len(gap))) for k in (0, 1))
     return bool(np.all((least <= allowed) & (greatest >= -allowed)))
 
 
-def reach(below, above):
-    """The least and the greatest value on [-1, 1] of the parabola through zero that has the given
-    values at its ends; of arrays entry by entry."""
-    slope, bend = np.subtract(above, below) / 2, np.asarray(np.add(above, below) / 2)
+def parabola_range(below, above):
+    """Return the least and the greatest value on [-1, 1] of a parabola, entry by entry.
+
+    It vanishes at zero and has the values `below` and `above` at -1 and 1.
+    """
+    slope, curvature = np.subtract(above, below) / 2, np.asarray(np.add(above, below) / 2)
     with np.errstate(all="ignore"):
-        inner = np.where(np.abs(slope) < 2 * np.abs(bend), -(slope**2) / (4 * bend), 0.0)
+        inner = np.where(np.abs(slope) < 2 * np.abs(curvature), -(slope**2) / (4 * curvature), 0.0)
     return np.minimum.reduce([below, above, inner]), np.maximum.reduce([below, above, inner])
 
 
-def _least_of_all(sides, both):
-    """The least value on [-1, 1]^n of the polynomial of second degree that vanishes at zero and has
-    the given values at -1 and 1 on the axes, and where two coordinates are 1."""
+def _least_quadratic(sides, paired_values):
+    """Return the least value on [-1, 1]^n of a quadratic polynomial that vanishes at zero.
+
+    `sides` are its values at -1 and 1 on the axes, `paired_values` those where two coordinates are
+    1.
+    """
     axes = np.meshgrid(*[np.linspace(-1, 1, ACROSS)] * len(sides))
     value = sum(
         (above - below) / 2 * s + (above + below) / 2 * s**2
         for (below, above), s in zip(sides, axes)
     )
-    for j, row in enumerate(both):
+    for j, row in enumerate(paired_values):
         for k, corner in enumerate(row, j + 1):
             value = value + (corner - sides[j][1] - sides[k][1]) * axes[j] * axes[k]
     return float(value.min())
 
 
-def meets_once(times, states, best, where):
-    # When the best process ends is known up to `INTEGRATED`.
+def require_single_meeting(times, states, best, where):
+    # The duration of the best process has the relative accuracy `INTEGRATED`.
     early = np.asarray(times[1:-1]) < (1 - INTEGRATED) * times[-1]
-    sides = np.array([best.gap(y)[0] for y, inner in zip(states[1:-1], early) if inner])
-    small = 1e-6 * best.size()
-    if sides.min(initial=0) < -small and sides.max(initial=0) > small:
+    sides = np.array([best.gap(y)[0] for y, is_early in zip(states[1:-1], early) if is_early])
+    tolerance = 1e-6 * best.size()
+    if sides.min(initial=0) < -tolerance and sides.max(initial=0) > tolerance:
         k = int(np.flatnonzero(np.sign(sides) != np.sign(sides[np.argmax(np.abs(sides[:9]))]))[0])
         raise Wrong(
             f"{where}the target is met at the time {times[k + 1]:.4g} already, and the process "
@@ -160,14 +174,13 @@ def meets_once(times, states, best, where):
 
 
 def point_text(values):
-    """A state for a message; of one coordinate it is a number."""
+    """Return a state as text; one coordinate is written as a number."""
     text = wording.point_text(values)
     return text[1:-1] if len(values) == 1 else text
 
 
 def _step(field, controls, y, h):
-    """A step of the method of Runge and Kutta under a control given at its begin, middle and
-    end."""
+    """Return the state after a Runge-Kutta step; the control is given at its begin, middle, end."""
     begin, middle, end = controls
     a = field(y, begin)
     b = field(y + h / 2 * a, middle)

@@ -15,8 +15,8 @@ from workbook.checks.contract.tolerance import (
 )
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.sample_points import (
-    PLACES,
-    POINTS,
+    POINT_ACCURACY,
+    SAMPLES,
     ZeroSet,
     as_difference,
     control_bounds,
@@ -28,8 +28,6 @@ from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text
-
-# Singular arcs.
 
 
 @judged(Integer())
@@ -64,24 +62,24 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     ]
     surface = ZeroSet(claims, list(problem.state), list(problem.parameters))
     for values in _points(arcs, domain):
-        if not surface.distance(values) <= surface.left_open(values):
+        if not surface.distance(values) <= surface.uncertainty(values):
             raise Wrong("there are singular arcs on which your equation does not hold")
-    seen = 0
-    random = np.random.default_rng(23)
-    for _ in range(6 * PLACES):
-        values = {s: random_value(random, s, domain) for s in symbols}
-        point = surface.near(values)
+    count = 0
+    generator = np.random.default_rng(23)
+    for _ in range(6 * SAMPLES):
+        values = {s: random_value(generator, s, domain) for s in symbols}
+        point = surface.zero_near(values)
         if point is None or not is_in_domain(point, domain):
             continue
-        seen += 1
-        if not arcs.multipliers_exist(point, 20 * surface.left_open(point)):
+        count += 1
+        if not arcs.multipliers_exist(point, 20 * surface.uncertainty(point)):
             raise Wrong(
                 f"at {rounded_text(point)} your equation holds, and with no costates this is a "
                 "point of a singular arc"
             )
-        if seen == PLACES:
+        if count == SAMPLES:
             break
-    return f"singular arcs lie there and nowhere else, tried at {PLACES} places on either side"
+    return f"singular arcs lie there and nowhere else, tried at {SAMPLES} places on either side"
 
 
 @judged(
@@ -100,18 +98,20 @@ def singular_control(claim, problem, costates, control=None, domain=None):
     What holds on the arcs may be used.
     """
     arcs = _arcs(problem, costates, control)
-    rest, slope = arcs.highest.subs(arcs.control, 0), sp.diff(arcs.highest, arcs.control)
+    without_control, slope = arcs.highest.subs(arcs.control, 0), sp.diff(arcs.highest, arcs.control)
     _without_control(claim, arcs)
     for values in _points(arcs, domain):
-        a, b = (real_at(e, values) for e in (rest, slope))
-        if b is None or abs(b) < POINTS * (1 + abs(a)):
+        a, b = (real_at(e, values) for e in (without_control, slope))
+        if b is None or abs(b) < POINT_ACCURACY * (1 + abs(a)):
             continue
         claimed = value_at(claim, values, f"the singular {arcs.control}")
         low, high = control_bounds(problem, values)[list(problem.control).index(arcs.control)]
-        # of a control that is zero
-        rounded = np.isfinite(high - low) and abs(claimed + a / b) <= POINTS * (high - low)
-        if not rounded and not agree(
-            claimed, -a / b, claim, abs(a / b), POINTS, uncertainty_at(claim, values)
+        # A relative accuracy means nothing for a control that is zero.
+        agrees_absolutely = np.isfinite(high - low) and abs(claimed + a / b) <= POINT_ACCURACY * (
+            high - low
+        )
+        if not agrees_absolutely and not agree(
+            claimed, -a / b, claim, abs(a / b), POINT_ACCURACY, uncertainty_at(claim, values)
         ):
             raise Wrong(
                 f"at a point of a singular arc your control gives {claimed:.4g}, under which "
@@ -146,9 +146,11 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
                 )
             claimed, size = (
                 value_at(claim, values, str(psi)),
-                max(abs(values[one]) for one in costates),
+                max(abs(values[costate]) for costate in costates),
             )
-            if not agree(claimed, values[psi], claim, size, POINTS, uncertainty_at(claim, values)):
+            if not agree(
+                claimed, values[psi], claim, size, POINT_ACCURACY, uncertainty_at(claim, values)
+            ):
                 raise Wrong(
                     f"for {rounded_text({s: values[s] for s in (*arcs.state, *arcs.other_controls)})} your "
                     f"{psi} is {claimed:.4g}; with it dH/d{arcs.control} does not vanish for a while, "
@@ -181,7 +183,7 @@ def kelley_expression(claim, problem, costates, control=None, domain=None):
             claimed,
             real_at(true, values),
             claim,
-            computed=POINTS,
+            computed=POINT_ACCURACY,
             uncertain=uncertainty_at(claim, values),
         ):
             raise Wrong(
@@ -223,7 +225,7 @@ def _without_control(claim, arcs):
 
 
 def _points(arcs, domain):
-    found = arcs.points(domain)
-    if len(found) < 3:
+    points = arcs.points(domain)
+    if len(points) < 3:
         raise RuntimeError("no points of singular arcs were found")
-    return found
+    return points

@@ -22,7 +22,7 @@ from workbook.checks.tools.domains import values_inside
 from workbook.checks.tools.line_search import bisect
 from workbook.checks.tools.numeric_functions import real_function
 
-#: To what share of its coordinates a switching curve is found.
+#: Accuracy of a switching curve, relative to its coordinates.
 LOCATED = 1e-4
 
 
@@ -32,92 +32,112 @@ def switching_curve(claim, system, target, domain, parameters=None, start=None):
 
     One state variable is an expression in the other.
     """
-    return _crossed(claim, *domain.items(), synthesis_data(system, target, parameters, start))
+    return _judge_switching(
+        claim, *domain.items(), synthesis_data(system, target, parameters, start)
+    )
 
 
 @judged(Expression("domain", "parameters"))
 def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
     """Check the curve from which two motions are equally fast, written as a `switching_curve`."""
-    return _parting(claim, *domain.items(), synthesis_data(system, target, parameters, start))
+    return _judge_dispersal(
+        claim, *domain.items(), synthesis_data(system, target, parameters, start)
+    )
 
 
 @judged(Expression("domain", "parameters"))
 def barrier(claim, system, target, domain, parameters=None, start=None):
     """Check the curve across which the fastest time jumps, written as a `switching_curve`."""
-    return _jumping(claim, *domain.items(), synthesis_data(system, target, parameters, start))
+    return _judge_barrier(claim, *domain.items(), synthesis_data(system, target, parameters, start))
 
 
 @functools.lru_cache(maxsize=64)
-def _crossed(*curve):
+def _judge_switching(*curve):
     points = list(_sides_of(*curve, (1.0,)))
-    for message, (one,), (other,), away in points:
-        if one.control == other.control:
+    for message, (first,), (second,), away in points:
+        if first.control == second.control:
             raise Wrong(f"{message} of your curve the optimal control is the same on both sides")
         if away:
             raise Wrong(
                 f"{message} of your curve the fastest motions leave the curve on both sides: it is no "
                 "place where they switch"
             )
-    _change_on(points, *curve)
-    _through_the_target(*curve)
+    _require_change_on_curve(points, *curve)
+    _require_extremal_switchings(*curve)
     return "optimal motions cross the curve, or follow it, and change their control there, at sample points"
 
 
 @functools.lru_cache(maxsize=64)
-def _parting(*curve):
+def _judge_dispersal(*curve):
     points = list(_sides_of(*curve, (1.0,)))
-    for message, (one,), (other,), away in points:
-        if one.control == other.control or not away:
+    for message, (first,), (second,), away in points:
+        if first.control == second.control or not away:
             raise Wrong(f"{message} of your curve the fastest motions from both sides do not part")
-    for (message, *_), one, other in zip(points, *_change_on(points, *curve)):
-        if not abs(one - other) <= 1e-3 * one:
+    for (message, *_), first_time, second_time in zip(
+        points, *_require_change_on_curve(points, *curve)
+    ):
+        if not abs(first_time - second_time) <= 1e-3 * first_time:
             raise Wrong(f"{message} of your curve the fastest times differ on the two sides")
     return "on both sides the fastest motions leave the curve, and their times agree on it, at sample points"
 
 
-def _through_the_target(claim, domain, data):
-    """Raise `Wrong` where a curve on both sides of a target that is a point leaves the places at
-    which extremals switch, next to the target or far out."""
+def _require_extremal_switchings(claim, domain, data):
+    """Raise `Wrong` where a curve does not contain the switching points of extremals.
+
+    Only curves on both sides of a target point are compared, close to the target and far out.
+    """
     reference, (variable, interval) = sampled_optimum(*data), domain
-    given = data.state.index(variable)
+    index = data.state.index(variable)
     _, batch = reference.extremals() or (None, None)
     if batch is None or not all(
-        interval.inf < reference.convex.corner(k)[given] < interval.sup for k in set(batch.case)
+        interval.inf < reference.convex.corner(k)[index] < interval.sup for k in set(batch.case)
     ):
         return
     symbols = [variable, *dict(data.parameters)]
     cases = np.array(reference.cases, dtype=float).reshape(len(reference.cases), -1)[batch.case]
-    numbers, true = (batch.x[:, given], *cases.T), batch.x[:, 1 - given]
+    numbers, true = (batch.x[:, index], *cases.T), batch.x[:, 1 - index]
     claimed, *sides = (
-        real_function(symbols, [one])(*numbers)[0]
-        for one in (claim, *(side for pair in perturbed(claim) or () for (side,) in pair))
+        real_function(symbols, [expression])(*numbers)[0]
+        for expression in (claim, *(side for pair in perturbed(claim) or () for (side,) in pair))
     )
-    open_ = sum(
-        np.fmax(abs(one - claimed), abs(other - claimed))
-        for one, other in zip(sides[::2], sides[1::2])
+    uncertainty = sum(
+        np.fmax(abs(below - claimed), abs(above - claimed))
+        for below, above in zip(sides[::2], sides[1::2])
     )
-    for k in np.flatnonzero(~(abs(claimed - true) <= LOCATED * abs(true) + open_))[:1]:
+    for k in np.flatnonzero(~(abs(claimed - true) <= LOCATED * abs(true) + uncertainty))[:1]:
         raise Wrong(
             f"for {variable} = {numbers[0][k]:.4g} the control of the fastest motions does not "
             "change on your curve, but beside it"
         )
 
 
-def _change_on(points, claim, domain, data):
-    """Raise `Wrong` where the control of the fastest motions changes beside a curve and not on it;
-    else their times just before this change and behind it."""
-    reference, given = sampled_optimum(*data), 1 - data.state.index(domain[0])
+def _require_change_on_curve(points, claim, domain, data):
+    """Raise `Wrong` where the control of the fastest motions changes beside a curve.
+
+    Return their times on the two sides of the change.
+    """
+    reference, index = sampled_optimum(*data), 1 - data.state.index(domain[0])
     first, last = (np.array([point[side][0].x for point in points]) for side in (1, 2))
     control, case = (
-        np.array([getattr(one, name) for _, (one,), *_ in points]) for name in ("control", "case")
+        np.array([getattr(optimum, name) for _, (optimum,), *_ in points])
+        for name in ("control", "case")
     )
-    on, across = (first + last) / 2, (first - last) / np.linalg.norm(first - last, axis=1)[:, None]
+    curve_points, across = (
+        (first + last) / 2,
+        (first - last) / np.linalg.norm(first - last, axis=1)[:, None],
+    )
     first, last = bisect(
         lambda x, rows: reference.solve(x, case[rows]).control == control[rows], first, last, 24
     )
-    off = (((first + last) / 2 - on) * across).sum(axis=1) / across[:, given]
-    right = agree(on[:, given], on[:, given] + off, claim, np.linalg.norm(on, axis=1), LOCATED)
-    for k in np.flatnonzero(~right):
+    offsets = (((first + last) / 2 - curve_points) * across).sum(axis=1) / across[:, index]
+    agrees = agree(
+        curve_points[:, index],
+        curve_points[:, index] + offsets,
+        claim,
+        np.linalg.norm(curve_points, axis=1),
+        LOCATED,
+    )
+    for k in np.flatnonzero(~agrees):
         raise Wrong(
             f"{points[k][0]} of your curve the control of the fastest motions does not change on "
             "it, but beside it"
@@ -126,21 +146,23 @@ def _change_on(points, claim, domain, data):
 
 
 @functools.lru_cache(maxsize=64)
-def _jumping(*curve):
-    for message, one, other, _ in _sides_of(*curve, (0.04, 0.01)):
-        jump, left = (abs(a.time - b.time) for a, b in zip(one, other))
-        # At the edge of what is in reach the time may jump to infinity, or grow to it steadily:
-        # that is no jump.
+def _judge_barrier(*curve):
+    for message, first, second, _ in _sides_of(*curve, (0.04, 0.01)):
+        jump, closer_jump = (abs(a.time - b.time) for a, b in zip(first, second))
+        # At the border of the reachable set the time may jump to infinity, or grow without bound,
+        # which is no jump.
         if np.isinf(jump) and any(
-            abs(a.time - b.time) > 0.3 for a, b in (one, other) if np.isfinite(a.time + b.time)
+            abs(a.time - b.time) > 0.3 for a, b in (first, second) if np.isfinite(a.time + b.time)
         ):
             raise Wrong(
                 f"{message} of your curve the fastest time does not jump: it grows without bound as "
                 "the curve is approached"
             )
-        # What grows like a root, as next to a motion that grazes the target, would fall to the
-        # half.
-        if not (jump > 0.02 and (left > 0.7 * jump or (np.isinf(jump) and np.isinf(left)))):
+        # A difference that grows like a square root, as close to a motion that touches the target,
+        # would fall to half.
+        if not (
+            jump > 0.02 and (closer_jump > 0.7 * jump or (np.isinf(jump) and np.isinf(closer_jump)))
+        ):
             raise Wrong(
                 f"{message} of your curve the fastest time does not jump: close to the curve it is "
                 "nearly the same on both sides"
@@ -149,14 +171,16 @@ def _jumping(*curve):
 
 
 def _sides_of(claim, domain, data, shares):
-    """For points of a curve: a text, the optima on one side and on the other at some distances,
-    whether both motions move away."""
+    """Yield (text, optima on the first side, on the second, away) for points of a curve.
+
+    The optima are at the distances `shares`; `away` is whether both motions leave the curve.
+    """
     reference, parameters, (variable, interval) = (
         sampled_optimum(*data),
         dict(data.parameters),
         domain,
     )
-    beside = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
+    relative_distance = BESIDE_DECIMALS if in_decimals(claim) else BESIDE / 2
     index = data.state.index(variable)
     function = real_function([variable, *parameters], [claim])
     for case, values in enumerate(reference.cases):
@@ -166,22 +190,25 @@ def _sides_of(claim, domain, data, shares):
         ]
         points = values_inside(*ends, count=9 if len(reference.cases) == 1 else 5)
         step = 1e-6 * (1 + abs(points))
-        (other,), (ahead,) = (function(at, *values) for at in (points, points + step))
+        (ordinates,), (ordinates_ahead,) = (
+            function(abscissae, *values) for abscissae in (points, points + step)
+        )
         message = "".join(f"for {p} = {v:.4g}, " for p, v in zip(parameters, values))
-        for k in np.flatnonzero(~np.isfinite(other + ahead)):
+        for k in np.flatnonzero(~np.isfinite(ordinates + ordinates_ahead)):
             raise Wrong(f"{message}at {variable} = {points[k]:.4g} your curve is not real")
-        slope = (ahead - other) / step
-        on = np.column_stack([points, other] if index == 0 else [other, points])
+        slope = (ordinates_ahead - ordinates) / step
+        curve_points = np.column_stack([points, ordinates] if index == 0 else [ordinates, points])
         normal = np.column_stack(
             [-slope, np.ones_like(slope)] if index == 0 else [np.ones_like(slope), -slope]
         )
         normal /= np.linalg.norm(normal, axis=1)[:, None]
-        shift = beside * (0.3 + np.linalg.norm(on, axis=1))[:, None]
-        moves = [sign * share * shift * normal for sign in (1, -1) for share in shares]
+        distance = relative_distance * (0.3 + np.linalg.norm(curve_points, axis=1))[:, None]
+        shifts = [sign * share * distance * normal for sign in (1, -1) for share in shares]
         solved = reference.solve(
-            np.concatenate([on + move for move in moves]), np.full(len(on) * len(moves), case)
+            np.concatenate([curve_points + shift for shift in shifts]),
+            np.full(len(curve_points) * len(shifts), case),
         )
-        n, m = len(on), len(shares)
+        n, m = len(curve_points), len(shares)
         sides = [
             [solved.take(slice(n * (m * side + k), n * (m * side + k + 1))) for k in range(m)]
             for side in (0, 1)
@@ -197,7 +224,7 @@ def _sides_of(claim, domain, data, shares):
         ]
         for k in range(n):
             yield (
-                f"{message}at the point ({on[k][0]:.4g}, {on[k][1]:.4g})",
-                *([lane.take(k) for lane in side] for side in sides),
+                f"{message}at the point ({curve_points[k][0]:.4g}, {curve_points[k][1]:.4g})",
+                *([batch.take(k) for batch in side] for side in sides),
                 away[0][k] and away[1][k],
             )

@@ -21,7 +21,7 @@ from workbook.checks.contract.claims import ConditionOn, Expression
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.pontryagin.closed_loop import SAME, Law, follow
+from workbook.checks.pontryagin.closed_loop import EQUAL_CONTROLS, Law, follow
 from workbook.checks.pontryagin.target_points import family_of
 from workbook.checks.references.optima.sampled_optimum import (
     sampled_optimum,
@@ -52,29 +52,31 @@ def time_optimal_law(claim, system, target, parameters=None, start=None, curve=N
 
 @functools.lru_cache(maxsize=64)
 def _time_optimal(claim, data, curve):
-    """The sentence on a law that is optimal: a law is often judged again beside another answer."""
+    """Return the message on an optimal law, cached since a law is often judged again."""
     reference, control = sampled_optimum(*data), data.control
     if curve:
         parameters = dict(data.parameters)
         ends = family_of(data._replace(parameters=(*data.parameters, curve[3:])), *curve[2:4])
         curve = curve[0], sp.lambdify([*data.state, *parameters], curve[1], "numpy"), ends
-    law, *others = [Law(reading, reference, curve) for reading in (claim, *readings(claim))]
+    law, *readings_of_law = [
+        Law(reading, reference, curve) for reading in (claim, *readings(claim))
+    ]
     decimals = in_decimals(claim)
     batch = reference.batch(decimals)
     values = law(batch.x, batch.case)
     low, high = reference.plant.bounds
     for k in np.flatnonzero(~np.isfinite(values)):
         raise Wrong(f"{reference.start_text(batch, k)} your law gives no real number")
-    for k in np.flatnonzero((values < low - SAME) | (values > high + SAME)):
+    for k in np.flatnonzero((values < low - EQUAL_CONTROLS) | (values > high + EQUAL_CONTROLS)):
         raise Wrong(
             f"{reference.start_text(batch, k)} your law gives {control} = {values[k]:.4g}, outside its bounds"
         )
-    _judge_on_extremals(others, reference, control)
-    other = np.flatnonzero(abs(values - batch.control) > SAME)
-    # The starts far from the switching curve first: there a law loses most.
-    other = other[np.argsort(-abs(batch.switching[other]))]
-    while len(other):
-        subset, other = other[:3], other[3:]
+    _judge_on_extremals(readings_of_law, reference, control)
+    differing = np.flatnonzero(abs(values - batch.control) > EQUAL_CONTROLS)
+    # Initial states far from the switching curve come first: there a law loses most time.
+    differing = differing[np.argsort(-abs(batch.switching[differing]))]
+    while len(differing):
+        subset, differing = differing[:3], differing[3:]
         subset = batch.take(subset[reference.robust(batch.take(subset), decimals)])
         if not len(subset.x):
             continue
@@ -85,7 +87,7 @@ def _time_optimal(claim, data, curve):
             f"{reference.start_text(subset, 0)} your law gives {control} = {law(subset.x, subset.case)[0]:.4g}, and "
             "the fastest motion from there begins with another value"
         )
-    _judge_next_to_curves(others, reference, control)
+    _judge_next_to_curves(readings_of_law, reference, control)
     _judge_change(law, reference, batch, control)
     followed = reference.cache.setdefault("followed", set())
     if (claim, str(curve)) not in followed:
@@ -95,14 +97,16 @@ def _time_optimal(claim, data, curve):
 
 
 def _judge_next_to_curves(laws, reference, control):
-    """Raise `Wrong` where all readings of a law differ from the optimum next to a switching curve:
-    there it may lose hardly any time."""
+    """Raise `Wrong` where all readings of a law differ from the optimum near a switching curve.
+
+    The time cannot decide there, since a wrong law loses hardly any.
+    """
     batch = reference.next_to_curves()
     if batch is None:
         return
     claimed = np.array([law(batch.x, batch.case) for law in laws])
-    differ = np.flatnonzero((abs(claimed - batch.control) > SAME).all(axis=0))
-    # Next to a barrier a thin target may have been missed by the optimum too.
+    differ = np.flatnonzero((abs(claimed - batch.control) > EQUAL_CONTROLS).all(axis=0))
+    # Close to a barrier the computed optimum may have missed a thin target too.
     if len(differ) and reference.convex.kind == "hull":
         differ = differ[~reference.beside_barrier(batch.take(differ), far=True)]
     for k in differ[:1]:
@@ -113,28 +117,30 @@ def _judge_next_to_curves(laws, reference, control):
 
 
 def _judge_on_extremals(laws, reference, control):
-    """Raise `Wrong` where all readings of a law differ from the control of an extremal, next to the
-    target or far out."""
+    """Raise `Wrong` where all readings of a law differ from the control of an extremal.
+
+    The states are close to the target or far out.
+    """
     batch, _ = reference.extremals() or (None, None)
     if batch is None:
         return
     claimed = np.array([law(batch.x, batch.case) for law in laws])
-    differ = np.flatnonzero(~(abs(claimed - batch.control) <= SAME).any(axis=0))
-    # Of states that are neither small nor large a student knows best what happens there.
+    differ = np.flatnonzero(~(abs(claimed - batch.control) <= EQUAL_CONTROLS).any(axis=0))
+    # The message names a state that is neither small nor large, where motions are easiest to see.
     for k in sorted(differ, key=lambda k: abs(np.log(np.linalg.norm(batch.x[k]))))[:1]:
-        gives = (
+        value_text = (
             f"{control} = {claimed[0][k]:.4g}" if np.isfinite(claimed[0][k]) else "no real number"
         )
         raise Wrong(
-            f"{reference.start_text(batch, k)} your law gives {gives}, and the fastest motion from there "
+            f"{reference.start_text(batch, k)} your law gives {value_text}, and the fastest motion from there "
             "begins with another value"
         )
 
 
 def _judge_change(law, reference, batch, control):
-    """Raise `Wrong` for a law that goes over from one bound to the other by steps."""
+    """Raise `Wrong` for a law with values between the bounds where it should jump between them."""
     claimed, (low, high) = law(batch.x, batch.case), reference.plant.bounds
-    ends = (np.flatnonzero(abs(claimed - bound) < SAME)[:40] for bound in (low, high))
+    ends = (np.flatnonzero(abs(claimed - bound) < EQUAL_CONTROLS)[:40] for bound in (low, high))
     pairs = np.array(
         [
             (a, b)
@@ -148,12 +154,14 @@ def _judge_change(law, reference, batch, control):
     ends = bisect(
         lambda x, rows: law(x, case[rows]) < low + (high - low) / 4, *batch.x[pairs.T], 45
     )
-    between = [(low + SAME < law(x, case)) & (law(x, case) < high - SAME) for x in ends]
+    between = [
+        (low + EQUAL_CONTROLS < law(x, case)) & (law(x, case) < high - EQUAL_CONTROLS) for x in ends
+    ]
     stepped = between[0] & between[1] & reference.allowed(ends[1], case)
-    found = reference.solve(ends[1][stepped], case[stepped])
-    for k in np.flatnonzero(np.isfinite(found.time)):
+    optima = reference.solve(ends[1][stepped], case[stepped])
+    for k in np.flatnonzero(np.isfinite(optima.time)):
         raise Wrong(
-            f"{reference.start_text(found, k)} your law gives {control} = {law(found.x, found.case)[k]:.4g}, "
+            f"{reference.start_text(optima, k)} your law gives {control} = {law(optima.x, optima.case)[k]:.4g}, "
             "and the fastest motion from there begins with another value"
         )
 
@@ -162,17 +170,17 @@ def _judge_change(law, reference, batch, control):
 def minimal_time(claim, system, target, parameters=None, start=None):
     """Check the shortest time to the target as an expression in the initial state.
 
-    It is asked where the target can be reached.
+    It is compared where the target can be reached.
     """
     reference = sampled_optimum(*synthesis_data(system, target, parameters, start))
     batch = reference.batch(in_decimals(claim))
     claimed = Law(claim, reference)(batch.x, batch.case)
-    open_ = left_open([claim], lambda parts: Law(*parts, reference)(batch.x, batch.case))
-    allowed = 1e-4 * batch.time + 1e-6 + open_
-    good = np.isfinite(claimed) & (abs(claimed - batch.time) <= allowed)
-    for k in np.flatnonzero(~good):
+    uncertainty = left_open([claim], lambda parts: Law(*parts, reference)(batch.x, batch.case))
+    allowed = 1e-4 * batch.time + 1e-6 + uncertainty
+    agrees = np.isfinite(claimed) & (abs(claimed - batch.time) <= allowed)
+    for k in np.flatnonzero(~agrees):
         message = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
-        how = directed(
+        reason = directed(
             ", which no motion can do"
             if claimed[k] < batch.time[k]
             else ", but a motion can be faster",
@@ -180,7 +188,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
         )
         raise Wrong(
             f"{reference.start_text(batch, k)} your expression gives {message}"
-            + (how if np.isfinite(claimed[k]) else "")
+            + (reason if np.isfinite(claimed[k]) else "")
         )
     return f"it is the shortest time from {len(batch.x)} starts"
 

@@ -39,14 +39,14 @@ def reached_target_points(answer, system, target, ends, variable, parameters=Non
     )
 
     def message(point, holds):
-        how = (
+        statement = (
             "optimal motions end"
             if holds
             else "no admissible motion arrives from the side of the starts"
         )
         return (
             f"for {values_text(point)}, at the point {family.point_text(point)} of the target, "
-            f"{how}; your condition says otherwise"
+            f"{statement}; your condition says otherwise"
         )
 
     agreement = compare(answer, [variable, *family.parameters], reference, message)
@@ -65,10 +65,12 @@ def family_of(data, ends, variable):
 
 
 @functools.lru_cache(maxsize=32)
-def _arrivals(family, beside=0.002):
-    """Places on the target, many of them on both sides of where the arcs end that are reached. No
-    answer changes them."""
-    found = []
+def _arrivals(family, offset=0.002):
+    """Return points of the target, many of them on both sides of the ends of reached arcs.
+
+    They do not depend on the answer.
+    """
+    points = []
     for values in family.samples():
         positions = family.arguments(values)
         rates = family.rates(positions, values)
@@ -77,22 +79,22 @@ def _arrivals(family, beside=0.002):
             for a, b in itertools.pairwise(positions)
             if np.sign(family.rates(np.array([a, b]), values)).prod() < 0
         ]
-        # Samples at which the rate hardly differs from zero stay undecided; the borders are tried
-        # on both sides instead.
-        tried = np.concatenate(
+        # Samples at which the rate is close to zero stay undecided; points on both sides of the
+        # borders replace them.
+        candidates = np.concatenate(
             [
                 positions[abs(rates) > 1e-3 * abs(rates).max()],
-                *[[c - beside, c + beside] for c in changes],
+                *[[c - offset, c + offset] for c in changes],
             ]
         )
         low, high = family.interval
         symbols = family.variable, *family.parameters
-        found += [
+        points += [
             dict(zip(symbols, map(sp.Rational, (point, *values))))
-            for point in tried
-            if low < point < high and all(abs(point - c) > beside / 2 for c in changes)
+            for point in candidates
+            if low < point < high and all(abs(point - c) > offset / 2 for c in changes)
         ]
-    return found
+    return points
 
 
 @judged(Expressions("variable", "parameters", length=2))
@@ -103,27 +105,27 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
     target.
     """
     target = _family(system, target, ends, variable, parameters, start)
-    symbols, met = [variable, *target.parameters], 0
+    symbols, count = [variable, *target.parameters], 0
     claimed = real_function(symbols, claim)
     for values in target.samples():
         positions = target.arguments(values, count=24)
         points, times, _ = target.switchings(positions, values)
-        given = claimed(positions, *values).T
-        open_ = left_open(
+        claimed_points = claimed(positions, *values).T
+        uncertainty = left_open(
             claim, lambda parts, at=(positions, *values): real_function(symbols, parts)(*at)
         )
-        open_ = np.linalg.norm(np.broadcast_to(open_, given.T.shape), axis=0)
-        allowed = 1e-6 * (1 + np.linalg.norm(points, axis=1)) + open_
+        uncertainty = np.linalg.norm(np.broadcast_to(uncertainty, claimed_points.T.shape), axis=0)
+        allowed = 1e-6 * (1 + np.linalg.norm(points, axis=1)) + uncertainty
         for k in np.flatnonzero(np.isfinite(times)):
-            met += 1
-            if not np.all(np.isfinite(given[k])):
+            count += 1
+            if not np.all(np.isfinite(claimed_points[k])):
                 raise Wrong(f"{target.values_text(values, positions[k])} your point is not real")
-            if not np.linalg.norm(given[k] - points[k]) <= allowed[k]:
+            if not np.linalg.norm(claimed_points[k] - points[k]) <= allowed[k]:
                 raise Wrong(
                     f"{target.values_text(values, positions[k])} the optimal motion does not switch "
-                    f"at your point ({given[k][0]:.4g}, {given[k][1]:.4g})"
+                    f"at your point ({claimed_points[k][0]:.4g}, {claimed_points[k][1]:.4g})"
                 )
-    if not met:
+    if not count:
         raise RuntimeError("no motion that ends there switches")
     return "the optimal motions to the target change their control there, for sample values"
 
@@ -149,21 +151,21 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
             - target.switchings(positions - step, values)[0]
         ) / (2 * step)
         low, high = target.plant.bounds
-        given = claimed(positions, *values)
-        open_ = left_open(
+        claimed_determinants = claimed(positions, *values)
+        uncertainties = left_open(
             claim, lambda parts, at=(positions, *values): real_function(symbols, parts)(*at)
         )
-        for name, u, numbers, own in zip(
+        for name, u, numbers, uncertainty in zip(
             ("before", "after"),
             (low + high - after, after),
-            given,
-            np.broadcast_to(open_, given.shape),
+            claimed_determinants,
+            np.broadcast_to(uncertainties, claimed_determinants.shape),
         ):
             velocity = points @ target.plant.A.T + np.outer(u, target.plant.b)
             true = tangent[:, 0] * velocity[:, 1] - tangent[:, 1] * velocity[:, 0]
             size = np.linalg.norm(tangent, axis=1) * np.linalg.norm(velocity, axis=1)
             for k in np.flatnonzero(
-                np.isfinite(times) & ~(abs(numbers - true) <= 1e-5 * size + own)
+                np.isfinite(times) & ~(abs(numbers - true) <= 1e-5 * size + uncertainty)
             ):
                 raise Wrong(
                     f"{target.values_text(values, positions[k])} the determinant of the tangent of the curve "
@@ -177,10 +179,10 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
 def minimal_time_continuous(answer, system, target, ends, variable, parameters, start=None):
     """Check the values of a parameter for which the fastest time is continuous.
 
-    Continuous is meant where the target can be reached; borders count either way.
+    It is continuous on the states from which the target can be reached; borders count either way.
 
-    It jumps where a motion touches the target from the side of the starts while no control
-    could bring it closer: from beyond this motion the target is missed.
+    The time jumps where a motion touches the target from the side of the initial states while no
+    control brings it closer: motions beyond this one miss the target.
     """
     ((name, interval),) = ((p, i) for p, i in parameters.items() if p != variable)
     data, ends = synthesis_data(system, target, parameters, start), tuple(map(sp.sympify, ends))
@@ -211,9 +213,8 @@ def minimal_time_continuous(answer, system, target, ends, variable, parameters, 
     return f"next to the motions that touch the target the fastest time jumps for the other values alone: {agreement}"
 
 
-def _beside_changes(jump, name, interval, beside=0.03):
-    """Values of a parameter, some of them on both sides of where the fastest time begins to
-    jump."""
+def _beside_changes(jump, name, interval, offset=0.03):
+    """Yield values of a parameter, some of them on both sides of where a jump appears."""
     values = [
         float(value) for value in sorted(values_inside(float(interval.inf), float(interval.sup), 8))
     ]
@@ -222,17 +223,19 @@ def _beside_changes(jump, name, interval, beside=0.03):
         if (jump(low) > 0) == (jump(high) > 0):
             continue
         first = jump(low) > 0
-        while high - low > beside / 4:
+        while high - low > offset / 4:
             middle = (low + high) / 2
             low, high = (middle, high) if (jump(middle) > 0) == first else (low, middle)
-        yield from ({name: sp.Rational(value)} for value in (low - beside, high + beside))
+        yield from ({name: sp.Rational(value)} for value in (low - offset, high + offset))
     yield {name: sp.Rational(values[-1])}
 
 
 @functools.lru_cache(maxsize=256)
 def _jump(value, data, ends, variable, name):
-    """By how much the fastest time jumps next to the motions that touch the target, for a value of
-    a parameter."""
+    """Return the jump of the fastest time across motions that touch the target.
+
+    `value` is that of the parameter `name`.
+    """
     fixed = {name: sp.Float(value)}
     data = data._replace(
         target=tuple(part.subs(fixed) for part in data.target),

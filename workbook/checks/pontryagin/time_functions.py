@@ -3,7 +3,7 @@
 They are controls, motions and costates.
 
 A control is an expression, or a list of arcs [value, until]; motions and costates are an expression
-a state.
+for each state.
 """
 
 import numpy as np
@@ -20,16 +20,15 @@ from workbook.checks.contract.tolerance import (
 from workbook.checks.contract.verdict import Invalid, Wrong
 from workbook.checks.tools.numeric_functions import real_function
 
-#: What an answer without decimals may be off by: the precision of integrating it.
+#: Relative tolerance of an answer without decimals: the accuracy of its integration.
 INTEGRATED = 1e-5
-#: Where the end is looked at, as a part of the duration: a law may be defined up to the end alone,
+#: The end of a process, as a fraction of its duration: a function may be defined only up to the end,
 #: which is known up to rounding.
 ENDING = 1 - 1e-9
 
 
 class Motion(Claim):
-    """All states as functions of time, or the first of them, where the others are its derivatives:
-    x1' = x2."""
+    """All states as functions of time; the first ones suffice if the others are derivatives."""
 
     @staticmethod
     def coerce(answer, symbols, problem, time):
@@ -47,7 +46,7 @@ class Motion(Claim):
 
 
 class Costates(Claim):
-    """An expression for each state; of one state the expression alone will do."""
+    """An expression for each state; with one state the expression alone suffices."""
 
     @staticmethod
     def coerce(answer, symbols, problem):
@@ -67,47 +66,49 @@ class InTime:
 
         def compiled(parts):
             return [
-                real_function(symbols, each)
-                for each in (parts, [_slope(part, time) for part in parts])
+                real_function(symbols, expressions)
+                for expressions in (parts, [_slope(part, time) for part in parts])
             ]
 
         self._values, self._rates = compiled(claims)
         # A state that is the derivative of the one before has no decimals of its own.
         slopes = [k > 0 and claims[k] == _slope(claims[k - 1], time) for k in range(len(claims))]
         written = [claim for claim, is_slope in zip(claims, slopes) if not is_slope]
-        followed = perturbed(*written) if in_decimals(*written) else []
-        self._changed = [
+        variants = perturbed(*written) if in_decimals(*written) else []
+        self._perturbed = [
             [compiled(_with_slopes(side, slopes, time)) for side in sides]
-            for sides in followed or ()
+            for sides in variants or ()
         ]
         self.rounding = (
-            relative_tolerance(*claims, computed=INTEGRATED) if followed is None else INTEGRATED
+            relative_tolerance(*claims, computed=INTEGRATED) if variants is None else INTEGRATED
         )
 
     def values(self, times, parameters):
-        """What the expressions are at an instant, or at an array of them: a row for each; nan where
-        not real."""
+        """Return the values at an instant or an array of them, a row each; nan where not real."""
         return at_instants(self._values, times, *map(float, parameters.values()))
 
     def rates(self, times, parameters):
         return at_instants(self._rates, times, *map(float, parameters.values()))
 
-    def uncertain(self, times, parameters):
-        """By how much the decimals of the expressions leave open their values and their rates at an
-        instant, or at an array of them: two arrays, a row for each expression."""
+    def uncertainty(self, times, parameters):
+        """Return the uncertainties, from decimals, of the values and of the rates, a row each."""
         numbers = [float(value) for value in parameters.values()]
-        found = [np.zeros_like(part(times, parameters)) for part in (self.values, self.rates)]
-        for sides in self._changed:
-            for k, here in enumerate(
+        uncertainties = [
+            np.zeros_like(part(times, parameters)) for part in (self.values, self.rates)
+        ]
+        for sides in self._perturbed:
+            for k, written in enumerate(
                 (self.values(times, parameters), self.rates(times, parameters))
             ):
-                moved = [np.abs(at_instants(side[k], times, *numbers) - here) for side in sides]
-                found[k] = found[k] + np.nan_to_num(np.fmax(*moved))
-        return found
+                changes = [
+                    np.abs(at_instants(side[k], times, *numbers) - written) for side in sides
+                ]
+                uncertainties[k] = uncertainties[k] + np.nan_to_num(np.fmax(*changes))
+        return uncertainties
 
 
 def _with_slopes(written, slopes, time):
-    """Return all states, those that are the derivative of the one before among them."""
+    """Return all states, including those that are the derivative of the state before."""
     parts, states = iter(written), []
     for is_slope in slopes:
         states.append(_slope(states[-1], time) if is_slope else next(parts))
@@ -115,7 +116,7 @@ def _with_slopes(written, slopes, time):
 
 
 class Control(Claim):
-    """Arcs (value, until), or a single one (value, None), whose value may jump."""
+    """A list of arcs (value, until), or a single one (value, None), whose value may jump."""
 
     @staticmethod
     def coerce(answer, symbols, time):
@@ -127,9 +128,9 @@ class Control(Claim):
             and len(answer)
             and all(_is_list(arc) and len(arc) == 2 for arc in answer)
         ):
-            others = [symbol for symbol in symbols if symbol != time]
+            constants = [symbol for symbol in symbols if symbol != time]
             return [
-                (coercion.as_expression(value, symbols), coercion.as_expression(until, others))
+                (coercion.as_expression(value, symbols), coercion.as_expression(until, constants))
                 for value, until in answer
             ]
         return [(coercion.as_expression(answer, symbols), None)]
@@ -138,33 +139,32 @@ class Control(Claim):
 class Steering:
     """A control that was read, evaluated for many parameters."""
 
-    def __init__(self, arcs, time, parameters, followed=True):
+    def __init__(self, arcs, time, parameters, with_variants=True):
         self.time, self.parameters = time, list(parameters or ())
         self._values = [real_function([time, *self.parameters], [value]) for value, _ in arcs]
         self._ends = [
             until if until is None else real_function(self.parameters, [until]) for _, until in arcs
         ]
         parts = [part for arc in arcs for part in arc if part is not None]
-        others = perturbed(*parts) if followed and in_decimals(*parts) else []
-        #: Pairs of controls that the decimals of this one leave open.
-        self.changed = [
+        variants = perturbed(*parts) if with_variants and in_decimals(*parts) else []
+        #: Pairs of controls, in each pair one decimal is changed by its uncertainty.
+        self.perturbed = [
             [Steering(_arcs(side, arcs), time, parameters, False) for side in sides]
-            for sides in others or ()
+            for sides in variants or ()
         ]
-        #: The same with two of them changed, a row for each decimal and one for each after it.
-        self.together = [
-            [Steering(_arcs(both, arcs), time, parameters, False) for both in row]
-            for row in (perturbed_in_pairs(*parts) if others else ())
+        #: Controls with two decimals changed: row j, and in it each decimal after the j-th.
+        self.perturbed_in_pairs = [
+            [Steering(_arcs(pair, arcs), time, parameters, False) for pair in row]
+            for row in (perturbed_in_pairs(*parts) if variants else ())
         ]
         self.rounding = (
-            relative_tolerance(*parts, computed=INTEGRATED) if others is None else INTEGRATED
+            relative_tolerance(*parts, computed=INTEGRATED) if variants is None else INTEGRATED
         )
-        #: What decimals leave open at worst, as a share.
-        self.roughly = relative_tolerance(*parts, computed=INTEGRATED)
+        #: The largest relative uncertainty of a decimal.
+        self.decimal_tolerance = relative_tolerance(*parts, computed=INTEGRATED)
 
     def ends(self, values):
-        """When the arcs end, one after the other; None for a single expression, which goes on for
-        ever."""
+        """Return the times at which the arcs end; None for a single expression."""
         if self._ends == [None]:
             return None
         ends = [
@@ -181,35 +181,39 @@ class Steering:
                 )
         return ends
 
-    def ends_left_open(self, values):
-        """By how much the decimals of arcs leave open when each of them ends."""
+    def end_uncertainties(self, values):
+        """Return the uncertainty, from decimals, of the time at which each arc ends."""
         numbers = [float(values[p]) for p in self.parameters]
 
-        def ends(read):
-            return np.array([until(*numbers)[0] for until in read._ends])
+        def ends(steering):
+            return np.array([until(*numbers)[0] for until in steering._ends])
 
-        here = ends(self)
+        written_ends = ends(self)
         return sum(
-            (np.fmax(*(abs(ends(side) - here) for side in sides)) for sides in self.changed),
-            np.zeros(len(here)),
+            (
+                np.fmax(*(abs(ends(side) - written_ends) for side in sides))
+                for sides in self.perturbed
+            ),
+            np.zeros(len(written_ends)),
         )
 
     def sections(self, values, duration):
-        """Triples (begin, end, function of an array of times) between the jumps, from 0 to the
-        given duration; of arcs as far as they go, which may be less."""
+        """Return triples (begin, end, function of an array of times) between the jumps.
+
+        They extend from 0 to the duration; arcs may end before.
+        """
         numbers = [float(values[p]) for p in self.parameters]
 
         def smooth(value):
             def u(times):
                 claimed = at_instants(value, times, *numbers)[0]
-                # At a single instant, as between the cases t < 1 and t > 1, a control need not be
-                # defined.
-                for aside in (1e-9 * duration, -1e-9 * duration):
+                # A control may be undefined at single instants, as between the cases t < 1 and t > 1.
+                for offset in (1e-9 * duration, -1e-9 * duration):
                     undefined = np.flatnonzero(np.isnan(claimed))
                     if len(undefined):
-                        claimed[undefined] = at_instants(value, times[undefined] + aside, *numbers)[
-                            0
-                        ]
+                        claimed[undefined] = at_instants(
+                            value, times[undefined] + offset, *numbers
+                        )[0]
                 for t in times[np.isnan(claimed)]:
                     raise Wrong(
                         f"your control at {self.time} = {t:.4g} is no real number, or not defined"
@@ -221,7 +225,7 @@ class Steering:
         if self._ends == [None]:
             u = smooth(self._values[0])
             breaks = jumps(u, duration)
-            # The value at a jump itself is of no account: it is asked a little inside.
+            # The value at a jump itself does not matter, so it is taken a little inside.
             return [(a, b, _inside(u, a, b)) for a, b in zip([0.0, *breaks], [*breaks, duration])]
         ends = self.ends(values)
         return [
@@ -232,7 +236,7 @@ class Steering:
 
 
 def _arcs(parts, arcs):
-    """Arcs made of a flat list of their parts, as those of `arcs` are."""
+    """Return arcs with the structure of `arcs` from a flat list of their parts."""
     parts = iter(parts)
     return [tuple(None if part is None else next(parts) for part in arc) for arc in arcs]
 
@@ -242,12 +246,12 @@ def _is_list(answer):
 
 
 def _slope(expression, time):
-    """The derivative of an expression beside its jumps, which are looked for elsewhere."""
+    """Return the derivative of an expression between its jumps, which `jumps` finds."""
     return sp.diff(expression, time).replace(sp.DiracDelta, lambda *_: sp.S.Zero)
 
 
 def _refuse_sums(answer):
-    """Refuse at once what would be added up anew at each of many instants."""
+    """Refuse symbolic sums, which would be added up again at each of many instants."""
     parts = sp.flatten(answer) if _is_list(answer) else [answer]
     if any(isinstance(part, sp.Basic) and part.has(sp.Sum) for part in parts):
         raise Invalid("the answer contains a sum that is not worked out; write it without `sp.Sum`")
@@ -260,8 +264,10 @@ def _one_or_several(answer, symbols):
 
 
 def jumps(u, duration, pieces=360):
-    """The instants of (0, duration) where a function of an array of times jumps, by bisection
-    between neighbours that differ."""
+    """Return the instants of (0, duration) at which a function of an array of times jumps.
+
+    They are found by bisection between neighbours that differ.
+    """
     times = np.linspace(0, duration, pieces + 1)
     times[0] += 1e-9 * duration
     values = u(times)
@@ -281,11 +287,10 @@ def jumps(u, duration, pieces=360):
 
 
 def at_instants(function, times, *numbers):
-    """What a `real_function` of time gives at an array of times, a row for each of its
-    expressions."""
+    """Return the values of a `real_function` at an array of times, a row for each expression."""
     try:
         return function(times, *numbers)
-    except Invalid:  # some functions, such as erf, are known for single numbers alone
+    except Invalid:  # some functions, such as erf, take single numbers only
         if np.ndim(times) == 0:
             raise
         return np.array([function(t, *numbers) for t in times]).T
@@ -296,8 +301,8 @@ def _inside(u, begin, end):
     return lambda times: u(np.clip(times, begin + margin, end - margin))
 
 
-def _real(value, what):
-    """The only entry of an array, which `real_function` gives."""
+def _real(value, name):
+    """Return the single entry of an array as a float."""
     if not np.isfinite(value[0]):
-        raise Wrong(f"{what} is no real number, or not defined")
+        raise Wrong(f"{name} is no real number, or not defined")
     return float(value[0])

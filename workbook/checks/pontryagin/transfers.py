@@ -1,9 +1,10 @@
 """Transfers in least or greatest time: initial states, times and numbers of switchings.
 
-`problem` is a `pontryagin.Problem` of which the cost is the time. Its parameters stand in a list; a
-state without a value at the start that is one of them stands for its start. What an optimal
-control, motion or costate is, and the time itself, is judged in `optimal_controls` and its like. The optimum comes from
-`transfer_optima`, where neither the maximum principle nor a shooting is used.
+`problem` is a `pontryagin.Problem` whose cost is the time. Its parameters are a list; a state without
+an initial value that is one of them is the symbol of its initial value. Optimal controls, motions,
+costates and times are judged in `optimal_controls`, `optimal_motions`, `costates` and
+`optimal_values`. The optimum comes from `transfer_optima`, which uses neither the maximum principle
+nor shooting.
 """
 
 import functools
@@ -57,12 +58,12 @@ def meeting_time(claim, problem, count):
 def polar_angle_rate(claim, problem, angle):
     """Check the rate of the polar angle of a planar state, in the angle and the control."""
     (x, y), ((control, bounds),) = problem.dynamics, problem.controls.items()
-    random = np.random.default_rng(9)
+    generator = np.random.default_rng(9)
     for _ in range(20):
         theta, u, r = (
-            random.uniform(-math.pi, math.pi),
-            random.uniform(*map(float, bounds)),
-            random.uniform(0.3, 3),
+            generator.uniform(-math.pi, math.pi),
+            generator.uniform(*map(float, bounds)),
+            generator.uniform(0.3, 3),
         )
         point = {x: r * math.cos(theta), y: r * math.sin(theta), control: u}
         rates = [float(f.subs(point)) for f in problem.dynamics.values()]
@@ -85,10 +86,10 @@ def least_rate(claim, quantity, problem):
     """
     state, ((control, bounds),) = list(problem.dynamics), problem.controls.items()
     slope = sum(sp.diff(quantity, x) * f for x, f in problem.dynamics.items())
-    random = np.random.default_rng(3)
+    generator = np.random.default_rng(3)
     for k in range(20):
         point = {
-            x: sp.Rational(int(random.integers(2, 60)), 13) * int(random.choice((-1, 1)))
+            x: sp.Rational(int(generator.integers(2, 60)), 13) * int(generator.choice((-1, 1)))
             for x in state
         }
         if k >= 16:
@@ -119,7 +120,7 @@ def transferable_initial_states(answer, problem, parameters):
 
 @functools.lru_cache(maxsize=32)
 def _reachable(problem, parameters):
-    """A transfer and from where its target can be reached: found once for all answers."""
+    """Return a transfer and the condition that its target can be reached, for all answers."""
     transfer = Transfer(problem, parameters)
     return transfer, exactly(
         transfer.solvable_condition(), transfer.off_target(), at=transfer.solvable
@@ -133,10 +134,10 @@ def reachable_in_time(answer, problem, duration, parameters):
     It is a condition on the parameters and the symbol `duration`.
     """
     transfer = Transfer(problem, parameters)
-    found = list(transfer.samples())
+    samples = list(transfer.samples())
 
     def points():
-        for values, best in found:
+        for values, best in samples:
             for part in (0.3, 0.999, 1.001, 4):
                 yield {
                     duration: sp.Rational(best.duration * part).limit_denominator(10**9),
@@ -145,7 +146,10 @@ def reachable_in_time(answer, problem, duration, parameters):
 
     def in_time(point):
         values = {p: point[p] for p in parameters}
-        return next(best for known, best in found if known == values).duration <= point[duration]
+        return (
+            next(best for sample_values, best in samples if sample_values == values).duration
+            <= point[duration]
+        )
 
     reference = exactly(transfer.in_time_condition(duration), at=in_time, points=points)
     agreement = compare(
@@ -164,10 +168,10 @@ def reachable_in_time(answer, problem, duration, parameters):
 def switching_count(answer, problem, parameters=()):
     """Check how often the fastest control switches, as an expression in the parameters.
 
-    It is not asked where all of the parameters are whole numbers.
+    It is not compared where all of the parameters are whole numbers.
 
-    Without parameters: the greatest number of switchings that a fastest transfer needs, from
-    whatever initial state.
+    Without parameters: the greatest number of switchings of a fastest transfer from any initial
+    state.
     """
     if not parameters:
         return _judge_greatest_count(coercion.as_integer(answer), problem)
@@ -175,7 +179,7 @@ def switching_count(answer, problem, parameters=()):
     transfer = Transfer(problem, parameters)
     for values, best in transfer.samples(4 * SAMPLES):
         if all(value.is_integer for value in values.values()):
-            # the number may be another one at exceptional starts: those on a switching curve
+            # The number may differ at exceptional initial states, on a switching curve.
             continue
         claimed = real_at(claim, values)
         count = best.switchings()
@@ -192,15 +196,15 @@ def _judge_greatest_count(claim, problem):
     transfer = Transfer(problem, [x for x in problem.dynamics if problem.initial.get(x) is None])
     greatest = max(best.switchings() for _, best in transfer.samples(4 * SAMPLES))
     if claim < greatest:
-        how = f"there are starts from which the fastest control switches more often than {_times(claim)}"
+        failure = f"there are starts from which the fastest control switches more often than {_times(claim)}"
     elif claim > greatest:
-        how = (
+        failure = (
             f"among {4 * SAMPLES} starts there is none from which the fastest control switches as "
             f"often as {_times(claim)}"
         )
     else:
         return f"the fastest controls from {4 * SAMPLES} starts confirm it"
-    raise Wrong(directed(how, f"{claim} is not the greatest number of switchings"))
+    raise Wrong(directed(failure, f"{claim} is not the greatest number of switchings"))
 
 
 @judged(Number())
@@ -256,11 +260,8 @@ def isochrone_radius(claim, problem, duration, count):
     return "all around the origin the starts that need this time lie at that distance"
 
 
-# Small things.
-
-
 def _close(claimed, true, claim, size=0.0, uncertain=None):
-    """Equality to the precision of the optimum; three digits where the claim holds decimals."""
+    """Return whether a claim agrees to the accuracy of the optimum, decimals to three digits."""
     return agree(claimed, true, claim, size, computed=2 * INTEGRATED, uncertain=uncertain)
 
 

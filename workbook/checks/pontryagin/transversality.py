@@ -10,7 +10,7 @@ import sympy as sp
 
 from workbook.checks.contract.members import members
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
-from workbook.checks.pontryagin.sample_points import PLACES, ZeroSet, as_difference
+from workbook.checks.pontryagin.sample_points import SAMPLES, ZeroSet, as_difference
 from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import cached_points
@@ -43,16 +43,16 @@ def transversality(answer, problem, costates):
         gradient = np.array([float(sp.diff(problem.final, y).subs(values)) for y in problem.state])
         true = np.column_stack([tangents, sign * tangents @ gradient])
         claimed = _affine_rows(claims, costates, values)
-        more, less = (
+        extra, missing = (
             _rank(claimed) - _rank(true),
             _rank(np.vstack([claimed, true])) - _rank(claimed),
         )
-        if (less and more >= 0) or more > 0:
+        if (missing and extra >= 0) or extra > 0:
             raise Wrong(
                 f"at the end {rounded_text(values)} your conditions demand what need not hold: "
                 "there are costates that satisfy the condition of transversality and not yours"
             )
-        if less:
+        if missing:
             raise Wrong(
                 f"at the end {rounded_text(values)} your conditions allow costates that are not "
                 "orthogonal to the target"
@@ -62,62 +62,75 @@ def transversality(answer, problem, costates):
 
 @cached_points
 def _on_target(problem):
-    """States at the end, and parameters, as dicts."""
+    """Return states at the end, with parameters, as dicts."""
     zeros = (
         ZeroSet(list(problem.terminal), list(problem.state), list(problem.parameters))
         if problem.terminal
         else None
     )
-    random, found, symbols = np.random.default_rng(3), [], (*problem.state, *problem.parameters)
-    for k in range(4 * PLACES):
-        if k % PLACES == 0:  # each symbol takes values all over its range
+    generator, points, symbols = np.random.default_rng(3), [], (*problem.state, *problem.parameters)
+    for k in range(4 * SAMPLES):
+        if k % SAMPLES == 0:  # each symbol takes values all over its range
             shares = {
-                s: (random.permutation(PLACES) + random.uniform(size=PLACES)) / PLACES
+                s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
                 for s in symbols
             }
-        values = {s: random_value(random, s, None, shares[s][k % PLACES]) for s in symbols}
-        point = zeros.near(values) if zeros else values
-        if point is not None and len(found) < PLACES:
-            found.append(point)
-    if not found:
+        values = {s: random_value(generator, s, None, shares[s][k % SAMPLES]) for s in symbols}
+        point = zeros.zero_near(values) if zeros else values
+        if point is not None and len(points) < SAMPLES:
+            points.append(point)
+    if not points:
         raise RuntimeError("no point of the target was found")
-    return found
+    return points
 
 
 def _affine_rows(claims, costates, values):
-    """Rows (coefficients of the costates, constant) of conditions at an end. A sum of squares
-    vanishes where all of them do."""
+    """Return rows (coefficients of the costates, constant) of the conditions at an end.
+
+    A sum of squares gives a row for each square.
+    """
     rows, zero = [], dict.fromkeys(costates, 0)
     for claim in claims:
-        put = sp.expand(claim.subs(values))
-        row = [sp.diff(put, psi) for psi in costates]
+        expanded = sp.expand(claim.subs(values))
+        row = [sp.diff(expanded, psi) for psi in costates]
         if any(sp.diff(c, psi).free_symbols for c in row for psi in costates):
             raise Invalid("expected conditions that are linear in the costates, or sums of squares")
-        bends = np.array(
+        hessian = np.array(
             [[number_at(sp.diff(c, psi), {}).real for psi in costates] for c in row], dtype=float
         )
-        slopes, rest = ([number_at(c.subs(zero), {}).real for c in part] for part in (row, [put]))
-        rows += _squares(bends, np.array(slopes), *rest) if bends.any() else [[*slopes, *rest]]
+        slopes, constant = (
+            [number_at(c.subs(zero), {}).real for c in part] for part in (row, [expanded])
+        )
+        rows += (
+            _squares(hessian, np.array(slopes), *constant)
+            if hessian.any()
+            else [[*slopes, *constant]]
+        )
     return np.array(rows, dtype=float).reshape(len(rows), len(costates) + 1)
 
 
-def _squares(bends, slopes, rest):
-    """The rows that vanish where psi.bends.psi/2 + slopes.psi + rest does, which is to be its least
-    or greatest value, zero."""
-    least, (sizes, _) = np.linalg.lstsq(bends, -slopes, rcond=1e-9)[0], np.linalg.eigh(bends)
-    size = np.abs(bends).max()
+def _squares(hessian, slopes, constant):
+    """Return rows that vanish where psi.hessian.psi/2 + slopes.psi + constant does.
+
+    Zero has to be the least or the greatest value of this expression.
+    """
+    minimiser, (sizes, _) = (
+        np.linalg.lstsq(hessian, -slopes, rcond=1e-9)[0],
+        np.linalg.eigh(hessian),
+    )
+    size = np.abs(hessian).max()
     if (
         (sizes.min() < -1e-9 * size and sizes.max() > 1e-9 * size)
-        or not np.allclose(bends @ least, -slopes)
-        or not abs(rest + slopes @ least / 2)
-        <= 1e-9 * (abs(rest) + abs(slopes) @ abs(least) + size)
+        or not np.allclose(hessian @ minimiser, -slopes)
+        or not abs(constant + slopes @ minimiser / 2)
+        <= 1e-9 * (abs(constant) + abs(slopes) @ abs(minimiser) + size)
     ):
         raise Invalid("expected conditions that are linear in the costates, or sums of squares")
-    return np.column_stack([bends, slopes]).tolist()
+    return np.column_stack([hessian, slopes]).tolist()
 
 
 def _kernel(rows):
-    """An orthonormal basis of the vectors that all rows are orthogonal to, as rows."""
+    """Return an orthonormal basis of the kernel of the rows, as rows."""
     _, sizes, basis = np.linalg.svd(rows)
     return basis[int((sizes > 1e-9 * sizes.max(initial=0)).sum()) :]
 
