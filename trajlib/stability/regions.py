@@ -324,15 +324,15 @@ def _polynomial(coefficients, symbol):
 def _region(coefficients, parameters, margin):
     """Return the reduced region and whether its emptiness is decided."""
     shifted = _shifted(coefficients, margin)
-    to_real, back = as_real(*shifted)
+    to_real, from_real = as_real(*shifted)
     real, symbols = [c.xreplace(to_real) for c in shifted], [to_real.get(p, p) for p in parameters]
     lead = sign_of(real[0])
-    found = []
+    regions = []
     for sign in (1, -1) if lead is None else (lead,):
         candidates = [conjunction(c, symbols) for c in _lienard_chipart([sign * c for c in real])]
-        found.append(min(candidates, key=lambda c: (not c[1], _length(c[0]))))
-    return sp.Or(*(region for region, _ in found)).xreplace(back), all(
-        decided for _, decided in found
+        regions.append(min(candidates, key=lambda c: (not c[1], _length(c[0]))))
+    return sp.Or(*(region for region, _ in regions)).xreplace(from_real), all(
+        decided for _, decided in regions
     )
 
 
