@@ -13,13 +13,13 @@ import sympy as sp
 def as_real(*expressions):
     """Return two dicts: from symbols not known to be real to real stand-ins, and back."""
     unknown = {s for e in expressions for s in e.free_symbols if s.is_real is None}
-    there = {s: sp.Dummy(s.name, real=True) for s in sorted(unknown, key=lambda s: s.name)}
-    return there, {new: old for old, new in there.items()}
+    to_real = {s: sp.Dummy(s.name, real=True) for s in sorted(unknown, key=lambda s: s.name)}
+    return to_real, {new: old for old, new in to_real.items()}
 
 
-def restore_names(text, back):
+def restore_names(text, from_real):
     """Return a message with the names of the user's symbols for the stand-ins of `as_real`."""
-    for stand_in, symbol in back.items():
+    for stand_in, symbol in from_real.items():
         text = re.sub(rf"(?<!\w){re.escape(str(stand_in))}(?!\w)", lambda _: str(symbol), text)
     return text
 

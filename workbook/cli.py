@@ -215,8 +215,8 @@ def live(
     try:
         if name:
             presentation = find_presentation(name)
-            say = partial(print, flush=True)
-            present(presentation, port, browser, keep, discard, say)
+            print_line = partial(print, flush=True)
+            present(presentation, port, browser, keep, discard, print_line)
             return
         listed = lectures()
     except LiveError as error:

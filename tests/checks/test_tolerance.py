@@ -15,7 +15,7 @@ from workbook.checks.contract.tolerance import (
     relative_tolerance,
     rounds_to,
 )
-from workbook.checks.structure.dual_questions import known_roots
+from workbook.checks.structure.dual_questions import roots_evidence
 from workbook.checks.tools.values import uncertainty_at
 from workbook.systems import Linear
 
@@ -170,5 +170,5 @@ def test_decimals_are_never_said_to_be_proved():
     proved, rounded = (checks.limit_cycles([one], field, [x, y]) for one in (1, sp.Float(1)))
     assert proved.status == rounded.status == "right"
     assert proved.message.endswith("proved") and rounded.message.endswith("to three digits")
-    assert known_roots([sp.Integer(1)], x, x - 1) == "proved"
-    assert known_roots([sp.Float(1)], x, x - 1).startswith("to three digits")
+    assert roots_evidence([sp.Integer(1)], x, x - 1) == "proved"
+    assert roots_evidence([sp.Float(1)], x, x - 1).startswith("to three digits")

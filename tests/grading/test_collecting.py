@@ -456,7 +456,7 @@ def test_one_entry_that_cannot_be_read_stops_nothing(tmp_path, kind, why):
     ((where, reason),) = collected.aside
     assert where == "s_2_9_ch1-p15.ipynb" and reason.startswith(why)
     (aside,) = (entry for entry in find(tmp_path / "in") if isinstance(entry, LeftAside))
-    assert (aside.student, aside.assignment, aside.why) == ("2", "hw1", reason)
+    assert (aside.student, aside.assignment, aside.reason) == ("2", "hw1", reason)
     good = {f"s_{number}_9_ch1-p15.ipynb": content for number in (2, 3)}
     collect(packed(tmp_path, good, "again.zip"), "hw1", tmp_path / "in")
     assert not any(isinstance(entry, LeftAside) for entry in find(tmp_path / "in"))
@@ -492,7 +492,7 @@ def test_a_zip_of_notebooks_is_opened_by_the_same_rules(tmp_path):
     entries = list(find(tmp_path / "in"))
     assert {entry.timing for entry in entries if isinstance(entry, Submission)} == {"unknown"}
     (aside,) = (entry for entry in entries if isinstance(entry, LeftAside))
-    assert aside.beside and "work.zip" in aside.why
+    assert aside.is_extra and "work.zip" in aside.reason
 
 
 @pytest.mark.parametrize(
@@ -536,7 +536,7 @@ def test_a_time_that_a_student_hands_in_counts_for_nothing(tmp_path):
 
 
 @pytest.mark.parametrize(
-    "path, beside",
+    "path, is_extra",
     [
         ("Ann_1_assignsubmission_onlinetext/onlinetext.html", True),
         ("Ann_1_assignsubmission_file/photo.png", True),
@@ -544,12 +544,12 @@ def test_a_time_that_a_student_hands_in_counts_for_nothing(tmp_path):
         ("Ann_1_assignsubmission_file/work.zip", False),
     ],
 )
-def test_only_what_may_be_a_notebook_makes_a_student_wait(tmp_path, monkeypatch, path, beside):
+def test_only_what_may_be_a_notebook_makes_a_student_wait(tmp_path, monkeypatch, path, is_extra):
     monkeypatch.setattr("workbook.grading.collecting.MAX_FILE", 100)
     good = "Ann_1_assignsubmission_file/ch1-p15.ipynb"
     collect(packed(tmp_path, {good: "{}", path: "x" * 101}), "hw1", tmp_path / "in")
     (aside,) = (entry for entry in find(tmp_path / "in") if isinstance(entry, LeftAside))
-    assert (aside.student, aside.beside) == ("Ann_1", beside)
+    assert (aside.student, aside.is_extra) == ("Ann_1", is_extra)
 
 
 def test_a_collected_folder_that_was_renamed_is_reported(tmp_path):
@@ -558,4 +558,4 @@ def test_a_collected_folder_that_was_renamed_is_reported(tmp_path):
     (tmp_path / "in" / "102").rename(tmp_path / "in" / "bob")
     aside = [entry for entry in find(tmp_path / "in") if isinstance(entry, LeftAside)]
     assert [(e.student, e.path) for e in aside] == [("102", "102/hw1/f.ipynb")]
-    assert "ledger.csv has it" in aside[0].why
+    assert "ledger.csv has it" in aside[0].reason

@@ -305,7 +305,7 @@ def test_a_notebook_for_no_problem_is_reported(tmp_path, failing_workers):
     odd.write_text(odd.read_text().replace('"number": "1.15"', '"number": "99.99"'))
     _, plan, _ = course.grade(tmp_path / "submitted", tmp_path)
     (aside,) = plan.aside
-    assert aside.path.endswith("essay\\x1b.ipynb") and "does not say which problem" in aside.why
+    assert aside.path.endswith("essay\\x1b.ipynb") and "does not say which problem" in aside.reason
 
 
 @pytest.mark.parametrize("out", ["submitted", "submitted/graded"])

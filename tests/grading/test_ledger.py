@@ -155,5 +155,5 @@ def test_other_files_are_listed(tmp_path):
         (path.parent / f"photo{k}.png").touch()
     (path.parent / ".DS_Store").touch()
     _, aside = submissions.find(tmp_path / "submitted")
-    assert (aside.student, aside.assignment, aside.beside) == ("ann", "hw1", True)
-    assert "photo0.png, photo1.png, photo2.png, photo3.png, photo4.png, and 2 more" in aside.why
+    assert (aside.student, aside.assignment, aside.is_extra) == ("ann", "hw1", True)
+    assert "photo0.png, photo1.png, photo2.png, photo3.png, photo4.png, and 2 more" in aside.reason

@@ -47,7 +47,7 @@ def test_not_submitted(tmp_path, store):
     assert {answer.verdict.message for answer in ann.of_problem("1.18")} == {
         "nothing was submitted for this problem"
     }
-    assert ann.tried == {"1.17": 1, "1.18": 0} and list(ann.counted) == ["1.17"]
+    assert ann.attempt_counts == {"1.17": 1, "1.18": 0} and list(ann.counted) == ["1.17"]
     assert (
         (bob.student, bob.points, bob.max_points) == ("bob", 0, 4)
         and not bob.handed_in
@@ -86,7 +86,7 @@ def test_which_attempt_counts(tmp_path, store, rule, points):
     for k, pair in enumerate([(WRONG, WRONG), (RIGHT, WRONG), (WRONG, RIGHT)]):
         graded(store, "ann", "1.17", statuses(*pair), submitted=float(k))
     score = only(store, an_assignment(tmp_path, f"{rule}\n{HOMEWORK}"))
-    assert score.points == points and score.tried == {"1.17": 3}
+    assert score.points == points and score.attempt_counts == {"1.17": 3}
 
 
 def test_best_is_by_points_not_by_number_of_right_answers(tmp_path, store):
@@ -99,14 +99,14 @@ def test_best_is_by_points_not_by_number_of_right_answers(tmp_path, store):
 def test_the_same_notebook_again_is_not_a_new_attempt(tmp_path, store):
     for when in (1.0, 2.0):
         graded(store, "ann", "1.17", statuses(WRONG, RIGHT), submitted=when, content="same")
-    assert only(store, an_assignment(tmp_path, HOMEWORK)).tried == {"1.17": 1}
+    assert only(store, an_assignment(tmp_path, HOMEWORK)).attempt_counts == {"1.17": 1}
 
 
 def test_an_attempt_without_a_result_yet_does_not_count(tmp_path, store):
     graded(store, "ann", "1.17", statuses(RIGHT, WRONG), submitted=1.0)
     store.note_attempt("ann", "hw1", "1.17", "still to be graded", 2.0)
     score = only(store, an_assignment(tmp_path, 'attempt = "last"\n' + HOMEWORK))
-    assert score.points == 3 and score.tried == {"1.17": 2}
+    assert score.points == 3 and score.attempt_counts == {"1.17": 2}
 
 
 def test_manual_points_replace_automatic_ones_until_removed(tmp_path, store):
@@ -216,7 +216,7 @@ def test_late_is_what_the_system_says(tmp_path, store, timing, submitted, late, 
         ({}, True, True),
         ({"by_hand": True}, False, True),
         ({"by_hand": True}, True, False),
-        ({"by_hand": True, "beside": True}, False, False),
+        ({"by_hand": True, "is_extra": True}, False, False),
     ],
 )
 def test_what_is_no_notebook_waits_for_points_by_hand(
@@ -255,7 +255,9 @@ def test_each_day_begun_takes_its_share(tmp_path, store, seconds, share):
     extension = '[extensions]\n"bob" = 2026-10-04T12:00:00Z\n'
     for score in scores(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE + extension)):
         assert score.points == pytest.approx(3 * share) and score.max_points == 4
-        assert [answer.lost for answer in score.answers] == pytest.approx([3 - 3 * share, 0])
+        assert [answer.late_penalty for answer in score.answers] == pytest.approx(
+            [3 - 3 * share, 0]
+        )
         assert bool(score.late) == (seconds > 0)
 
 
@@ -296,4 +298,4 @@ def test_points_by_hand_are_as_they_were_given(tmp_path, store):
     graded(store, "ann", "1.17", statuses(RIGHT, RIGHT), submitted=DUE + 1)
     store.set_manual("ann", "hw1", "1.17", "a_region", 2.5, "")
     score = only(store, an_assignment(tmp_path, HOMEWORK + LATE_RULE))
-    assert score.points == pytest.approx(2.5 + 0.8) and score.answers[0].lost == 0
+    assert score.points == pytest.approx(2.5 + 0.8) and score.answers[0].late_penalty == 0

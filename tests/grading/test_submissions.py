@@ -31,7 +31,7 @@ def test_order_and_what_was_left_aside(tmp_path):
     (root / "README.txt").touch()
     entries = list(find(root))
     asides = {
-        Path(entry.path).relative_to(root).as_posix(): entry.why
+        Path(entry.path).relative_to(root).as_posix(): entry.reason
         for entry in entries
         if isinstance(entry, LeftAside)
     }
@@ -70,7 +70,7 @@ def test_misplaced_notebooks_are_reported(tmp_path):
         if isinstance(entry, LeftAside)
     }
     assert asides == {"ch1-p15.ipynb", "bela/ch1-p15.ipynb", "ada/hw1/inner/ch1-p15.ipynb"}
-    reasons = {entry.why for entry in entries if isinstance(entry, LeftAside)}
+    reasons = {entry.reason for entry in entries if isinstance(entry, LeftAside)}
     assert reasons == {"it does not lie in a folder STUDENT/HOMEWORK, where notebooks are read"}
     assert [entry.path for entry in entries if isinstance(entry, Submission)] == [str(real)]
 
@@ -99,7 +99,7 @@ def test_a_file_without_read_permission_is_no_attempt(tmp_path, monkeypatch, tro
         (aside,) = find(tmp_path / "submitted")
     assert (
         isinstance(aside, LeftAside)
-        and aside.why == f"this file cannot be read ({trouble.strerror})"
+        and aside.reason == f"this file cannot be read ({trouble.strerror})"
     )
     assert isinstance(next(find(tmp_path / "submitted")), Submission)
 
@@ -112,7 +112,7 @@ def test_a_folder_that_cannot_be_opened(tmp_path, monkeypatch):
     entries = list(find(tmp_path / "submitted"))
     assert (
         isinstance(entries[0], LeftAside)
-        and entries[0].why == "this folder cannot be opened"
+        and entries[0].reason == "this folder cannot be opened"
         and entries[1].student == "bela"
     )
 
@@ -184,7 +184,7 @@ def test_what_is_renamed_meanwhile_is_reported(tmp_path, monkeypatch, gone):
         asides
     )
     reasons = ("renamed or removed", "cannot be read", "does not lie")
-    assert all(any(words in entry.why for words in reasons) for entry in asides)
+    assert all(any(words in entry.reason for words in reasons) for entry in asides)
 
 
 def test_different_names_stay_different():
@@ -230,7 +230,7 @@ def test_names_that_no_homework_can_have(tmp_path, name, message):
     ada, aside = find(tmp_path / "submitted")
     assert (
         ada.student == "ada"
-        and message in aside.why
+        and message in aside.reason
         and (aside.student, aside.assignment) == ("eve", "")
     )
 

@@ -37,7 +37,7 @@ def read_covariance(matrix, name, order, floats, definite=False):
         return matrix
     if not all(vanishes(matrix[i, j] - matrix[j, i]) for i in range(matrix.rows) for j in range(i)):
         raise ValueError(f"{name}: expected a symmetric matrix")
-    if _known_not_positive(matrix, definite):
+    if _is_never_positive(matrix, definite):
         raise ValueError(f"{name}: expected a {kind} matrix, got {matrix.tolist()}")
     return matrix
 
@@ -51,7 +51,7 @@ def read_measurement(H, z, R, order, floats):
     return H, z, read_covariance(R, "R", H.shape[0], floats, definite=True)
 
 
-def _known_not_positive(matrix, definite):
+def _is_never_positive(matrix, definite):
     """Whether an exact symmetric matrix is known not to be positive; with symbols it may be."""
     if matrix.free_symbols:
         minors = [
@@ -59,16 +59,18 @@ def _known_not_positive(matrix, definite):
             *(matrix.extract([j, i], [j, i]).det() for i in range(matrix.rows) for j in range(i)),
         ]
         return any(minor.is_negative or (definite and minor.is_zero) for minor in minors)
-    rest = matrix
-    while rest.rows:
-        pivots = [sp.N(rest[i, i], 30) for i in range(rest.rows)]
-        k = max(range(rest.rows), key=lambda i: pivots[i])
-        if vanishes(rest[k, k]):
+    complement = matrix
+    while complement.rows:
+        pivots = [sp.N(complement[i, i], 30) for i in range(complement.rows)]
+        k = max(range(complement.rows), key=lambda i: pivots[i])
+        if vanishes(complement[k, k]):
             # No diagonal entry is positive: then nothing but zeros may be left.
-            return definite or not all(vanishes(entry) for entry in rest)
+            return definite or not all(vanishes(entry) for entry in complement)
         if pivots[k] < 0:
             return True
-        others = [i for i in range(rest.rows) if i != k]
-        column = rest.extract(others, [k])
-        rest = (rest.extract(others, others) - column * column.T / rest[k, k]).applyfunc(sp.radsimp)
+        indices = [i for i in range(complement.rows) if i != k]
+        column = complement.extract(indices, [k])
+        complement = (
+            complement.extract(indices, indices) - column * column.T / complement[k, k]
+        ).applyfunc(sp.radsimp)
     return False

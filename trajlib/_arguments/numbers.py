@@ -155,11 +155,11 @@ def read_numeric_matrix(matrix, name, dtype=float):
     return matrix
 
 
-def read_names(names, m, what="names"):
+def read_names(names, m, argument="names"):
     """Return m names of unknowns; x0, x1, ... if None."""
     if names is None:
-        return tuple(f"x{j}" for j in range(m)) if what == "names" else ("",) * m
+        return tuple(f"x{j}" for j in range(m)) if argument == "names" else ("",) * m
     names = tuple(str(name) for name in ([names] if isinstance(names, str) else names))
     if len(names) != m:
-        raise ValueError(f"{what}: expected {m}, one for each unknown, got {len(names)}")
+        raise ValueError(f"{argument}: expected {m}, one for each unknown, got {len(names)}")
     return names

@@ -42,34 +42,34 @@ def accepts_state_space(
     """Let a StateSpace stand for the first arguments of a function, called `names`.
 
     `time` is "continuous" or "discrete" where the function is for one of them only, `instead` the
-    advice for a system in the other. `keywords` maps python-control's names of arguments to ours.
+    advice for a system in the other. `keywords` maps python-control's names of arguments to those here.
     A matrix that is given beside the system as a keyword takes the place of the system's own.
     """
 
     def decorate(function):
         @functools.wraps(function)
-        def accepting(*args, **given):
-            for theirs, ours in keywords.items():
-                if theirs in given:
-                    if ours in given:
-                        raise TypeError(
-                            f"{function.__name__}: {theirs} and {ours} are one argument"
-                        )
-                    given[ours] = given.pop(theirs)
-            system = args[0] if args else given.get(names[0]) if names else None
+        def accepting(*args, **arguments):
+            for alias, name in keywords.items():
+                if alias in arguments:
+                    if name in arguments:
+                        raise TypeError(f"{function.__name__}: {alias} and {name} are one argument")
+                    arguments[name] = arguments.pop(alias)
+            system = args[0] if args else arguments.get(names[0]) if names else None
             if not names or not is_state_space(system):
-                return function(*args, **given)
+                return function(*args, **arguments)
             if time is not None:
                 _REQUIRE[time](system, instead)
-            given.pop(names[0], None)
-            others = list(args[1:])
+            arguments.pop(names[0], None)
+            further = list(args[1:])
             matrices = [system.A]
             for name in names[1:]:
-                if others and others[0] is None:
-                    del others[0]
-                own = given.pop(name, None)
-                matrices.append(getattr(system, _OF_SYSTEM[name]) if own is None else own)
-            return function(*matrices, *others, **given)
+                if further and further[0] is None:
+                    del further[0]
+                keyword_matrix = arguments.pop(name, None)
+                matrices.append(
+                    getattr(system, _OF_SYSTEM[name]) if keyword_matrix is None else keyword_matrix
+                )
+            return function(*matrices, *further, **arguments)
 
         return accepting
 

@@ -12,9 +12,9 @@ def read_symbols(symbols, name):
     if isinstance(symbols, str) or not isinstance(symbols, Iterable):
         raise TypeError(f"{name}: expected SymPy symbols, got {symbols!r}")
     symbols = tuple(symbols)
-    others = [s for s in symbols if not isinstance(s, sp.Symbol)]
-    if others:
-        raise TypeError(f"{name}: expected SymPy symbols, got {others[0]!r}")
+    non_symbols = [s for s in symbols if not isinstance(s, sp.Symbol)]
+    if non_symbols:
+        raise TypeError(f"{name}: expected SymPy symbols, got {non_symbols[0]!r}")
     if len(set(symbols)) < len(symbols):
         raise ValueError(f"{name}: the same symbol stands twice in {list(symbols)}")
     return symbols

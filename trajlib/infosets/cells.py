@@ -243,9 +243,9 @@ class Cells:
         self._column += int(first)
         self._drop_rows(possible.any(axis=1))
 
-    def _drop_rows(self, kept):
+    def _drop_rows(self, nonempty):
         """Drop rows at the ends."""
-        rows = np.flatnonzero(kept)
+        rows = np.flatnonzero(nonempty)
         part = slice(rows[0], rows[-1] + 1)
         self.values, self._turned = self.values[part], self._turned[part]
         self._row += int(rows[0])

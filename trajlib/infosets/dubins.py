@@ -209,9 +209,10 @@ def _turn_straight(first, T):
 
     In units of R; the initial heading is upwards.
     """
-    rest = T - first
+    straight = T - first
     return np.stack(
-        [1 - np.cos(first) + rest * np.sin(first), np.sin(first) + rest * np.cos(first)], axis=-1
+        [1 - np.cos(first) + straight * np.sin(first), np.sin(first) + straight * np.cos(first)],
+        axis=-1,
     )
 
 
@@ -229,23 +230,27 @@ def _reached(points, T, tolerance):
     In units of R; the initial heading is upwards.
     """
     # the mirror image: the first turn is left
-    both = np.concatenate([points, points * [-1, 1]])
+    mirrored = np.concatenate([points, points * [-1, 1]])
     first = np.sort(
-        np.column_stack([np.tile(np.linspace(0, T, TRIED), (len(both), 1)), _kinks(both, T)]),
+        np.column_stack(
+            [np.tile(np.linspace(0, T, TRIED), (len(mirrored), 1)), _kinks(mirrored, T)]
+        ),
         axis=1,
     )
-    reached = np.zeros(len(both), dtype=bool)
-    # the rest of the motion after the first turn, in the axes at its end
+    reached = np.zeros(len(mirrored), dtype=bool)
+    # the remaining motion after the first turn, in the axes at its end
     c, s = np.cos(first), np.sin(first)
-    x, y = both[:, 0, None] - (1 - c), both[:, 1, None] - s
+    x, y = mirrored[:, 0, None] - (1 - c), mirrored[:, 1, None] - s
     x, y = c * x - s * y, s * x + c * y
-    rest = T - first
-    # straight, then a turn by an angle c to either side: x = +-(1 - cos c), y = rest - c + sin c
+    remaining = T - first
+    # straight, then a turn by an angle c to either side: x = +-(1 - cos c), y = remaining - c + sin c
     inside, turn = np.abs(x) <= 2, np.arccos(np.clip(1 - np.abs(x), -1, 1))
     for loops in 2 * np.pi * np.arange(int(T / (2 * np.pi)) + 1):
         gaps = [
             np.where(
-                inside & (angle <= rest + tolerance), y - (rest - angle) - np.sin(angle), np.nan
+                inside & (angle <= remaining + tolerance),
+                y - (remaining - angle) - np.sin(angle),
+                np.nan,
             )
             for angle in (loops + turn, loops + 2 * np.pi - turn)
         ]
@@ -260,8 +265,8 @@ def _reached(points, T, tolerance):
     gaps = []
     for angle in (turn, 2 * np.pi - turn):
         middle = np.arctan2(y, x + 1) - np.arctan2(np.sin(angle), 2 - np.cos(angle))
-        excess = (middle + angle - rest + np.pi) % (2 * np.pi) - np.pi
-        gaps.append(np.where(inside & (angle <= rest + tolerance), excess, np.nan))
+        excess = (middle + angle - remaining + np.pi) % (2 * np.pi) - np.pi
+        gaps.append(np.where(inside & (angle <= remaining + tolerance), excess, np.nan))
     reached |= _vanishes(gaps, inside, tolerance)
     return reached[: len(points)] | reached[len(points) :]
 

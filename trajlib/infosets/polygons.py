@@ -211,8 +211,8 @@ class SupportPolygons:
     def area(self) -> np.ndarray:
         """Areas of the polygons, 0 for empty ones."""
         x, y = np.moveaxis(self.vertices - self.vertices[..., :1, :], -1, 0)
-        twice = np.sum(np.roll(x, -1, axis=-1) * y - x * np.roll(y, -1, axis=-1), axis=-1)
-        return np.where(self.empty, 0.0, np.maximum(twice, 0) / 2)
+        doubled = np.sum(np.roll(x, -1, axis=-1) * y - x * np.roll(y, -1, axis=-1), axis=-1)
+        return np.where(self.empty, 0.0, np.maximum(doubled, 0) / 2)
 
     def contains(self, points: ArrayLike) -> np.ndarray:
         """Return whether points lie in the polygons, by broadcasting.

@@ -112,12 +112,12 @@ class InformationSet(Sections):
             arguments.read_arc(heading_range, "heading_range"),
         )
         self.time = 0.0
-        foreign = (
+        inapplicable = (
             {"speed_step": speed_step, "speed_limits": speed_limits}
             if mode == "published"
             else {"max_speeds": max_speeds, "counted_from": counted_from}
         )
-        for name in (name for name, value in foreign.items() if value is not None):
+        for name in (name for name, value in inapplicable.items() if value is not None):
             owner = "published" if mode == "guaranteed" else "guaranteed"
             raise ValueError(f"{name}: it belongs to the {owner} mode")
         if mode == "published":

@@ -38,7 +38,7 @@ def centred(functions, scale):
 
     read = [_polynomial(y, scale) for y in functions]
     powers = [k for k, polynomial in enumerate(read) if polynomial is not None]
-    others = [k for k, polynomial in enumerate(read) if polynomial is None]
+    non_polynomials = [k for k, polynomial in enumerate(read) if polynomial is None]
     if not powers:
         return list(functions), np.eye(len(functions)), []
     width = 1 + max(max(read[k].degree() for k in powers), 0)
@@ -51,19 +51,20 @@ def centred(functions, scale):
     symbols = set().union(*(getattr(functions[k], "free_symbols", set()) for k in powers))
     symbol = min(symbols, key=str) if symbols else None
     return (
-        [functions[k] for k in others] + [_function(p, scale, symbol) for p in polynomials],
-        np.vstack([np.eye(len(functions))[others], combination]),
-        list(enumerate(polynomials, start=len(others))),
+        [functions[k] for k in non_polynomials]
+        + [_function(p, scale, symbol) for p in polynomials],
+        np.vstack([np.eye(len(functions))[non_polynomials], combination]),
+        list(enumerate(polynomials, start=len(non_polynomials))),
     )
 
 
-def remainders(polynomials, by, scale):
-    """Return (index, function) of polynomials after subtraction of multiples of those in `by`."""
+def remainders(polynomials, divisors, scale):
+    """Return (index, function) of polynomials after subtraction of multiples of the `divisors`."""
     result = []
-    for k, rest in polynomials:
-        for _, divisor in by:
-            rest -= rest.nth(divisor.degree()) * divisor
-        result.append((k, _series(rest, scale)))
+    for k, remainder in polynomials:
+        for _, divisor in divisors:
+            remainder -= remainder.nth(divisor.degree()) * divisor
+        result.append((k, _series(remainder, scale)))
     return result
 
 

@@ -63,8 +63,8 @@ class Sampled:
         functions, combination, polynomials = centred(basis, scale)
         further, _, dividing = centred(nuisance, scale)
         sampled = list(functions)
-        for k, rest in remainders(polynomials, dividing, scale):
-            sampled[k] = rest
+        for k, remainder in remainders(polynomials, dividing, scale):
+            sampled[k] = remainder
         Psi, Theta = (
             sample_functions(part, times, name)
             for part, name in ((sampled, "basis"), (further, "nuisance"))

@@ -34,7 +34,7 @@ def style() -> Iterator[None]:
 
     colours = cycler(color=[BLUE, RED, GREEN, PURPLE, ORANGE, BLACK])
     lines = cycler(linestyle=["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (8, 2))])
-    ours: dict[Any, Any] = {
+    settings: dict[Any, Any] = {
         "figure.figsize": (5.2, 4.2),
         "figure.dpi": 110,
         "figure.constrained_layout.use": True,
@@ -54,12 +54,12 @@ def style() -> Iterator[None]:
     }
     # Only these settings are restored: rc_context would also undo those of a notebook's backend
     # that loads inside.
-    before = {name: plt.rcParams[name] for name in ours}
-    plt.rcParams.update(ours)
+    previous = {name: plt.rcParams[name] for name in settings}
+    plt.rcParams.update(settings)
     try:
         yield
     finally:
-        plt.rcParams.update(before)
+        plt.rcParams.update(previous)
 
 
 def new_axes():

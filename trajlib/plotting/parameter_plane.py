@@ -54,10 +54,10 @@ def region(
     if not isinstance(condition, sp.logic.boolalg.Boolean):
         raise TypeError(f"condition: expected a SymPy condition, got {condition!r}")
     parameters = read_two_symbols(parameters, "parameters")
-    others = condition.free_symbols - set(parameters)
-    if others:
+    undeclared = condition.free_symbols - set(parameters)
+    if undeclared:
         raise ValueError(
-            f"condition: it also has {', '.join(sorted(map(str, others)))}, which is no parameter"
+            f"condition: it also has {', '.join(sorted(map(str, undeclared)))}, which is no parameter"
         )
     ax = window(parameters, x_range, y_range, ax)
     X, Y = window_grid(ax)

@@ -92,19 +92,19 @@ def planar_functions(field, state, params):
     if params is not None and not isinstance(params, Mapping):
         raise TypeError(f"params: expected a dict from symbols to numbers, got {params!r}")
     field = [sp.sympify(f).subs(params or {}) for f in field]
-    others = set().union(*(f.free_symbols for f in field)) - set(state)
-    if others:
-        raise ValueError(f"params: no value for {', '.join(sorted(map(str, others)))}")
+    undeclared = set().union(*(f.free_symbols for f in field)) - set(state)
+    if undeclared:
+        raise ValueError(f"params: no value for {', '.join(sorted(map(str, undeclared)))}")
     return [numeric_function(f, state) for f in field], state
 
 
 def plane_function(V, state, name):
     state = read_two_symbols(state, "state")
     V = sp.sympify(V)
-    others = V.free_symbols - set(state)
-    if others:
+    undeclared = V.free_symbols - set(state)
+    if undeclared:
         raise ValueError(
-            f"{name}: substitute numbers for {', '.join(sorted(map(str, others)))} first"
+            f"{name}: substitute numbers for {', '.join(sorted(map(str, undeclared)))} first"
         )
     return numeric_function(V, state), state
 

@@ -136,8 +136,8 @@ def _pieces(t, x, y, lengths, first, last):
         )
     x, y = (np.stack(parts, axis=1) for parts in zip(*states))
     begin = t[:-1, None] + np.cumsum(np.c_[np.zeros(len(lengths)), lengths[:, :2]], axis=1)
-    kept = lengths > 1e-12 * np.diff(t)[:, None]
-    begin[np.arange(len(t) - 1), np.argmax(kept, axis=1)] = t[:-1]
-    knots = np.append(begin[kept], t[-1])
-    jerk = (last - first)[kept] / np.diff(knots)
-    return PPoly(np.array([jerk / 6, first[kept] / 2, y[kept], x[kept]]), knots)
+    positive = lengths > 1e-12 * np.diff(t)[:, None]
+    begin[np.arange(len(t) - 1), np.argmax(positive, axis=1)] = t[:-1]
+    knots = np.append(begin[positive], t[-1])
+    jerk = (last - first)[positive] / np.diff(knots)
+    return PPoly(np.array([jerk / 6, first[positive] / 2, y[positive], x[positive]]), knots)

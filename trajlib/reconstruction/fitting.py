@@ -78,8 +78,8 @@ class Reconstruction:
         ndarray
             Of the shape of `t` (and of the columns).
         """
-        inside, beyond = self._inside(t)
-        return self._spline(inside) + beyond * self._spline(inside, 1)
+        inside, excess = self._inside(t)
+        return self._spline(inside) + excess * self._spline(inside, 1)
 
     def velocity(self, t: ArrayLike) -> np.ndarray:
         """Return the velocity y = x'.
@@ -109,8 +109,8 @@ class Reconstruction:
         ndarray
             Of the shape of `t` (and of the columns).
         """
-        inside, beyond = self._inside(t)
-        return np.where(beyond == 0, self._spline(inside, 2), 0.0)
+        inside, excess = self._inside(t)
+        return np.where(excess == 0, self._spline(inside, 2), 0.0)
 
     def standard_deviations(self, t: ArrayLike) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the standard deviations of position, velocity and acceleration.
@@ -147,21 +147,21 @@ class Reconstruction:
                 'samples; take method="sweep"'
             )
         inside, _ = self._inside(t)
-        beyond = np.asarray(t, dtype=float) - inside
+        excess = np.asarray(t, dtype=float) - inside
         count, shape = self.h[0].size, inside.shape + self.h.shape[1:]
         sigma = np.broadcast_to(self.sigma.reshape(self.t.size, -1), (self.t.size, count))
         weights = self.weights.reshape(self.t.size, count)
         M = np.broadcast_to(self.M, self.h.shape[1:]).ravel()
-        found: dict = {}
+        deviations: dict = {}
         for k in range(count):
             key = sigma[:, k].tobytes(), weights[:, k].tobytes(), M[k]
-            if key not in found:
+            if key not in deviations:
                 effective = sigma[:, k] / np.sqrt(weights[:, k])
-                found[key] = influence.standard_deviations(
-                    inside.ravel(), beyond.ravel(), self.t, sigma[:, k], effective, M[k]
+                deviations[key] = influence.standard_deviations(
+                    inside.ravel(), excess.ravel(), self.t, sigma[:, k], effective, M[k]
                 )
-            found[k] = found[key]
-        x, y, u = np.stack([found[k] for k in range(count)], axis=-1).reshape(3, *shape)
+            deviations[k] = deviations[key]
+        x, y, u = np.stack([deviations[k] for k in range(count)], axis=-1).reshape(3, *shape)
         return x, y, u
 
     def _inside(self, t):
@@ -301,7 +301,7 @@ def reconstruct(
     columns, fits = h.reshape(t.size, -1), []
     errors = np.broadcast_to(sigma.reshape(t.size, -1), columns.shape)
     for k in range(columns.shape[1]):
-        given, column = errors[:, k], columns[:, k]
+        standard_errors, column = errors[:, k], columns[:, k]
 
         def fit(effective, column=column, k=k):
             if M is not None:
@@ -309,14 +309,14 @@ def reconstruct(
             method_fit = sweep_fit if method == "sweep" else bounded_fit
             return method_fit(t, column, effective**-2.0, bounds[k])
 
-        fitted, weights = fit(given), np.ones(t.size)
+        fitted, weights = fit(standard_errors), np.ones(t.size)
         if robust is not None:
-            fitted, weights = robust_fit(fit, t, column, given, robust)
+            fitted, weights = robust_fit(fit, t, column, standard_errors, robust)
         fits.append((*fitted, weights))
-    found_M, active = (_in_column_shape(np.array([f[j] for f in fits]), h) for j in (1, 2))
+    M_used, active = (_in_column_shape(np.array([f[j] for f in fits]), h) for j in (1, 2))
     weights = np.stack([f[3] for f in fits], axis=1).reshape(h.shape)
     spline = join_splines([f[0] for f in fits], h.shape[1:])
-    return _result(t, h, sigma, spline, method, max_acceleration, found_M, active, weights)
+    return _result(t, h, sigma, spline, method, max_acceleration, M_used, active, weights)
 
 
 def _read_bounds(max_acceleration, h):

@@ -19,16 +19,16 @@ from trajlib.reconstruction.sweep import SweepGains
 BATCH = 256
 
 
-def standard_deviations(inside, beyond, t, sigma, effective, M):
+def standard_deviations(inside, excess, t, sigma, effective, M):
     """Return standard deviations of position, velocity, acceleration, shape (3, times).
 
-    The times are `beyond` later than `inside`, a time of the record. The motion was found with the
+    The times are `excess` later than `inside`, a time of the record. The motion was found with the
     `effective` standard errors; the samples have the errors `sigma`.
     """
     variances = np.zeros((3, inside.size))
     for motion, errors in _unit_motions(t, sigma, effective, M):
         x, y, u = (motion(inside, order) for order in range(3))
-        parts = x + beyond[:, None] * y, y, np.where(beyond[:, None] == 0, u, 0.0)
+        parts = x + excess[:, None] * y, y, np.where(excess[:, None] == 0, u, 0.0)
         variances += [(part * errors) ** 2 @ np.ones(errors.size) for part in parts]
     return np.sqrt(variances)
 

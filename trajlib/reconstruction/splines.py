@@ -80,9 +80,9 @@ def join_splines(splines, shape):
 
 def straight_line(t, rho, records):
     """Return the weighted straight-line fit at the times and its slope, for columns of records."""
-    known = np.where(rho[:, None] > 0, records, 0)
+    measured = np.where(rho[:, None] > 0, records, 0)
     total = rho.sum()
     centre = rho @ t / total
-    mean = rho @ known / total
-    slope = (rho * (t - centre)) @ (known - mean) / (rho @ (t - centre) ** 2)
+    mean = rho @ measured / total
+    slope = (rho * (t - centre)) @ (measured - mean) / (rho @ (t - centre) ** 2)
     return mean + (t - centre)[:, None] * slope, np.broadcast_to(slope, records.shape)

@@ -216,9 +216,9 @@ def _riccati(tau, rho, M):
         s12 = 0.5 * step * s22
         s11 = step * s12 / 1.5
         det = 1 + s11 * a + 2 * s12 * b + s22 * c + 0.25 * s11 * s22 * d
-        across = step * a
-        c = (step * across + 2 * step * b + c + s11 * d) / det
-        b = (across + b + s12 * d) / det
+        step_a = step * a
+        c = (step * step_a + 2 * step * b + c + s11 * d) / det
+        b = (step_a + b + s12 * d) / det
         a = (a + s22 * d) / det + weight
         d = d / det + weight * c
         rows.append((a, b, c, d))

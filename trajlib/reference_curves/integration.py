@@ -67,8 +67,8 @@ class Flow:
             return True
         return self.domain(t, x, p) if self.parameters else self.domain(t, x)
 
-    def _raise_left_domain(self, t, starts, which):
-        start = starts[:, np.flatnonzero(which)[0]]
+    def _raise_left_domain(self, t, starts, outside):
+        start = starts[:, np.flatnonzero(outside)[0]]
         names = [f"x0[{j}]" for j in range(self.n)] + [f"p[{j}]" for j in range(self.parameters)]
         at = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names, start))
         raise ArithmeticError(

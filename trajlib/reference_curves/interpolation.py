@@ -221,10 +221,10 @@ class TensorInterpolant:
         ]
 
     def _at(self, points, order):
-        *others, last = self._rows(points, order)
+        *leading, last = self._rows(points, order)
         # from the last axis to the first
         values = np.tensordot(self.table, last, axes=(-1, 1))
-        for row in others[::-1]:
+        for row in leading[::-1]:
             values = np.einsum("...kp,pk->...p", values, row)
         return values
 

@@ -58,11 +58,13 @@ class Guarantee:
     def __repr__(self):
         at = _in_words(self.where)
         if self.undefined is not None:
-            found = f"; the smallest singular value found elsewhere is {self.upper:.4g}, at {at}"
+            elsewhere = (
+                f"; the smallest singular value found elsewhere is {self.upper:.4g}, at {at}"
+            )
             return (
                 f"not proved: near {_in_words(self.undefined)} the matrix or its derivative is not "
                 "finite (a pole, or the root or logarithm of a number that is not positive); leave such parameters out "
-                f"of the box{found if np.isfinite(self.upper) else ''}"
+                f"of the box{elsewhere if np.isfinite(self.upper) else ''}"
             )
         if self.proved:
             return (
@@ -117,9 +119,9 @@ def guarantee(
     """
     matrix = sp.Matrix(matrix)
     box_low, box_high = _box_ends(box)
-    others = matrix.free_symbols - set(box)
-    if others:
-        raise ValueError(f"box: no interval for {', '.join(sorted(map(str, others)))}")
+    undeclared = matrix.free_symbols - set(box)
+    if undeclared:
+        raise ValueError(f"box: no interval for {', '.join(sorted(map(str, undeclared)))}")
     n, m = matrix.shape
     if n < m or m == 0:
         raise ValueError(f"matrix: {n} rows cannot determine {m} unknowns")
@@ -182,9 +184,9 @@ def guarantee(
             accepted = min([accepted, *bounds, *new_bounds])
             break
         rows, middle = np.arange(len(a)), a / 2 + b / 2
-        left, right = b.copy(), a.copy()
-        left[rows, sides] = right[rows, sides] = middle[rows, sides]
-        lows, highs = np.concatenate([lows, a, right]), np.concatenate([highs, left, b])
+        lower_half, upper_half = b.copy(), a.copy()
+        lower_half[rows, sides] = upper_half[rows, sides] = middle[rows, sides]
+        lows, highs = np.concatenate([lows, a, upper_half]), np.concatenate([highs, lower_half, b])
         bounds = np.concatenate([bounds, new_bounds, new_bounds])
     names = [str(symbol) for symbol in symbols]
     return Guarantee(
@@ -278,11 +280,11 @@ def _enclosure(matrices, symbols):
     Their shape is (cells, matrices, n, m).
     """
     shape = matrices[0].shape
-    common, reduced = sp.cse(
+    subexpressions, reduced = sp.cse(
         [entry for matrix in matrices for entry in matrix], symbols=sp.numbered_symbols("common_")
     )
     symbols_so_far, steps = list(symbols), []
-    for symbol, expression in common:
+    for symbol, expression in subexpressions:
         steps.append(_function(expression, symbols_so_far))
         symbols_so_far.append(symbol)
     entries = [_function(entry, symbols_so_far) for entry in reduced]
@@ -313,10 +315,10 @@ _ALLOWED = {name: _applied(name) for name in FUNCTIONS}
 
 
 def _function(expression, symbols):
-    foreign = {f.func.__name__ for f in expression.atoms(sp.Function)} - set(FUNCTIONS)
-    if foreign:
+    unsupported = {f.func.__name__ for f in expression.atoms(sp.Function)} - set(FUNCTIONS)
+    if unsupported:
         raise ValueError(
-            f"matrix: {', '.join(sorted(foreign))} is not among the functions "
+            f"matrix: {', '.join(sorted(unsupported))} is not among the functions "
             f"{', '.join(FUNCTIONS)}"
         )
     enclosures = {}

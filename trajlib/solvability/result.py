@@ -203,9 +203,9 @@ class Solvability:
         Q, R = qr(self._scaled_matrix, mode="economic")
         return self._weights.apply_transposed(solve_triangular(R, Q.T).T).T / self.scaling[:, None]
 
-    def _require_solvable(self, what):
+    def _require_solvable(self, quantity):
         if not self.solvable:
-            raise ValueError(f"{what} would have no meaning: {self.verdict}")
+            raise ValueError(f"{quantity} would have no meaning: {self.verdict}")
 
     @property
     def verdict(self) -> str:
@@ -235,14 +235,14 @@ class Solvability:
             )
         else:
             count = self.m - self.rank
-            rest = (
+            values_text = (
                 f"smallest is {values[-1]:.2e}"
                 if count == 1
                 else f"other {count} are {values[self.rank]:.2e} and less"
             )
             lines.append(
                 f"Not shown to be solvable: {self.rank} of {self.m} singular values are above "
-                f"{self.level:.2e}, the level of the errors; the {rest}."
+                f"{self.level:.2e}, the level of the errors; the {values_text}."
             )
             lines += [
                 f"Cannot be told from zero: {self._in_words(row)}." for row in self.unobservable

@@ -85,18 +85,18 @@ def clohessy_wiltshire(rate: float, times: ArrayLike, reference: float | None = 
         raise ValueError(f"rate: expected a positive angular velocity, got {rate}")
     times = read_times(times)
     a = w * (times - (times[0] if reference is None else read_number(reference, "reference")))
-    s, c, one, o = np.sin(a), np.cos(a), np.ones_like(a), np.zeros_like(a)
+    s, c, ones, zeros = np.sin(a), np.cos(a), np.ones_like(a), np.zeros_like(a)
     # written so, 1 - cos a and sin a - a keep their digits for small angles
     half, drift = 2 * np.sin(a / 2) ** 2, _sine_minus_angle(a)
     return np.moveaxis(
         np.array(
             [
-                [1 + 3 * half, o, o, s / w, 2 * half / w, o],
-                [6 * drift, one, o, -2 * half / w, (4 * s - 3 * a) / w, o],
-                [o, o, c, o, o, s / w],
-                [3 * w * s, o, o, c, 2 * s, o],
-                [-6 * w * half, o, o, -2 * s, 1 - 4 * half, o],
-                [o, o, -w * s, o, o, c],
+                [1 + 3 * half, zeros, zeros, s / w, 2 * half / w, zeros],
+                [6 * drift, ones, zeros, -2 * half / w, (4 * s - 3 * a) / w, zeros],
+                [zeros, zeros, c, zeros, zeros, s / w],
+                [3 * w * s, zeros, zeros, c, 2 * s, zeros],
+                [-6 * w * half, zeros, zeros, -2 * s, 1 - 4 * half, zeros],
+                [zeros, zeros, -w * s, zeros, zeros, c],
             ]
         ),
         -1,

@@ -245,11 +245,11 @@ def _integrated(flow, start, reference, times, breaks):
         inner = [b for b in breaks[::sign] if sign * (b - reference) > 0 and sign * (last - b) > 0]
         state, begin = start, reference
         for end in [*inner, last]:
-            passed = remaining[
+            indices = remaining[
                 (sign * (times[remaining] - begin) > 0) & (sign * (times[remaining] - end) <= 0)
             ][::sign]
-            states = flow.leg(state, begin, end, np.append(times[passed], end))
-            values[passed], state, begin = states[:-1], states[-1], end
+            states = flow.leg(state, begin, end, np.append(times[indices], end))
+            values[indices], state, begin = states[:-1], states[-1], end
     return values
 
 

@@ -15,7 +15,8 @@ from trajlib._lazy import lazy_names
 # function.
 _EXPORTS = {
     "hurwitz": ["characteristic_polynomial", "hurwitz_matrix", "hurwitz_minors"],
-    "regions": ["StabilityConditions", "shift", "stability_conditions"],
+    "regions": ["StabilityConditions", "stability_conditions"],
+    "shifted_polynomials": ["shift"],
     "critical": ["LinearStability", "linear_stability"],
     "equilibrium": ["Equilibria", "equilibria"],
     "linearisation": ["linearise", "linearise_along"],

@@ -23,5 +23,5 @@ from trajlib.stability.polar import LimitCycle as LimitCycle
 from trajlib.stability.polar import limit_cycles as limit_cycles
 from trajlib.stability.polar import polar_form as polar_form
 from trajlib.stability.regions import StabilityConditions as StabilityConditions
-from trajlib.stability.regions import shift as shift
 from trajlib.stability.regions import stability_conditions as stability_conditions
+from trajlib.stability.shifted_polynomials import shift as shift

@@ -148,7 +148,7 @@ def basin_estimate(
     field, state = read_field(field, state)
     V = exact_decimals(read_expression(V, "V"))
     field = [exact_decimals(f) for f in field]
-    to_real, back = as_real(V, *field, *state)
+    to_real, from_real = as_real(V, *field, *state)
     V, field, real_state = (
         V.xreplace(to_real),
         [f.xreplace(to_real) for f in field],
@@ -162,7 +162,9 @@ def basin_estimate(
     definite = is_positive_definite(V, real_state)
     if definite.condition is not sp.true:
         raise ValueError(
-            restore_names(f"V: it is not known to be positive definite ({definite.reason})", back)
+            restore_names(
+                f"V: it is not known to be positive definite ({definite.reason})", from_real
+            )
         )
     rate = lyapunov_derivative(V, field, real_state)
     try:
@@ -172,15 +174,15 @@ def basin_estimate(
             *_boundaries(constraint, real_state, to_real),
         ]
         obstacles = _obstacles(V, field, real_state, curves)
-        level, met, reason = first_level(V, obstacles, real_state)
+        level, met_points, reason = first_level(V, obstacles, real_state)
     except ValueError as error:
-        raise ValueError(restore_names(str(error), back)) from None
+        raise ValueError(restore_names(str(error), from_real)) from None
     return BasinEstimate(
-        V.xreplace(back),
+        V.xreplace(from_real),
         state,
-        level.xreplace(back),
-        tuple(tuple(v.xreplace(back) for v in point) for point in met),
-        restore_names(reason, back),
+        level.xreplace(from_real),
+        tuple(tuple(v.xreplace(from_real) for v in point) for point in met_points),
+        restore_names(reason, from_real),
     )
 
 
@@ -203,11 +205,13 @@ def _sign_changes(rate, state):
             )
         value = g.subs(origin)
         if value == 0:
-            near = {
+            conditions = {
                 1: is_positive_definite(g, state).condition,
                 -1: is_positive_definite(-g, state).condition,
             }
-            factor_sign = next((s for s, condition in near.items() if condition is sp.true), None)
+            factor_sign = next(
+                (s for s, condition in conditions.items() if condition is sp.true), None
+            )
         else:
             factor_sign = sign_of(value)
         if factor_sign is None:

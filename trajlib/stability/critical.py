@@ -126,11 +126,13 @@ def linear_stability(A: MatrixLike) -> LinearStability:
     if has_floats(A):
         return _from_floats(read_float_matrix(A, square=True))
     A = read_exact_matrix(A, square=True)
-    to_real, back = as_real(A)
+    to_real, from_real = as_real(A)
     modes = _modes(A.xreplace(to_real), sp.Symbol("lambda"))
     verdict, deciding_modes, reason = _verdict(modes)
     return LinearStability(
-        verdict, tuple(_restored(m, back) for m in deciding_modes), restore_names(reason, back)
+        verdict,
+        tuple(_restored(m, from_real) for m in deciding_modes),
+        restore_names(reason, from_real),
     )
 
 
@@ -250,11 +252,11 @@ def _eigenvalues(f, side):
     return tuple(r for r in f.all_roots() if chosen(r))
 
 
-def _restored(mode, back):
+def _restored(mode, from_real):
     return replace(
         mode,
-        factor=mode.factor.xreplace(back),
-        eigenvalues=tuple(e.xreplace(back) for e in mode.eigenvalues),
+        factor=mode.factor.xreplace(from_real),
+        eigenvalues=tuple(e.xreplace(from_real) for e in mode.eigenvalues),
     )
 
 

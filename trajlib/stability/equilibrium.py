@@ -125,7 +125,7 @@ def equilibria(
             "name every symbol that is not a state variable"
         )
     field = [exact_decimals(f) for f in field]
-    to_real, back = as_real(*field, *state)
+    to_real, from_real = as_real(*field, *state)
     unknowns = [to_real.get(x, x) for x in state]
     windows = _read_domain(domain, state)
     solutions = solve_real([f.xreplace(to_real) for f in field], unknowns)
@@ -133,11 +133,11 @@ def equilibria(
     points, conditions = [], []
     for values, condition in solutions.branches:
         point = tuple(values.get(x, x) for x in unknowns)
-        for inside, more in _within(point, windows, solutions.integers):
-            joined = tidied(sp.And(condition, more))
+        for inside, window_condition in _within(point, windows, solutions.integers):
+            joined = tidied(sp.And(condition, window_condition))
             if joined is not sp.false:
-                points.append(tuple(_shortest(v).xreplace(back) for v in inside))
-                conditions.append(joined.xreplace(back))
+                points.append(tuple(_shortest(v).xreplace(from_real) for v in inside))
+                conditions.append(joined.xreplace(from_real))
     order = sorted(
         range(len(points)), key=lambda i: (conditions[i] is not sp.true, _position(points[i]))
     )
@@ -148,20 +148,21 @@ def equilibria(
         tuple(conditions[i] for i in order),
         integers,
         not solutions.unsolved,
-        _reason(solutions, back),
+        _reason(solutions, from_real),
     )
 
 
-def _reason(solutions, back):
+def _reason(solutions, from_real):
     if solutions.unsolved:
         equations = (
-            f"{e.xreplace(back)} = 0 for {x.xreplace(back)}" for e, x in solutions.unsolved
+            f"{e.xreplace(from_real)} = 0 for {x.xreplace(from_real)}"
+            for e, x in solutions.unsolved
         )
         return (
             "not all were found; no closed form is known here for the real roots of "
             + ", ".join(equations)
         )
-    exceptions = sorted(f"{e.xreplace(back)} != 0" for e in solutions.nonzero)
+    exceptions = sorted(f"{e.xreplace(from_real)} != 0" for e in solutions.nonzero)
     exceptions += ["parameters in general position"] * solutions.generic
     if exceptions:
         return "every equation was solved exactly, for " + ", ".join(exceptions)
@@ -191,9 +192,9 @@ def _read_domain(domain, state):
             "domain: expected a dict from state symbols to SymPy Interval, "
             f"such as {{{state[0]}: Interval(0, 1)}}; got {domain!r}"
         )
-    others = set(domain) - set(state)
-    if others:
-        raise ValueError(f"domain: {join_names(others)} is not a state variable")
+    undeclared = set(domain) - set(state)
+    if undeclared:
+        raise ValueError(f"domain: {join_names(undeclared)} is not a state variable")
     return {state.index(x): interval for x, interval in domain.items()}
 
 

@@ -19,30 +19,36 @@ def first_level(V, obstacles, state):
     levels = [_height(V.subs(dict(zip(state, p)), simultaneous=True)) for p, _ in obstacles]
     verdicts = set()
     for sample in _samples(parameters):
-        met = _first_met(
+        obstacles_met = _first_met(
             V.subs(sample),
             state,
             [_numbers(p, sample) for p, _ in obstacles],
             [float(level.subs(sample)) for level in levels],
         )
-        verdicts.add(met)
+        verdicts.add(obstacles_met)
     if len(verdicts) > 1:
         raise ValueError(
             "V: which obstacle comes first depends on the parameters; substitute numbers"
         )
-    (met,) = verdicts
-    level = levels[met[0]] if met else sp.oo
+    (obstacles_met,) = verdicts
+    level = levels[obstacles_met[0]] if obstacles_met else sp.oo
     doubts = {
         _bounded(V.subs(sample), state, level.subs(sample)) for sample in _samples(parameters)
     } - {""}
-    if not met:
+    if not obstacles_met:
         if doubts:
             raise ValueError(
                 "V: no obstacle is met, but V is not known to grow without bound in all directions"
             )
         return level, (), "V grows without bound and meets no obstacle: attraction from everywhere"
-    reason = "; ".join(f"at {tuple(map(short, obstacles[i][0]))}: {obstacles[i][1]}" for i in met)
-    return level, tuple(obstacles[i][0] for i in met), reason + "".join(f"; {d}" for d in doubts)
+    reason = "; ".join(
+        f"at {tuple(map(short, obstacles[i][0]))}: {obstacles[i][1]}" for i in obstacles_met
+    )
+    return (
+        level,
+        tuple(obstacles[i][0] for i in obstacles_met),
+        reason + "".join(f"; {d}" for d in doubts),
+    )
 
 
 def short(value):
@@ -128,13 +134,19 @@ def _descent(V, state):
             def arrived(_, x):
                 return np.linalg.norm(x) - 1e-2 * size
 
-            def left(_, x):
+            def diverged(_, x):
                 return np.linalg.norm(x) - 50 * size
 
-            arrived.terminal = left.terminal = True
+            arrived.terminal = diverged.terminal = True
             # LSODA rests cheaply where the descent ends in another minimum.
             end = solve_ivp(
-                down, (0, 1e5), start, "LSODA", events=(arrived, left), rtol=1e-6, atol=1e-9 * size
+                down,
+                (0, 1e5),
+                start,
+                "LSODA",
+                events=(arrived, diverged),
+                rtol=1e-6,
+                atol=1e-9 * size,
             ).t_events
             if end[0].size:
                 return True

@@ -40,9 +40,9 @@ def sign_factors(expression):
             content, factors = sp.factor_list(part) if part.free_symbols else (part, [])
             sign *= sign_of(content)
             for factor, multiplicity in factors:
-                known = sign_of(factor)
-                if known:
-                    sign *= known**multiplicity
+                factor_sign = sign_of(factor)
+                if factor_sign:
+                    sign *= factor_sign**multiplicity
                 elif multiplicity % 2 == 0 or isinstance(factor, sp.Abs):
                     even.append(factor.args[0] if isinstance(factor, sp.Abs) else factor)
                 elif (inner := _same_sign(factor)) is not factor:
@@ -95,23 +95,23 @@ def nonnegative(expression):
         return sp.true
     if not odd and not even:
         return positive(expression)
-    above = positive(expression)
-    if above is sp.true:
+    strict = positive(expression)
+    if strict is sp.true:
         return sp.true
     zero = [sp.Eq(f, 0) for f in (*odd, *even)]
-    if isinstance(above, (sp.Gt, sp.Lt)) and sign_of(denominator):
-        return sp.Ge(*above.args) if isinstance(above, sp.Gt) else sp.Le(*above.args)
+    if isinstance(strict, (sp.Gt, sp.Lt)) and sign_of(denominator):
+        return sp.Ge(*strict.args) if isinstance(strict, sp.Gt) else sp.Le(*strict.args)
     if (
-        isinstance(above, sp.And)
+        isinstance(strict, sp.And)
         and sign_of(denominator)
-        and all(isinstance(c, (sp.Gt, sp.Lt)) for c in above.args)
+        and all(isinstance(c, (sp.Gt, sp.Lt)) for c in strict.args)
     ):
         return sp.And(
-            *(sp.Ge(*c.args) if isinstance(c, sp.Gt) else sp.Le(*c.args) for c in above.args)
+            *(sp.Ge(*c.args) if isinstance(c, sp.Gt) else sp.Le(*c.args) for c in strict.args)
         )
-    if above is sp.false and not any(f.free_symbols for f in (*odd, *even)):
+    if strict is sp.false and not any(f.free_symbols for f in (*odd, *even)):
         return sp.false
-    return sp.Or(above, sp.And(sp.Or(*zero), sp.Ne(denominator, 0)))
+    return sp.Or(strict, sp.And(sp.Or(*zero), sp.Ne(denominator, 0)))
 
 
 def nonzero(expression):
@@ -234,8 +234,8 @@ def equation(polynomial):
 def _sides(polynomial):
     """Return the positive and the negative terms; a constant joins an empty side."""
     _, polynomial = sp.expand(polynomial).as_content_primitive()
-    constant, rest = polynomial.as_independent(*polynomial.free_symbols, as_Add=True)
-    terms = sp.Add.make_args(rest)
+    constant, polynomial_part = polynomial.as_independent(*polynomial.free_symbols, as_Add=True)
+    terms = sp.Add.make_args(polynomial_part)
     left = sp.Add(*[t for t in terms if not t.could_extract_minus_sign()])
     right = sp.Add(*[-t for t in terms if t.could_extract_minus_sign()])
     if left == 0:
@@ -245,13 +245,13 @@ def _sides(polynomial):
     return (left + constant, right) if constant > 0 else (left, right - constant)
 
 
-def _divided(varying, other, relation):
+def _divided(varying, opposite, relation):
     """Return k > 3/2 for 2*k > 3."""
     content, varying = varying.as_content_primitive()
     return (
-        relation(varying, other / content)
-        if not other.free_symbols
-        else relation(content * varying, other)
+        relation(varying, opposite / content)
+        if not opposite.free_symbols
+        else relation(content * varying, opposite)
     )
 
 
@@ -301,9 +301,9 @@ def _divide_by_known(products):
             (factor,) = factors
             if (-sign, factors) in products:
                 return None
-            for i, (other_sign, others) in enumerate(products):
-                if factor in others and len(others) > 1:
-                    products[i] = (other_sign * sign, others - factors)
+            for i, (other_sign, other_factors) in enumerate(products):
+                if factor in other_factors and len(other_factors) > 1:
+                    products[i] = (other_sign * sign, other_factors - factors)
                     changed = True
         products = list(dict.fromkeys(products))
     return products
@@ -311,21 +311,21 @@ def _divide_by_known(products):
 
 def _without_redundant(polys, symbols):
     """Leave out conditions p > 0 that follow from the others; the longest first."""
-    kept = list(polys)
+    needed = list(polys)
     for p in sorted(polys, key=lambda q: -q.count_ops()):
-        others = [q for q in kept if q is not p]
+        remaining = [q for q in needed if q is not p]
         # Where the others hold p is nowhere negative; it may still touch zero, but only where its
         # gradient vanishes.
         try:
             if (
-                others
+                remaining
                 and not _has_singular_zero(p)
-                and solution_point([*others, -p], symbols) is None
+                and solution_point([*remaining, -p], symbols) is None
             ):
-                kept = others
+                needed = remaining
         except TooLarge:
             continue
-    return kept
+    return needed
 
 
 def _has_singular_zero(p):

@@ -119,11 +119,11 @@ def is_positive_definite(V: sp.Expr, state: Symbols) -> Definiteness:
     """
     state = read_symbols(state, "state")
     V = exact_decimals(read_expression(V, "V"))
-    to_real, back = as_real(V, *state)
+    to_real, from_real = as_real(V, *state)
     V, real_state = V.xreplace(to_real), [to_real.get(x, x) for x in state]
     at_zero = V.subs(dict.fromkeys(real_state, 0))
     if not vanishes(at_zero):
-        return Definiteness(sp.false, f"V(0) = {at_zero.xreplace(back)} is not zero")
+        return Definiteness(sp.false, f"V(0) = {at_zero.xreplace(from_real)} is not zero")
     missing = [x for x, real in zip(state, real_state) if not V.has(real)]
     if missing:
         return Definiteness(
@@ -133,9 +133,9 @@ def is_positive_definite(V: sp.Expr, state: Symbols) -> Definiteness:
     for part, variables in separate_parts(V, real_state):
         condition, reason = _definite_part(part, variables)
         if condition is None or condition is sp.false:
-            return Definiteness(condition, restore_names(reason, back))
+            return Definiteness(condition, restore_names(reason, from_real))
         conditions.append(condition)
-    condition = tidied(sp.And(*conditions)).xreplace(back)
+    condition = tidied(sp.And(*conditions)).xreplace(from_real)
     return Definiteness(
         condition,
         "the lowest terms are positive definite"
@@ -213,13 +213,17 @@ def _definite_in_one(part, x):
         derivative = sp.diff(part, x, order).subs(x, 0)
         if derivative == 0:
             return from_order(order + 1)
-        condition_here = positive(derivative) if order % 2 == 0 else sp.false
+        order_condition = positive(derivative) if order % 2 == 0 else sp.false
         vanishes = sp.Eq(derivative, 0)
-        if condition_here is sp.true or vanishes is sp.false or sign_of(derivative):
-            return condition_here
-        beyond = from_order(order + 1)
+        if order_condition is sp.true or vanishes is sp.false or sign_of(derivative):
+            return order_condition
+        higher_condition = from_order(order + 1)
         # Where a coefficient vanishes for some value of a parameter the next one decides.
-        return condition_here if beyond is None else sp.Or(condition_here, sp.And(vanishes, beyond))
+        return (
+            order_condition
+            if higher_condition is None
+            else sp.Or(order_condition, sp.And(vanishes, higher_condition))
+        )
 
     condition = from_order(1)
     if condition is None:
@@ -292,7 +296,7 @@ def barbashin_krasovskii(V: sp.Expr, field: Expressions, state: Symbols) -> Zero
     rate = lyapunov_derivative(V, field, state)
     field, state = read_field(field, state)
     field = [exact_decimals(f) for f in field]
-    to_real, back = as_real(rate, *field, *state)
+    to_real, from_real = as_real(rate, *field, *state)
     real_field, real_state = (
         [f.xreplace(to_real) for f in field],
         [to_real.get(x, x) for x in state],
@@ -315,26 +319,26 @@ def barbashin_krasovskii(V: sp.Expr, field: Expressions, state: Symbols) -> Zero
         trajectories, doubt = _trajectories_within(g, real_field, real_state)
         pairs += trajectories
         doubts += [doubt] if doubt else []
-    others = tuple(
+    other_trajectories = tuple(
         (
-            trajectory.xreplace(back)
+            trajectory.xreplace(from_real)
             if isinstance(trajectory, sp.Basic)
-            else tuple(v.xreplace(back) for v in trajectory),
-            condition.xreplace(back),
+            else tuple(v.xreplace(from_real) for v in trajectory),
+            condition.xreplace(from_real),
         )
         for trajectory, condition in dict(pairs).items()
     )
-    zero_set = sp.Or(*equations).xreplace(back)
-    present = sp.Or(*(condition for _, condition in others))
+    zero_set = sp.Or(*equations).xreplace(from_real)
+    present = sp.Or(*(condition for _, condition in other_trajectories))
     only_origin = sp.false if present is sp.true else None if doubts else sp.Not(present)
     reason = "; ".join(doubts) or (
         "M holds no whole trajectory but the origin"
         if present is sp.false
-        else f"M also holds {', '.join(str(trajectory) for trajectory, _ in others)}"
+        else f"M also holds {', '.join(str(trajectory) for trajectory, _ in other_trajectories)}"
     )
     if assumed:
-        reason += ", for " + ", ".join(sorted(f"{g.xreplace(back)} != 0" for g in assumed))
-    return ZeroDerivativeSet(rate, zero_set, others, only_origin, reason)
+        reason += ", for " + ", ".join(sorted(f"{g.xreplace(from_real)} != 0" for g in assumed))
+    return ZeroDerivativeSet(rate, zero_set, other_trajectories, only_origin, reason)
 
 
 def derivative_factors(rate, state):
@@ -375,13 +379,13 @@ def _trajectories_within(g, field, state):
             return [], f"the trajectories in {g} = 0 were not decided"
         if all(len(values) == len(state) for values, _ in solutions.branches):
             break
-    others = []
+    trajectories = []
     for values, condition in solutions.branches:
         if len(values) < len(state):
-            return others, f"the trajectories in {g} = 0 were not decided"
+            return trajectories, f"the trajectories in {g} = 0 were not decided"
         point = tuple(values[x] for x in state)
         # Isolated points that stay in the set must be at rest.
         at_rest = all(vanishes(f.subs(values)) for f in field)
         if at_rest and any(v != 0 for v in point):
-            others.append((point, condition))
-    return others, None
+            trajectories.append((point, condition))
+    return trajectories, None

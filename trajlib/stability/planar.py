@@ -95,14 +95,14 @@ def classify_planar(A: MatrixLike) -> str | PlanarTypes:
     A = read_exact_matrix(A, square=True)
     if A.rows != 2:
         raise ValueError(f"A: expected a 2 x 2 matrix, got shape {A.shape}")
-    to_real, back = as_real(A)
+    to_real, from_real = as_real(A)
     real = A.xreplace(to_real)
     exists = [r.reduced({}) for entry in real for r in definedness(entry)]
     rows = []
     for condition, kind in _table(real):
         condition = tidied(sp.And(condition, *exists))
         if condition is not sp.false and not _is_empty(condition):
-            rows.append((condition.xreplace(back), kind))
+            rows.append((condition.xreplace(from_real), kind))
     if not A.free_symbols:
         return rows[0][1]
     return PlanarTypes(A, tuple(rows))
@@ -110,14 +110,18 @@ def classify_planar(A: MatrixLike) -> str | PlanarTypes:
 
 def _table(A):
     trace, det = sp.factor(A.trace()), sp.factor(A.det())
-    half_difference, off, back = A[0, 0] - A[1, 1], A[0, 1], A[1, 0]
+    half_difference, upper, lower = A[0, 0] - A[1, 1], A[0, 1], A[1, 0]
     discriminant = sp.factor(trace**2 - 4 * det)
-    scalar = sp.And(*(_zero(e) for e in (half_difference, off, back)))
-    above, below, on_parabola = positive(discriminant), positive(-discriminant), _zero(discriminant)
+    scalar = sp.And(*(_zero(e) for e in (half_difference, upper, lower)))
+    real_roots, complex_roots, on_parabola = (
+        positive(discriminant),
+        positive(-discriminant),
+        _zero(discriminant),
+    )
     yield positive(-det), "saddle"
     for side, name in ((positive(-trace), "stable"), (positive(trace), "unstable")):
-        yield sp.And(side, positive(det), above), f"{name} node"
-        yield sp.And(side, below), f"{name} focus"
+        yield sp.And(side, positive(det), real_roots), f"{name} node"
+        yield sp.And(side, complex_roots), f"{name} focus"
         yield sp.And(side, on_parabola, sp.Not(scalar)), f"{name} degenerate node"
         yield sp.And(side, scalar), f"{name} star"
         yield sp.And(side, _zero(det)), f"{name} line of equilibria"
@@ -266,31 +270,35 @@ def dulac(
         raise ValueError(f"state: expected a planar system, got {len(state)} variables")
     B = exact_decimals(read_expression(multiplier, "multiplier"))
     divergence = sp.simplify(sum(sp.diff(B * exact_decimals(f), x) for f, x in zip(field, state)))
-    to_real, _back = as_real(divergence, *state, *([] if region is None else [sp.sympify(region)]))
-    known = []
+    to_real, _from_real = as_real(
+        divergence, *state, *([] if region is None else [sp.sympify(region)])
+    )
+    assumed_positive = []
     for relation in () if region is None else sp.And.make_args(sp.sympify(region)):
         if not isinstance(relation, (sp.Gt, sp.Ge, sp.Lt, sp.Le)):
             raise ValueError(f"region: expected inequalities joined by And, got {region}")
-        known.append((relation.gts - relation.lts).xreplace(to_real))
-    sign = _sign_on(divergence.xreplace(to_real), known)
+        assumed_positive.append((relation.gts - relation.lts).xreplace(to_real))
+    sign = _sign_on(divergence.xreplace(to_real), assumed_positive)
     return DulacTest(divergence, sign, True if sign not in (None, "zero", "changes") else None)
 
 
-def _sign_on(expression, known):
+def _sign_on(expression, assumed_positive):
     if expression == 0:
         return "zero"
     if (sign := sign_of(expression)) is not None:
         return "positive" if sign > 0 else "negative"
     numerator, denominator = sp.fraction(sp.together(expression))
     product = sp.expand(numerator * denominator)
-    symbols = sorted(set(product.free_symbols).union(*(k.free_symbols for k in known)), key=str)
+    symbols = sorted(
+        set(product.free_symbols).union(*(k.free_symbols for k in assumed_positive)), key=str
+    )
     try:
-        above = solution_point([*known, product], symbols) is not None
-        below = solution_point([*known, -product], symbols) is not None
+        takes_positive = solution_point([*assumed_positive, product], symbols) is not None
+        takes_negative = solution_point([*assumed_positive, -product], symbols) is not None
     except TooLarge:
         if expression.is_nonnegative or expression.is_nonpositive:
             return "nonnegative" if expression.is_nonnegative else "nonpositive"
         return None
-    if above and below:
+    if takes_positive and takes_negative:
         return "changes"
-    return "nonnegative" if above else "nonpositive"
+    return "nonnegative" if takes_positive else "nonpositive"

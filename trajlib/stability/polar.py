@@ -74,12 +74,12 @@ def _simplified(rate, angle):
     inner = rate.xreplace({sp.sin(angle): s, sp.cos(angle): c})
     normal = []
     if inner.is_polynomial(s, c):
-        rest = sp.expand(sp.rem(inner, s**2 + c**2 - 1, c, s)).xreplace(
+        remainder = sp.expand(sp.rem(inner, s**2 + c**2 - 1, c, s)).xreplace(
             {s: sp.sin(angle), c: sp.cos(angle)}
         )
-        if not rest.has(angle):
-            return rest  # no form of it is shorter, and trigsimp takes a hundred times as long
-        normal = [rest]
+        if not remainder.has(angle):
+            return remainder  # no form of it is shorter, and trigsimp takes a hundred times as long
+        normal = [remainder]
     return min([rate, sp.expand(sp.trigsimp(rate)), *normal], key=sp.count_ops)
 
 
@@ -166,8 +166,8 @@ def limit_cycles(
         else exact_decimals(read_expression(angular_rate, "angular_rate"))
     )
     radius = sp.Dummy("r", positive=True)
-    to_real, back = as_real(radial, *([] if angular is None else [angular]))
-    to_real[r], back[radius] = radius, r
+    to_real, from_real = as_real(radial, *([] if angular is None else [angular]))
+    to_real[r], from_real[radius] = radius, r
     radial = radial.xreplace(to_real)
     angular = None if angular is None else angular.xreplace(to_real)
 
@@ -183,13 +183,13 @@ def limit_cycles(
             if (cycle := _cycle(radial, angular, radius, values[radius], condition))
         ]
     except ValueError as error:
-        raise ValueError(restore_names(str(error), back)) from None
+        raise ValueError(restore_names(str(error), from_real)) from None
     cycles = [
         LimitCycle(
-            c.radius.xreplace(back),
-            c.period and c.period.xreplace(back),
+            c.radius.xreplace(from_real),
+            c.period and c.period.xreplace(from_real),
             c.stability,
-            c.condition.xreplace(back),
+            c.condition.xreplace(from_real),
         )
         for c in cycles
     ]
@@ -233,12 +233,14 @@ def _sign_under(expression, condition, name):
         return sign
     sign, odd, _ = sign_factors(expression)
     product = sign * sp.Mul(*odd)
-    known = [c.gts - c.lts for c in sp.And.make_args(condition) if isinstance(c, (sp.Gt, sp.Lt))]
+    assumed_positive = [
+        c.gts - c.lts for c in sp.And.make_args(condition) if isinstance(c, (sp.Gt, sp.Lt))
+    ]
     symbols = sorted(product.free_symbols | condition.free_symbols, key=str)
     try:
-        if solution_point([*known, product], symbols) is None:
+        if solution_point([*assumed_positive, product], symbols) is None:
             return -1
-        if solution_point([*known, -product], symbols) is None:
+        if solution_point([*assumed_positive, -product], symbols) is None:
             return 1
     except TooLarge:
         pass

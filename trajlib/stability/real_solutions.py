@@ -56,26 +56,26 @@ def solve_real(equations, unknowns):
     result = RealSolutions(taken={s.name for e in equations for s in e.free_symbols})
     _solve(list(equations), tuple(unknowns), {}, (), result)
     defined = tuple(r for e in equations for r in definedness(e))
-    kept = {}
+    branches = {}
     for values, requirements in result.branches:
-        values = {x: _settled(v, values) for x, v in values.items()}
-        left = [e.subs(values) for e in equations]
+        values = {x: _substituted(v, values) for x, v in values.items()}
+        residuals = [e.subs(values) for e in equations]
         if any(v.has(sp.I) for v in values.values()) or not all(
-            e.free_symbols or vanishes(e) for e in left
+            e.free_symbols or vanishes(e) for e in residuals
         ):
             continue
         condition = tidied(
             sp.And(*(r.reduced(values) for r in (*requirements, *defined)), *_assumed(values))
         )
         if condition is not sp.false:
-            kept.setdefault(
+            branches.setdefault(
                 tuple(sorted(values.items(), key=lambda kv: kv[0].name)), (values, condition)
             )
-    result.branches = list(kept.values())
+    result.branches = list(branches.values())
     return result
 
 
-def _settled(value, values):
+def _substituted(value, values):
     """Insert the values found later into those found earlier."""
     while value.free_symbols & set(values):
         value = value.subs(values)
@@ -129,38 +129,42 @@ def definedness(expression):
 
 def _solve(equations, unknowns, values, requirements, result):
     """Solve the rest of the system on one branch and append the solutions to `result`."""
-    left = []
+    remaining = []
     for equation in equations:
         numerator = sp.numer(sp.together(equation.subs(values)))
         if sp.expand(numerator) == 0:
             continue
-        left.append(numerator)
+        remaining.append(numerator)
     open_unknowns = [x for x in unknowns if x not in values]
-    if not left:
+    if not remaining:
         result.branches.append((values, requirements))
         return
 
     # Without unknowns an equation is a condition on the parameters.
-    for equation in left:
+    for equation in remaining:
         if not equation.free_symbols & set(open_unknowns):
             if vanishes(equation):
                 return _solve(
-                    [e for e in left if e is not equation], unknowns, values, requirements, result
+                    [e for e in remaining if e is not equation],
+                    unknowns,
+                    values,
+                    requirements,
+                    result,
                 )
             result.suppose_nonzero([equation] if equation.free_symbols else [])
             return None
 
     # A product vanishes with one of its factors.
-    for index, equation in enumerate(left):
+    for index, equation in enumerate(remaining):
         factors = _factors(equation, open_unknowns, result)
         if len(factors) > 1 or factors[0] != equation:
-            rest = left[:index] + left[index + 1 :]
+            other_equations = remaining[:index] + remaining[index + 1 :]
             for factor in factors:
-                _solve([factor, *rest], unknowns, values, requirements, result)
+                _solve([factor, *other_equations], unknowns, values, requirements, result)
             return None
 
     try:
-        _eliminate(left, open_unknowns, unknowns, values, requirements, result)
+        _eliminate(remaining, open_unknowns, unknowns, values, requirements, result)
     except Unsolved as problem:
         result.unsolved.append(problem.args)
     return None
@@ -177,52 +181,56 @@ def _one_logarithm(equation):
     return sp.logcombine(equation, force=True) if len(equation.atoms(sp.log)) > 1 else equation
 
 
-def _eliminate(left, open_unknowns, unknowns, values, requirements, result):
+def _eliminate(remaining, open_unknowns, unknowns, values, requirements, result):
     """Choose the equation and unknown that are cheapest to solve and go on with every root."""
     choices = sorted(
         (
             (_cost(e, x, open_unknowns), i, j)
-            for i, e in enumerate(left)
+            for i, e in enumerate(remaining)
             for j, x in enumerate(open_unknowns)
             if x in e.free_symbols
         )
     )
     cost, i, j = choices[0]
-    if cost[0] > 1 and all(e.is_polynomial(*open_unknowns) for e in left) and len(left) > 1:
-        basis = list(sp.groebner(left, *open_unknowns, order="lex").exprs)
-        result.generic |= any(e.free_symbols - set(open_unknowns) for e in left)
+    if (
+        cost[0] > 1
+        and all(e.is_polynomial(*open_unknowns) for e in remaining)
+        and len(remaining) > 1
+    ):
+        basis = list(sp.groebner(remaining, *open_unknowns, order="lex").exprs)
+        result.generic |= any(e.free_symbols - set(open_unknowns) for e in remaining)
         if basis == [1]:
             return
-        if set(map(sp.expand, basis)) != set(map(sp.expand, left)):
+        if set(map(sp.expand, basis)) != set(map(sp.expand, remaining)):
             _solve(basis, unknowns, values, requirements, result)
             return
     problem = None
     for _, i, j in choices:
         unknown = open_unknowns[j]
         try:
-            roots = real_roots(left[i], unknown, result)
+            roots = real_roots(remaining[i], unknown, result)
             break
         except Unsolved as error:
             problem = problem or error
     else:
         raise problem
-    rest = left[:i] + left[i + 1 :]
+    other_equations = remaining[:i] + remaining[i + 1 :]
     for root, needed in roots:
         narrowed = {x: v.subs(unknown, root) for x, v in values.items()} | {unknown: root}
         if all(r.reduced(narrowed) is not sp.false for r in needed):
-            _solve(rest, unknowns, narrowed, requirements + needed, result)
+            _solve(other_equations, unknowns, narrowed, requirements + needed, result)
 
 
 def _cost(equation, unknown, unknowns):
     """Return a sort key: linear with known coefficient first, then one unknown, then the rest."""
-    others = equation.free_symbols & set(unknowns) - {unknown}
+    other_unknowns = equation.free_symbols & set(unknowns) - {unknown}
     if equation.is_polynomial(unknown):
         degree = sp.degree(equation, unknown)
         slope = sp.LC(equation, unknown)
         if degree == 1 and not slope.free_symbols & set(unknowns):
-            return (0, len(others), equation.count_ops())
-        return (1 if not others else 2, degree, equation.count_ops())
-    return (1 if not others else 2, 10, equation.count_ops())
+            return (0, len(other_unknowns), equation.count_ops())
+        return (1 if not other_unknowns else 2, degree, equation.count_ops())
+    return (1 if not other_unknowns else 2, 10, equation.count_ops())
 
 
 def real_roots(equation, x, result):
@@ -247,9 +255,9 @@ def _roots_of_factor(factor, x, result):
         inner = factor.subs(g, z)
         if x not in inner.free_symbols:
             return [
-                (root, needed + more + still_more)
+                (root, needed + inverse_needed + still_more)
                 for value, needed in real_roots(inner, z, result)
-                for argument, target, more in _inverted(g, value, result)
+                for argument, target, inverse_needed in _inverted(g, value, result)
                 for root, still_more in real_roots(argument - target, x, result)
             ]
     if all(isinstance(g, (sp.sin, sp.cos)) for g in generators):
@@ -359,7 +367,7 @@ def _trigonometric_roots(factor, x, generators, result):
         angles += [(angle, ()) for angle in special]
     turns = 2 * sp.pi * result.fresh_integer()
     return [
-        (root, needed + more)
+        (root, needed + root_needed)
         for angle, needed in angles
-        for root, more in real_roots(u - angle - turns, x, result)
+        for root, root_needed in real_roots(u - angle - turns, x, result)
     ]

@@ -27,68 +27,7 @@ from trajlib._real_symbols import as_real
 from trajlib._typing import ExprLike, MatrixLike, PolynomialLike, Symbols
 from trajlib.stability.hurwitz import characteristic_polynomial, hurwitz_minors, read_coefficients
 from trajlib.stability.inequalities import conjunction, sign_of
-
-
-def shift(
-    poly: PolynomialLike, margin: ExprLike, symbol: sp.Symbol | None = None
-) -> PolynomialLike:
-    """Return p(s - margin), whose roots are those of p moved to the right by `margin`.
-
-    All roots of p satisfy Re s < -margin exactly when those of p(s - margin) satisfy Re s < 0.
-
-    Parameters
-    ----------
-    poly : sympy.Expr, sympy.Poly or sequence of coefficients
-        The polynomial p; coefficients stand with the highest power first.
-    margin : float or sympy.Expr
-        The shift.
-    symbol : sympy.Symbol, optional
-        The variable of an expression; may be left out if it is its only symbol.
-
-    Returns
-    -------
-    sympy.Expr, sympy.Poly or list
-        The shifted polynomial, of the kind of `poly`.
-
-    Raises
-    ------
-    ValueError
-        As `hurwitz_matrix`.
-
-    Notes
-    -----
-    Source: worked example 4 of the problem book.
-
-    Examples
-    --------
-    >>> import sympy as sp
-    >>> s = sp.Symbol("s")
-    >>> shift(s**2 + 4*s + 5, 2, s)
-    s**2 + 1
-    >>> shift([1, 4, 5], 2)
-    [1, 0, 1]
-    """
-    margin = read_expression(margin, "margin")
-    coefficients = read_coefficients(poly, symbol)
-    floats = isinstance(coefficients[0], Fraction)
-    if floats:
-        coefficients = [sp.Rational(c.numerator, c.denominator) for c in coefficients]
-    shifted = _shifted(coefficients, exact_decimals(margin))
-    if isinstance(poly, sp.Poly):
-        return sp.Poly(shifted, *poly.gens)
-    if isinstance(poly, sp.Expr):
-        variable = symbol if symbol is not None else next(iter(poly.free_symbols))
-        return sp.expand(sum(c * variable ** (len(shifted) - 1 - i) for i, c in enumerate(shifted)))
-    return np.array(shifted, dtype=float) if floats else shifted
-
-
-def _shifted(coefficients, margin):
-    """Return the coefficients of p(s - margin) by repeated Horner division."""
-    work = list(coefficients)
-    for last in range(len(work), 1, -1):
-        for i in range(1, last):
-            work[i] = sp.expand(work[i] - margin * work[i - 1])
-    return work
+from trajlib.stability.shifted_polynomials import shifted_coefficients
 
 
 @dataclass(frozen=True)
@@ -310,7 +249,7 @@ def _conditions(coefficients, symbol, parameters, margin):
         parameters=parameters,
         margin=margin,
         region=region,
-        minors=tuple(hurwitz_minors(_shifted(coefficients, margin))),
+        minors=tuple(hurwitz_minors(shifted_coefficients(coefficients, margin))),
         degenerate=tuple(_edges(coefficients, symbol, parameters, margin)),
         empty=region is sp.false if decided else None,
     )
@@ -323,16 +262,16 @@ def _polynomial(coefficients, symbol):
 
 def _region(coefficients, parameters, margin):
     """Return the reduced region and whether its emptiness is decided."""
-    shifted = _shifted(coefficients, margin)
-    to_real, back = as_real(*shifted)
+    shifted = shifted_coefficients(coefficients, margin)
+    to_real, from_real = as_real(*shifted)
     real, symbols = [c.xreplace(to_real) for c in shifted], [to_real.get(p, p) for p in parameters]
     lead = sign_of(real[0])
-    found = []
+    regions = []
     for sign in (1, -1) if lead is None else (lead,):
         candidates = [conjunction(c, symbols) for c in _lienard_chipart([sign * c for c in real])]
-        found.append(min(candidates, key=lambda c: (not c[1], _length(c[0]))))
-    return sp.Or(*(region for region, _ in found)).xreplace(back), all(
-        decided for _, decided in found
+        regions.append(min(candidates, key=lambda c: (not c[1], _length(c[0]))))
+    return sp.Or(*(region for region, _ in regions)).xreplace(from_real), all(
+        decided for _, decided in regions
     )
 
 

@@ -40,15 +40,15 @@ def solution_point(polynomials, symbols):
     constants = [p for p in system if p.is_number]
     if any(p <= 0 for p in constants):
         return None
-    rest = dict.fromkeys((s for s in symbols if s not in free), sp.Integer(0))
-    wanted = [sp.Poly(p, *order) for p in system if not p.is_number]
-    if not wanted:
-        return rest
-    if any(not (p.domain.is_ZZ or p.domain.is_QQ) for p in wanted):
+    free_values = dict.fromkeys((s for s in symbols if s not in free), sp.Integer(0))
+    positive_polynomials = [sp.Poly(p, *order) for p in system if not p.is_number]
+    if not positive_polynomials:
+        return free_values
+    if any(not (p.domain.is_ZZ or p.domain.is_QQ) for p in positive_polynomials):
         raise TooLarge
-    for point in _cell_points(_irreducible_factors(wanted), order):
-        if all(p(*point) > 0 for p in wanted):
-            return rest | dict(zip(order, point))
+    for point in _cell_points(_irreducible_factors(positive_polynomials), order):
+        if all(p(*point) > 0 for p in positive_polynomials):
+            return free_values | dict(zip(order, point))
     return None
 
 
@@ -61,22 +61,22 @@ def _irreducible_factors(polys):
 
 def _cell_points(factors, symbols):
     """Return one rational point in each open cell, as tuples in the order of `symbols`."""
-    *others, last = symbols
-    if not others:
+    *leading, last = symbols
+    if not leading:
         return [(value,) for value in _values_between_roots(factors)]
-    over = [f.as_expr() for f in factors if f.degree(last) > 0]
-    largest = sorted(sp.Poly(f, *symbols).total_degree() for f in over)[-2:]
-    if over and largest[0] * largest[-1] > _MAX_DEGREE.get(len(others), 4):
+    dependent = [f.as_expr() for f in factors if f.degree(last) > 0]
+    largest = sorted(sp.Poly(f, *symbols).total_degree() for f in dependent)[-2:]
+    if dependent and largest[0] * largest[-1] > _MAX_DEGREE.get(len(leading), 4):
         raise TooLarge
-    below = {sp.Poly(f.as_expr(), *others) for f in factors if f.degree(last) == 0}
-    projected = [sp.LC(f, last) for f in over]
-    projected += [sp.discriminant(f, last) for f in over if sp.degree(f, last) > 1]
-    projected += [sp.resultant(f, g, last) for f, g in combinations(over, 2)]
-    shadows = [sp.Poly(p, *others) for p in projected]
-    base = _irreducible_factors([p for p in shadows if not p.is_ground]) | below
+    independent = {sp.Poly(f.as_expr(), *leading) for f in factors if f.degree(last) == 0}
+    projected = [sp.LC(f, last) for f in dependent]
+    projected += [sp.discriminant(f, last) for f in dependent if sp.degree(f, last) > 1]
+    projected += [sp.resultant(f, g, last) for f, g in combinations(dependent, 2)]
+    shadows = [sp.Poly(p, *leading) for p in projected]
+    base = _irreducible_factors([p for p in shadows if not p.is_ground]) | independent
     points = []
-    for point in _cell_points(base, others):
-        lines = [sp.Poly(f.subs(dict(zip(others, point))), last) for f in over]
+    for point in _cell_points(base, leading):
+        lines = [sp.Poly(f.subs(dict(zip(leading, point))), last) for f in dependent]
         points += [(*point, value) for value in _values_between_roots(lines)]
         if len(points) > _MAX_POINTS:
             raise TooLarge

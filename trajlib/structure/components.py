@@ -156,14 +156,14 @@ def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDec
     """
     A, H = read_observed(A, H)
     T, sizes = _coordinates(A, H, how, "H")
-    back = exact.inverse(T)
+    inverse = exact.inverse(T)
     return ComponentDecomposition(
         T,
-        exact.product(T, A, back),
+        exact.product(T, A, inverse),
         sizes,
         A.rows - sum(sizes),
         how,
-        outputs=exact.product(H, back),
+        outputs=exact.product(H, inverse),
     )
 
 
@@ -280,16 +280,16 @@ def _luenberger(A, rows, sizes):
     generate the basis of the space: the columns A^(k-1) q_i, ..., A q_i, q_i, subsystem by
     subsystem (and the unobservable directions last).
     """
-    back = exact.inverse(rows)
+    inverse = exact.inverse(rows)
     columns, end = [], 0
     for size in sizes:
         end += size
         if size:
-            chain = [back[:, end - 1]]
+            chain = [inverse[:, end - 1]]
             while len(chain) < size:
                 chain.append(exact.tidy(A * chain[-1]))
             columns += chain[::-1]
-    columns += [back[:, j] for j in range(end, A.rows)]
+    columns += [inverse[:, j] for j in range(end, A.rows)]
     return exact.inverse(sp.Matrix.hstack(*columns))
 
 

@@ -129,8 +129,8 @@ def observability_decomposition(A: MatrixLike, H: MatrixLike | None = None) -> D
     """
     A, H = read_observed(A, H)
     T, sizes = _coordinates(A, H)
-    back = inverse(T)
-    return Decomposition(T, multiply(T, A, back), sizes, outputs=multiply(H, back))
+    T_inverse = inverse(T)
+    return Decomposition(T, multiply(T, A, T_inverse), sizes, outputs=multiply(H, T_inverse))
 
 
 def controllability_decomposition(A: MatrixLike, B: MatrixLike | None = None) -> Decomposition:

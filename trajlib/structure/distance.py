@@ -153,27 +153,27 @@ def _bracket(A, H, within):
     )
     if upper <= rounding:
         return 0, upper + rounding, value
-    left, side, columns, rows = _field_of_values(A, upper)
+    left_end, side, columns, rows = _field_of_values(A, upper)
     squares = np.stack(
         np.meshgrid(np.arange(columns), np.arange(rows), indexing="ij"), axis=-1
     ).reshape(-1, 2)
-    settled = upper
+    decided_bound = upper
     while len(squares):
         corners = squares[:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
         points, index = np.unique(corners.reshape(-1, 2), axis=0, return_inverse=True)
-        points = left + side * (points[:, 0] + 1j * points[:, 1])
+        points = left_end + side * (points[:, 0] + 1j * points[:, 1])
         sigmas = _not_less_than(A, H, points, side)
         best = points[np.argmin(sigmas)]
         upper, value = min((upper, value), descend(A, H, best)[:2], key=lambda minimum: minimum[0])
         least = sigmas[index.reshape(-1, 4)].min(axis=1)
         bounds = np.sqrt(np.maximum(least**2 - side**2 / 2, 0))
-        open_ = bounds < (1 - within) * upper
-        settled = min(settled, bounds[~open_].min(initial=settled))
-        if 4 * open_.sum() > _MOST_SQUARES:
-            return min(settled, bounds.min()), upper + rounding, value
-        quarters = 2 * squares[open_][:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
+        undecided = bounds < (1 - within) * upper
+        decided_bound = min(decided_bound, bounds[~undecided].min(initial=decided_bound))
+        if 4 * undecided.sum() > _MOST_SQUARES:
+            return min(decided_bound, bounds.min()), upper + rounding, value
+        quarters = 2 * squares[undecided][:, None] + np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
         squares, side = quarters.reshape(-1, 2), side / 2
-    return settled, upper + rounding, value
+    return decided_bound, upper + rounding, value
 
 
 def _field_of_values(A, reach):
@@ -181,10 +181,15 @@ def _field_of_values(A, reach):
 
     They are given by the left end, their side and their numbers in both directions.
     """
-    across = np.linalg.eigvalsh((A + A.T) / 2)[[0, -1]] + [-reach, reach]
+    real_range = np.linalg.eigvalsh((A + A.T) / 2)[[0, -1]] + [-reach, reach]
     height = np.linalg.eigvalsh((A - A.T) / 2j)[-1] + reach
-    side = max(across[1] - across[0], height) / 8
-    return across[0], side, int((across[1] - across[0]) / side) + 1, int(height / side) + 1
+    side = max(real_range[1] - real_range[0], height) / 8
+    return (
+        real_range[0],
+        side,
+        int((real_range[1] - real_range[0]) / side) + 1,
+        int(height / side) + 1,
+    )
 
 
 def _not_less_than(A, H, points, side):

@@ -31,11 +31,11 @@ def _refuse_functions(matrix):
     for term in sorted(matrix.atoms(sp.Function, sp.Pow), key=str):
         symbols = term.free_symbols if isinstance(term, sp.Function) else term.exp.free_symbols
         if symbols and not isinstance(term, AppliedUndef):
-            plain = term.xreplace({s: sp.Symbol(s.name) for s in term.free_symbols})
+            displayed = term.xreplace({s: sp.Symbol(s.name) for s in term.free_symbols})
             angle = isinstance(term, (TrigonometricFunction, HyperbolicFunction))
             hint = ", or the rational functions of tau = tan(angle/2)" if angle else ""
             raise ValueError(
-                f"A: {plain} stands in the system, and a rank with such functions is not exact "
+                f"A: {displayed} stands in the system, and a rank with such functions is not exact "
                 f"here; put symbols for them{hint}"
             )
 
@@ -83,8 +83,10 @@ def at_a_point(matrix):
 
 def determinant(matrix):
     """Return the determinant from the characteristic polynomial, which needs no division."""
-    over = DomainMatrix.from_Matrix(matrix, extension=True)
-    return sp.Integer(-1) ** matrix.rows * over.domain.to_sympy(over.charpoly()[-1])
+    domain_matrix = DomainMatrix.from_Matrix(matrix, extension=True)
+    return sp.Integer(-1) ** matrix.rows * domain_matrix.domain.to_sympy(
+        domain_matrix.charpoly()[-1]
+    )
 
 
 def inverse(matrix):
@@ -131,11 +133,11 @@ def factors(polynomial):
 
 def where_defined(*matrices):
     """Return the real values of the symbols for which no denominator vanishes, as a condition."""
-    below = denominator(*matrices)
-    to_real, back = as_real(below)
+    divisor = denominator(*matrices)
+    to_real, from_real = as_real(divisor)
     return sp.And(
-        *(sp.Not(equation(factor)) for factor in factors(below.xreplace(to_real)))
-    ).xreplace(back)
+        *(sp.Not(equation(factor)) for factor in factors(divisor.xreplace(to_real)))
+    ).xreplace(from_real)
 
 
 def independent_rows(matrix):
@@ -164,8 +166,8 @@ def null_columns(matrix):
 def simple_multiple(vector):
     """Return the multiple with coprime polynomial entries, the first nonzero one positive."""
     entries = [sp.together(e) for e in vector]
-    common = sp.lcm_list([sp.denom(e) for e in entries])
-    entries = [sp.cancel(e * common) for e in entries]
+    common_denominator = sp.lcm_list([sp.denom(e) for e in entries])
+    entries = [sp.cancel(e * common_denominator) for e in entries]
     divisor = sp.gcd_list(entries)
     if divisor not in (0, 1):
         entries = [sp.cancel(e / divisor) for e in entries]

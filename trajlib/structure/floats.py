@@ -106,15 +106,15 @@ def split(A, H):
 
 def _unobservable_plane(A, H, minima, limit):
     """Return a real orthonormal basis of the vectors of the minima that are zero."""
-    planes, known = [], []
+    planes, values = [], []
     for sigma, value, _ in minima:
         if np.imag(value) and smallest(A, H, np.real(value))[0] <= limit:
             value = np.real(value)
             sigma = smallest(A, H, value)[0]
-        if sigma <= limit and all(abs(value - other) > 1e-3 for other in known):
-            known.append(value)
+        if sigma <= limit and all(abs(value - previous) > 1e-3 for previous in values):
+            values.append(value)
             planes.append(_plane(_kernel(A, H, value, max(2 * sigma, 20 * _EPS))))
-    # Directions that nearly depend on the others are known too poorly here; the next search finds
+    # Directions that nearly depend on the others are too inaccurate here; the next search finds
     # them.
     axes, weights, _ = np.linalg.svd(np.hstack(planes), full_matrices=False)
     return axes[:, weights > _APART] if len(planes) > 1 else planes[0]
@@ -148,14 +148,14 @@ def hidden_modes(split):
 
 def _numbers(block):
     """Return the eigenvalues with Im >= 0; a ring made by rounding is replaced by its mean."""
-    left, limit, values = list(np.linalg.eigvals(block)), tolerance(len(block)), []
-    while left:
+    remaining, limit, values = list(np.linalg.eigvals(block)), tolerance(len(block)), []
+    while remaining:
         # A multiple number of order k comes as a ring of the radius of the k-th root of rounding.
-        distances = np.abs(np.array(left) - left[0])
+        distances = np.abs(np.array(remaining) - remaining[0])
         order = np.argsort(distances)
-        for count in range(len(left), 0, -1):
+        for count in range(len(remaining), 0, -1):
             ring = order[:count]
-            mean = np.mean([left[i] for i in ring])
+            mean = np.mean([remaining[i] for i in ring])
             mean = float(mean.real) if abs(mean.imag) <= limit else complex(mean)
             if count == 1 or (
                 distances[ring[-1]] <= 2 * limit ** (1 / count) and _singular(block, mean) <= limit
@@ -164,7 +164,7 @@ def _numbers(block):
         if np.imag(mean) and _singular(block, np.real(mean)) <= limit:
             mean = float(np.real(mean))
         values.append(mean)
-        left = [left[i] for i in range(len(left)) if i not in ring]
+        remaining = [remaining[i] for i in range(len(remaining)) if i not in ring]
     return sorted((f for f in values if np.imag(f) >= 0), key=lambda f: (np.real(f), np.imag(f)))
 
 

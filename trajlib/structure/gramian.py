@@ -84,9 +84,9 @@ def _in_floats(A, B, duration):
     blocks = np.block([[-A, B @ B.T], [np.zeros((n, n)), A.T]])
     # Halved until the exponential is harmless: W(2T) = W(T) + e^(AT) W(T) e^(A^T T).
     halvings = max(0, int(np.ceil(np.log2(max(np.abs(A).sum(axis=1).max() * duration, 1e-300)))))
-    whole = expm(blocks * duration / 2**halvings)
-    flow = whole[n:, n:].T
-    W = flow @ whole[:n, n:]
+    exponential = expm(blocks * duration / 2**halvings)
+    flow = exponential[n:, n:].T
+    W = flow @ exponential[:n, n:]
     for _ in range(halvings):
         W, flow = W + flow @ W @ flow.T, flow @ flow
     return (W + W.T) / 2

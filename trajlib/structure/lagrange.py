@@ -78,16 +78,19 @@ def small_motions(
         raise ValueError(
             f"rates: expected one for each of the {len(coordinates)} coordinates, got {len(rates)}"
         )
-    rest = dict.fromkeys([*coordinates, *rates, speed], 0)
-    force = [sp.simplify(sp.diff(potential, q).subs(rest)) for q in coordinates]
+    equilibrium = dict.fromkeys([*coordinates, *rates, speed], 0)
+    force = [sp.simplify(sp.diff(potential, q).subs(equilibrium)) for q in coordinates]
     if any(force):
         raise ValueError(
             f"potential: the position 0 is no position of rest, its slope there is {force}"
         )
 
-    def second(function, first, other):
+    def second(function, first_variables, second_variables):
         return sp.Matrix(
-            [[sp.expand(sp.diff(function, a, b).subs(rest)) for b in other] for a in first]
+            [
+                [sp.expand(sp.diff(function, a, b).subs(equilibrium)) for b in second_variables]
+                for a in first_variables
+            ]
         )
 
     return SmallMotions(

@@ -215,12 +215,14 @@ def _order_of_equation(H, time):
                     exponent += factor.args[0]
                 else:
                     factors.append(factor)
-            rest = sp.Mul(*factors)
+            polynomial = sp.Mul(*factors)
             rate = sp.expand(exponent).coeff(time, 1)
-            if not rest.is_polynomial(time) or sp.expand(exponent - rate * time).has(time):
+            if not polynomial.is_polynomial(time) or sp.expand(exponent - rate * time).has(time):
                 raise ValueError(
                     f"H: expected sums of polynomials, exponentials, sines and cosines of {time}, "
                     f"got {entry}"
                 )
-            powers[rate] = max(powers.get(rate, 0), sp.degree(rest, time) if rest.has(time) else 0)
+            powers[rate] = max(
+                powers.get(rate, 0), sp.degree(polynomial, time) if polynomial.has(time) else 0
+            )
     return int(sum(degree + 1 for degree in powers.values()))

@@ -56,8 +56,8 @@ def mechanical_observability(
     >>> found.rank, found.order, [m.eigenvalue for m in found.hidden_modes]
     (2, 4, [-sqrt(3), sqrt(3)])
     """
-    H1, H2 = _both(H1, H2)
-    M, D, K = _read_square(M, D, K, other=(H1, H2))
+    H1, H2 = _output_pair(H1, H2)
+    M, D, K = _read_square(M, D, K, optional=(H1, H2))
     n = M.shape[0]
     H1, H2 = (_read_rows(H, n, name) for H, name in ((H1, "H1"), (H2, "H2")))
     if H1.shape != H2.shape:
@@ -98,7 +98,7 @@ def mechanical_controllability(
     >>> mechanical_controllability(M, zero, K, sp.Matrix([2, 1])).holds
     True
     """
-    M, D, K = _read_square(M, D, K, other=(L,))
+    M, D, K = _read_square(M, D, K, optional=(L,))
     if isinstance(M, np.ndarray):
         L = read_float_matrix(L, "L")
         L = L[:, None] if L.ndim == 1 else L
@@ -158,8 +158,8 @@ def first_order_form(
     [ 0,  1],
     [-2, -3]]), Matrix([[0, 1]]), Matrix([[1, 0]]))
     """
-    others = [m for m in (L, H1, H2) if m is not None]
-    M, D, K = _read_square(M, D, K, other=others)
+    optional = [m for m in (L, H1, H2) if m is not None]
+    M, D, K = _read_square(M, D, K, optional=optional)
     n, floating = M.shape[0], isinstance(M, np.ndarray)
     singular = np.linalg.cond(M) > 1e14 if floating else sp.simplify(M.det()) == 0
     if singular:
@@ -173,10 +173,13 @@ def first_order_form(
             [[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, D)]]
         )
     else:
-        back = exact.inverse(M)
+        mass_inverse = exact.inverse(M)
         A = sp.Matrix(
             sp.BlockMatrix(
-                [[sp.zeros(n), sp.eye(n)], [exact.product(-back, K), exact.product(-back, D)]]
+                [
+                    [sp.zeros(n), sp.eye(n)],
+                    [exact.product(-mass_inverse, K), exact.product(-mass_inverse, D)],
+                ]
             )
         )
     B = H = None
@@ -191,17 +194,17 @@ def first_order_form(
         B = (
             np.vstack([0 * L, np.linalg.solve(M, L)])
             if floating
-            else sp.Matrix.vstack(0 * L, exact.product(back, L))
+            else sp.Matrix.vstack(0 * L, exact.product(mass_inverse, L))
         )
     if H1 is not None or H2 is not None:
-        H1, H2 = (_read_rows(h, n, name) for h, name in zip(_both(H1, H2), ("H1", "H2")))
+        H1, H2 = (_read_rows(h, n, name) for h, name in zip(_output_pair(H1, H2), ("H1", "H2")))
         if floating:
             H1, H2 = read_float_matrix(H1, "H1"), read_float_matrix(H2, "H2")
         H = np.hstack([H1, H2]) if floating else sp.Matrix.hstack(H1, H2)
     return A, B, H
 
 
-def _both(H1, H2):
+def _output_pair(H1, H2):
     """Return H1 and H2, of which one may be left out as zero."""
     if H1 is None and H2 is None:
         raise ValueError("H1: expected a matrix (only one of H1, H2 may be None)")
@@ -214,10 +217,10 @@ def _matrix(H):
     return read_float_matrix(H, "H1") if has_floats(H) else read_exact_matrix(H, "H1")
 
 
-def _read_square(M, D, K, other):
+def _read_square(M, D, K, optional):
     """Return M, D, K of one size, all exact, or all floats if anything in the system is."""
     matrices = {"M": M, "D": D, "K": K}
-    if any_floats(M, D, K, *other):
+    if any_floats(M, D, K, *optional):
         read = {name: read_float_matrix(m, name) for name, m in matrices.items()}
     else:
         read = {name: read_exact_matrix(m, name) for name, m in matrices.items()}
@@ -253,13 +256,13 @@ def _test(M, D, K, H1, H2, word, orient):
             "M: det(M l^2 + D l + K) vanishes identically, so the equations do not determine the "
             "motion"
         )
-    whole = sp.Matrix.vstack(pencil, (H1 + LAMBDA * H2).applyfunc(sp.expand))
+    stacked = sp.Matrix.vstack(pencil, (H1 + LAMBDA * H2).applyfunc(sp.expand))
     n = M.rows
     divisor = sp.Integer(0)
-    for rows in combinations(range(whole.rows), n):
+    for rows in combinations(range(stacked.rows), n):
         divisor = sp.gcd(
             divisor,
-            sp.numer(sp.together(exact.determinant(whole.extract(list(rows), list(range(n)))))),
+            sp.numer(sp.together(exact.determinant(stacked.extract(list(rows), list(range(n)))))),
         )
         if not divisor.has(LAMBDA) and divisor != 0:
             break
@@ -267,12 +270,12 @@ def _test(M, D, K, H1, H2, word, orient):
     dimensions = sp.degree(divisor, LAMBDA) if divisor.has(LAMBDA) else 0
     modes = [
         HiddenMode(m.eigenvalue, orient(m.vectors))
-        for m in (hidden_modes(whole, divisor) if dimensions else ())
+        for m in (hidden_modes(stacked, divisor) if dimensions else ())
     ]
     return rank_test(
         int(order - dimensions),
         int(order),
         modes,
         word,
-        generic=bool(whole.free_symbols - {LAMBDA}),
+        generic=bool(stacked.free_symbols - {LAMBDA}),
     )

@@ -28,24 +28,24 @@ def nearest(A, H, stairs):
     Each is a triple (least singular value, its lambda, its unit vector).
     """
     points = _starts(stairs)
-    minima, taken = [], []
+    minima, used = [], []
     for index in np.argsort(_rough_values(A, H, points)):
         start = points[index]
         # Near neighbours lead to one minimum; the first three starts are the most promising,
         # however near.
-        if len(taken) >= 3 and min(abs(start - other) for other in taken) <= 1e-3:
+        if len(used) >= 3 and min(abs(start - previous) for previous in used) <= 1e-3:
             continue
-        taken.append(start)
+        used.append(start)
         minima.append(descend(A, H, start))
-        if len(taken) == _DESCENTS:
+        if len(used) == _DESCENTS:
             break
     return sorted(minima, key=lambda minimum: minimum[0])
 
 
 def smallest(A, H, value):
     """Return the smallest singular value of (A - lambda I; H) and its vectors, (sigma, u, v)."""
-    left, values, right = np.linalg.svd(_pencil(A, H, value), full_matrices=False)
-    return values[-1], left[:, -1], right[-1].conj()
+    left_vectors, values, right_vectors = np.linalg.svd(_pencil(A, H, value), full_matrices=False)
+    return values[-1], left_vectors[:, -1], right_vectors[-1].conj()
 
 
 def _pencil(A, H, value):
@@ -71,8 +71,10 @@ def _means(eigenvalues):
     means = []
     for eigenvalue in eigenvalues[eigenvalues.imag >= 0]:
         distances = np.abs(eigenvalues - eigenvalue)
-        near = eigenvalues[np.argsort(distances)][: np.count_nonzero(distances <= 0.3)][:_MEANS]
-        means += list(np.cumsum(near) / np.arange(1, len(near) + 1))
+        neighbours = eigenvalues[np.argsort(distances)][: np.count_nonzero(distances <= 0.3)][
+            :_MEANS
+        ]
+        means += list(np.cumsum(neighbours) / np.arange(1, len(neighbours) + 1))
     return means
 
 
@@ -91,9 +93,9 @@ def descend(A, H, value):
         slope = np.vdot(u[: len(A)], v)
         steps = [value + sigma / slope] if abs(slope) > 1e-8 else []
         better = None
-        for other in (*steps, np.vdot(v, A @ v)):
-            other = other if np.imag(value) else np.real(other)
-            trial = (*smallest(A, H, other), other)
+        for candidate in (*steps, np.vdot(v, A @ v)):
+            candidate = candidate if np.imag(value) else np.real(candidate)
+            trial = (*smallest(A, H, candidate), candidate)
             if trial[0] < sigma * (1 - 1e-3) and (better is None or trial[0] < better[0]):
                 better = trial
             if better and better[0] < sigma / 5:

@@ -177,34 +177,34 @@ def rank_conditions(N, parameters, below=sp.Integer(1)):
             f"parameters: {len(parameters)} of them in a matrix this large are beyond the "
             "methods here; give some of the parameters values"
         )
-    to_real, back = as_real(N, below)
+    to_real, from_real = as_real(N, below)
     real, symbols = N.xreplace(to_real), tuple(to_real.get(p, p) for p in parameters)
     generic = exact.rank(real)
     try:
         pieces = rank_pieces(real, symbols, below.xreplace(to_real))
     except (NotSolved, sp.PolynomialError) as problem:
-        where = shorten(restore_names(str(problem), back), 200, placeholder=" ...")
+        where = shorten(restore_names(str(problem), from_real), 200, placeholder=" ...")
         raise NotImplementedError(
             f"parameters: the equation {where} = 0, on which the rank may fall, is beyond the "
             "methods here; give some of the parameters values, or study the minors of the Kalman "
             "matrix by hand"
         ) from None
-    whole = [(sp.true, generic)] if generic < N.cols else []
+    everywhere = [(sp.true, generic)] if generic < N.cols else []
     largest = [p for p in pieces if not any(lies_in(p, q) for q in pieces if q is not p)]
     undefined = [equation(factor) for factor in exact.factors(below.xreplace(to_real))]
     region = (
         sp.false
-        if whole
+        if everywhere
         else sp.And(
             *map(sp.Not, undefined),
             *(sp.Or(*map(sp.Not, sp.And.make_args(p.where()))) for p in largest),
         )
     )
     return RankConditions(
-        region.xreplace(back),
-        (*whole, *((p.where().xreplace(back), p.rank) for p in pieces)),
-        tuple(m.xreplace(back) for m in _maximal_minors(real)),
-        sp.Or(*undefined).xreplace(back),
+        region.xreplace(from_real),
+        (*everywhere, *((p.where().xreplace(from_real), p.rank) for p in pieces)),
+        tuple(m.xreplace(from_real) for m in _maximal_minors(real)),
+        sp.Or(*undefined).xreplace(from_real),
     )
 
 
@@ -218,6 +218,6 @@ def _maximal_minors(N):
     for rows in choices:
         minor = sp.factor(exact.determinant(N.extract(list(rows), list(range(N.cols)))))
         if minor != 0:
-            above, below = (sp.factor_list(part)[1] for part in sp.fraction(minor))
-            minors.setdefault((frozenset(above), frozenset(below)), minor)
+            numerator, denominator = (sp.factor_list(part)[1] for part in sp.fraction(minor))
+            minors.setdefault((frozenset(numerator), frozenset(denominator)), minor)
     return list(minors.values())

@@ -64,7 +64,10 @@ def hidden_modes(P, determinant, basis=None):
         roots = closed_roots(factor)
         if not roots:
             modes.append(HiddenMode(factor.replace(LAMBDA, shown), kernel.subs(LAMBDA, shown)))
-        modes += [HiddenMode(root, kernel.subs(LAMBDA, root).applyfunc(_settled)) for root in roots]
+        modes += [
+            HiddenMode(root, kernel.subs(LAMBDA, root).applyfunc(_simplified_entry))
+            for root in roots
+        ]
     return tuple(modes)
 
 
@@ -148,5 +151,5 @@ def _inverse(element, f):
         raise _Divisor(element.gcd(f)) from None
 
 
-def _settled(entry):
+def _simplified_entry(entry):
     return sp.radsimp(sp.expand(entry)) if not entry.free_symbols else sp.expand(entry)

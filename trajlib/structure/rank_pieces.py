@@ -103,7 +103,8 @@ def _restricted(N, symbols, piece, below, values, rank):
         return
     N = _at(N, values)
     inner = Piece(
-        {s: _plain(v.subs(values)) for s, v in piece.values.items()} | values, rank=exact.rank(N)
+        {s: _simplified(v.subs(values)) for s, v in piece.values.items()} | values,
+        rank=exact.rank(N),
     )
     if inner.rank < rank:
         yield inner
@@ -114,10 +115,10 @@ def _at(N, values):
     restricted = N
     for symbol, value in values.items():
         restricted = restricted.subs(symbol, value)
-    return restricted.applyfunc(_plain)
+    return restricted.applyfunc(_simplified)
 
 
-def _plain(expression):
+def _simplified(expression):
     return sp.radsimp(sp.cancel(expression))
 
 
@@ -136,11 +137,11 @@ def _rank_modulo(N, polynomial):
         raise NotSolved(polynomial)
     symbol = max(polynomial.free_symbols, key=str)
     f = sp.Poly(polynomial.subs(symbol, LAMBDA), LAMBDA).to_field().monic()
-    whole = sp.Matrix(
+    polynomial_rows = sp.Matrix(
         [(exact.denominator(N[i, :]) * N[i, :]).applyfunc(sp.cancel) for i in range(N.rows)]
     )
-    (_, kernel), *more = kernels_modulo(whole.subs(symbol, LAMBDA), f)
-    if more:
+    (_, kernel), *further = kernels_modulo(polynomial_rows.subs(symbol, LAMBDA), f)
+    if further:
         raise NotSolved(polynomial)
     return N.cols - kernel.cols
 
@@ -178,15 +179,19 @@ def _zeros(polynomials, symbols):
     if not polynomials:
         yield {}, ()
         return
-    first, *others = sorted(polynomials, key=lambda p: (len(p.free_symbols), p.count_ops()))
+    first, *further_polynomials = sorted(
+        polynomials, key=lambda p: (len(p.free_symbols), p.count_ops())
+    )
     for factor in _zero_factors(first, symbols):
         for values, equations in _zeros_of_irreducible(factor, symbols):
-            if equations and others:
+            if equations and further_polynomials:
                 raise NotSolved(*equations)
-            left = [sp.numer(_plain(p.subs(values))) for p in others]
-            for more, equations_left in _zeros(left, tuple(s for s in symbols if s not in values)):
+            remaining = [sp.numer(_simplified(p.subs(values))) for p in further_polynomials]
+            for further, equations_left in _zeros(
+                remaining, tuple(s for s in symbols if s not in values)
+            ):
                 yield (
-                    {s: _plain(v.subs(more)) for s, v in values.items()} | more,
+                    {s: _simplified(v.subs(further)) for s, v in values.items()} | further,
                     equations or equations_left,
                 )
 
@@ -246,7 +251,10 @@ def _allowed(symbol, value):
     )
 
 
-def lies_in(piece, other):
+def lies_in(piece, container):
     """Whether a piece lies in another one, whose equations are taken without denominators."""
-    equations = (*(sp.numer(sp.together(s - v)) for s, v in other.values.items()), *other.equations)
+    equations = (
+        *(sp.numer(sp.together(s - v)) for s, v in container.values.items()),
+        *container.equations,
+    )
     return all(e in piece.equations or sp.simplify(e.subs(piece.values)) == 0 for e in equations)

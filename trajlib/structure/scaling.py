@@ -47,16 +47,16 @@ class Scaled:
 
 def balanced(A, H):
     """Return the pair of float matrices, n x n and m x n, in balanced units."""
-    shown, n = np.vstack([A, H]), len(A)
-    sizes = np.abs(shown)
-    beside = np.minimum(sizes.max(axis=1, keepdims=True), sizes.max(axis=0, keepdims=True))
-    doubtful = (shown != 0) & (sizes <= _ROUNDING * beside)
-    rows, columns, time = _exponents(sizes, (shown != 0) & ~doubtful)
-    shown = np.ldexp(shown, columns - rows[:, None])
+    stacked, n = np.vstack([A, H]), len(A)
+    sizes = np.abs(stacked)
+    neighbours = np.minimum(sizes.max(axis=1, keepdims=True), sizes.max(axis=0, keepdims=True))
+    doubtful = (stacked != 0) & (sizes <= _ROUNDING * neighbours)
+    rows, columns, time = _exponents(sizes, (stacked != 0) & ~doubtful)
+    stacked = np.ldexp(stacked, columns - rows[:, None])
     # What is still tiny in the units that all the others ask for was not made tiny by its units.
-    rounding = doubtful & (np.abs(shown) <= _ROUNDING * np.abs(shown).max())
-    shown[rounding] = 0
-    A, H = shown[:n], shown[n:]
+    rounding = doubtful & (np.abs(stacked) <= _ROUNDING * np.abs(stacked).max())
+    stacked[rounding] = 0
+    A, H = stacked[:n], stacked[n:]
     size, lengths = np.linalg.norm(A, 2), np.linalg.norm(H, axis=1, keepdims=True)
     units = np.ldexp(1.0, np.clip(columns - columns.max(), -1000, 0))
     return Scaled(

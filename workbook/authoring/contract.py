@@ -254,27 +254,27 @@ def _validate_once(master, lines, rule, uses):
             )
 
 
-def _validate_names(path, cell, known):
+def _validate_names(path, cell, allowed_names):
     """Validate that the checks and the names in a check cell exist."""
     from workbook import checks  # reads the names of all checks
 
-    known_checks = [*checks.__all__, *(f"research.{name}" for name in checks.research.__all__)]
+    check_names = [*checks.__all__, *(f"research.{name}" for name in checks.research.__all__)]
     for node in _nodes(cell, ast.Name):
-        if node.id not in known:
+        if node.id not in allowed_names:
             raise MasterError(
                 path,
                 cell.line + node.lineno - 1,
-                f"{node.id} is neither an answer nor a name of a data cell{suggestion(node.id, known)}",
+                f"{node.id} is neither an answer nor a name of a data cell{suggestion(node.id, allowed_names)}",
             )
     for node in _nodes(cell, ast.Attribute):
         called = ast.unparse(node)
         if called.startswith("checks.") and called != "checks.research":
             name = called.removeprefix("checks.")
-            if name not in known_checks:
+            if name not in check_names:
                 raise MasterError(
                     path,
                     cell.line + node.lineno - 1,
-                    f"there is no check {name}{suggestion(name, known_checks)}",
+                    f"there is no check {name}{suggestion(name, check_names)}",
                 )
 
 
@@ -282,7 +282,7 @@ def _nodes(cell, kind):
     return [node for node in ast.walk(ast.parse(cell.source)) if isinstance(node, kind)]
 
 
-def suggestion(name, known):
+def suggestion(name, allowed_names):
     """Return the end of a message that suggests similar names, "" if there are none."""
-    similar = get_close_matches(str(name), known)
+    similar = get_close_matches(str(name), allowed_names)
     return f"; did you mean {' or '.join(similar)}?" if similar else ""

@@ -82,9 +82,9 @@ def alt_text(caption):
     'Item b. The end; its law is known: all x1.'
     """
     text = plain(re.sub(r"\[([^]]*)\](\([^)]*\))?", r"\1", caption))
-    first, *others = re.split(r"(?<=[.:;])\s+(?=\S)", " ".join(text.split()))
-    while others and len(first) < 40:
-        first += " " + others.pop(0)
+    first, *sentences = re.split(r"(?<=[.:;])\s+(?=\S)", " ".join(text.split()))
+    while sentences and len(first) < 40:
+        first += " " + sentences.pop(0)
     return first.rstrip(".:;") + "."
 
 

@@ -27,8 +27,8 @@ def read_front_matter(path, text):
     MasterError
         For malformed YAML, a key that stands twice, or no `problem:`.
     """
-    opened, _, rest = text.partition("---\n")
-    head, closed, _ = rest.partition("\n---\n")
+    opened, _, after_opening = text.partition("---\n")
+    head, closed, _ = after_opening.partition("\n---\n")
     if opened or not closed:
         raise MasterError(path, 1, "a master opens with its front matter between two lines ---")
     try:
@@ -52,11 +52,11 @@ def read_front_matter(path, text):
     }
 
 
-def _lines(path, node, above=()):
+def _lines(path, node, parent_keys=()):
     """Return {path of keys: line of the file} for a mapping and those in it."""
     lines = {}
     for key, value in node.value if isinstance(node, yaml.MappingNode) else ():
-        keys = (*above, key.value)
+        keys = (*parent_keys, key.value)
         if keys in lines:
             raise MasterError(
                 path, key.start_mark.line + 2, f"{key.value} stands twice in the front matter"

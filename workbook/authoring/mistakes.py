@@ -129,8 +129,11 @@ def _signatures(value, answer_type):
 def _signatures_by_form(value, answer_type):
     """Return the signatures of a value, and those of arcs as cases, in separate lists."""
     cases = [_signatures(form, answer_type) for form in arcs_as_piecewise(value, answer_type.kind)]
-    own = _signatures(value, answer_type)
-    return [[signature for signature in own if signature not in sum(cases, [])], *cases]
+    whole_signatures = _signatures(value, answer_type)
+    return [
+        [signature for signature in whole_signatures if signature not in sum(cases, [])],
+        *cases,
+    ]
 
 
 def _assumption(symbol):

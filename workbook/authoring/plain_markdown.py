@@ -111,5 +111,5 @@ def _directive(match, number):
 
 def _tag(label):
     """Return the number of a label, 1.15a for 1-15-a."""
-    chapter, *rest = label.split("-")
-    return ".".join([chapter, "".join(rest)]) if rest else chapter
+    chapter, *parts = label.split("-")
+    return ".".join([chapter, "".join(parts)]) if parts else chapter

@@ -237,8 +237,8 @@ def _hints(master, names):
 
 def core_text(items):
     """Return the sentence that names the core items of a long problem."""
-    *others, last = items
-    subject = f"Items {', '.join(others)} and {last} are" if others else f"Item {last} is"
+    *first_items, last = items
+    subject = f"Items {', '.join(first_items)} and {last} are" if first_items else f"Item {last} is"
     return f"{subject} the core of this problem; the rest is practice."
 
 
@@ -286,11 +286,11 @@ def _origin(master, equations):
 
 
 def _markdown(text, urls=()):
-    return new_markdown_cell(text, **_places(urls))
+    return new_markdown_cell(text, **_link_metadata(urls))
 
 
 def _code(source, role, urls=(), nbgrader=None):
-    metadata = {"tags": [role], **_places(urls)}
+    metadata = {"tags": [role], **_link_metadata(urls)}
     if nbgrader:
         metadata["nbgrader"] = {
             "schema_version": 3,
@@ -302,7 +302,7 @@ def _code(source, role, urls=(), nbgrader=None):
     return new_code_cell(source, **metadata)
 
 
-def _places(urls):
+def _link_metadata(urls):
     """Return the metadata from which `exercises.add_links` makes links."""
     return {"places": [list(pair) for pair in urls]} if urls else {}
 

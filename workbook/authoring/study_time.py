@@ -14,11 +14,11 @@ MINUTES = {"core": 6, "advanced": 9, "starred": 15}
 
 def study_time(level, answers, core=()):
     """Return the time in words; with `core` items, the time for these and for all."""
-    whole = _in_words(MINUTES[level] * len(answers))
+    total = _in_words(MINUTES[level] * len(answers))
     if not core:
-        return f"about {whole}"
-    first = _in_words(MINUTES[level] * sum(item_of(name) in core for name in answers))
-    return f"about {first} for the core, {whole} for all"
+        return f"about {total}"
+    core_time = _in_words(MINUTES[level] * sum(item_of(name) in core for name in answers))
+    return f"about {core_time} for the core, {total} for all"
 
 
 def _in_words(minutes):

@@ -75,12 +75,12 @@ def read_trials(path, names):
         answers = assigned_by(statement, names)
         if not answers:
             continue
-        role, above, code = _parts(path, lines[end : statement.end_lineno], end, role)
-        behind = code[-1].encode()[statement.end_col_offset :].decode().strip()
+        role, comment_above, code = _parts(path, lines[end : statement.end_lineno], end, role)
+        trailing = code[-1].encode()[statement.end_col_offset :].decode().strip()
         code[-1] = code[-1].encode()[: statement.end_col_offset].decode()
         end = statement.end_lineno
-        comment = above or behind.lstrip("# ")
-        if len(answers) > 1 or not comment or behind.startswith(";"):
+        comment = comment_above or trailing.lstrip("# ")
+        if len(answers) > 1 or not comment or trailing.startswith(";"):
             raise MasterError(
                 path, end, "a trial assigns one answer, under a comment or with one behind it"
             )
@@ -99,7 +99,7 @@ def read_trials(path, names):
 def _parts(path, block, before, role):
     """Return (role, comment above, lines of code) of a trial from its block of lines."""
     first = next(k for k, line in enumerate(block) if line.strip() and not line.startswith("#"))
-    above = []
+    comment_lines = []
     for k, line in enumerate(block):
         if mark := MARK.fullmatch(line.rstrip()):
             role = mark[1]
@@ -108,12 +108,14 @@ def _parts(path, block, before, role):
                     path, before + k + 1, "a line # %% wrong or # %% right stands before a trial"
                 )
         elif k < first:
-            above = [*above, line.lstrip("# ").rstrip()] if line.startswith("#") else []
+            comment_lines = (
+                [*comment_lines, line.lstrip("# ").rstrip()] if line.startswith("#") else []
+            )
     if role is None:
         raise MasterError(
             path, before + first + 1, "a trial stands under a line # %% wrong or # %% right"
         )
-    return role, " ".join(above), block[first:]
+    return role, " ".join(comment_lines), block[first:]
 
 
 def _validate_use(path, statements):

@@ -156,14 +156,14 @@ class Drawing:
         gap : float
             Distance from the point, in inches.
         """
-        towards = along((0, 0), 1, side)
+        direction = along((0, 0), 1, side)
         self._ax.text(
             *along(point, gap, side),
             text,
             fontsize=FORMULA_SIZE if "$" in text else TEXT_SIZE,
             math_fontfamily="cm",
-            ha=_aligned(towards[0], "right", "center", "left"),
-            va=_aligned(towards[1], "top", "center", "bottom"),
+            ha=_aligned(direction[0], "right", "center", "left"),
+            va=_aligned(direction[1], "top", "center", "bottom"),
             zorder=self._above() + 1000,
         )
 
@@ -439,10 +439,13 @@ class Drawing:
 
     def _between(self, start, end, points):
         """Draw a line through points (fraction of the way from start to end, inches to its left)."""
-        (x, y), way = start, np.subtract(end, start)
-        left = np.array([-way[1], way[0]]) / np.hypot(*way)
+        (x, y), chord = start, np.subtract(end, start)
+        normal = np.array([-chord[1], chord[0]]) / np.hypot(*chord)
         self.line(
-            *[(x + s * way[0] + d * left[0], y + s * way[1] + d * left[1]) for s, d in points],
+            *[
+                (x + s * chord[0] + d * normal[0], y + s * chord[1] + d * normal[1])
+                for s, d in points
+            ],
             width=LINE,
         )
 
@@ -475,5 +478,5 @@ def _direction(start, end):
     return np.degrees(np.arctan2(end[1] - start[1], end[0] - start[0]))
 
 
-def _aligned(component, negative, none, positive):
-    return none if abs(component) < 0.4 else positive if component > 0 else negative
+def _aligned(component, negative, neutral, positive):
+    return neutral if abs(component) < 0.4 else positive if component > 0 else negative

@@ -104,8 +104,8 @@ class Assignment:
 
     def exercise(self, problem):
         """Return the exercise of a problem with the check cells of this homework."""
-        found = exercises.find(problem)
-        return found if self.direction else exercises.in_homework(found)
+        notebook = exercises.find(problem)
+        return notebook if self.direction else exercises.in_homework(notebook)
 
     @property
     def max_points(self):
@@ -245,14 +245,19 @@ def _points(path, problems, table):
     for problem, answers in points.items():
         named = by_answer.get(problem, {})
         if problem in table:
-            left, others = table[problem] - sum(named.values()), len(answers) - len(named)
+            remaining_points, unnamed_count = (
+                table[problem] - sum(named.values()),
+                len(answers) - len(named),
+            )
             _require(
-                left >= -1e-9 and (others or left <= 1e-9),
+                remaining_points >= -1e-9 and (unnamed_count or remaining_points <= 1e-9),
                 path,
                 f'points."{problem}" is {table[problem]:g}, but its answers named below have '
                 f"{sum(named.values()):g}",
             )
-            answers.update(dict.fromkeys(answers, max(left, 0.0) / max(others, 1)))
+            answers.update(
+                dict.fromkeys(answers, max(remaining_points, 0.0) / max(unnamed_count, 1))
+            )
         answers.update(named)
     return points
 

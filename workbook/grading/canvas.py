@@ -57,10 +57,10 @@ def different_points(assignment, gradebook):
     """Return the gradebook's points possible as text if the assignment's differ, else ""."""
     possible = gradebook.possible(_column(assignment, gradebook))
     try:
-        same = abs(float(possible.replace(",", ".")) - assignment.max_points) < 0.005
+        equal = abs(float(possible.replace(",", ".")) - assignment.max_points) < 0.005
     except ValueError:
-        same = True  # empty, or "(read only)"
-    return "" if same else possible
+        equal = True  # empty, or "(read only)"
+    return "" if equal else possible
 
 
 def _column(assignment, gradebook):

@@ -158,17 +158,17 @@ def collect(
         download, homework, into, worksheet, read_roster(roster) if roster is not None else None
     )
 
-    def say(line, **style):
+    def print_line(line, **style):
         console.print(line, markup=False, **style)
 
     for path, reason in collected.aside:
-        say(f"left aside: {path}: {reason}", style="yellow")
+        print_line(f"left aside: {path}: {reason}", style="yellow")
     files, students = sum(map(len, collected.files.values())), len(collected.files)
-    say(f"{into}: {count(files, 'file')} of {count(students, 'student')} for {homework}")
+    print_line(f"{into}: {count(files, 'file')} of {count(students, 'student')} for {homework}")
     if collected.absent:
-        say(f"handed in nothing: {', '.join(collected.absent)}")
+        print_line(f"handed in nothing: {', '.join(collected.absent)}")
     if collected.untimed:
-        say(
+        print_line(
             f"of {count(collected.untimed, 'file')} the download does not say when it was handed in, "
             "so none of them will be late; with Moodle, --worksheet says it",
             style="yellow",

@@ -123,28 +123,32 @@ def collect(download, homework, into, grading_worksheet=None, roster=None):
         )
     homework = normalize("NFC", homework)
     participants = worksheet.read(grading_worksheet) if grading_worksheet is not None else {}
-    people = {(_as_in_canvas(one), other) for one, other in roster.pairs()} if roster else set()
+    people = (
+        {(_as_in_canvas(name), identifier) for name, identifier in roster.pairs()}
+        if roster
+        else set()
+    )
     ledger, result = Ledger(into), Collected()
     earlier = [entry for entry in ledger.entries(homework) if entry.number]
     with archives.opened(download) as files:
-        found, result.aside = _by_owner(files, people)
-        if not found:
+        owned_files, result.aside = _by_owner(files, people)
+        if not owned_files:
             raise InputError(
                 f"{download} holds no file that is named as Moodle or Canvas names submissions"
             )
-        numbers = {owner.number for _, owner in found}
+        numbers = {owner.number for _, owner in owned_files}
         if participants and numbers.isdisjoint(participants):
             raise InputError(
                 f"{grading_worksheet} is of another assignment: it has none of the participants in "
                 f"{download}"
             )
-        refused = _with_two_names(found, earlier)
-        students = _students(found, participants, earlier)
+        refused = _with_two_names(owned_files, earlier)
+        students = _students(owned_files, participants, earlier)
         blank = Entry(
             homework, "", archive=sanitise_name(Path(download).name), collected=time.time()
         )
         try:
-            for file, owner in found:
+            for file, owner in owned_files:
                 if owner.number in refused:
                     result.aside.append((sanitise_name(file.path), refused[owner.number]))
                     continue
@@ -181,13 +185,13 @@ def _by_owner(files, people):
     owners = [(file, _owner(file.path, people)) for file in files]
     # Names below those of the system are in a folder that a student made, or packed.
     top = min((owner.level for _, owner in owners if isinstance(owner, _Owner)), default=0)
-    found = [(file, o) for file, o in owners if isinstance(o, _Owner) and o.level == top]
+    owned_files = [(file, o) for file, o in owners if isinstance(o, _Owner) and o.level == top]
     aside = [
         (sanitise_name(file.path), o if isinstance(o, str) else TOO_DEEP)
         for file, o in owners
         if isinstance(o, str) or o.level > top
     ]
-    return found, aside
+    return owned_files, aside
 
 
 def _owner(path, people):
@@ -229,13 +233,13 @@ def _of_canvas(name, people):
         before = name[: match.start()]
         late, person = before.endswith("_LATE"), before.removesuffix("_LATE")
         owners.append(_Owner(match["number"], match["number"], person, match["file"], late))
-    fitting = [owner for owner in owners if (owner.name, owner.number) in people] or owners
-    if len(fitting) > 1:
+    candidates = [owner for owner in owners if (owner.name, owner.number) in people] or owners
+    if len(candidates) > 1:
         return (
-            f"its name may be that of the student {' or '.join(o.number for o in fitting)}: collect "
+            f"its name may be that of the student {' or '.join(o.number for o in candidates)}: collect "
             "with --roster, the gradebook exported from Canvas"
         )
-    return fitting[0] if fitting and not fitting[0].file.startswith(".") else NO_NAME
+    return candidates[0] if candidates and not candidates[0].file.startswith(".") else NO_NAME
 
 
 def _as_in_canvas(name):
@@ -249,23 +253,30 @@ def _safe(name):
     return "".join(c if sanitise(c) == c and c not in "/\\" else "_" for c in name)
 
 
-def _students(found, participants, earlier):
+def _students(owned_files, participants, earlier):
     """Return {number: student}: as collected earlier, else by address, else by name and number."""
     return (
-        {number: _safe(f"{each.name}_{number}") for number, each in participants.items()}
-        | {owner.number: owner.student for _, owner in found}
-        | {number: _safe(each.address) for number, each in participants.items() if each.address}
+        {
+            number: _safe(f"{participant.name}_{number}")
+            for number, participant in participants.items()
+        }
+        | {owner.number: owner.student for _, owner in owned_files}
+        | {
+            number: _safe(participant.address)
+            for number, participant in participants.items()
+            if participant.address
+        }
         | {entry.number: entry.student for entry in earlier}
     )
 
 
-def _with_two_names(found, earlier):
+def _with_two_names(owned_files, earlier):
     """Return {number: why it is refused} for numbers that stand with different names."""
     names = {}
     for entry in earlier:
         if entry.source:
             names.setdefault(entry.number, {})[entry.name] = f"{entry.name} in ledger.csv"
-    for _, owner in found:
+    for _, owner in owned_files:
         names.setdefault(owner.number, {}).setdefault(owner.name, owner.name)
     return {
         number: f"the number {number} stands with two names, {' and '.join(of_number.values())}: "

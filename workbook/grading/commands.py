@@ -97,12 +97,12 @@ def grade_course(
             style="red",
         )
     for entry in plan.aside:
-        console.print(f"left aside: {entry.path}: {entry.why}", markup=False, style="yellow")
+        console.print(f"left aside: {entry.path}: {entry.reason}", markup=False, style="yellow")
     result = {
         "graded": len(plan.pending),
         "failed": failures,
         "already graded": plan.graded_before,
-        "left aside": [(entry.path, entry.why) for entry in plan.aside],
+        "left aside": [(entry.path, entry.reason) for entry in plan.aside],
         "assignments": {},
         "late": {},
         "to review": {},
@@ -188,8 +188,7 @@ def score_by_hand(graded, student, assignment, problem, answer, points, comment=
             "makes one known to workbook grade"
         )
     worth = {
-        (each["problem"], each["answer"]): each["max points"]
-        for each in students[student]["answers"]
+        (row["problem"], row["answer"]): row["max points"] for row in students[student]["answers"]
     }
     if (problem, answer) not in worth:
         raise InputError(

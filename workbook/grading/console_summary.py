@@ -61,9 +61,9 @@ def print_summary(console, folder, assignment, graded, changes, file):
     )
     if absent := [score.student for score in graded if not score.handed_in]:
         print_line(f"  handed in nothing: {', '.join(absent)}")
-    if nobody := assignment.extensions.keys() - {score.student for score in graded}:
+    if unknown := assignment.extensions.keys() - {score.student for score in graded}:
         print_line(
-            f"  extensions in assignment.toml for nobody here: {', '.join(sorted(nobody))}",
+            f"  extensions in assignment.toml for nobody here: {', '.join(sorted(unknown))}",
             style="yellow",
         )
     if untimed := sum(bool(score.untimed) for score in graded):

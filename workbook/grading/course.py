@@ -209,14 +209,14 @@ def _is_graded(versions, exercise, limits):
 def _plan(copies, aside, homeworks, store, limits):
     """Note all attempts and return the `Plan`; `copies` and `aside` are those of `_by_attempt`."""
     fingerprints, pending, noted, graded_before = {}, {}, {}, 0
-    for (student, name, problem, content), same in copies.items():
+    for (student, name, problem, content), duplicates in copies.items():
         direction = homeworks[name].direction
         if (problem, direction) not in fingerprints:
             fingerprints[problem, direction] = fingerprint(homeworks[name].exercise(problem))
         # One file of several with the same content: the earliest, or where the last attempt counts
         # the latest.
         counting = (max if homeworks[name].attempt == "last" else min)(
-            same, key=lambda submission: submission.submitted
+            duplicates, key=lambda submission: submission.submitted
         )
         attempt = store.note_attempt(
             student, name, problem, content, counting.submitted, counting.timing

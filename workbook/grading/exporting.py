@@ -97,11 +97,13 @@ def moodle_csv(assignment, scores):
 
     Importing feedback without the grade would delete grades, so a student without one has no row.
     """
-    ready = [score for score in scores if score.handed_in and not score.needs_review]
+    final_scores = [score for score in scores if score.handed_in and not score.needs_review]
     identity = (
-        "Email address" if ready and all("@" in score.student for score in ready) else "ID number"
+        "Email address"
+        if final_scores and all("@" in score.student for score in final_scores)
+        else "ID number"
     )
-    rows = [[score.student, decimal(score.points), _feedback(score)] for score in ready]
+    rows = [[score.student, decimal(score.points), _feedback(score)] for score in final_scores]
     return quoted([[identity, assignment.title, f"{assignment.title} (feedback)"], *rows])
 
 
@@ -123,11 +125,11 @@ def nbgrader_csv(assignment, scores):
     rows = []
     for score in scores:
         times = [attempt.submitted for attempt in score.counted.values() if attempt.timing == KNOWN]
-        lost = sum(answer.lost for answer in score.answers)
+        penalty = sum(answer.late_penalty for answer in score.answers)
         raw, points = (
             ("", "")
             if score.needs_review
-            else (decimal(score.points + lost), decimal(score.points))
+            else (decimal(score.points + penalty), decimal(score.points))
         )
         due = assignment.due_of(score.student)
         rows.append(
@@ -140,7 +142,7 @@ def nbgrader_csv(assignment, scores):
                 "",
                 "",
                 raw,
-                decimal(lost),
+                decimal(penalty),
                 points,
                 decimal(score.max_points),
             ]
@@ -221,7 +223,7 @@ def _feedback(score):
         f"{answer.problem} {answer.answer}: "
         + (
             answer.verdict.status
-            + (f", late: {answer.share:.0%} of the points" if answer.lost else "")
+            + (f", late: {answer.share:.0%} of the points" if answer.late_penalty else "")
             if answer.manual is None
             else f"{decimal(answer.points)} by hand"
             + (f" ({answer.manual})" if answer.manual else "")

@@ -51,7 +51,7 @@ def feedback(assignment, score, site=""):
         parts.append(f'<p class="soft">Due {due_text(due)}.</p>')
     if score.aside:
         entries = "".join(
-            f"<li><code>{escape(Path(entry.path).name)}</code>: {escape(entry.why)}</li>"
+            f"<li><code>{escape(Path(entry.path).name)}</code>: {escape(entry.reason)}</li>"
             for entry in score.aside
         )
         look = "; your lecturer will look at it" if score.aside_needs_review else ""
@@ -100,9 +100,9 @@ def _of_problem(problem, about, answers, score, assignment):
         parts.append(
             '<p class="soft">It is not known when you handed this in, so it is not late.</p>'
         )
-    if attempt is not None and score.tried[problem] > 1:
+    if attempt is not None and score.attempt_counts[problem] > 1:
         parts.append(
-            f'<p class="soft">You handed this in {score.tried[problem]} times; what follows is the '
+            f'<p class="soft">You handed this in {score.attempt_counts[problem]} times; what follows is the '
             "attempt that counts.</p>"
         )
     if attempt is not None and attempt.remarks:

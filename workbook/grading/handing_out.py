@@ -84,14 +84,14 @@ def make(folder, name, problems, title=None, due=None, site="", direction=False)
     files["assignment.toml"] = _toml(title or name, problems, due, direction)
     homework = assignments.from_text(files["assignment.toml"], target / "assignment.toml")
     files["README.md"] = _readme(homework)
-    made = False
+    created = False
     try:
         target.mkdir(parents=True)
-        made = True
+        created = True
         for file, text in files.items():
             (target / file).write_text(text, encoding="utf-8")
     except OSError as error:
-        if made:
+        if created:
             shutil.rmtree(target, ignore_errors=True)
         raise AssignmentError(f"{target} cannot be written: {error.strerror}") from None
     return homework

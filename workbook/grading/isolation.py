@@ -97,7 +97,7 @@ def hidden_folders():
         for path in inside
         if path.is_dir()
         and visible_parent(path)
-        and not any(other.is_relative_to(path) for other in visible)
+        and not any(shown.is_relative_to(path) for shown in visible)
     )
 
 
@@ -211,10 +211,10 @@ def enter_pid_namespace():
     """
     enter_namespaces(CLONE_NEWPID)
     _continue_in_child()
-    own = os.open("/proc/self/ns/pid", os.O_RDONLY)
+    namespace = os.open("/proc/self/ns/pid", os.O_RDONLY)
 
     def before_fork():
-        system_call("setns", own, CLONE_NEWPID)  # or it could be left only once
+        system_call("setns", namespace, CLONE_NEWPID)  # or it could be left only once
         unshare(CLONE_NEWPID)
 
     return before_fork

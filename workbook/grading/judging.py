@@ -122,11 +122,8 @@ class Judge:
 
     def judge(self, exercise, outcome):
         """Return the `Judgement` on a sandbox `Outcome`."""
-        names, cells, left = (
-            list(exercise.about["answers"]),
-            _cells(exercise),
-            self._bounds.first_seconds,
-        )
+        names, cells = list(exercise.about["answers"]), _cells(exercise)
+        remaining = self._bounds.first_seconds
         if outcome.ended != "done":
             return _without_answers(names, outcome)
         while True:
@@ -134,7 +131,7 @@ class Judge:
             fresh, began = self._process.fresh, time.monotonic()
             try:
                 judgement = self._process.judgement(
-                    outcome.handed_over, cells, names, left, self._bounds.memory_megabytes
+                    outcome.handed_over, cells, names, remaining, self._bounds.memory_megabytes
                 )
             except RuntimeError as error:
                 judgement, fresh = None, fresh or isinstance(error, TimeLimit)
@@ -145,8 +142,8 @@ class Judge:
                 self.end()
             if judgement is not None and (fresh or not unusual):
                 return judgement
-            left -= time.monotonic() - began
-            if fresh or left < 1:
+            remaining -= time.monotonic() - began
+            if fresh or remaining < 1:
                 return _one_by_one(cells, outcome.handed_over, names, self._bounds)
 
     def end(self):
@@ -184,9 +181,11 @@ def _without_answers(names, outcome):
 def _one_by_one(cells, handed_over, names, bounds):
     """Judge each answer alone, within the time left for the notebook."""
     verdicts, answers, remarks, hashes = {}, {}, (), {}
-    left = bounds.seconds - bounds.first_seconds
+    remaining = bounds.seconds - bounds.first_seconds
     for waiting, name in zip(range(len(names), 0, -1), names):
-        seconds = min(bounds.answer_seconds, left, max(MIN_ANSWER_SECONDS, left / waiting))
+        seconds = min(
+            bounds.answer_seconds, remaining, max(MIN_ANSWER_SECONDS, remaining / waiting)
+        )
         if seconds < 1:
             verdicts[name] = Verdict(
                 UNCHECKED,
@@ -196,12 +195,12 @@ def _one_by_one(cells, handed_over, names, bounds):
             continue
         process, before = _JudgingProcess(cells), _cpu_seconds_of_children()
         try:
-            alone = process.judgement(
+            judgement = process.judgement(
                 handed_over, cells, names, seconds, bounds.memory_megabytes, only=name
             )
-            verdicts[name], remarks = alone.verdicts[name], alone.remarks
-            answers |= alone.answers
-            hashes |= alone.hashes
+            verdicts[name], remarks = judgement.verdicts[name], judgement.remarks
+            answers |= judgement.answers
+            hashes |= judgement.hashes
         except TimeLimit:
             verdicts[name] = Verdict(
                 UNCHECKED,
@@ -216,7 +215,7 @@ def _one_by_one(cells, handed_over, names, bounds):
             )
         finally:
             process.end()
-        left -= _cpu_seconds_of_children() - before
+        remaining -= _cpu_seconds_of_children() - before
     return Judgement(verdicts, answers, remarks, WITHIN_LIMITS, hashes)
 
 

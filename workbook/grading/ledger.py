@@ -74,7 +74,7 @@ class Entry:
         return self.collected if self.submitted is None else self.submitted
 
     @property
-    def place(self):
+    def stable_source(self):
         """The path in the download, by which a later download has the same file."""
         # Canvas adds LATE_ to a name, also afterwards, when the due date is moved.
         return self.source.replace("LATE_", "", 1)
@@ -139,7 +139,7 @@ class Ledger:
 
     def write(self):
         """Write the file; raises `InputError`."""
-        header = [each.name for each in fields(Entry)]
+        header = [field.name for field in fields(Entry)]
         entries = [entry for of_student in self._entries.values() for entry in of_student]
         rows = [[_cell(value) for value in astuple(entry)] for entry in entries]
         put(self._root / NAME, BOM + quoted([header, *rows]))
@@ -149,14 +149,29 @@ def _merged(entries, new):
     if not new.file:
         if not new.source:  # handed in nothing, now
             return entries or [new]
-        if any(entry.file and entry.place == new.place for entry in entries):
+        if any(entry.file and entry.stable_source == new.stable_source for entry in entries):
             return entries
-        return [*(entry for entry in entries if entry.source and entry.place != new.place), new]
-    entries = [entry for entry in entries if entry.file or entry.place not in ("", new.place)]
-    same = [entry for entry in entries if (entry.file, entry.place) == (new.file, new.place)]
-    if any(new.timing == UNKNOWN or _times(entry) == _times(new) for entry in same):
+        return [
+            *(
+                entry
+                for entry in entries
+                if entry.source and entry.stable_source != new.stable_source
+            ),
+            new,
+        ]
+    entries = [
+        entry
+        for entry in entries
+        if entry.file or entry.stable_source not in ("", new.stable_source)
+    ]
+    duplicates = [
+        entry
+        for entry in entries
+        if (entry.file, entry.stable_source) == (new.file, new.stable_source)
+    ]
+    if any(new.timing == UNKNOWN or _times(entry) == _times(new) for entry in duplicates):
         return entries
-    return [*(entry for entry in entries if entry not in same or entry.timing == KNOWN), new]
+    return [*(entry for entry in entries if entry not in duplicates or entry.timing == KNOWN), new]
 
 
 def _times(entry):
@@ -164,7 +179,7 @@ def _times(entry):
 
 
 def _entry(line):
-    texts = {each.name: line[each.name] for each in fields(Entry)}
+    texts = {field.name: line[field.name] for field in fields(Entry)}
     return Entry(
         **texts
         | {

@@ -54,7 +54,9 @@ def infer_homework(name, entries):
 def why_no_homework(submission, files):
     """Return why a notebook is for no homework, where `files` (by name) say which there are."""
     name, student = submission.assignment, submission.student
-    similar = [other for other in files if other.casefold().strip() == name.casefold().strip()]
+    similar = [
+        file_name for file_name in files if file_name.casefold().strip() == name.casefold().strip()
+    ]
     if similar:
         return f"there is no homework {name}; {similar[0]} is another name: rename the folder"
     if student in files:
@@ -82,10 +84,11 @@ def problem_for(submission, homework):
         )
     if len(homework.problems) == 1:  # it names none, and there is only one it can be
         return homework.problems[0]
-    asked = f" ({', '.join(homework.problems)})" if homework.problems else ""
+    problems_text = f" ({', '.join(homework.problems)})" if homework.problems else ""
     return LeftAside(
         submission.path,
-        submission.trouble or f"it does not say which problem of the homework it is for{asked}",
+        submission.trouble
+        or f"it does not say which problem of the homework it is for{problems_text}",
         *owner,
     )
 

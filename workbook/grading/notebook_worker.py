@@ -244,14 +244,17 @@ def _enter_notebook_namespaces(limits, in_scratch):
         os.close(descriptor)
 
 
-def _close_all_but(*kept):
+def _close_all_but(*descriptors_to_keep):
     """Close every file but these, which become 3, 4, ...; 0, 1 and 2 become /dev/null."""
-    moved = [fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, 3 + len(kept)) for descriptor in kept]
+    duplicates = [
+        fcntl.fcntl(descriptor, fcntl.F_DUPFD_CLOEXEC, 3 + len(descriptors_to_keep))
+        for descriptor in descriptors_to_keep
+    ]
     descriptors = [
         os.dup2(descriptor, target, inheritable=False)
-        for target, descriptor in enumerate(moved, start=3)
+        for target, descriptor in enumerate(duplicates, start=3)
     ]
-    os.closerange(3 + len(kept), forkserver.MAX_DESCRIPTOR)
+    os.closerange(3 + len(descriptors_to_keep), forkserver.MAX_DESCRIPTOR)
     null = os.open("/dev/null", os.O_RDWR)
     for descriptor in (0, 1, 2):
         os.dup2(null, descriptor)

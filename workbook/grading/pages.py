@@ -77,10 +77,10 @@ def points(value):
     return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
-def count(number, thing):
+def count(number, noun):
     """Return a number with its noun.
 
     >>> count(1, "answer"), count(2, "answer")
     ('1 answer', '2 answers')
     """
-    return f"{number} {thing}{'s' * (number != 1)}"
+    return f"{number} {noun}{'s' * (number != 1)}"

@@ -153,8 +153,8 @@ def _answer(score, answer):
     }
 
 
-def _changes(before, after, asked, when):
-    """Return the changes of existing grades; `asked` are the (problem, answer) asked for now.
+def _changes(before, after, current_answers, when):
+    """Return the changes of existing grades; `current_answers` are the (problem, answer) asked for now.
 
     What is graded for the first time is no change.
     """
@@ -165,7 +165,7 @@ def _changes(before, after, asked, when):
             was_absent = was["notebook"] is None and was["by hand"] is None
             if name not in now:
                 if was["points"] > 0:
-                    why = "points by hand taken back" if name in asked else NOT_ASKED
+                    reason = "points by hand taken back" if name in current_answers else NOT_ASKED
                     changes.append(
                         Change(
                             when,
@@ -175,7 +175,7 @@ def _changes(before, after, asked, when):
                             NO_VERDICT,
                             was["points"],
                             0.0,
-                            why,
+                            reason,
                         )
                     )
             elif not (was_absent and now[name]["notebook"] is not None) and (

@@ -53,17 +53,17 @@ class Roster:
         InputError
             If two persons have the same.
         """
-        known = set(students)
+        folder_names = set(students)
         names = max(
             self._identity_columns(),
             key=lambda column: (
-                sum(name in known for name in column),
+                sum(name in folder_names for name in column),
                 sum("@" in name for name in column),
                 len(set(column)),
             ),
         )
-        if twice := duplicates(names):
-            raise InputError(f"the roster has {', '.join(twice)} more than once")
+        if repeated := duplicates(names):
+            raise InputError(f"the roster has {', '.join(repeated)} more than once")
         return names
 
     def _identity_columns(self):

@@ -51,7 +51,7 @@ class AnswerScore:
     share: float = 1.0
 
     @property
-    def lost(self):
+    def late_penalty(self):
         """The points that lateness takes."""
         is_right = self.verdict.status == RIGHT and self.by_hand is None
         return self.max_points * (1 - self.share) if is_right else 0.0
@@ -76,7 +76,7 @@ class StudentScore:
         The attempt that counts by problem; a problem without one is absent.
     late : tuple of str
         Problems whose counted attempt is late.
-    tried : dict
+    attempt_counts : dict
         The number of attempts by problem.
     to_review : tuple of AnswerScore
         Answers that could not be judged and may still raise the grade, also of an attempt that does
@@ -94,7 +94,7 @@ class StudentScore:
     answers: tuple
     counted: dict
     late: tuple
-    tried: dict
+    attempt_counts: dict
     to_review: tuple
     aside: tuple = ()
     unusable: dict = field(default_factory=dict)
@@ -124,8 +124,8 @@ class StudentScore:
         """
         has_points_by_hand = any(answer.manual is not None for answer in self.answers)
         return any(
-            not (entry.beside or (entry.by_hand and has_points_by_hand))
-            and (not entry.problem or 0 in self.tried.values())
+            not (entry.is_extra or (entry.by_hand and has_points_by_hand))
+            and (not entry.problem or 0 in self.attempt_counts.values())
             for entry in self.aside
         )
 
@@ -208,12 +208,12 @@ def of_student(student, assignment, attempts, manual, aside=()):
     StudentScore
         The score.
     """
-    answers, counted, tried, to_review, unusable = [], {}, {}, [], {}
+    answers, counted, attempt_counts, to_review, unusable = [], {}, {}, [], {}
     no_verdict = NOT_FOUND if aside else NOT_SUBMITTED
     due = assignment.due_of(student)
     for problem, points in assignment.points.items():
         of_problem = [attempt for attempt in attempts if attempt.problem == problem]
-        tried[problem] = len(of_problem)
+        attempt_counts[problem] = len(of_problem)
         graded = [
             _graded(attempt, problem, points, manual, share=_share(attempt, due, assignment))
             for attempt in of_problem[: assignment.attempts]
@@ -242,7 +242,7 @@ def of_student(student, assignment, attempts, manual, aside=()):
         tuple(answers),
         counted,
         tuple(p for p, attempt in counted.items() if _is_late(attempt, due)),
-        tried,
+        attempt_counts,
         tuple(to_review),
         tuple(aside),
         unusable,
@@ -326,13 +326,13 @@ def _is_unusable(attempt):
     } == {MISSING}
 
 
-def _counting(graded, which):
+def _counting(graded, rule):
     """Return the last attempt, or the best.
 
     Of equally good ones, the one that may still rise; then the earlier, which is late only if the
     others are.
     """
-    if not graded or which == "last":
+    if not graded or rule == "last":
         return graded[-1] if graded else None
     return max(
         graded,

@@ -69,25 +69,25 @@ class LeftAside:
     ----------
     path : str
         Its path, safe to print.
-    why : str
-        The reason.
+    reason : str
+        Why it is not graded.
     student, assignment : str
         Whose work it may be, and for what, as far as known; else empty.
     problem : str
         That of a notebook for a problem of the workbook that the homework does not ask for.
     by_hand : bool
         Whether points by hand settle it: it is no notebook, or cannot be read.
-    beside : bool
+    is_extra : bool
         Whether it lies beside a notebook of the homework, so that nothing waits for it.
     """
 
     path: str
-    why: str
+    reason: str
     student: str = ""
     assignment: str = ""
     problem: str = ""
     by_hand: bool = False
-    beside: bool = False
+    is_extra: bool = False
 
 
 def students(root):
@@ -145,7 +145,7 @@ def _left_aside(entries):
                 entry.trouble,
                 *owner,
                 by_hand=True,
-                beside=owner in with_notebook and not may_be_notebook,
+                is_extra=owner in with_notebook and not may_be_notebook,
             )
 
 
@@ -159,26 +159,28 @@ def _of_student(folder, student, times):
 
 def _of_homework(folder, student, assignment, times):
     if assignment in RESERVED_NAMES or len(assignment.encode()) > 255:
-        why = (
+        reason = (
             "the folder of results needs this name for itself"
             if assignment in RESERVED_NAMES
             else "this name is too long for a folder of results"
         )
-        yield LeftAside(sanitise_name(folder), f"{why}: no homework can be called so", student)
+        yield LeftAside(sanitise_name(folder), f"{reason}: no homework can be called so", student)
         return
-    known = {
+    times_by_path = {
         path: times.pop((student, assignment, sanitise_name(path.name)), None)
         for path in _listed(folder)
     }
-    notebooks = [path for path in known if _is_notebook(path)]
-    stamped = not known.get(folder / TIMESTAMP)  # else a student handed that in
+    notebooks = [path for path in times_by_path if _is_notebook(path)]
+    stamped = not times_by_path.get(folder / TIMESTAMP)  # else a student handed that in
     for path in notebooks:
         notebook = _read(student, assignment, path)
         if isinstance(notebook, LeftAside):
             yield notebook
             continue
         by_file = (notebook.submitted, KNOWN)
-        times_of_file = known[path] or [_nbgrader_time(folder, *by_file) if stamped else by_file]
+        times_of_file = times_by_path[path] or [
+            _nbgrader_time(folder, *by_file) if stamped else by_file
+        ]
         for when, timing in times_of_file:
             yield replace(notebook, submitted=when, timing=timing)
     below = [
@@ -189,27 +191,35 @@ def _of_homework(folder, student, assignment, times):
         if _is_notebook(path)
     ]
     yield from (_misplaced(path, student, assignment) for path in below)
-    others = [
+    other_files = [
         sanitise_name(path.name)
-        for path in known
+        for path in times_by_path
         if not _is_system_file(path)
         and path not in notebooks
         and not (stamped and path.name == TIMESTAMP)
         and not path.is_symlink()
         and path.is_file()
     ]
-    if len(others) > MAX_LISTED:
-        others[MAX_LISTED:] = [f"and {len(others) - MAX_LISTED} more"]
+    if len(other_files) > MAX_LISTED:
+        other_files[MAX_LISTED:] = [f"and {len(other_files) - MAX_LISTED} more"]
     if not notebooks and not below:
         # Other files in it are a student's work, though no notebook.
-        owner = (student, assignment) if any(not _is_system_file(path) for path in known) else ()
-        why = "there is no notebook in this folder" + ", only " * bool(others) + ", ".join(others)
-        yield LeftAside(sanitise_name(folder), why, *owner, by_hand=True)
-    elif others:
-        why = (
-            f"beside the notebooks there is also {', '.join(others)}: only a lecturer can grade it"
+        owner = (
+            (student, assignment)
+            if any(not _is_system_file(path) for path in times_by_path)
+            else ()
         )
-        yield LeftAside(sanitise_name(folder), why, student, assignment, by_hand=True, beside=True)
+        reason = (
+            "there is no notebook in this folder"
+            + ", only " * bool(other_files)
+            + ", ".join(other_files)
+        )
+        yield LeftAside(sanitise_name(folder), reason, *owner, by_hand=True)
+    elif other_files:
+        reason = f"beside the notebooks there is also {', '.join(other_files)}: only a lecturer can grade it"
+        yield LeftAside(
+            sanitise_name(folder), reason, student, assignment, by_hand=True, is_extra=True
+        )
 
 
 def _nbgrader_time(folder, of_file, timing):

@@ -82,10 +82,10 @@ def _aside(scores):
     by_reason = defaultdict(list)
     for score in scores:
         for entry in score.aside:
-            by_reason[entry.why].append((score.student, entry.path))
+            by_reason[entry.reason].append((score.student, entry.path))
     rows = [
-        f"<tr><td>{person(student)}</td><td><code>{escape(path)}</code></td><td>{escape(why)}</td></tr>"
-        for why, works in sorted(by_reason.items(), key=lambda pair: -len(pair[1]))
+        f"<tr><td>{person(student)}</td><td><code>{escape(path)}</code></td><td>{escape(reason)}</td></tr>"
+        for reason, works in sorted(by_reason.items(), key=lambda pair: -len(pair[1]))
         for student, path in works
     ]
     return (
@@ -191,7 +191,7 @@ def _mistakes(scores):
     return table(("students", "answer", "what they were asked", "who"), rows)
 
 
-def _failures(scores, most=10):
+def _failures(scores, limit=10):
     """List the most common failed properties, regardless of the numbers in their messages."""
     counts, example = Counter(), {}
     for score in scores:
@@ -208,7 +208,7 @@ def _failures(scores, most=10):
     rows = [
         f'<tr class="{failure[2]}"><td class="number">{times}</td>{answer_name(*failure[:2])}'
         f'<td><span class="verdict">{failure[2]}</span>: {escape(example[failure])}</td></tr>'
-        for failure, times in counts.most_common(most)
+        for failure, times in counts.most_common(limit)
     ]
     return table(("times", "answer", "what failed, in the words of one of them"), rows)
 

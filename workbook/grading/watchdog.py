@@ -107,8 +107,8 @@ class Watchdog:
             and _sockets(processes, self._proc) > self._sockets_before + MAX_SOCKETS
         ):
             raise LimitExceededError("sockets")
-        late = time.monotonic() - self._began - self._limits["wall_seconds"]
-        if late > 0 and late > _withheld(processes, self._proc) - self._withheld_before:
+        overtime = time.monotonic() - self._began - self._limits["wall_seconds"]
+        if overtime > 0 and overtime > _withheld(processes, self._proc) - self._withheld_before:
             raise LimitExceededError("time")
 
     def _count_idle(self, processes):
@@ -134,10 +134,10 @@ class Watchdog:
 
 def kill_descendants(proc):
     """Kill all descendants of this process, which orphans become children of."""
-    while left := _descendants(os.getpid(), proc):
+    while processes := _descendants(os.getpid(), proc):
         # Stopped first, so that none multiplies while the others are killed.
         for kind in (signal.SIGSTOP, signal.SIGKILL):
-            for process in left:
+            for process in processes:
                 with suppress(ProcessLookupError, PermissionError):
                     os.kill(process.pid, kind)
         with suppress(ChildProcessError):

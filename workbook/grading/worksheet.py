@@ -94,10 +94,10 @@ def read(path):
     matches = [PARTICIPANT.fullmatch(cell.strip()) for cell in identifiers]
     numbers = [match["number"] if match else "" for match in matches]
     addresses = max(columns, key=lambda column: sum(map(_is_address, column)))
-    if twice := duplicates(numbers):
-        raise InputError(f"{path} has the participant {', '.join(twice)} more than once")
-    if twice := duplicates([cell.strip() for cell in addresses if _is_address(cell)]):
-        raise InputError(f"{path} has the address {', '.join(twice)} more than once")
+    if repeated := duplicates(numbers):
+        raise InputError(f"{path} has the participant {', '.join(repeated)} more than once")
+    if repeated := duplicates([cell.strip() for cell in addresses if _is_address(cell)]):
+        raise InputError(f"{path} has the address {', '.join(repeated)} more than once")
     names = _names(columns, identifiers, matches)
     times = _submission_times(columns)
     return {
@@ -155,11 +155,11 @@ def _is_address(cell):
 
 def _names(columns, identifiers, matches):
     """Return the names beside the identifiers, or the word of these where names are hidden."""
-    beside = columns[(columns.index(identifiers) + 1) % len(columns)]
-    are_names = not any(re.search(r"[\d@]", cell) for cell in beside) and (
-        len(set(beside)) > len(beside) / 2
+    neighbours = columns[(columns.index(identifiers) + 1) % len(columns)]
+    are_names = not any(re.search(r"[\d@]", cell) for cell in neighbours) and (
+        len(set(neighbours)) > len(neighbours) / 2
     )
-    return beside if are_names else [match["word"] if match else "" for match in matches]
+    return neighbours if are_names else [match["word"] if match else "" for match in matches]
 
 
 def _submission_times(columns):

@@ -7,7 +7,7 @@ HALF_WIDTHS = (4, 2, 10, 1)
 GRID = 121
 
 
-def counterexample_figure(claim, truth):
+def counterexample_figure(claim, reference):
     """Return a figure of a claimed condition with the point farthest inside the wrong part.
 
     Parameters
@@ -20,37 +20,37 @@ def counterexample_figure(claim, truth):
     matplotlib.figure.Figure or None
         None if these are no conditions in the same two real parameters, or differ on curves only.
     """
-    symbols = _plane(claim, truth)
+    symbols = _plane(claim, reference)
     if symbols is None:
         return None
     for half_width in HALF_WIDTHS:
-        point = _deepest_point(claim, truth, symbols, half_width)
+        point = _deepest_point(claim, reference, symbols, half_width)
         if point is not None:
             return _figure(claim, symbols, half_width, *point)
     return None
 
 
-def _plane(claim, truth):
+def _plane(claim, reference):
     """Return the two symbols of both conditions, or None."""
     from sympy.logic.boolalg import Boolean
 
-    if not (isinstance(claim, Boolean) and isinstance(truth, Boolean)):
+    if not (isinstance(claim, Boolean) and isinstance(reference, Boolean)):
         return None
-    symbols = sorted(truth.free_symbols | claim.free_symbols, key=str)
+    symbols = sorted(reference.free_symbols | claim.free_symbols, key=str)
     by_name = {symbol.name for symbol in symbols}
     return symbols if len(symbols) == 2 == len(by_name) else None
 
 
-def _deepest_point(claim, truth, symbols, half_width):
+def _deepest_point(claim, reference, symbols, half_width):
     """Return (x, y, value of the claim) of the grid point farthest from where both agree."""
     from scipy.ndimage import distance_transform_edt
 
     axis = np.linspace(-half_width, half_width, GRID)
     x, y = np.meshgrid(axis, axis)
-    claimed, true = _evaluate(claim, symbols, x, y), _evaluate(truth, symbols, x, y)
-    if claimed is None or true is None:
+    claimed, expected = _evaluate(claim, symbols, x, y), _evaluate(reference, symbols, x, y)
+    if claimed is None or expected is None:
         return None
-    depth = distance_transform_edt(np.pad(claimed != true, 1))[1:-1, 1:-1]
+    depth = distance_transform_edt(np.pad(claimed != expected, 1))[1:-1, 1:-1]
     row, column = np.unravel_index(depth.argmax(), depth.shape)
     if depth[row, column] < 2:  # they differ on a line of the grid only
         return None

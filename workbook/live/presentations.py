@@ -48,14 +48,14 @@ def find_presentation(name):
         except exercises.UnknownExercise as error:
             raise LiveError(error) from None
         return Presentation(name, exercise.about["title"], (name,), exercise.path, is_lecture=False)
-    known = {lecture.name: lecture for lecture in lectures()}
-    if name not in known:
-        similar = get_close_matches(name, known, cutoff=0.4)
+    lectures_by_name = {lecture.name: lecture for lecture in lectures()}
+    if name not in lectures_by_name:
+        similar = get_close_matches(name, lectures_by_name, cutoff=0.4)
         raise LiveError(
             f"there is no lecture {name}; "
             + (f"did you mean {' or '.join(similar)}?" if similar else "`workbook live` lists them")
         )
-    return known[name]
+    return lectures_by_name[name]
 
 
 def lectures():

@@ -24,7 +24,7 @@ from workbook.live.lecture_notebook import lecture_notebook
 TIMEOUT = 60
 
 
-def present(presentation, port=None, browser=True, keep=None, discard=False, say=print):
+def present(presentation, port=None, browser=True, keep=None, discard=False, print_line=print):
     """Open a problem or a lecture in JupyterLab, on a copy, until it is shut down.
 
     Ctrl-C or JupyterLab's own Shut Down ends it.
@@ -41,7 +41,7 @@ def present(presentation, port=None, browser=True, keep=None, discard=False, say
         File or folder to keep the notebook in (`workbook.live.keeping`).
     discard : bool
         Whether the notebook is thrown away without asking.
-    say : callable
+    print_line : callable
         Prints a line for the lecturer.
 
     Raises
@@ -67,16 +67,16 @@ def present(presentation, port=None, browser=True, keep=None, discard=False, say
             try:
                 _wait_until_ready(server, folder)
                 _start_kernel(address, notebook.name)
-                say(f"{presentation.title}: {address}")
-                say("Ctrl-C here, or File, Shut Down there, ends the lecture.")
+                print_line(f"{presentation.title}: {address}")
+                print_line("Ctrl-C here, or File, Shut Down there, ends the lecture.")
                 if browser:
                     browser.open(address)
                 server.wait()
             except KeyboardInterrupt:
-                say("")
-        kept = keep_notebook(notebook, original, presentation.name, keep, discard)
-        if kept is not None:
-            say(f"kept: {kept}")
+                print_line("")
+        destination = keep_notebook(notebook, original, presentation.name, keep, discard)
+        if destination is not None:
+            print_line(f"kept: {destination}")
 
 
 @contextmanager

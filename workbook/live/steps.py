@@ -47,13 +47,14 @@ def solution_steps(master):
     return {name: tuple(steps[name]) for name in master.answers if name in steps}
 
 
-def _leads_to_more(rest, master):
+def _leads_to_more(following_cells, master):
     """Return whether a text begins the reasoning for another answer.
 
     It does if it is no caption and an answer cell follows.
     """
-    return not caption_above(rest[0][1]) and any(
-        role == "answer" and assigned_names(source, master.answers) for role, source in rest
+    return not caption_above(following_cells[0][1]) and any(
+        role == "answer" and assigned_names(source, master.answers)
+        for role, source in following_cells
     )
 
 

@@ -152,8 +152,8 @@ def choose_answer(problems, words):
             f"{name} is an answer of {' and of '.join(p.number for p in matches)}; say which: "
             f"{matches[0].number} {name}"
         )
-    known = [answer for problem in candidates for answer in problem.exercise.about["answers"]]
-    similar = get_close_matches(name, known, cutoff=0.4) or known[:6]
+    answers = [answer for problem in candidates for answer in problem.exercise.about["answers"]]
+    similar = get_close_matches(name, answers, cutoff=0.4) or answers[:6]
     fault = f"there is no answer {name}" if name else "name an answer"
     raise LiveError(
         f"{fault}; "

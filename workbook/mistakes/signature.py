@@ -197,7 +197,7 @@ class _Reader:
 
     def _read_condition(self, value):
         """Return a hash of the truth values of a condition at the points."""
-        known = [
+        symbols = [
             sp.Symbol(name, **{assumption or "real": True})
             for name, assumption in self._symbols.items()
         ]
@@ -205,7 +205,7 @@ class _Reader:
             sp.ConditionSet, sp.ProductSet
         )
         condition = condition_coercion.as_condition(
-            value, known[:1] if is_set_of_numbers else known
+            value, symbols[:1] if is_set_of_numbers else symbols
         )
         holds = np.broadcast_to(Evaluator(condition_points, self._symbols)(condition), CONDITION)
         return hashlib.sha256(np.packbits(holds).tobytes()).hexdigest()
@@ -273,13 +273,13 @@ def _bins(number, zero, width, rounding):
     if abs(number) <= zero:
         return ["0"]
     position, sign = math.log(abs(number)) / width + 0.3819, "+" if number > 0 else "-"
-    own, margin = math.floor(position), rounding / width
+    bin_index, margin = math.floor(position), rounding / width
     return [
         f"{sign}{index}"
         for index, is_possible in (
-            (own, True),
-            (own - 1, position - own < margin),
-            (own + 1, own + 1 - position < margin),
+            (bin_index, True),
+            (bin_index - 1, position - bin_index < margin),
+            (bin_index + 1, bin_index + 1 - position < margin),
         )
         if is_possible
     ]

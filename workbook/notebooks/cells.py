@@ -90,7 +90,7 @@ def run_cells(sources, names, folder=None, before=(), seconds=None):
             if name in names and name not in notebook.answers
         },
         "overwritten": {
-            name: lost for name, lost in cell_watch.overwritten.items() if name in names
+            name: previous for name, previous in cell_watch.overwritten.items() if name in names
         },
     }
 

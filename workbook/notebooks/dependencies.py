@@ -93,9 +93,9 @@ def _package(node, packages):
     name = _dotted(node)
     if name in packages:
         return packages[name]
-    if not isinstance(node, ast.Attribute) or not (above := _package(node.value, packages)):
+    if not isinstance(node, ast.Attribute) or not (parent := _package(node.value, packages)):
         return None
-    within = f"{above}.{node.attr}"
+    within = f"{parent}.{node.attr}"
     return within if module_path(within) and _is_package(within) else None
 
 

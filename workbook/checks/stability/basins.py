@@ -24,7 +24,7 @@ from workbook.checks.tools.samples import allowed_values, conjunction
 from workbook.checks.tools.values import number_at, uncertainty_at
 from workbook.checks.tools.wording import point_text, values_text
 
-#: How a level is wrong that could be greater.
+#: The failure of a level that is too low.
 HIGHER = "V proves attraction up to this level, but also up to a higher one"
 
 
@@ -32,10 +32,10 @@ HIGHER = "V proves attraction up to this level, but also up to a higher one"
 def basin_level(claim, function, field, state, parameters=(), given=()):
     """Check the largest level c that V proves for the basin of attraction.
 
-    The part of {V < c} around zero belongs to the basin, and V proves it of no larger level.
+    The part of {V < c} around zero belongs to the basin; for a larger level V does not prove this.
     """
     directions = unit_directions(len(state))
-    for values, level, others, rate, largest in _stable_systems(
+    for values, level, equilibria, rate, largest in _stable_systems(
         function, field, state, parameters, given
     ):
         number = number_at(claim, values, "your level")
@@ -48,19 +48,19 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
                 f"{message}; V is positive near zero, so the level has to be a positive number"
             )
         low, high = (
-            _border(lambda points, c=c: level(points) < c, directions)
+            _exit_distances(lambda points, c=c: level(points) < c, directions)
             for c in (0.994 * number.real, 1.008 * number.real)
         )
-        how = _wrong_level(number, low, high, directions, rate, others, level)
-        true = None if how else largest(number.real, directions * low[:, None])
+        failure = _wrong_level(number, low, high, directions, rate, equilibria, level)
+        true = None if failure else largest(number.real, directions * low[:, None])
         if true is not None and not agree(
             number, float(true), claim, uncertain=uncertainty_at(claim, values)
         ):
-            how = "V does not prove attraction quite up to it" if number.real > true else HIGHER
-        if how:
+            failure = "V does not prove attraction quite up to it" if number.real > true else HIGHER
+        if failure:
             raise Wrong(
                 f"{message}: "
-                + directed(how, "it is not the greatest level up to which V proves attraction")
+                + directed(failure, "it is not the greatest level up to which V proves attraction")
             )
     return (
         "up to this level the derivative of V is nowhere positive and no other equilibrium is "
@@ -68,18 +68,18 @@ def basin_level(claim, function, field, state, parameters=(), given=()):
     )
 
 
-def _wrong_level(number, low, high, directions, rate, others, level):
-    """Return how a level is wrong, from the borders of the sets below and above it, or ""."""
+def _wrong_level(number, low, high, directions, rate, equilibria, level):
+    """Return what is wrong with a level, from the boundaries just below and above it, or ""."""
     if not np.all(np.isfinite(low)):
         return (
             "the set V < c around zero is unbounded in the direction "
             f"{point_text(directions[np.argmax(~np.isfinite(low))])}"
         )
-    broken = _breaks(rate, directions * low[:, None], others, level, 0.994 * number.real)
-    if broken:
-        return f"V does not prove attraction for all of this set: {broken}"
-    if np.all(np.isfinite(high)) and not _breaks(
-        rate, directions * high[:, None], others, level, 1.008 * number.real
+    obstacle = _obstacle(rate, directions * low[:, None], equilibria, level, 0.994 * number.real)
+    if obstacle:
+        return f"V does not prove attraction for all of this set: {obstacle}"
+    if np.all(np.isfinite(high)) and not _obstacle(
+        rate, directions * high[:, None], equilibria, level, 1.008 * number.real
     ):
         return HIGHER
     return ""
@@ -95,13 +95,13 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
     away from zero, it has to leave them out.
     """
     directions = unit_directions(len(state))
-    for values, level, others, rate, largest in _stable_systems(
+    for values, level, equilibria, rate, largest in _stable_systems(
         function, field, state, parameters, given
     ):
         claim = condition.subs(values)
         where = f" (for {values_text(values)})" if values else ""
-        reach = _reach(claim, state, directions, where)
-        border = directions * reach[:, None]
+        distances = _boundary_distances(claim, state, directions, where)
+        border = directions * distances[:, None]
         heights = level(border)
         if np.ptp(heights) > 0.01 * np.mean(heights):
             raise Wrong(
@@ -109,27 +109,29 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
                 f"{max(heights):.4g} at another{where}"
             )
         height = np.mean(heights)
-        broken = _breaks(rate, 0.997 * border, others, level, 0.994 * height) or _holds_equilibrium(
-            condition, field, state, values, others
-        )
-        if broken:
-            raise Wrong(f"V does not prove attraction for all of this set: {broken}{where}")
+        obstacle = _obstacle(
+            rate, 0.997 * border, equilibria, level, 0.994 * height
+        ) or _contained_equilibrium(condition, field, state, values, equilibria)
+        if obstacle:
+            raise Wrong(f"V does not prove attraction for all of this set: {obstacle}{where}")
         _has_no_holes(claim, state, sp.sympify(function).subs(values), height, border, where)
         true = largest(height, border)
         if true is not None:
             compare(
                 claim,
                 state,
-                _part_around_zero(sp.sympify(function).subs(values), true, state, others, border),
-                lambda position, holds, where=where: (
+                _part_around_zero(
+                    sp.sympify(function).subs(values), true, state, equilibria, border
+                ),
+                lambda position, attracted, where=where: (
                     f"your set leaves out the state {values_text(position)}, which V proves to be "
                     f"attracted{where}"
-                    if holds
+                    if attracted
                     else f"your set holds the state {values_text(position)}; V does not prove that it is "
                     f"attracted{where}"
                 ),
             )
-        if not _breaks(rate, 1.004 * border, others, level, 1.008 * height):
+        if not _obstacle(rate, 1.004 * border, equilibria, level, 1.008 * height):
             raise Wrong(
                 "the set is contained in the basin, but V proves more: "
                 f"its derivative is still nowhere positive on a larger level set{where}"
@@ -140,14 +142,18 @@ def basin_estimate(condition, function, field, state, parameters=(), given=()):
     )
 
 
-def _largest_level(height, change, motion, state, others, near, border):
-    """The level c of V that the basin reaches, near one that is known, or None if it cannot be told
-    exactly: an equilibrium stands on it, or V' > 0 at once above it; below neither is so."""
+def _largest_level(height, rate, motion, state, equilibria, estimate, border):
+    """Return the exact largest level c that V proves, near an estimate; None if it is undecided.
+
+    At this level the set meets an equilibrium, or V' > 0 occurs just above it; below it, neither.
+    """
     exact = [
         {x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)}
-        for point in others
+        for point in equilibria
     ]
-    met = {height.subs(point) for point in exact if all(f.subs(point) == 0 for f in motion)}
+    equilibrium_levels = {
+        height.subs(point) for point in exact if all(f.subs(point) == 0 for f in motion)
+    }
     box = sp.And(
         *(
             sp.Abs(x) <= 2 * sp.Rational(float(end)).limit_denominator(100)
@@ -159,23 +165,27 @@ def _largest_level(height, change, motion, state, others, near, border):
         return decide(
             sp.true,
             state,
-            ReferenceCondition((Case(sp.false),), (Case(sp.And(box, height < level, change > 0)),)),
+            ReferenceCondition((Case(sp.false),), (Case(sp.And(box, height < level, rate > 0)),)),
         )
 
-    simple = {sp.Rational(float(near)).limit_denominator(q) for q in (1, 2, 4, 8, 12, 60, 1000)}
-    for level in sorted(met | simple, key=lambda c: abs(c - near)):
+    simple_levels = {
+        sp.Rational(float(estimate)).limit_denominator(q) for q in (1, 2, 4, 8, 12, 60, 1000)
+    }
+    for level in sorted(equilibrium_levels | simple_levels, key=lambda c: abs(c - estimate)):
         if (
-            abs(level - near) < near / 80
+            abs(level - estimate) < estimate / 80
             and rises_below(level) == (True, None)
-            and (level in met or rises_below(level * (1 + sp.Rational(1, 10**9)))[1])
+            and (level in equilibrium_levels or rises_below(level * (1 + sp.Rational(1, 10**9)))[1])
         ):
             return level
     return None
 
 
-def _part_around_zero(height, level, state, others, border):
-    """The truth that the part of {V < level} around zero is; an equilibrium on its boundary cuts it
-    off from others."""
+def _part_around_zero(height, level, state, equilibria, border):
+    """Return the reference condition for the part of {V < level} around zero.
+
+    Where an equilibrium on its boundary separates it from other parts, the box around it ends there.
+    """
     ends = [
         next(
             (
@@ -186,7 +196,7 @@ def _part_around_zero(height, level, state, others, border):
             sp.Rational(51, 50) * sp.Rational(float(reach)),
         )
         for reach, coordinates in zip(
-            np.abs(border).max(axis=0), np.reshape(others, (-1, len(state))).T
+            np.abs(border).max(axis=0), np.reshape(equilibria, (-1, len(state))).T
         )
     ]
     inside = sp.And(*(sp.Abs(x) < end for x, end in zip(state, ends)))
@@ -197,15 +207,17 @@ def _part_around_zero(height, level, state, others, border):
 
 
 def _stable_systems(function, field, state, parameters, given):
-    """(values, V, other equilibria, V', the exact level near one) for sampled parameters at which
-    the first approximation is stable."""
-    return _sampled(
+    """Return rows (values, V, other equilibria, V', exact level near an estimate).
+
+    They belong to sampled parameters at which the first approximation is stable.
+    """
+    return _sampled_systems(
         sp.sympify(function), tuple(field), tuple(state), tuple(parameters), conjunction(given)
     )
 
 
 @functools.lru_cache(maxsize=16)
-def _sampled(function, field, state, parameters, given):
+def _sampled_systems(function, field, state, parameters, given):
     systems = []
     for values in allowed_values(parameters, given, 8):
         # Squares, so that equilibria at roots of parameters are rational and can be put into a
@@ -217,15 +229,15 @@ def _sampled(function, field, state, parameters, given):
         if max(np.linalg.eigvals(flow.jacobian(np.zeros(len(state)))).real) >= 0:
             continue
         height, motion = function.subs(values), [sp.sympify(f).subs(values) for f in field]
-        change = sum(sp.diff(height, x) * f for x, f in zip(state, motion))
-        others = [point for point in flow.equilibria(60) if np.linalg.norm(point) > 1e-6]
+        rate = sum(sp.diff(height, x) * f for x, f in zip(state, motion))
+        equilibria = [point for point in flow.equilibria(60) if np.linalg.norm(point) > 1e-6]
         systems.append(
             (
                 values,
                 numeric(height, state),
-                others,
+                equilibria,
                 rate_of(height, motion, state),
-                functools.partial(_largest_level, height, change, motion, state, others),
+                functools.partial(_largest_level, height, rate, motion, state, equilibria),
             )
         )
         if len(systems) == 2:
@@ -235,28 +247,28 @@ def _sampled(function, field, state, parameters, given):
     return systems
 
 
-def _reach(claim, state, directions, where):
-    """How far rays from zero stay in the claimed set, which has to end there for good."""
+def _boundary_distances(claim, state, directions, where):
+    """Return the distance of the boundary along each ray from zero; the set must end there."""
     inside = _membership(claim, state)
     if not np.all(inside(1e-3 * directions)):
         raise Wrong(f"the set does not contain a neighbourhood of zero{where}")
-    reach = _border(inside, directions)
-    if not np.all(np.isfinite(reach)):
+    distances = _exit_distances(inside, directions)
+    if not np.all(np.isfinite(distances)):
         raise Wrong(
             "the set is unbounded in the direction "
-            f"{point_text(directions[np.argmax(~np.isfinite(reach))])}; "
+            f"{point_text(directions[np.argmax(~np.isfinite(distances))])}; "
             f"a level set that proves attraction is bounded{where}"
         )
     for fraction in np.geomspace(1.001, 50, 300):
-        beyond = fraction * reach[:, None] * directions
-        again = inside(beyond)
-        if np.any(again):
-            position = beyond[np.argmax(again)]
-            raise Wrong(_away(point_text(position), where))
-    return reach
+        beyond = fraction * distances[:, None] * directions
+        reentered = inside(beyond)
+        if np.any(reentered):
+            position = beyond[np.argmax(reentered)]
+            raise Wrong(_detached_part_text(point_text(position), where))
+    return distances
 
 
-def _away(position, where):
+def _detached_part_text(position, where):
     return (
         f"the set has a part away from zero, at {position} for instance, and motions from there need "
         f"not come to zero{where}"
@@ -264,8 +276,7 @@ def _away(position, where):
 
 
 def _has_no_holes(claim, state, height, level, border, where):
-    """Raise `Wrong` where the set leaves out a line or a point that rays from zero do not meet, or
-    has a part that they miss."""
+    """Raise `Wrong` for a missing line or point, or an extra part, that no sampled ray meets."""
     shrunk, grown = (
         sp.Rational(factor * level).limit_denominator(10**6) for factor in (0.98, 1.02)
     )
@@ -274,11 +285,11 @@ def _has_no_holes(claim, state, height, level, border, where):
     outside = sp.Or(
         height > grown, *(sp.Abs(x) > sp.Rational(51, 50) * end for x, end in zip(state, size))
     )
-    claimed, never = readings(claim)[0], (Case(sp.false),)
-    _, position = decide(claimed, state, ReferenceCondition(never, (Case(outside),)))
+    claimed, no_cases = readings(claim)[0], (Case(sp.false),)
+    _, position = decide(claimed, state, ReferenceCondition(no_cases, (Case(outside),)))
     if position:
-        raise Wrong(_away(values_text(position[0]), where))
-    _, position = decide(claimed, state, ReferenceCondition((Case(inside),), never))
+        raise Wrong(_detached_part_text(values_text(position[0]), where))
+    _, position = decide(claimed, state, ReferenceCondition((Case(inside),), no_cases))
     if position:
         point = np.array([float(x) for x in position[0].values()])
         # Some other part of {V < c} may lie in the box.
@@ -290,8 +301,8 @@ def _has_no_holes(claim, state, height, level, border, where):
             )
 
 
-def _border(inside, directions, nearest=1e-2, extent=60.0):
-    """The distance along each ray at which it first leaves a set, inf where it does not."""
+def _exit_distances(inside, directions, nearest=1e-2, extent=60.0):
+    """Return the distance along each ray at which it first leaves a set, inf where it does not."""
     # A step of 1.2 per cent: less than the gap that a ray beside a saddle passes through.
     distances = np.geomspace(nearest, extent, 740)
     grid = inside((distances[:, None, None] * directions).reshape(-1, directions.shape[1])).reshape(
@@ -308,8 +319,7 @@ def _border(inside, directions, nearest=1e-2, extent=60.0):
 
 
 def _membership(condition, state):
-    """A condition as a function of many states in floating-point numbers; False where it is not
-    defined."""
+    """Return a condition as a function of an array of states; False where it is undefined."""
     if condition in (sp.true, sp.false):
         return lambda points: np.full(len(points), bool(condition))
     if isinstance(condition, (sp.And, sp.Or)):
@@ -350,9 +360,8 @@ def _membership(condition, state):
     return holds
 
 
-def _breaks(rate, border, others, level, height):
-    """What keeps the set inside `border` from being proved to lie in the basin, or an empty
-    string."""
+def _obstacle(rate, border, equilibria, level, height):
+    """Return why V does not prove that the set inside `border` lies in the basin, or ""."""
     points = np.concatenate(
         [fraction * border for fraction in (0.3, 0.6, 0.8, 0.9, 0.95, 0.98, 1.0)]
     )
@@ -360,18 +369,22 @@ def _breaks(rate, border, others, level, height):
     worst = int(np.argmax(rates))
     if rates[worst] > 1e-9 * max(abs(rates)):
         return f"at {point_text(points[worst])} the derivative is {rates[worst]:.3g}"
-    near = 1.01 * max(np.linalg.norm(border, axis=1))
-    inside = [
-        point for point in others if level(point[None])[0] < height and np.linalg.norm(point) < near
+    radius = 1.01 * max(np.linalg.norm(border, axis=1))
+    contained = [
+        point
+        for point in equilibria
+        if level(point[None])[0] < height and np.linalg.norm(point) < radius
     ]
-    return f"it contains the equilibrium {point_text(inside[0])}" if inside else ""
+    return f"it contains the equilibrium {point_text(contained[0])}" if contained else ""
 
 
-def _holds_equilibrium(claim, field, state, values, others):
-    """The other equilibrium that lies in the claimed set or on a part of its boundary that belongs
-    to it, in words; a boundary in decimals may be rounded to either side of it."""
+def _contained_equilibrium(claim, field, state, values, equilibria):
+    """Return a text on an equilibrium other than zero that belongs to the claimed set, or "".
+
+    A boundary in decimals may be rounded to either side of it.
+    """
     claims = [reading.subs(values) for reading in readings(claim)]
-    for point in others:
+    for point in equilibria:
         exact = {
             x: sp.Rational(Fraction(float(v)).limit_denominator(1000)) for x, v in zip(state, point)
         }

@@ -2,9 +2,9 @@
 
 Multiplicities, motions that grow without bound, and conserved quadratic forms.
 
-The matrix is that of the equations in deviations from rest, or, where a `program` is given, from a
+The matrix is that of the deviation equations from zero, or, where a `program` is given, from a
 nominal motion (`workbook.checks.stability.nominal_motions`); a `part` of the state picks a subsystem that
-does not depend on the others. What decides is computed from the matrix at sampled values of the
+does not depend on the others. The verdict is computed from the matrix at sampled values of the
 parameters: clusters of eigenvalues and ranks of A - lambda E, by singular values.
 """
 
@@ -56,13 +56,13 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
             for k, (value, _, _) in enumerate(rows, 1)
         ]
         for k, number in enumerate(numbers):
-            off = min(np.linalg.svd(matrix - number * np.eye(n), compute_uv=False))
-            if not off <= 1e-9 * size:
+            smallest = min(np.linalg.svd(matrix - number * np.eye(n), compute_uv=False))
+            if not smallest <= 1e-9 * size:
                 raise Wrong(
                     f"your {number_text(number)} is no eigenvalue{where_text(values)}: A - lambda "
-                    f"E is invertible there, its smallest singular value is {off:.3g}"
+                    f"E is invertible there, its smallest singular value is {smallest:.3g}"
                 )
-            if any(abs(number - other) < SPREAD * size for other in numbers[:k]):
+            if any(abs(number - previous) < SPREAD * size for previous in numbers[:k]):
                 raise Wrong(
                     f"the eigenvalue {number_text(number)} is listed twice{where_text(values)}; "
                     "give each eigenvalue once, with its multiplicities"
@@ -72,9 +72,9 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
                 "the algebraic multiplicities that you give add up to "
                 f"{sum(a for _, a, _ in rows)}, and the characteristic polynomial is of degree {n}"
             )
-        found = np.linalg.eigvals(matrix)
+        eigenvalues = np.linalg.eigvals(matrix)
         for number, (_, algebraic, geometric) in zip(numbers, rows):
-            if sum(abs(found - number) < SPREAD * size) != algebraic:
+            if sum(abs(eigenvalues - number) < SPREAD * size) != algebraic:
                 raise Wrong(
                     f"{number_text(number)} is a root of the characteristic equation, but not of "
                     f"the multiplicity {algebraic}{where_text(values)}"
@@ -94,7 +94,7 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
 def critical_stability(claim, field, state, parameters, program=None, part=None):
     """Check whether x = 0 of a linear system is asymptotically stable, stable or unstable.
 
-    The word "stable" means stable and no more.
+    The word "stable" means stable but not asymptotically.
     """
     verdicts = [
         (values, matrix, stability(matrix))
@@ -116,7 +116,7 @@ def critical_stability(claim, field, state, parameters, program=None, part=None)
 def stable_parameters(answer, field, state, parameters, program=None, part=None):
     """Check the parameters for which x = 0 of a linear system is stable.
 
-    Stable is meant, asymptotically or not.
+    This includes asymptotic stability.
     """
     at = _linear_part(field, state, parameters, program, part)
 
@@ -153,13 +153,13 @@ def unbounded_motion(answer, field, state, parameters, time, constants=(), progr
                 raise Wrong(f"this motion is not real{where_text(values)}, {time} = {moment}")
             if np.linalg.norm(x) == 0:
                 raise Wrong("this is the state of rest; it does not grow")
-            off = abs(matrix @ x - rate)
+            residuals = abs(matrix @ x - rate)
             if (
-                not max(off)
+                not max(residuals)
                 <= 1e-9 * (np.linalg.norm(matrix) * np.linalg.norm(x) + np.linalg.norm(rate))
                 < np.inf
             ):
-                k = int(np.argmax(off))
+                k = int(np.argmax(residuals))
                 raise Wrong(
                     f"the equations are not satisfied: along your motion {part[k]}' is "
                     f"{rate[k].real:.4g}, and the right-hand side is another number"
@@ -192,17 +192,17 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
         )
         if np.linalg.norm(later - late) > 1e-8 * np.linalg.norm(late):
             raise RuntimeError("these motions do not settle")
-        starts = [
-            values | {s: sp.Integer(int(x)) for s, x in zip(start, begin)}
-            for begin in (*np.eye(len(part)), np.arange(1, len(part) + 1))
+        samples = [
+            values | {s: sp.Integer(int(x)) for s, x in zip(start, initial)}
+            for initial in (*np.eye(len(part)), np.arange(1, len(part) + 1))
         ]
-        for at in in_every_case(starts, limit):
-            begin = np.array([float(at[s]) for s in start])
+        for at in in_every_case(samples, limit):
+            initial = np.array([float(at[s]) for s in start])
             claimed = numbers_at(limit, at, [f"limit of {s}" for s in part])
-            true = late @ begin
-            if not np.linalg.norm(claimed - true) <= 1e-7 * np.linalg.norm(begin):
+            true = late @ initial
+            if not np.linalg.norm(claimed - true) <= 1e-7 * np.linalg.norm(initial):
                 raise Wrong(
-                    f"the motion from {point_text(begin)} does not come to your limit "
+                    f"the motion from {point_text(initial)} does not come to your limit "
                     f"{point_text(claimed.real)}{where_text(values)}"
                 )
     return "motions from several starts come to these states"
@@ -241,15 +241,15 @@ def conserved_quadratic_form(answer, field, state, parameters, program=None, par
         if not lowest[0] > 1e-9 * lowest[-1]:
             direction = np.linalg.eigh(weights)[1][:, 0]
             direction = np.where(abs(direction) < 1e-9, 0, direction)
-            message = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
-            value = (
+            direction_text = ", ".join(f"{s} = {x:.3g}" for s, x in zip(part, direction))
+            value_text = (
                 "zero"
                 if lowest[0] >= -1e-9 * lowest[-1]
                 else f"{direction @ weights @ direction / 2:.3g}"
             )
             raise Wrong(
-                f"it is conserved but not positive definite: it is {value} at "
-                f"{message}{where_text(values)}"
+                f"it is conserved but not positive definite: it is {value_text} at "
+                f"{direction_text}{where_text(values)}"
             )
     minors = [
         sp.hessian(sp.expand(form), part)[:k, :k].det(method="berkowitz")
@@ -264,13 +264,12 @@ def conserved_quadratic_form(answer, field, state, parameters, program=None, par
 
 
 def stability(matrix):
-    """The verdict on x' = A x for a matrix of numbers; on the imaginary axis the ranks of A -
-    lambda E decide."""
+    """Return the stability of x' = A x; on the imaginary axis the ranks of A - lambda E decide."""
     size = np.linalg.norm(matrix)
-    left, verdict = list(np.linalg.eigvals(matrix)), "asymptotically stable"
-    while left:
-        cluster = [z for z in left if abs(z - left[0]) <= SPREAD * size]
-        left = [z for z in left if abs(z - left[0]) > SPREAD * size]
+    remaining, verdict = list(np.linalg.eigvals(matrix)), "asymptotically stable"
+    while remaining:
+        cluster = [z for z in remaining if abs(z - remaining[0]) <= SPREAD * size]
+        remaining = [z for z in remaining if abs(z - remaining[0]) > SPREAD * size]
         # The mean of a cluster is far more accurate than its members, which a Jordan block spreads.
         centre = np.mean(cluster)
         if centre.real > 1e-11 * size or (
@@ -284,7 +283,7 @@ def stability(matrix):
 
 
 def _eigenvectors(matrix, number):
-    """How many independent eigenvectors belong to an eigenvalue."""
+    """Return the number of independent eigenvectors of an eigenvalue."""
     singular = np.linalg.svd(matrix - number * np.eye(len(matrix)), compute_uv=False)
     return int(sum(singular <= 1e-9 * np.linalg.norm(matrix)))
 
@@ -296,17 +295,16 @@ def _matrices(field, state, parameters, program, part, claim=()):
 
 
 def _linear_part(field, state, parameters, program, part):
-    """The matrix of the equations in deviations, or of a part of them, as a function of the values
-    of the parameters."""
+    """Return the matrix of the deviation equations, or of a part, as a function of parameters."""
     motion = Motion(
         field, state, parameters, dict.fromkeys(state, 0) if program is None else program
     )
     chosen = [list(state).index(s) for s in (state if part is None else part)]
-    others = [k for k in range(len(state)) if k not in chosen]
+    excluded = [k for k in range(len(state)) if k not in chosen]
 
     def at(values):
         matrix = motion.matrix(values)
-        if np.any(abs(matrix[np.ix_(chosen, others)]) > 1e-12 * np.linalg.norm(matrix)):
+        if np.any(abs(matrix[np.ix_(chosen, excluded)]) > 1e-12 * np.linalg.norm(matrix)):
             raise RuntimeError("this part of the state is no subsystem")
         return matrix[np.ix_(chosen, chosen)]
 
@@ -314,15 +312,17 @@ def _linear_part(field, state, parameters, program, part):
 
 
 def _distance(matrix, duration):
-    """How far motions that start at distance 1 from zero can be after some time, in words."""
+    """Return a text on the largest distance after some time from the unit sphere."""
     distance = np.linalg.norm(_exponential(matrix * duration), 2)
     return f"{distance:.4g}" if distance < 1e9 else "more than 1e9"
 
 
 def _rows(answer, parameters):
-    """Triples (value, algebraic, geometric) from a list of rows, a matrix, a dict {value:
-    (algebraic, geometric)}, or from what SymPy's `eigenvects` returns, with the eigenvectors
-    themselves in the third place."""
+    """Return triples (value, algebraic, geometric) from an answer.
+
+    It is a list of rows, a matrix, a dict {value: (algebraic, geometric)}, or the result of
+    SymPy's `eigenvects`, whose third entries are the eigenvectors themselves.
+    """
     if isinstance(answer, dict):
         answer = [
             [value, *(numbers if isinstance(numbers, (list, tuple)) else [numbers])]
@@ -354,8 +354,7 @@ def _rows(answer, parameters):
 
 
 def _exponential(matrix):
-    """exp(A) by scaling and squaring of the power series; matrices here are small and inf is a fair
-    answer."""
+    """Return exp(A) by scaling and squaring of the power series; 1e300 where it overflows."""
     squarings = max(0, int(np.ceil(np.log2(np.linalg.norm(matrix) + 1))) + 3)
     scaled, result, term = matrix / 2.0**squarings, np.eye(len(matrix)), np.eye(len(matrix))
     for k in range(1, 16):
@@ -370,7 +369,7 @@ def _exponential(matrix):
 
 
 def _logarithm(motion, at):
-    """The logarithm of the distance from zero; the distance itself may be too large for a float."""
+    """Return the logarithm of the distance from zero, which may itself overflow a float."""
     length = sp.sqrt(sum(sp.Abs(e.subs(at).evalf(20)) ** 2 for e in motion))
     if length.is_finite is not True:
         raise Wrong(

@@ -23,7 +23,7 @@ from workbook.checks.tools.values import number_at, uncertainty_at, value_at
 from workbook.checks.tools.wording import other_text, sample_text
 
 CYCLES = ("stable", "unstable", "semistable")
-#: Angles at which a circle is tried; not multiples of pi/2, where single terms of a field vanish.
+#: Sample angles on a circle; no multiples of pi/2, where single terms of a field vanish.
 ANGLES = 0.4 + 2 * math.pi * np.arange(24) / 24
 
 
@@ -35,7 +35,9 @@ def polar_form(rates, field, state, polar):
     for _ in range(20):
         r, phi = random.uniform(0.2, 2.5), random.uniform(0, 2 * math.pi)
         true = _polar_velocity(flow, r, phi)
-        size = abs(true[0]) / r + abs(true[1]) + np.linalg.norm(flow(_place(r, phi))) * (1 + 1 / r)
+        size = (
+            abs(true[0]) / r + abs(true[1]) + np.linalg.norm(flow(_cartesian(r, phi))) * (1 + 1 / r)
+        )
         for name, rate, value in zip(("r'", "phi'"), rates, true):
             stated = number_at(rate, dict(zip(polar, (r, phi))), f"your expression for {name}")
             if not abs(stated - value) <= 1e-9 * size:
@@ -58,7 +60,7 @@ def radial_motion(claim, field, state, time, start):
     slope = sp.diff(claim, time)
     flow = cached_field(tuple(field), tuple(state))
     for r0 in (0.3, 0.85, 1.0, 1.4, 2.3):
-        life = _life(flow, r0)
+        life = _lifetime(flow, r0)
         for t in (0.0, 0.1 * life, 0.35 * life, 0.8 * life):
             values = {time: sp.Float(t, 25), start: sp.Float(r0, 25)}
             r = value_at(claim, values, "r")
@@ -90,23 +92,25 @@ def limit_cycles(answer, field, state):
         raise Invalid("expected the radii themselves, without equations")
     numbers = [coercion.as_number(entry) for entry in coercion.as_expressions(entries)]
     radii = list(map(float, numbers))
-    found = _circles(flow)
+    reference_radii = _circles(flow)
     for number, radius in zip(numbers, radii):
         if radius == 0:
             raise Wrong("r = 0 is a position of equilibrium, not a closed orbit")
         if radius < 0:
             raise Wrong(f"the radius {radius:.4g} is negative")
-        if not any(agree(radius, other, number, computed=REPEATED) for other in found):
+        if not any(
+            agree(radius, reference, number, computed=REPEATED) for reference in reference_radii
+        ):
             rates = [_polar_velocity(flow, radius, phi)[0] for phi in ANGLES]
             raise Wrong(
                 f"the circle r = {radius:.4g} is not a closed orbit: r' = "
                 f"{max(rates, key=abs):.4g} at a point of it"
             )
     missed = [
-        other
-        for other in found
+        reference
+        for reference in reference_radii
         if not any(
-            agree(radius, other, number, computed=REPEATED)
+            agree(radius, reference, number, computed=REPEATED)
             for number, radius in zip(numbers, radii)
         )
     ]
@@ -116,19 +120,19 @@ def limit_cycles(answer, field, state):
             "vanishes"
         )
     if in_decimals(*numbers):
-        known = "to three digits"
+        evidence = "to three digits"
     elif _proved(numbers, sp.Matrix(field), state):
-        known = "proved"
+        evidence = "proved"
     else:
-        known = "agrees at sample angles"
-    return f"on these circles, and on no others, r' vanishes at every angle while phi' does not: {known}"
+        evidence = "agrees at sample angles"
+    return f"on these circles, and on no others, r' vanishes at every angle while phi' does not: {evidence}"
 
 
 def _proved(radii, field, state):
-    """Whether it can be decided, for a polynomial field, that these are the radii of all circles.
+    """Return whether these radii are proved to be all circles of a polynomial field.
 
-    With x = r cos, y = r sin the rates are polynomials in cos and sin, to the first degree in sin;
-    those of r' have to vanish one by one.
+    With x = r cos, y = r sin the rates are polynomials in cos and sin, of first degree in sin; all
+    coefficients of r' have to vanish.
     """
     r, c, s = sp.symbols("r c s")
     rates = field.subs(dict(zip(state, (r * c, r * s))), simultaneous=True).applyfunc(sp.expand)
@@ -148,11 +152,10 @@ def _proved(radii, field, state):
 def cycle_stability(answer, field, state, radius=None):
     """Check whether a limit cycle is stable, unstable or semistable.
 
-    It is the only one, or that with the `radius` given.
-
-    Judged by motions that start a little inside and a little outside of it.
+    It is the only one, or the one of radius `radius`. Judged by motions that start a little inside
+    and a little outside of it.
     """
-    # semi-stable
+    # "semi-stable" is accepted too.
     joined = "".join(answer.replace("-", " ").split()) if isinstance(answer, str) else answer
     claim = coercion.as_choice(joined, CYCLES)
     flow = cached_field(tuple(field), tuple(state))
@@ -171,10 +174,10 @@ def cycle_stability(answer, field, state, radius=None):
         side, start = (
             ("inside", 0.95 * radius) if inside != claimed[0] else ("outside", 1.05 * radius)
         )
-        does = {"to": "towards", "from": "away from"}[inside if side == "inside" else outside]
+        movement = {"to": "towards", "from": "away from"}[inside if side == "inside" else outside]
         raise Wrong(
             f"this does not agree with the neighbouring motions: the one that starts {side}, at r "
-            f"= {start:g}, moves {does} the cycle"
+            f"= {start:g}, moves {movement} the cycle"
         )
     return (
         f"motions inside move {'towards' if inside == 'to' else 'away from'} it, "
@@ -186,18 +189,18 @@ def cycle_stability(answer, field, state, radius=None):
 def cycle_period(claim, radial, angular, radius, parameters):
     """Check the period of the closed orbit of r' = R(r), phi' = W(r).
 
-    At the rate W the angle gains 2 pi in it.
+    In one period the angle grows by 2 pi at the rate W.
     """
-    family = stationary_points_of([radial], [radius], parameters, _cycles(radius))
-    turning = stationary_points_of([angular], [radius], parameters, _cycles(radius))
-    for values, numbers, rest in family.samples(claim):
+    family = stationary_points_of([radial], [radius], parameters, _positive_domain(radius))
+    angular_rate = stationary_points_of([angular], [radius], parameters, _positive_domain(radius))
+    for values, numbers, equilibrium in family.samples(claim):
         period = real_at(claim, values)
         if period is None:
             raise Wrong(
                 f"{sample_text(values)}there is a closed orbit, but your expression gives no "
                 "real number"
             )
-        rate = float(turning(rest, numbers)[0])
+        rate = float(angular_rate(equilibrium, numbers)[0])
         if period <= 0 or not agree(
             rate * period,
             math.copysign(2 * math.pi, rate),
@@ -211,7 +214,7 @@ def cycle_period(claim, radial, angular, radius, parameters):
     return "in this time the angle gains one full turn on the closed orbit"
 
 
-def _cycles(radius):
+def _positive_domain(radius):
     return {radius: sp.Interval.open(0, sp.oo)}
 
 
@@ -229,7 +232,7 @@ def return_map_slope(claim, field, state, radius=None):
     exponent = 0.0
     # the trapezoidal rule is exact here for trigonometric polynomials below degree 24
     for phi in ANGLES:
-        x = _place(radius, phi)
+        x = _cartesian(radius, phi)
         exponent += (
             np.trace(flow.jacobian(x))
             / abs(_polar_velocity(flow, radius, phi)[1])
@@ -240,7 +243,7 @@ def return_map_slope(claim, field, state, radius=None):
     if abs(exponent) < 1e-10:
         exponent = 0.0
     slope = math.exp(exponent)
-    # A whole number may be one that was rounded: such a slope is large.
+    # A large slope may be rounded to a whole number.
     if not agree(float(claim), slope, claim) and not (claim.is_Integer and rounds_to(claim, slope)):
         if float(claim) <= 0:
             raise Wrong(
@@ -259,26 +262,26 @@ def return_map_slope(claim, field, state, radius=None):
     return "it agrees with the integral of the divergence over one turn (Liouville's formula)"
 
 
-def _place(r, phi):
+def _cartesian(r, phi):
     return r * np.array([math.cos(phi), math.sin(phi)])
 
 
 def _polar_velocity(flow, r, phi):
-    """(r', phi') of the motion at a point, from its velocity in the plane."""
-    x = _place(r, phi)
+    """Return (r', phi') of the motion at a point, from its velocity in the plane."""
+    x = _cartesian(r, phi)
     velocity = flow(x)
     return x @ velocity / r, (x[0] * velocity[1] - x[1] * velocity[0]) / r**2
 
 
 @functools.lru_cache(maxsize=16)
 def _circles(flow, reach=20.0):
-    """Radii, below `reach`, of the circles around zero that are closed orbits.
+    """Return the radii below `reach` of the circles around zero that are closed orbits.
 
-    Along a ray r' is followed on a fine grid: a cycle is a zero of r' or, where r' keeps its sign,
+    r' is computed along a ray on a fine grid: a cycle is a zero of r' or, where r' keeps its sign,
     of its derivative.
     """
     phi = ANGLES[0]
-    unit = _place(1.0, phi)
+    unit = _cartesian(1.0, phi)
 
     def rate(r):
         return _polar_velocity(flow, r, phi)[0]
@@ -292,49 +295,42 @@ def _circles(flow, reach=20.0):
             "all circles around zero are closed orbits: none of them is a limit cycle"
         )
     candidates = _zeros(rate, grid) + _zeros(growth, grid)
-    found = []
+    radii = []
     for radius in sorted(candidates):
         velocities = [_polar_velocity(flow, radius, angle) for angle in ANGLES]
         closed = max(abs(v[0]) for v in velocities) < 1e-9 * radius * max(
             abs(v[1]) for v in velocities
         )
-        turning = min(abs(v[1]) for v in velocities) > 1e-9
-        if closed and turning and not any(abs(radius - other) < 1e-5 * radius for other in found):
-            found.append(float(radius))
-    return found
+        rotating = min(abs(v[1]) for v in velocities) > 1e-9
+        if closed and rotating and not any(abs(radius - known) < 1e-5 * radius for known in radii):
+            radii.append(float(radius))
+    return radii
 
 
 def _zeros(function, grid):
-    """Zeros of a function at its changes of sign, by bisection."""
+    """Return the zeros of a function at its changes of sign, by bisection."""
     values = [function(r) for r in grid]
     zeros = [r for r, value in zip(grid, values) if value == 0]
-    for low, high, left, right in zip(grid, grid[1:], values, values[1:]):
-        if left * right < 0:
+    for low, high, low_value, high_value in zip(grid, grid[1:], values, values[1:]):
+        if low_value * high_value < 0:
             for _ in range(60):
                 middle = (low + high) / 2
-                low, high = (middle, high) if function(middle) * left > 0 else (low, middle)
+                low, high = (middle, high) if function(middle) * low_value > 0 else (low, middle)
             zeros.append((low + high) / 2)
     return zeros
 
 
 def _circle(flow, radius):
-    """The circle of the given radius, or the only one, that is a closed orbit."""
+    """Return the closed circular orbit of the given radius, or the only one."""
     circles = [c for c in _circles(flow) if radius is None or abs(c - float(radius)) < 1e-6 * c]
     if len(circles) != 1:
         raise RuntimeError(f"expected one circular limit cycle, found {len(circles)}")
     return circles[0]
 
 
-def _turn(flow, radius):
-    """The duration of one turn on a closed orbit."""
-    return sum(
-        2 * math.pi / len(ANGLES) / abs(_polar_velocity(flow, radius, phi)[1]) for phi in ANGLES
-    )
-
-
 @functools.lru_cache(maxsize=16)
 def _tendency(flow, radius, side):
-    """ "to" or "from": where a motion on one side of the cycle goes."""
+    """Return "to" or "from": whether motions on one side approach the cycle or leave it."""
     start = radius * (1 + 0.05 * side)
     end = flow.motion([start, 0.0], 60.0, escape=10 * radius)
     if end is None:
@@ -347,8 +343,8 @@ def _tendency(flow, radius, side):
     return "to" if ratio < 1 else "from"
 
 
-def _life(flow, r0, duration=2.0):
-    """How long a motion lasts before it runs away to infinity, at most `duration`."""
+def _lifetime(flow, r0, duration=2.0):
+    """Return how long a motion stays bounded, at most `duration`."""
     for _ in range(12):
         if flow.motion([r0, 0.0], duration, escape=100.0) is not None:
             return duration

@@ -16,10 +16,10 @@ from workbook.checks.tools.wording import number_text, point_text
 
 @judged
 def equilibria(answer, field, state):
-    """Check all equilibria of x' = f(x): every point given is one, and a search finds no other."""
-    flow, found = _searched(tuple(field), tuple(state))
-    given = [_rest_point(flow, position) for position in _places(answer, state)]
-    missed = [point for point in found if not _among(point, given)]
+    """Check all equilibria of x' = f(x): each point is one, and a search finds no other."""
+    flow, reference_points = _field_and_equilibria(tuple(field), tuple(state))
+    claimed = [_equilibrium_at(flow, position) for position in _read_points(answer, state)]
+    missed = [point for point in reference_points if not _is_member(point, claimed)]
     if missed:
         raise Wrong("your list does not hold all of them: a search finds another")
     return "the right-hand sides vanish at all of them, and a search from 240 starts finds no other"
@@ -34,13 +34,13 @@ def spectra(answer, field, state):
     Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by
     their sum, the trace of A.
     """
-    flow, found = _searched(tuple(field), tuple(state))
-    given = []
-    for position, numbers in _spectra_by_place(answer, state):
-        point = _rest_point(flow, position)
-        given.append(point)
+    flow, reference_points = _field_and_equilibria(tuple(field), tuple(state))
+    claimed = []
+    for position, numbers in _spectra_by_point(answer, state):
+        point = _equilibrium_at(flow, position)
+        claimed.append(point)
         _judge_spectrum(numbers, flow.jacobian(point), point)
-    missed = [point for point in found if not _among(point, given)]
+    missed = [point for point in reference_points if not _is_member(point, claimed)]
     if missed:
         raise Wrong(
             "your list does not hold all of them: a search finds an equilibrium for which you "
@@ -52,26 +52,26 @@ def spectra(answer, field, state):
 @judged
 def stable_equilibria(answer, field, state):
     """Check the asymptotically stable equilibria among all, by the first approximation."""
-    flow, found = _searched(tuple(field), tuple(state))
-    given = _places(answer, state)
+    flow, reference_points = _field_and_equilibria(tuple(field), tuple(state))
+    claimed = _read_points(answer, state)
     stable = []
-    for point in found:
+    for point in reference_points:
         real_part = max(np.linalg.eigvals(flow.jacobian(point)).real)
         if abs(real_part) < 1e-8:
             raise RuntimeError("the first approximation does not decide here")
         if real_part < 0:
             stable.append(point)
-        elif any(_is_at(position, point) for position in given):
+        elif any(_is_at(position, point) for position in claimed):
             raise Wrong(
                 f"the point {point_text(point)} is listed as stable, but the first approximation "
                 "there has an eigenvalue with a positive real part"
             )
-    for position in given:
+    for position in claimed:
         if not any(_is_at(position, point) for point in stable):
             raise Wrong(
                 f"your point {point_text(position)} is not an equilibrium: {_values_text(flow, position)}"
             )
-    missed = [point for point in stable if not any(_is_at(position, point) for position in given)]
+    missed = [point for point in stable if not any(_is_at(position, point) for position in claimed)]
     if missed:
         raise Wrong(
             "not all asymptotically stable equilibria are there: some equilibrium that you leave "
@@ -81,16 +81,14 @@ def stable_equilibria(answer, field, state):
 
 
 @functools.lru_cache(maxsize=16)
-def _searched(field, state):
-    """The field and its rest points. Several answers of a problem ask about the same system: one
-    search serves them all."""
+def _field_and_equilibria(field, state):
+    """Return the field and its equilibria; cached, as several answers concern the same system."""
     flow = Field(field, state)
     return flow, flow.equilibria()
 
 
-def _places(answer, state):
-    """The points of a list (or of a single dict, as `solve` gives it) in the order of `state`,
-    lists of numbers."""
+def _read_points(answer, state):
+    """Return the points of an answer, a list or a dict from `solve`, as lists in state order."""
     points = [answer] if isinstance(answer, dict) else answer
     if isinstance(points, (list, tuple, set, frozenset, sp.FiniteSet)):
         points = [in_order(point, state) for point in points]
@@ -101,9 +99,11 @@ def _places(answer, state):
     return [list(point) for point in coercion.as_points(points, len(state))]
 
 
-def _spectra_by_place(answer, state):
-    """Pairs (point, eigenvalues), lists of numbers as they are written, from rows [*coordinates,
-    *eigenvalues]; a row may be a pair of two lists as well."""
+def _spectra_by_point(answer, state):
+    """Yield pairs (point, eigenvalues) as they are written, from rows [*coordinates, *eigenvalues].
+
+    A row may also be a pair of two lists.
+    """
     n = len(state)
     if isinstance(answer, sp.MatrixBase):
         answer = answer.tolist()
@@ -131,34 +131,34 @@ def _judge_spectrum(written, matrix, point):
         written, {}, [f"eigenvalue at {point_text(point)}"] * len(written)
     ).tolist()
     eigenvalues = list(np.linalg.eigvals(matrix))
-    left = list(eigenvalues)
+    remaining = list(eigenvalues)
     for number, claim in zip(numbers, written):
-        # A double eigenvalue comes out of the floating-point computation with half of its digits.
-        near = [value for value in eigenvalues if agree(number, value, claim, 1, REPEATED)]
-        if not near:
+        # A computed double eigenvalue has half of the digits of a float.
+        matching = [value for value in eigenvalues if agree(number, value, claim, 1, REPEATED)]
+        if not matching:
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
             raise Wrong(
                 f"at {point_text(point)} your number {number_text(number)} is no eigenvalue of the "
                 "first "
                 f"approximation: det(lambda E - A) has the modulus {residual:.4g} there, not zero"
             )
-        close = [value for value in near if value in left]
-        if not close:
+        unmatched = [value for value in matching if value in remaining]
+        if not unmatched:
             raise Wrong(
                 f"at {point_text(point)} the sum of your eigenvalues is "
                 f"{number_text(sum(numbers))}, which is not the sum of the diagonal elements of A"
             )
-        left.remove(min(close, key=lambda value: abs(value - number)))
+        remaining.remove(min(unmatched, key=lambda value: abs(value - number)))
 
 
-def _rest_point(flow, position):
-    """The equilibrium at a point as it is written."""
-    rest = flow.refine(np.array(position, dtype=float))
-    if rest is None or not _is_at(position, rest):
+def _equilibrium_at(flow, position):
+    """Return the equilibrium at a point as it is written, or raise `Wrong`."""
+    equilibrium = flow.refine(np.array(position, dtype=float))
+    if equilibrium is None or not _is_at(position, equilibrium):
         raise Wrong(
             f"your point {point_text(position)} is not an equilibrium: {_values_text(flow, position)}"
         )
-    return rest
+    return equilibrium
 
 
 def _values_text(flow, position):
@@ -169,14 +169,13 @@ def _values_text(flow, position):
 
 
 def _is_at(position, point):
-    """Whether a point as it is written is one that was searched for; a double zero is found to half
-    of its digits."""
+    """Return whether a written point agrees with a computed one; a double zero has half the digits."""
     return agree(
         np.array(position, dtype=float), point, position, np.abs(point).max(), REPEATED
     ).all()
 
 
-def _among(point, points):
+def _is_member(point, points):
     return any(
-        np.linalg.norm(point - other) < 1e-6 * (1 + np.linalg.norm(point)) for other in points
+        np.linalg.norm(point - member) < 1e-6 * (1 + np.linalg.norm(point)) for member in points
     )

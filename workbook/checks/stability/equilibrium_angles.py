@@ -13,7 +13,7 @@ from workbook.checks.contract.members import VECTORS, families
 from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.stationary_angles import stationary_angles
-from workbook.checks.stability.equilibrium_sets import WANTED, agreement
+from workbook.checks.stability.equilibrium_sets import KIND_CONDITIONS, agreement
 from workbook.checks.tools.conditions import (
     Case,
     ReferenceCondition,
@@ -79,9 +79,8 @@ def unstable_equilibrium_angles(answer, field, state, parameters, integer):
 def angle_linearisation(claim, field, state, parameters, angle, deviations):
     """Check the linearisation psi'' = ... at a stationary angle, linear in psi and psi'.
 
-    `angle` is the symbol of the stationary angle, `deviations` those of psi and psi'. It is
-    judged at angles that are stationary, so that a parameter may stand for what the equation of
-    rest makes of it.
+    `angle` is the symbol of the stationary angle, `deviations` those of psi and psi'. It is judged
+    at stationary angles only, so that the answer may use the equation f(phi0, 0) = 0.
     """
     if not claim.is_polynomial(*deviations) or sp.Poly(claim, *deviations).total_degree() > 1:
         raise Invalid(
@@ -145,41 +144,48 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
     claims = [coercion.as_expression(part, [*parameters, integer]) for part in parts]
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     for values in angles.samples_for(claims):
-        found = angles.rest(values)
-        chosen = [phi for phi in found if WANTED[word](*angles.derivatives(values, phi))]
+        reference_angles = angles.rest(values)
+        chosen = [
+            phi
+            for phi in reference_angles
+            if KIND_CONDITIONS[word](*angles.derivatives(values, phi))
+        ]
         matched = set()
         for family in claims:
             for number in range(-3, 4) if family.has(integer) else (0,):
                 at = values | {integer: sp.Integer(number)}
-                given, uncertain = number_at(family, at, "your angle"), uncertainty_at(family, at)
+                claimed, uncertainty = (
+                    number_at(family, at, "your angle"),
+                    uncertainty_at(family, at),
+                )
                 member = f" ({integer} = {number})" if family.has(integer) else ""
-                if abs(given.imag) > 1e-9 * (1 + abs(given)):
+                if abs(claimed.imag) > 1e-9 * (1 + abs(claimed)):
                     raise Wrong(
                         f"your value{member} is not real for {values_text(values)}, where there "
                         "are stationary angles"
                     )
                 turned = [
-                    given.real + np.remainder(phi - given.real + np.pi, 2 * np.pi) - np.pi
-                    for phi in found
+                    claimed.real + np.remainder(phi - claimed.real + np.pi, 2 * np.pi) - np.pi
+                    for phi in reference_angles
                 ]
-                near = [
+                matching = [
                     phi
-                    for phi, true in zip(found, turned)
-                    if agree(given.real, true, family, 2 * np.pi, uncertain=uncertain)
+                    for phi, true in zip(reference_angles, turned)
+                    if agree(claimed.real, true, family, 2 * np.pi, uncertain=uncertainty)
                 ]
-                if not near:
+                if not matching:
                     raise Wrong(
-                        f"your value {given.real:.4g}{member} is no stationary angle for "
+                        f"your value {claimed.real:.4g}{member} is no stationary angle for "
                         f"{values_text(values)}: f(phi, 0) is "
-                        f"{angles.force(values, given.real):.4g} there"
+                        f"{angles.force(values, claimed.real):.4g} there"
                     )
-                if near[0] not in chosen:
+                if matching[0] not in chosen:
                     raise Wrong(
-                        f"your angle {given.real:.4g} for {values_text(values)} is "
+                        f"your angle {claimed.real:.4g} for {values_text(values)} is "
                         "stationary, but not "
-                        f"{word}: {_roots_text(*angles.derivatives(values, near[0]))}"
+                        f"{word}: {_roots_text(*angles.derivatives(values, matching[0]))}"
                     )
-                matched.add(near[0])
+                matched.add(matching[0])
         if len(matched) < len(chosen):
             raise Wrong(
                 f"not all angles are there: between 0 and 2 pi there is one that is {word} for "
@@ -187,8 +193,11 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
             )
     # Angles that differ by 2 pi are the same here.
     turned = [claim if claim.has(integer) else claim + 2 * sp.pi * integer for claim in claims]
-    known = agreement(turned, integer, field, state, parameters, sp.true, word)
-    return f"these angles are {word} for several sets of parameters, and a search of the circle finds no other{known}"
+    proof_text = agreement(turned, integer, field, state, parameters, sp.true, word)
+    return (
+        f"these angles are {word} for several sets of parameters, and a search of the circle finds "
+        f"no other{proof_text}"
+    )
 
 
 def _judge_angle_condition(answer, field, state, parameters, angle, kind, word):
@@ -236,7 +245,7 @@ def judge_angle_roots(answer, field, state, parameters, sign):
     force = sp.sympify(field[1])
     slope, friction = (sp.diff(force, x).subs(rate, 0) for x in state)
     border = friction**2 + 4 * slope
-    given = sp.And(sp.Eq(force.subs(rate, 0), 0), slope < 0, sp.Ne(border, 0))
+    assumptions = sp.And(sp.Eq(force.subs(rate, 0), 0), slope < 0, sp.Ne(border, 0))
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
 
     def discriminants(values):
@@ -244,18 +253,18 @@ def judge_angle_roots(answer, field, state, parameters, sign):
         return [friction**2 + 4 * slope for slope, friction in pairs if slope < 0], pairs
 
     def reference(values):
-        found, pairs = discriminants(values)
-        if not found or min(abs(d) for d in found) < 1e-9 * max(
+        values_of_discriminant, pairs = discriminants(values)
+        if not values_of_discriminant or min(abs(d) for d in values_of_discriminant) < 1e-9 * max(
             friction**2 + abs(slope) for slope, friction in pairs
         ):
             return None
-        return all(sign * discriminant > 0 for discriminant in found)
+        return all(sign * discriminant > 0 for discriminant in values_of_discriminant)
 
     def message(values):
         slope, friction = next((pair for pair in discriminants(values)[1] if pair[0] < 0), (0, 0))
         return _roots_text(slope, friction)
 
-    exact = exactly(sign * border > 0, given, (phi,), reference)
+    exact = exactly(sign * border > 0, assumptions, (phi,), reference)
     agreement = compare(answer, parameters, exact, contradiction_message(message))
     return (
         "for these parameters, and for no others, the stationary angles that are no saddles are "

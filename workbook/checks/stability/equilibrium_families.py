@@ -1,9 +1,9 @@
 """Stationary solutions that depend on parameters or repeat periodically, and stability.
 
-An equation of second order in x stands here as the field of its state (x, x'). A stationary
-solution x(t) = x* is named by the number x* alone; a periodic family of them is an expression in an
-integer and is judged by its members. What the problem assumes of its parameters (friction is
-positive) is handed over as a condition, `given`.
+An equation of second order in x is given as the field of its state (x, x'). A stationary solution
+x(t) = x* is named by the number x* alone; a periodic family of them is an expression in an integer
+and is judged by its members. The assumptions of the problem on its parameters (friction is positive)
+are the condition `given`.
 """
 
 import functools
@@ -33,9 +33,8 @@ from workbook.checks.tools.wording import number_text, point_text, where_text
 REACH = 12.0
 #: What rounding leaves of a zero matrix, next to the largest one.
 ROUNDING = 1e-12
-#: By the word that `agreement` knows: what an answer names, and which of the equilibria found
-#: belong to these.
-SORTED = {
+#: For each word of `agreement`: the name of the kind in messages, and the test of an equilibrium.
+KIND_TESTS = {
     "stationary": ("stationary solutions", lambda flow, point: True),
     "asymptotically stable": (
         "asymptotically stable ones",
@@ -53,9 +52,8 @@ def equilibrium_values(answer, field, state, parameters=(), given=(), integer=No
 
     Every member is one, and a search finds no other. Also read: SymPy sets, and points (x*, 0).
     """
-    return (
-        "at each of them the right-hand sides vanish, and a search finds no other"
-        + _all_and_no_others("stationary", answer, field, state, parameters, given, integer)
+    return "at each of them the right-hand sides vanish, and a search finds no other" + _judge_all(
+        "stationary", answer, field, state, parameters, given, integer
     )
 
 
@@ -67,9 +65,7 @@ def stable_equilibrium_values(answer, field, state, parameters=(), given=(), int
     """
     return (
         "there, and nowhere else, all roots of the characteristic equation have negative real parts"
-        + _all_and_no_others(
-            "asymptotically stable", answer, field, state, parameters, given, integer
-        )
+        + _judge_all("asymptotically stable", answer, field, state, parameters, given, integer)
     )
 
 
@@ -81,21 +77,23 @@ def unstable_equilibrium_values(answer, field, state, parameters=(), given=(), i
     """
     return (
         "there, and nowhere else, a root of the characteristic equation has a positive real part"
-        + _all_and_no_others("unstable", answer, field, state, parameters, given, integer)
+        + _judge_all("unstable", answer, field, state, parameters, given, integer)
     )
 
 
-def _all_and_no_others(word, answer, field, state, parameters, given, integer):
-    """How it is known that an answer names all rest points of a kind, a key of `SORTED`, and no
-    others."""
-    claims, (noun, belongs) = _claims(answer, state, parameters, integer), SORTED[word]
-    for values, flow, found in sampled_systems(field, state, parameters, given, claims):
+def _judge_all(word, answer, field, state, parameters, given, integer):
+    """Judge that an answer names all equilibria of a kind, a key of `KIND_TESTS`, and no others.
+
+    Return the text on how this is known.
+    """
+    claims, (noun, is_of_kind) = _claims(answer, state, parameters, integer), KIND_TESTS[word]
+    for values, flow, equilibria in sampled_systems(field, state, parameters, given, claims):
         _judge_values(
             claims,
             values,
             flow,
-            found,
-            [point for point in found if belongs(flow, point)],
+            equilibria,
+            [point for point in equilibria if is_of_kind(flow, point)],
             integer,
             noun,
         )
@@ -116,22 +114,24 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
         coercion.as_matrix(part, [*parameters, *_symbols(integer)], (n, n))
         for part in _list_of_matrices(answer)
     ]
-    for values, flow, found in sampled_systems(field, state, parameters, given, matrices, zeros):
-        true = [(point, flow.jacobian(point)) for point in found]
-        floor = ROUNDING * max(np.linalg.norm(other) for _, other in true)
+    for values, flow, equilibria in sampled_systems(
+        field, state, parameters, given, matrices, zeros
+    ):
+        references = [(point, flow.jacobian(point)) for point in equilibria]
+        floor = ROUNDING * max(np.linalg.norm(reference) for _, reference in references)
         claimed = [
             matrix_at(matrix, values | {s: sp.Integer(k) for s in _symbols(integer)})
             for matrix in matrices
             for k in (range(-2, 3) if matrix.has(*_symbols(integer)) else (0,))
         ]
         for matrix in claimed:
-            if not any(_same(matrix, other, floor) for _, other in true):
+            if not any(_matrices_agree(matrix, reference, floor) for _, reference in references):
                 raise Wrong(
                     f"the matrix {_matrix_text(matrix)}{where_text(values)} is at none of the "
                     "stationary solutions that of the linear equations in deviations"
                 )
-        for _, other in true:
-            if not any(_same(matrix, other, floor) for matrix in claimed):
+        for _, reference in references:
+            if not any(_matrices_agree(matrix, reference, floor) for matrix in claimed):
                 raise Wrong(
                     "a matrix is missing: your list does not hold that of the linear equations at one "
                     f"of the stationary solutions{where_text(values)}"
@@ -148,9 +148,9 @@ def growth_rate(claim, field, state, parameters=(), given=()):
 
     It is the positive root of the characteristic equation there.
     """
-    for values, flow, found in sampled_systems(field, state, parameters, given, claim):
+    for values, flow, equilibria in sampled_systems(field, state, parameters, given, claim):
         number = number_at(claim, values)
-        for point in found:
+        for point in equilibria:
             matrix = flow.jacobian(point)
             rate = max(np.linalg.eigvals(matrix).real)
             if rate <= 1e-9 or agree(
@@ -158,7 +158,7 @@ def growth_rate(claim, field, state, parameters=(), given=()):
             ):
                 continue
             residual = abs(np.linalg.det(number * np.eye(len(state)) - matrix))
-            # Which solution it is the student is asked for in another item.
+            # The message does not name the solution: another item asks for it.
             message = (
                 "it is a root of the characteristic equation at an unstable stationary solution, "
                 "but not a positive one"
@@ -178,15 +178,15 @@ def unique_equilibrium(answer, field, state, parameters):
 
     The right-hand side f is a polynomial; its real roots are counted exactly.
     """
-    *others, force = [sp.sympify(f).subs(dict.fromkeys(state[1:], 0)) for f in field]
-    if any(other != 0 for other in others):
+    *kinematic, force = [sp.sympify(f).subs(dict.fromkeys(state[1:], 0)) for f in field]
+    if any(second != 0 for second in kinematic):
         raise RuntimeError("this is no equation of second order")
     x = state[0]
-    other = sp.Dummy("y", real=True)
-    two = sp.And(sp.Eq(force, 0), sp.Eq(force.subs(x, other), 0), sp.Ne(x, other))
-    # Where there is none at all the first case says too much, which `count` corrects.
-    inside = Case(sp.Not(two), (x, other), every=True)
-    outside = Case(two, (x, other)), Case(sp.Ne(force, 0), (x,), every=True)
+    second = sp.Dummy("y", real=True)
+    two_roots = sp.And(sp.Eq(force, 0), sp.Eq(force.subs(x, second), 0), sp.Ne(x, second))
+    # `inside` also holds where there is no root at all; `count` excludes this.
+    inside = Case(sp.Not(two_roots), (x, second), every=True)
+    outside = Case(two_roots, (x, second)), Case(sp.Ne(force, 0), (x,), every=True)
 
     def count(values):
         return sp.Poly(force.subs(values), x).sqf_part().count_roots()
@@ -204,13 +204,15 @@ def unique_equilibrium(answer, field, state, parameters):
 
 
 def sampled_systems(field, state, parameters, given, claim=(), zeros=None):
-    """Triples (values, field, rest points between -REACH and REACH) for four samples of the
-    parameters that satisfy `given`, and for more where the answer distinguishes cases that these do
-    not meet; the equilibria are the zeros of `zeros`, if these are given."""
+    """Yield triples (values, field, equilibria between -REACH and REACH) for sampled parameters.
+
+    There are four samples that satisfy `given`, and more where the answer distinguishes cases that
+    these do not cover. The equilibria are the zeros of `zeros`, if these are given.
+    """
     for values in in_every_case(allowed_values(parameters, given, 4), claim, given):
         yield (
             values,
-            *_searched(
+            *_field_and_equilibria(
                 tuple(field),
                 tuple(state),
                 tuple(field if zeros is None else zeros),
@@ -220,15 +222,14 @@ def sampled_systems(field, state, parameters, given, claim=(), zeros=None):
 
 
 @functools.lru_cache(maxsize=64)
-def _searched(field, state, zeros, values):
-    # Several answers of a problem ask about the same equation: one search serves them all.
-    found = Field(zeros, state, dict(values)).equilibria(160, reach=1.2 * REACH)
-    return Field(field, state, dict(values)), [point for point in found if abs(point[0]) < REACH]
+def _field_and_equilibria(field, state, zeros, values):
+    # Cached: several answers of a problem concern the same equation.
+    points = Field(zeros, state, dict(values)).equilibria(160, reach=1.2 * REACH)
+    return Field(field, state, dict(values)), [point for point in points if abs(point[0]) < REACH]
 
 
 def _claims(answer, state, parameters, integer):
-    """The expressions of an answer: from an expression, a list, a SymPy set of numbers, or points
-    (x*, 0)."""
+    """Return the expressions of an answer: one, a list, a SymPy set, or points (x*, 0)."""
     symbols = [*parameters, *_symbols(integer)]
     parts = families(
         answer,
@@ -239,10 +240,10 @@ def _claims(answer, state, parameters, integer):
 
 
 def first_coordinate(part, state, symbols):
-    """The value x* of a number or of a point (x*, 0, ...)."""
+    """Return the value x* of a number or of a point (x*, 0, ...)."""
     if isinstance(part, VECTORS) and np.ndim(part) > 0:
-        first, *others = coercion.as_expressions(part, symbols, len(state))
-        if any(other != 0 for other in others):
+        first, *velocities = coercion.as_expressions(part, symbols, len(state))
+        if any(velocity != 0 for velocity in velocities):
             raise Wrong(
                 f"at a stationary solution {', '.join(f'{x} = 0' for x in state[1:])}: nothing "
                 "moves there"
@@ -251,57 +252,61 @@ def first_coordinate(part, state, symbols):
     return coercion.as_expression(part, symbols)
 
 
-def _judge_values(claims, values, flow, found, wanted, integer, what):
+def _judge_values(claims, values, flow, equilibria, expected, integer, noun):
     claimed = []
     for family in claims:
-        for message, number, here in _members(family, values, integer):
+        for member_text, number, member_values in _members(family, values, integer):
             if abs(number.imag) > 1e-9 * (1 + abs(number)):
-                raise Wrong(f"your value{message} is not real{where_text(values)}")
+                raise Wrong(f"your value{member_text} is not real{where_text(values)}")
             number = number.real
             if abs(number) > REACH:
                 continue
-            near = [point for point in found if is_value(number, point[0], family, here)]
-            if not near:
-                rates = point_text(flow([number] + [0.0] * (len(flow.state) - 1)))
+            matching = [
+                point for point in equilibria if is_value(number, point[0], family, member_values)
+            ]
+            if not matching:
+                rates_text = point_text(flow([number] + [0.0] * (len(flow.state) - 1)))
                 raise Wrong(
-                    f"your value {number:.4g}{message} is no stationary solution{where_text(values)}: "
-                    f"the right-hand sides are {rates} there"
+                    f"your value {number:.4g}{member_text} is no stationary solution{where_text(values)}: "
+                    f"the right-hand sides are {rates_text} there"
                 )
-            if not any(point is near[0] for point in wanted):
+            if not any(point is matching[0] for point in expected):
                 raise Wrong(
-                    f"your value {number:.4g}{message} is a stationary solution, but none of the "
-                    f"{what}{where_text(values)}: look at the real parts of the roots there"
+                    f"your value {number:.4g}{member_text} is a stationary solution, but none of the "
+                    f"{noun}{where_text(values)}: look at the real parts of the roots there"
                 )
-            claimed.append(near[0])
-    if any(not any(point is other for other in claimed) for point in wanted):
+            claimed.append(matching[0])
+    if any(not any(point is match for match in claimed) for point in expected):
         raise Wrong(
-            f"not all {what} are there: between -{REACH:g} and {REACH:g} a search finds one that "
+            f"not all {noun} are there: between -{REACH:g} and {REACH:g} a search finds one that "
             f"your answer does not give{where_text(values)}"
         )
     if integer is None or any(family.has(integer) for family in claims):
         return
-    for point in wanted:  # a finite list for what comes back with every turn
-        again = np.array([point[0] + 20 * np.pi, *point[1:]])
-        if np.all(abs(flow(again)) < 1e-9 * (1 + abs(again[0]))):
+    for point in expected:  # a finite list for an equation that is periodic in x
+        next_turn = np.array([point[0] + 20 * np.pi, *point[1:]])
+        if np.all(abs(flow(next_turn)) < 1e-9 * (1 + abs(next_turn[0]))):
             raise Wrong(
-                f"not all {what} are there: {again[0]:.4g} is one too{where_text(values)}, and a "
+                f"not all {noun} are there: {next_turn[0]:.4g} is one too{where_text(values)}, and a "
                 f"list has an end; write the family with the integer {integer}"
             )
 
 
 def _members(family, values, integer):
-    """Triples (text, number, values): the members of a family that can lie between -REACH and
-    REACH, and a few on either side."""
+    """Return triples (text, number, values): the members of a family between -REACH and REACH.
+
+    A few beyond either end are included.
+    """
 
     def member(k):
-        here = values | {s: sp.Integer(k) for s in _symbols(integer)}
-        return number_at(family, here, "your value"), here
+        member_values = values | {s: sp.Integer(k) for s in _symbols(integer)}
+        return number_at(family, member_values, "your value"), member_values
 
     if integer is None or not family.has(integer):
         return [("", *member(0))]
-    (start, _), (after, _) = member(0), member(1)
-    step = abs(after - start)
-    centre = round((start / (start - after)).real) if step > 1e-9 else 0
+    (start, _), (following, _) = member(0), member(1)
+    step = abs(following - start)
+    centre = round((start / (start - following)).real) if step > 1e-9 else 0
     extent = min(int(REACH / step) + 3, 60) if step > 1e-9 else 12
     return [
         (f" ({integer} = {k})", *member(k)) for k in range(centre - extent, centre + extent + 1)
@@ -316,8 +321,7 @@ def _growth(flow, point):
 
 
 def _list_of_matrices(answer):
-    """The matrices of an answer; a single one may come without its list, and each may stand under a
-    key."""
+    """Return the matrices of an answer: a list, a dict of matrices, or a single matrix."""
     if isinstance(answer, dict):
         answer = list(answer.values())
     if isinstance(answer, sp.MatrixBase) or (isinstance(answer, np.ndarray) and answer.ndim == 2):
@@ -338,13 +342,12 @@ def _symbols(integer):
     return [] if integer is None else [integer]
 
 
-def _same(matrix, other, floor):
-    return np.linalg.norm(matrix - other) <= max(1e-6 * np.linalg.norm(other), floor)
+def _matrices_agree(matrix, reference, floor):
+    return np.linalg.norm(matrix - reference) <= max(1e-6 * np.linalg.norm(reference), floor)
 
 
 def is_value(number, value, claim, values):
-    """Whether a number, that an expression became at values of its symbols, is one that was
-    searched for."""
+    """Return whether a value of the expression `claim` agrees with a computed one."""
     return agree(number, value, claim, 1, REPEATED, uncertainty_at(claim, values))
 
 

@@ -4,7 +4,7 @@ That a set of expressions names all stationary values x*, or all that are stable
 a condition on the parameters and one more number: it is a member exactly if the right-hand sides
 vanish there, and the first approximation is as required. Where the equation holds x in sines and
 cosines of multiples of m x alone, the number is the angle m x, and members are compared as points
-of the circle. Families that do not come back with every such turn are left to samples. Where two
+of the circle. Families that are not periodic with this turn are left to samples. Where two
 equilibria meet, s = 0, either kind is accepted.
 """
 
@@ -19,7 +19,7 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.conditions import Case, ReferenceCondition, decide
 
 #: What the first approximation y'' = s y + r y' has to satisfy, by its coefficients s and r.
-WANTED = {
+KIND_CONDITIONS = {
     "stationary": lambda slope, friction: sp.true,
     "asymptotically stable": lambda slope, friction: sp.And(slope < 0, friction < 0),
     "unstable": lambda slope, friction: sp.Or(slope > 0, friction > 0),
@@ -27,8 +27,10 @@ WANTED = {
 
 
 def agreement(claims, integer, field, state, parameters, given, word):
-    """How it is known that `claims` name all rest points of a kind, a key of `WANTED`, and no
-    others; samples found no difference. `Wrong` where the decision finds one."""
+    """Return how it is known that `claims` are all equilibria of a kind in `KIND_CONDITIONS`.
+
+    Samples showed no difference. Raise `Wrong` where the decision finds one.
+    """
     if not in_decimals(*claims) and len(state) == 2 and sp.sympify(field[0]) == state[1]:
         membership = _membership(tuple(claims), integer, sp.sympify(field[1]), tuple(state), word)
         if membership:
@@ -56,8 +58,10 @@ def agreement(claims, integer, field, state, parameters, given, word):
 
 @functools.lru_cache(maxsize=64)
 def _membership(claims, integer, acceleration, state, word):
-    """The number, and the conditions that it is a member of the claims, that it is no rest point,
-    one of the kind, and one of another kind; or None."""
+    """Return a symbol, and the conditions that it is claimed, no equilibrium, of the kind, or not.
+
+    Return None where they cannot be written down.
+    """
     x, rate = state
     force, slope, friction = (
         part.subs(rate, 0) for part in (acceleration, acceleration.diff(x), acceleration.diff(rate))
@@ -78,35 +82,37 @@ def _membership(claims, integer, acceleration, state, word):
         if not all(turn.is_Integer and not turn.is_zero for turn in turns):
             return None
         m = math.gcd(*map(int, turns))
-        turned = [_in_a_turn(claim, integer, m) for claim in claims]
+        turned = [_members_in_one_turn(claim, integer, m) for claim in claims]
         if None in turned:
             return None
         point = number / m
         members = [
             sp.And(
-                *(sp.Eq(f(number), sp.expand_trig(f(sp.expand(m * one)))) for f in (sp.cos, sp.sin))
+                *(
+                    sp.Eq(f(number), sp.expand_trig(f(sp.expand(m * member))))
+                    for f in (sp.cos, sp.sin)
+                )
             )
-            for one in sum(turned, [])
+            for member in sum(turned, [])
         ]
-    rest, slope, friction = (part.subs(x, point) for part in (force, slope, friction))
+    force_at_point, slope, friction = (part.subs(x, point) for part in (force, slope, friction))
     if angles and any(
         part.has(number) and part.subs({sp.sin(number): 0, sp.cos(number): 0}).has(number)
-        for part in map(sp.expand_trig, (rest, slope, friction))
+        for part in map(sp.expand_trig, (force_at_point, slope, friction))
     ):
         return None
-    kind = WANTED[word](slope, friction)
+    kind = KIND_CONDITIONS[word](slope, friction)
     return (
         number,
         sp.Or(*members),
-        sp.Ne(rest, 0),
-        sp.And(sp.Eq(rest, 0), kind),
-        sp.And(sp.Eq(rest, 0), sp.Not(kind), sp.Ne(slope, 0)),
+        sp.Ne(force_at_point, 0),
+        sp.And(sp.Eq(force_at_point, 0), kind),
+        sp.And(sp.Eq(force_at_point, 0), sp.Not(kind), sp.Ne(slope, 0)),
     )
 
 
-def _in_a_turn(family, integer, m):
-    """The members of a family within a turn of m x, or None for one that does not come back with
-    every turn."""
+def _members_in_one_turn(family, integer, m):
+    """Return the members of a family within one turn of m x, or None if it is not so periodic."""
     step = sp.expand(family.subs(integer, integer + 1) - family)
     count = None if step.is_zero or step.free_symbols else 2 * sp.pi / (m * abs(step))
     return (

@@ -16,14 +16,13 @@ from workbook.checks.tools.values import matrix_at
 from workbook.checks.tools.wording import deviation_rate_text, where_text
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
-#: Below this a derivative is zero: what complex steps leave of terms of higher order.
+#: Below this a derivative is zero: the error of complex steps by terms of higher order.
 FLOOR = 1e-25
 
 
 @dataclass
 class Rates:
-    """A matrix of equations in deviations says at which rates the right-hand sides change with each
-    of the symbols."""
+    """Compare a matrix with the derivatives of the right-hand sides by each of the symbols."""
 
     claim: sp.MatrixBase
     true: np.ndarray
@@ -32,9 +31,11 @@ class Rates:
 
     def judge(self):
         claimed, size = matrix_at(self.claim, self.values), max(np.linalg.norm(self.true), FLOOR)
-        for symbol, own, column in zip(self.symbols, claimed.T, self.true.T):
-            if not np.linalg.norm(own - column) <= 1e-9 * size:
-                raise Wrong(f"{deviation_rate_text(symbol, own, column)}{where_text(self.values)}")
+        for symbol, claimed_column, true_column in zip(self.symbols, claimed.T, self.true.T):
+            if not np.linalg.norm(claimed_column - true_column) <= 1e-9 * size:
+                raise Wrong(
+                    f"{deviation_rate_text(symbol, claimed_column, true_column)}{where_text(self.values)}"
+                )
 
 
 @judged
@@ -56,7 +57,7 @@ def linearisation_unstable(answer, system, parameters):
 def zero_solution_stability(claim, field, state):
     """Check whether x = 0 is asymptotically stable, stable or unstable.
 
-    The word "stable" means stable and no more.
+    The word "stable" means stable but not asymptotically.
 
     Decided by the spectrum of the linearisation; where that is inconclusive, by motions that
     start close to zero.

@@ -62,15 +62,15 @@ def vanishing_set(answer, function, field, state, parameters=()):
     """
     rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
     (sample,) = sample_values(parameters, count=1) if parameters else ({},)
-    given = sp.And(*(sp.Ne(p, 0) for p in parameters))
+    nonzero = sp.And(*(sp.Ne(p, 0) for p in parameters))
     # A factor that is not zero may stay in the equation.
-    kept = [
+    free_parameters = [
         p for p in parameters if p.name in {s.name for s in getattr(answer, "free_symbols", ())}
     ]
     reference = exactly(
         sp.Eq(rate, 0),
-        given,
-        tuple(p for p in parameters if p not in kept),
+        nonzero,
+        tuple(p for p in parameters if p not in free_parameters),
         lambda values: sp.simplify(rate.subs(values).subs(sample)) == 0,
     )
 
@@ -80,7 +80,7 @@ def vanishing_set(answer, function, field, state, parameters=()):
             f"your set {'does not hold' if holds else 'holds'} this state"
         )
 
-    agreement = compare(answer, [*state, *kept], reference, message)
+    agreement = compare(answer, [*state, *free_parameters], reference, message)
     return f"the derivative is zero at the states of this set and at no others: {agreement}"
 
 
@@ -107,10 +107,10 @@ def rate_on_vanishing_set(answer, function, field, state, parameters=()):
             float(true.subs(values)),
         )
 
-    same = ReferenceCondition(
+    reference = ReferenceCondition(
         (Case(zero.condition),), (Case(sp.false),), at, lambda: on_borders(zero, symbols)
     )
-    agreement = compare(sp.Eq(claim, true), symbols, same, message)
+    agreement = compare(sp.Eq(claim, true), symbols, reference, message)
     return f"it is this rate at the states where the derivative vanishes: {agreement}"
 
 
@@ -119,8 +119,8 @@ def asymptotic_stability_by_lyapunov(answer, function, field, state, parameters)
     """Check the parameters for which V proves asymptotic stability of zero (Theorem 1.5).
 
     That is: V > 0 and V' <= 0 near zero, and V' is not identically zero (that no motion stays
-    where it vanishes is for the author of the problem to know). Values that the assumptions of
-    a parameter exclude are left alone.
+    where it vanishes is the responsibility of the author of the problem). Values that the
+    assumptions of a parameter exclude are not judged.
     """
     circle = 0.1 * unit_directions(len(state))
     level, rate = numeric(function, state, parameters), rate_of(function, field, state, parameters)
@@ -148,21 +148,21 @@ def global_stability_by_lyapunov(answer, function, field, state, parameters, giv
     """Check the values of `parameters` for which V proves global asymptotic stability of zero.
 
     That is: V > 0 grows without bound in every direction, and V' <= 0 everywhere, but not
-    identically (that no motion stays where it vanishes is for the author of the problem to
-    know). Other symbols get values that satisfy `given`.
+    identically (that no motion stays where it vanishes is the responsibility of the author of the
+    problem). Other symbols get values that satisfy `given`.
     """
-    others = set().union(*(sp.sympify(f).free_symbols for f in [*field, function])) - {
+    other_symbols = set().union(*(sp.sympify(f).free_symbols for f in [*field, function])) - {
         *state,
         *parameters,
     }
-    (sample,) = allowed_values(sorted(others, key=str), given, 1)
+    (sample,) = allowed_values(sorted(other_symbols, key=str), given, 1)
     field, function = [sp.sympify(f).subs(sample) for f in field], sp.sympify(function).subs(sample)
     radii = np.geomspace(1e-2, 1e4, 41)
     points = (radii[:, None, None] * unit_directions(len(state), 60)).reshape(-1, len(state))
     level, rate = numeric(function, state, parameters), rate_of(function, field, state, parameters)
 
     def reason(values):
-        """Why V proves nothing in the large, or nothing."""
+        """Return why V does not prove global stability, or ""."""
         lowest = level(points, values.values()).reshape(len(radii), -1).min(axis=1)
         rates = rate(points, values.values())
         if min(lowest) <= 0 or np.any(np.diff(lowest) <= 0):
@@ -176,20 +176,20 @@ def global_stability_by_lyapunov(answer, function, field, state, parameters, giv
         return ""
 
     def at(values):
-        # Closer to zero the far ends of V lie beyond the states that are looked at.
+        # For parameters closer to zero the growth of V shows only beyond the sampled states.
         return (
             None if 0 < max(abs(float(x)) for x in values.values()) < 1e-6 else not reason(values)
         )
 
     def message(values, holds):
-        why = (
+        failure = (
             ""
             if holds
             else reason(values) or "V does not grow, or its derivative is positive, far from zero"
         )
         return f"for {values_text(values)} " + (
-            f"{why}, which proves nothing in the large"
-            if why
+            f"{failure}, which proves nothing in the large"
+            if failure
             else (
                 "V grows without bound in every direction and its derivative is nowhere positive: "
                 "it proves stability in the large"
@@ -202,21 +202,24 @@ def global_stability_by_lyapunov(answer, function, field, state, parameters, giv
     return f"there V grows in every direction and its derivative is nowhere positive, and only there: {agreement}"
 
 
-def _proved(function, field, state, where, besides=sp.true):
-    """The cases in which V proves stability or does not: V > 0, V' <= 0 and `besides` hold at all
-    states but zero `where` it is asked, and V' is not identically zero."""
+def _proved(function, field, state, neighbourhood, growth=sp.true):
+    """Return the cases in which V proves stability, and those in which it does not.
+
+    V proves it if V > 0, V' <= 0 and `growth` hold at all states of `neighbourhood` but zero, and
+    V' is not identically zero.
+    """
     rate = sp.expand(sum(sp.diff(function, x) * f for x, f in zip(state, field)))
     if not (rate.is_polynomial(*state) and sp.sympify(function).is_polynomial(*state)):
         return (), ()
-    nothing = sp.And(*(sp.Eq(c, 0) for c in sp.Poly(rate, *state).coeffs()))
-    asked = sp.And(where, sp.Or(*(sp.Ne(x, 0) for x in state)))
+    rate_is_zero = sp.And(*(sp.Eq(c, 0) for c in sp.Poly(rate, *state).coeffs()))
+    domain = sp.And(neighbourhood, sp.Or(*(sp.Ne(x, 0) for x in state)))
     proved = sp.And(sp.sympify(function) > 0, rate <= 0)
     inside = Case(
-        sp.And(sp.Not(nothing), sp.Or(sp.Not(asked), sp.And(proved, besides))),
+        sp.And(sp.Not(rate_is_zero), sp.Or(sp.Not(domain), sp.And(proved, growth))),
         tuple(state),
         every=True,
     )
-    return (inside,), (Case(sp.And(asked, sp.Not(proved)), tuple(state)), Case(nothing))
+    return (inside,), (Case(sp.And(domain, sp.Not(proved)), tuple(state)), Case(rate_is_zero))
 
 
 def unit_directions(n, count=240):
@@ -228,16 +231,16 @@ def unit_directions(n, count=240):
 
 
 def numeric(expression, state, parameters=()):
-    """`expression` at many states, the rows of an array, for values of the parameters."""
+    """Return `expression` as a function of an array of states (rows) and parameter values."""
     function = sp.lambdify([*state, *parameters], expression, "numpy")
 
-    def value(points, place=()):
+    def value(points, parameter_values=()):
         with np.errstate(all="ignore"):
-            return np.broadcast_to(function(*points.T, *map(float, place)), len(points))
+            return np.broadcast_to(function(*points.T, *map(float, parameter_values)), len(points))
 
     return value
 
 
 def rate_of(function, field, state, parameters=()):
-    """V' at many states."""
+    """Return V' as a function of an array of states (rows) and parameter values."""
     return numeric(sum(sp.diff(function, x) * f for x, f in zip(state, field)), state, parameters)

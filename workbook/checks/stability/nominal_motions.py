@@ -1,8 +1,8 @@
 """Nominal motions: that they satisfy the equations, and the linearisation along them.
 
-A program is a dict from those components of the state that a problem prescribes to functions of
-time, `{x: V0*t, y: 0}`; the other components and the controls along it are constants, which the
-checks here find for themselves by Newton's iteration.
+A program is a dict from the prescribed components of the state to functions of time,
+`{x: V0*t, y: 0}`; the other components and the controls along it are constants, which the checks
+compute by Newton's method.
 """
 
 import numpy as np
@@ -19,7 +19,7 @@ from workbook.checks.tools.values import number_at, numbers_at
 from workbook.checks.tools.wording import values_text
 
 #: The message on a right matrix of deviation equations.
-AS_IT_SAYS = (
+MATRIX_VERIFIED = (
     "for small deviations in every direction the right-hand sides change as the matrix says"
 )
 
@@ -49,26 +49,26 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
         position = dict(zip(motion, numbers_at(motion.values(), at, motion).tolist()))
         where = f"for {values_text(at)}"
         for symbol, expression in program.items():
-            wanted = complex(sp.sympify(expression).subs(at).evalf(20))
-            if not abs(position[symbol] - wanted) <= 1e-9 * (1 + abs(wanted)):
+            prescribed = complex(sp.sympify(expression).subs(at).evalf(20))
+            if not abs(position[symbol] - prescribed) <= 1e-9 * (1 + abs(prescribed)):
                 raise Wrong(
                     f"this is not the program: {where} your {symbol} is "
                     f"{position[symbol].real:.4g}, and another value is prescribed"
                 )
         for symbol, rate, right_side in zip(state, rates, field):
-            left = number_at(rate, at, f"the derivative of your {symbol}")
+            rate_value = number_at(rate, at, f"the derivative of your {symbol}")
             terms = [
                 complex(term.subs(values).subs(position).evalf(20))
                 for term in sp.Add.make_args(sp.expand(right_side))
             ]
             if (
-                not abs(left - sum(terms))
-                <= 1e-9 * (abs(left) + sum(map(abs, terms)) + 1e-3)
+                not abs(rate_value - sum(terms))
+                <= 1e-9 * (abs(rate_value) + sum(map(abs, terms)) + 1e-3)
                 < np.inf
             ):
                 raise Wrong(
                     f"the equation for {symbol}' does not hold: {where} the derivative of your "
-                    f"{symbol} is {left.real:.4g}, and the right-hand side is another number"
+                    f"{symbol} is {rate_value.real:.4g}, and the right-hand side is another number"
                 )
     return "it is the program, and all equations hold at random times and parameters"
 
@@ -77,12 +77,12 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
 def linearisation(claim, field, state, at, parameters=()):
     """Check the n x n matrix A of the deviation equations x' = A x + B w from the motion `at`.
 
-    The motion is a stationary point, n expressions, or what a program prescribes.
+    The motion is a stationary point (n expressions) or a program.
     """
     motion = Motion(field, state, parameters, at if isinstance(at, dict) else dict(zip(state, at)))
     for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.matrix(values), state, values)
-    return AS_IT_SAYS
+    return MATRIX_VERIFIED
 
 
 @judged(Matrix("parameters", shape=lambda data: (len(data["state"]), len(data["controls"]))))
@@ -94,20 +94,21 @@ def input_matrix(claim, field, state, parameters, program, controls):
     motion = Motion(field, state, parameters, program)
     for values in in_every_case(sample_values(parameters), claim):
         yield Rates(claim, motion.input_matrix(values, controls), controls, values)
-    return AS_IT_SAYS
+    return MATRIX_VERIFIED
 
 
 class Motion:
-    """A program motion: what the program leaves open is found by Newton's iteration, at given
-    values of the parameters."""
+    """A nominal motion; Newton's method finds the components that the program does not prescribe."""
 
     def __init__(self, field, state, parameters, program):
         self.parameters = list(parameters)
         prescribed = {s: sp.sympify(e) for s, e in program.items()}
         field = [sp.sympify(f) for f in field]
-        known = {*state, *parameters}
-        times = set().union(*(e.free_symbols for e in prescribed.values())) - known
-        controls = sorted(set().union(*(f.free_symbols for f in field)) - known - times, key=str)
+        arguments = {*state, *parameters}
+        times = set().union(*(e.free_symbols for e in prescribed.values())) - arguments
+        controls = sorted(
+            set().union(*(f.free_symbols for f in field)) - arguments - times, key=str
+        )
         self._symbols = [*state, *controls]
         self._state = list(range(len(state)))
         self._free = [k for k, s in enumerate(self._symbols) if s not in prescribed]
@@ -127,12 +128,12 @@ class Motion:
         )
 
     def matrix(self, values):
-        """A, the derivatives of the right-hand sides with respect to the state."""
-        return self._columns(self._state, *self._found(values))
+        """Return A, the derivatives of the right-hand sides with respect to the state."""
+        return self._columns(self._state, *self._solution(values))
 
     def input_matrix(self, values, controls):
-        """B, the derivatives of the right-hand sides with respect to the controls."""
-        return self._columns([self._symbols.index(u) for u in controls], *self._found(values))
+        """Return B, the derivatives of the right-hand sides with respect to the controls."""
+        return self._columns([self._symbols.index(u) for u in controls], *self._solution(values))
 
     def _columns(self, columns, point, numbers):
         moved = point.astype(complex) + 1j * STEP * np.eye(len(point))[columns]
@@ -143,7 +144,7 @@ class Motion:
             ]
         ).T
 
-    def _found(self, values):
+    def _solution(self, values):
         numbers = [float(values[p]) for p in self.parameters]
         point = np.array(self._prescribed(*numbers), dtype=float)
         for _ in range(50):

@@ -192,8 +192,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
 
 
 def _within_reach(values, points):
-    """Values, a row for each expression, and places without those where a value is too large for a
-    float."""
+    """Return values (a row for each expression) and points, without those that overflow a float."""
     fits = ~np.isinf(values).any(axis=0)
     if not fits.any():
         raise Invalid("your answer has no values of a size that can be computed with")
@@ -201,8 +200,10 @@ def _within_reach(values, points):
 
 
 def _values(expression, symbols, points):
-    """An expression at many places; nan where it is not real, inf where a float cannot hold it.
-    Symbols and functions are known (`coercion.with_symbols`)."""
+    """Return an expression at many points; nan where it is not real, inf where it overflows a float.
+
+    Its symbols and functions were checked by `coercion.with_symbols`.
+    """
     if expression.has(sp.nan, sp.zoo):
         return np.full(points.shape[1], math.nan)
     # The slope of a Max holds steps, for which SymPy would solve inequalities.
@@ -214,13 +215,13 @@ def _values(expression, symbols, points):
 
     def value(point):
         try:
-            found = function(*point)
-            number = complex(found)
-        # TypeError: a Piecewise without a case for this place; NameError: what has no values, as a
-        # delta function
+            result = function(*point)
+            number = complex(result)
+        # TypeError: a Piecewise without a case for this point; NameError: a function without
+        # values, such as a delta function
         except (ZeroDivisionError, ValueError, OverflowError, TypeError, NameError):
             return math.nan
-        if cmath.isinf(number) and isinstance(found, mpmath.mpf) and mpmath.isfinite(found):
+        if cmath.isinf(number) and isinstance(result, mpmath.mpf) and mpmath.isfinite(result):
             return math.inf
         return (
             number.real

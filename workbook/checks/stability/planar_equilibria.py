@@ -24,8 +24,8 @@ def equilibrium_types(answer, field, state):
 
     The words are `KINDS`.
     """
-    ((_, flow, found),) = sampled_systems(field, state, (), ())
-    left = list(found)
+    ((_, flow, equilibria),) = sampled_systems(field, state, (), ())
+    remaining = list(equilibria)
     pairs = list(answer.items()) if isinstance(answer, dict) else answer
     if not (
         isinstance(pairs, (list, tuple))
@@ -36,20 +36,20 @@ def equilibrium_types(answer, field, state):
         kind = coercion.as_choice(word, KINDS)
         claim = coercion.as_number(first_coordinate(value, state, ()))
         number = float(claim)
-        near = [point for point in found if is_value(number, point[0], claim, {})]
-        if not near:
+        matching = [point for point in equilibria if is_value(number, point[0], claim, {})]
+        if not matching:
             raise Wrong(
                 f"x = {number:.4g} is no stationary solution: the right-hand sides are "
                 f"{point_text(flow([number, 0.0]))}, not zero"
             )
-        eigenvalues = np.linalg.eigvals(flow.jacobian(near[0]))
+        eigenvalues = np.linalg.eigvals(flow.jacobian(matching[0]))
         if kind != _kind(eigenvalues):
             raise Wrong(
                 f"at x = {number:.4g} the roots of the characteristic equation are not those of a "
                 f"{kind}"
             )
-        left = [point for point in left if point is not near[0]]
-    if left:
+        remaining = [point for point in remaining if point is not matching[0]]
+    if remaining:
         raise Wrong("the portrait has a stationary point that your answer does not name")
     return "at every stationary point the roots of the characteristic equation are as the word says"
 
@@ -64,8 +64,8 @@ def saddle_slopes(answer, field, state):
     away from it.
     """
     claims = list(map(coercion.as_number, coercion.as_expressions(answer, (), 2)))
-    ((_, flow, found),) = sampled_systems(field, state, (), ())
-    saddles = [point for point in found if np.linalg.det(flow.jacobian(point)) < 0]
+    ((_, flow, equilibria),) = sampled_systems(field, state, (), ())
+    saddles = [point for point in equilibria if np.linalg.det(flow.jacobian(point)) < 0]
     if not saddles:
         raise RuntimeError("the equation has no saddle")
     for point in saddles:
@@ -75,20 +75,20 @@ def saddle_slopes(answer, field, state):
             velocity = flow.derivative(point, line)
             return line[0] * velocity[1] - line[1] * velocity[0], velocity @ line
 
-        for claim, sign, message in zip(claims, (1, -1), ("leave", "come to")):
+        for claim, sign, direction_text in zip(claims, (1, -1), ("leave", "come to")):
             slope = float(claim)
             across, along = rates(slope)
-            moved = (
+            rounding_interval = (
                 [slope - half_unit(slope), slope + half_unit(slope)] if in_decimals(claim) else []
             )
             allowed = 1e-7 * np.linalg.norm(flow.jacobian(point)) + max(
-                (abs(rates(other)[0] - across) for other in moved), default=0.0
+                (abs(rates(rounded)[0] - across) for rounded in rounding_interval), default=0.0
             )
             if not abs(across) <= allowed or not along * sign > 0:
                 raise Wrong(
                     f"along the line of slope {slope:.4g} through the saddle at {state[0]} = "
                     f"{point[0]:.4g} small deviations change at the rate {along:.3g} along it and "
-                    f"{across:.3g} across it: these motions do not {message} the saddle"
+                    f"{across:.3g} across it: these motions do not {direction_text} the saddle"
                 )
     return "along these lines the linear field at each saddle points straight away from it and straight to it"
 

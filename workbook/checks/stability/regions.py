@@ -18,7 +18,7 @@ from workbook.systems import Deviations
 def stability_region(answer, system, parameters, margin=0):
     """Check the parameters for which every root has real part below `-margin`.
 
-    This is asymptotic stability for the margin 0.
+    For the margin 0 this is asymptotic stability.
 
     `system` is a characteristic polynomial in one further symbol, a square matrix, a linear
     differential equation `system` = 0 of an unknown x(t), or `Deviations` from a motion of
@@ -30,17 +30,23 @@ def stability_region(answer, system, parameters, margin=0):
         return compare_region(
             answer, matrix_of(system, parameters), parameters, "asymptotically stable", margin
         )
-    what = "stable" if margin == 0 else "stable with the margin"
+    property_text = "stable" if margin == 0 else "stable with the margin"
     motions = system.atoms(AppliedUndef)
     return compare_region(
-        answer, characteristic_of(system, *motions) if motions else system, parameters, what, margin
+        answer,
+        characteristic_of(system, *motions) if motions else system,
+        parameters,
+        property_text,
+        margin,
     )
 
 
 @functools.lru_cache(maxsize=16)
 def characteristic_of(equation, motion):
-    """The characteristic polynomial of a linear equation: its left-hand side for x(t) = e^(s t),
-    divided by e^(s t)."""
+    """Return the characteristic polynomial of a linear equation.
+
+    It is the left-hand side for x(t) = e^(s t), divided by e^(s t).
+    """
     (time,) = motion.args
     s = sp.Dummy("s")
     return sp.expand(sp.expand(equation.subs(motion, sp.exp(s * time)).doit()) * sp.exp(-s * time))

@@ -36,9 +36,9 @@ from workbook.checks.tools.wording import (
 
 STABILITY = ("asymptotically stable", "stable", "unstable")
 TYPES = tuple(
-    f"{how} {what}"
-    for what in ("node", "star", "degenerate node", "focus")
-    for how in ("stable", "unstable")
+    f"{stability} {noun}"
+    for noun in ("node", "star", "degenerate node", "focus")
+    for stability in ("stable", "unstable")
 )
 TYPES += ("saddle", "centre")
 
@@ -89,8 +89,8 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
         answer = [[answer]]
     matrix = coercion.as_matrix(answer, parameters, (n, n))
     family = stationary_points_of(field, state, parameters, domain)
-    for values, numbers, rest in family.samples(matrix):
-        true = family.jacobian(rest, numbers)
+    for values, numbers, equilibrium in family.samples(matrix):
+        true = family.jacobian(equilibrium, numbers)
         size = np.linalg.norm(true)
         for k in range(n):
             claimed = [real_at(entry, values) for entry in matrix[:, k]]
@@ -109,21 +109,21 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
 def stationary_value(claim, expression, field, state, parameters, domain=None):
     """Check the value of an expression of the state at the stationary point."""
     family = stationary_points_of(field, state, parameters, domain)
-    reading = stationary_points_of([expression], state, parameters, domain)
-    for values, numbers, rest in family.samples(claim):
-        true, claimed = float(reading(rest, numbers)[0]), real_at(claim, values)
+    expression_at = stationary_points_of([expression], state, parameters, domain)
+    for values, numbers, equilibrium in family.samples(claim):
+        true, claimed = float(expression_at(equilibrium, numbers)[0]), real_at(claim, values)
         if claimed is None or not agree(
             claimed,
             true,
             claim,
-            _scale(expression, values, state, rest),
+            _scale(expression, values, state, equilibrium),
             uncertain=uncertainty_at(claim, values),
         ):
-            what = "the value at the stationary solution"
+            noun = "the value at the stationary solution"
             if claimed is None or not values:
                 message = "no real number" if claimed is None else f"{claimed:.4g}"
-                raise Wrong(f"{what} is not {message}")
-            raise Wrong(f"{sample_text(values)}{other_text(what, claimed, true)}")
+                raise Wrong(f"{noun} is not {message}")
+            raise Wrong(f"{sample_text(values)}{other_text(noun, claimed, true)}")
     return f"it is the value at the stationary solution{tried_text(parameters)}"
 
 
@@ -131,11 +131,11 @@ def stationary_value(claim, expression, field, state, parameters, domain=None):
 def stationary_stability(claim, field, state, parameters, domain=None):
     """Check whether the stationary point is asymptotically stable, stable or unstable.
 
-    The word "stable" means stable and no more; Theorem 1.4 decides.
+    The word "stable" means stable but not asymptotically; Theorem 1.4 decides.
     """
     family = stationary_points_of(field, state, parameters, domain)
-    for values, numbers, rest in family.samples():
-        eigenvalues = np.linalg.eigvals(family.jacobian(rest, numbers))
+    for values, numbers, equilibrium in family.samples():
+        eigenvalues = np.linalg.eigvals(family.jacobian(equilibrium, numbers))
         largest = max(eigenvalues.real)
         if abs(largest) < 1e-9 * (1 + max(abs(eigenvalues))):
             raise RuntimeError("the first approximation does not decide here")
@@ -160,8 +160,8 @@ def stationary_type(answer, field, state, parameters, domain=None):
     )
     claim = coercion.as_choice(spelled, TYPES)
     family = stationary_points_of(field, state, parameters, domain)
-    for values, numbers, rest in family.samples():
-        matrix = family.jacobian(rest, numbers)
+    for values, numbers, equilibrium in family.samples():
+        matrix = family.jacobian(equilibrium, numbers)
         kind = _kind(matrix)
         if claim != kind:
             raise Wrong(
@@ -174,10 +174,9 @@ def stationary_type(answer, field, state, parameters, domain=None):
 def focus_region(answer, field, state, parameters, domain=None):
     """Check the parameters for which the stationary point is a focus.
 
-    The border, where the roots are equal, counts either way.
-
-    Without a domain, of an equation phi'' = f(phi, phi') that is periodic in phi: for which all
-    stationary angles that are no saddles are foci.
+    The border, where the roots are equal, counts either way. Without a domain the
+    equation is phi'' = f(phi, phi'), periodic in phi, and all its stationary angles that are no
+    saddles have to be foci.
     """
     return _judge_roots(answer, field, state, parameters, domain, -1)
 
@@ -186,24 +185,19 @@ def focus_region(answer, field, state, parameters, domain=None):
 def node_region(answer, field, state, parameters, domain=None):
     """Check the parameters for which the stationary point is a node.
 
-    The border, where the roots are equal, counts either way.
-
-    Without a domain, of an equation phi'' = f(phi, phi') that is periodic in phi: for which all
-    stationary angles that are no saddles are nodes.
+    The border, where the roots are equal, counts either way. Without a domain the
+    equation is phi'' = f(phi, phi'), periodic in phi, and all its stationary angles that are no
+    saddles have to be nodes.
     """
     return _judge_roots(answer, field, state, parameters, domain, 1)
 
 
-# What the checks share: a point, a condition of existence, a condition on the roots.
-
-
 def _judge_points(answer, family, noun, searched=None):
-    """All rest points of a family, as one point or a list of points; they are those of
-    `searched`."""
+    """Judge all equilibria of a family, one point or a list; they are those of `searched`."""
     points = _points(answer, family)
-    met = [False] * len(points)
-    for values, numbers, rests in (searched or family).samples(points, alone=False):
-        missed, outside = list(rests), ""
+    in_domain = [False] * len(points)
+    for values, numbers, equilibria in (searched or family).samples(points, alone=False):
+        missed, outside = list(equilibria), ""
         for k, point in enumerate(points):
             position = [real_at(coordinate, values) for coordinate in point]
             if any(coordinate is None for coordinate in position):
@@ -211,17 +205,27 @@ def _judge_points(answer, family, noun, searched=None):
                 continue
             position = _rounded_inside(family.reduced(np.array(position)), point, family)
             if not family.inside(position):
-                outside = f"; {_place_text(family.state, position)}, which your answer gives, lies outside the domain"
+                outside = (
+                    f"; {_position_text(family.state, position)}, which your answer gives, lies "
+                    "outside the domain"
+                )
                 continue
-            met[k] = True
-            open_ = [uncertainty_at(coordinate, values) for coordinate in point]
-            here = [j for j, rest in enumerate(missed) if family.same(position, rest, point, open_)]
-            if not here:
-                if any(family.same(position, rest, point, open_) for rest in rests):
+            in_domain[k] = True
+            uncertainties = [uncertainty_at(coordinate, values) for coordinate in point]
+            matches = [
+                j
+                for j, equilibrium in enumerate(missed)
+                if family.same(position, equilibrium, point, uncertainties)
+            ]
+            if not matches:
+                if any(
+                    family.same(position, equilibrium, point, uncertainties)
+                    for equilibrium in equilibria
+                ):
                     raise Wrong(f"{sample_text(values)}two of your points are the same")
                 rates = family(position, numbers)
-                if not rests and np.all(abs(rates) < 1e-9):
-                    continue  # the search may have missed it
+                if not equilibria and np.all(abs(rates) < 1e-9):
+                    continue  # the search did not find it
                 message = (
                     f"sides are {_vector_text(rates)}"
                     if len(rates) > 1
@@ -229,25 +233,24 @@ def _judge_points(answer, family, noun, searched=None):
                 )
                 raise Wrong(
                     f"{sample_text(values)}your answer gives "
-                    f"{_place_text(family.state, position)}; the right-hand {message} there, not zero"
+                    f"{_position_text(family.state, position)}; the right-hand {message} there, not zero"
                 )
-            del missed[here[0]]
+            del missed[matches[0]]
         if missed:
             raise Wrong(
                 f"{sample_text(values)}there is a {noun} in the domain that your answer does "
                 f"not give{outside}"
             )
-    if not all(met):
+    if not all(in_domain):
         raise Wrong(
-            f"point {met.index(False) + 1} of your list lies in the domain for none of the sample "
+            f"point {in_domain.index(False) + 1} of your list lies in the domain for none of the sample "
             "values"
         )
     return f"it gives every {noun} in the domain and nothing else{tried_text(family.parameters)}"
 
 
 def _rounded_inside(position, written, family):
-    """A place whose decimals were rounded to the other side of the border of the domain, on the
-    border."""
+    """Move a position that decimals put just outside the domain back onto its border."""
     for k, (symbol, coordinate) in enumerate(zip(family.state, written)):
         low, high = endpoints(symbol, family.domain)
         for end in (
@@ -271,10 +274,10 @@ def _judge_existence(answer, family, noun):
             f"condition {'does not hold' if holds else 'holds'}"
         )
 
-    given, rest = family.given, family.at_rest
+    assumptions, at_rest = family.given, family.at_rest
     reference = ReferenceCondition(
-        (Case(sp.And(given, rest), tuple(family.state)),),
-        (Case(sp.And(given, sp.Not(rest)), tuple(family.state), every=True),),
+        (Case(sp.And(assumptions, at_rest), tuple(family.state)),),
+        (Case(sp.And(assumptions, sp.Not(at_rest)), tuple(family.state), every=True),),
         at,
     )
     agreement = compare(answer, family.parameters, reference, message)
@@ -330,7 +333,7 @@ def _judge_point_roots(answer, family, sign, noun):
 
 
 def _points(answer, family):
-    """A list of points, each a list of expressions, from one point or a list of them."""
+    """Return a list of points, each a list of expressions, from one point or a list of them."""
     n = len(family.state)
 
     def single(point):
@@ -361,16 +364,16 @@ def _points(answer, family):
     return [single(answer)]
 
 
-def _scale(expression, values, state, rest):
-    """The size of the terms of an expression at a place: their sum may cancel."""
-    numbers = values | {x: sp.Float(float(v), 20) for x, v in zip(state, rest)}
+def _scale(expression, values, state, equilibrium):
+    """Return the size of the terms of an expression at a point: their sum may cancel."""
+    numbers = values | {x: sp.Float(float(v), 20) for x, v in zip(state, equilibrium)}
     return sum(
         abs(real_at(term, numbers) or 0.0) for term in sp.Add.make_args(sp.expand(expression))
     )
 
 
 def _kind(matrix):
-    """The type of the stationary point whose first approximation is this matrix."""
+    """Return the type of the stationary point whose first approximation is this matrix."""
     trace, determinant, size = np.trace(matrix), np.linalg.det(matrix), np.linalg.norm(matrix)
     if abs(determinant) < 1e-9 * size**2:
         raise RuntimeError("the first approximation has a root zero: it does not decide the type")
@@ -378,19 +381,19 @@ def _kind(matrix):
         return "saddle"
     if abs(trace) < 1e-9 * size:
         return "centre"
-    how = "stable" if trace < 0 else "unstable"
+    stability = "stable" if trace < 0 else "unstable"
     discriminant = trace**2 - 4 * determinant
     if abs(discriminant) < 1e-8 * size**2:
         star = np.linalg.norm(matrix - trace / 2 * np.eye(2)) < 1e-6 * size
-        return f"{how} {'star' if star else 'degenerate node'}"
-    return f"{how} {'node' if discriminant > 0 else 'focus'}"
+        return f"{stability} {'star' if star else 'degenerate node'}"
+    return f"{stability} {'node' if discriminant > 0 else 'focus'}"
 
 
-def _place_text(state, position):
+def _position_text(state, position):
     return ", ".join(f"{s} = {x:.4g}" for s, x in zip(state, position))
 
 
 def _vector_text(values):
-    """Numbers for a message; what rounding leaves of a zero is one."""
+    """Return numbers for a message; rounding errors of a zero are shown as zero."""
     size = max(abs(value) for value in values)
     return point_text([value if abs(value) > 1e-12 * size else 0.0 for value in values])

@@ -2,8 +2,8 @@
 
 Also the matrix in the basis b, A b, A^2 b, ...
 
-A form is judged by its shape and by its characteristic polynomial; a change of variables by what it
-makes of the equations. The form by control is the other one of the transposed matrix, with rows and
+A form is judged by its shape and by its characteristic polynomial; a change of variables by the
+transformed equations. The form by control is the form by observation of the transposed matrix, with rows and
 columns in reverse order; the matrix in the basis of the chain is the form by observation with rows
 and columns in reverse order.
 
@@ -23,7 +23,7 @@ from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import characteristic_coefficients
 from workbook.checks.references.records import controlled_pair, has_control, observed_pair
-from workbook.checks.structure.similar_systems import place_of_difference
+from workbook.checks.structure.similar_systems import point_of_difference
 from workbook.checks.tools.comparisons import SameEntries
 from workbook.checks.tools.values import entry_uncertainties, matrix_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, where_text
@@ -31,14 +31,16 @@ from workbook.checks.tools.wording import number_text, where_text
 
 @dataclass(frozen=True)
 class _Form:
-    """The words of one of the forms; `place` names the entry that stands at (i, j) of the form by
-    observation of order n."""
+    """The wording for one of the forms.
+
+    `entry` maps the position (i, j) in the form by observation of order n to that in this form.
+    """
 
     shape: str
     ones_and_zeros: str
-    place: Callable
-    # what a matrix is that has the shape when flipped, when transposed, when its rows and columns
-    # are reversed
+    entry: Callable
+    # messages on a matrix that has the shape once it is flipped, transposed, or has its rows and
+    # columns reversed
     relatives: tuple
 
 
@@ -129,8 +131,8 @@ def canonical_part_coordinates(claim, system, parameters=()):
     pair = observed_pair(system, parameters)
     if pair.outputs != 1:
         raise ValueError("the canonical form belongs to one output")
-    for values, A_there, (h,), unseen in pair.systems_for(claim):
-        where, order = where_text(values), pair.order - len(unseen)
+    for values, A, (h,), unobservable in pair.systems_for(claim):
+        where, order = where_text(values), pair.order - len(unobservable)
         if claim.rows > order:
             raise Wrong(
                 f"the output and its derivatives do not hold {claim.rows} independent combinations "
@@ -152,20 +154,22 @@ def canonical_part_coordinates(claim, system, parameters=()):
             np.linalg.norm(h),
         )
         claimed = matrix_at(claim, values)
-        across = np.eye(len(h)) - np.outer(h, h) / (h @ h)
-        opens = [*entry_uncertainties(claim, values), 0 * h]
+        projection = np.eye(len(h)) - np.outer(h, h) / (h @ h)
+        uncertainties = [*entry_uncertainties(claim, values), 0 * h]
         for k, (row, following) in enumerate(zip(claimed, [*claimed[1:], 0 * h])):
-            rate = row @ A_there
-            rest = (rate - following) @ across
-            open_ = opens[k] @ abs(A_there @ across) + opens[k + 1] @ abs(across)
-            if not np.linalg.norm(rest) <= np.linalg.norm(open_) + EXACT * (
+            rate = row @ A
+            residual = (rate - following) @ projection
+            uncertainty = uncertainties[k] @ abs(A @ projection) + uncertainties[k + 1] @ abs(
+                projection
+            )
+            if not np.linalg.norm(residual) <= np.linalg.norm(uncertainty) + EXACT * (
                 np.linalg.norm(rate) + np.linalg.norm(following)
             ):
-                j = int(np.argmax(abs(rest)))
-                what = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
+                j = int(np.argmax(abs(residual)))
+                expression_text = f"xi{k + 1}' - xi{k + 2}" if k + 1 < order else f"xi{k + 1}'"
                 raise Wrong(
-                    f"{what} has to be a multiple of z{where}; by your rows it differs from the "
-                    f"nearest multiple by terms such as {number_text(rest[j])} x{j + 1}"
+                    f"{expression_text} has to be a multiple of z{where}; by your rows it differs from the "
+                    f"nearest multiple by terms such as {number_text(residual[j])} x{j + 1}"
                 )
     judge_everywhere(
         claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
@@ -174,21 +178,26 @@ def canonical_part_coordinates(claim, system, parameters=()):
 
 
 def judge_form(claim, pair, form):
-    """Shape and characteristic polynomial of a matrix that is to be the form by observation of the
-    pair's A."""
+    """Judge the shape and the characteristic polynomial of a form by observation of the pair's A."""
     tolerance = relative_tolerance(claim)
-    for values, place, _ in pair.samples_for(claim):
+    for values, point, _ in pair.samples_for(claim):
         claimed = matrix_at(claim, values)
         shape_of_form(claimed, tolerance, form, where_text(values))
-        true = np.array([float(c) for c in characteristic_coefficients(pair.at(place)[0])])
-        own = np.array([1, *(0 - claimed[:, 0])])  # not -said: a zero would be told as -0
+        true = np.array([float(c) for c in characteristic_coefficients(pair.at(point)[0])])
+        claimed_polynomial = np.array(
+            [1, *(0 - claimed[:, 0])]
+        )  # not -claimed, which turns 0 into -0
         column = list(claim[:, 0])
         uncertain = [uncertainty_at(entry, values) for entry in column]
-        if not agree(own[1:], true[1:], column, max(abs(true)), uncertain=uncertain).all():
-            at = place_of_difference(own, true)
+        if not agree(
+            claimed_polynomial[1:], true[1:], column, max(abs(true)), uncertain=uncertain
+        ).all():
+            difference_point = point_of_difference(claimed_polynomial, true)
+            claimed_value = number_text(np.polyval(claimed_polynomial, difference_point))
             raise Wrong(
-                f"the characteristic polynomials differ{where_text(values)}: at lambda = {at} that "
-                f"of your matrix is {number_text(np.polyval(own, at))}, and that of A another number"
+                f"the characteristic polynomials differ{where_text(values)}: at lambda = "
+                f"{difference_point} that of your matrix is {claimed_value}, and that of A another "
+                "number"
             )
     judge_everywhere(
         claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
@@ -211,7 +220,7 @@ def shape_of_form(claimed, tolerance, form, where):
     off = abs(claimed - pattern) * (np.arange(n) > 0)
     i, j = map(int, np.unravel_index(np.argmax(off), off.shape))
     raise Wrong(
-        f"the entry {form.place(i, j, n)} of your matrix is {number_text(claimed[i, j])}{where}; "
+        f"the entry {form.entry(i, j, n)} of your matrix is {number_text(claimed[i, j])}{where}; "
         f"{form.shape} has {form.ones_and_zeros}"
     )
 
@@ -220,24 +229,26 @@ def _has_shape(matrix, pattern, tolerance):
     return bool((abs(matrix - pattern)[:, 1:] <= min(tolerance, 1e-6)).all())
 
 
-def _judge_change(claim, pair, said_rows, by_rows):
-    """The rows r of a change of variables: r1 = h, and r_k A = alpha r1 + r_(k+1) with the
-    coefficients of A's polynomial."""
+def _judge_change(claim, pair, row_names, by_rows):
+    """Judge the rows r of a change of variables: r1 = h and r_k A = alpha r1 + r_(k+1).
+
+    The alpha are the coefficients of the characteristic polynomial of A.
+    """
     n = pair.order
     if any(pair.unobservable):
         raise ValueError("there is no canonical form: the system loses an eigenvalue")
-    for (values, A, (h,), _), (_, place, _) in zip(
+    for (values, A, (h,), _), (_, point, _) in zip(
         pair.systems_for(claim), pair.samples_for(claim)
     ):
         where, true = where_text(values), [h]
-        for coefficient in characteristic_coefficients(pair.at(place)[0])[1:-1]:
+        for coefficient in characteristic_coefficients(pair.at(point)[0])[1:-1]:
             true.append(true[-1] @ A + float(coefficient) * h)
         true = np.array(true)
 
         def message(claimed, k, j):
-            own, wanted = (claimed, true) if by_rows else (claimed[::-1].T, true[::-1].T)
-            if np.linalg.cond(wanted) < 1e12 and np.linalg.norm(
-                own @ wanted - np.eye(n)
+            candidate, reference = (claimed, true) if by_rows else (claimed[::-1].T, true[::-1].T)
+            if np.linalg.cond(reference) < 1e12 and np.linalg.norm(
+                candidate @ reference - np.eye(n)
             ) <= 10 * relative_tolerance(claim):
                 return "this is the inverse of the matrix asked: it gives " + (
                     "x from xi; asked is T in xi = T x"
@@ -251,16 +262,16 @@ def _judge_change(claim, pair, said_rows, by_rows):
                     else f"the control has to enter xi{n}' alone, with the coefficient 1{where}, so the last column is "
                     "not free"
                 ) + f"; the entry {j + 1} of yours does not fit"
-            last, own, free = said_rows[k - 1], said_rows[k], f"alpha_{n + 1 - k}"
+            previous, current, alpha = row_names[k - 1], row_names[k], f"alpha_{n + 1 - k}"
             if by_rows:
                 return (
-                    f"by {last}' = {free} xi1 + {own}, {own} as a combination of x is determined "
-                    f"by {last}{where}; "
+                    f"by {previous}' = {alpha} xi1 + {current}, {current} as a combination of x is "
+                    f"determined by {previous}{where}; "
                     f"the coefficient of x{j + 1} in your row {k + 1} does not fit"
                 )
             return (
-                f"A times {last} has to be {own} + {free} ({said_rows[0]}){where}; the entry "
-                f"{j + 1} of your {own} does not fit"
+                f"A times {previous} has to be {current} + {alpha} ({row_names[0]}){where}; the entry "
+                f"{j + 1} of your {current} does not fit"
             )
 
         yield SameEntries(claim, true, message, values, np.linalg.norm(true, axis=1)[:, None])

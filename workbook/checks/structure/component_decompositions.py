@@ -10,10 +10,9 @@ does) is free of this.
   controls the parts i, i+1, ... only.
 - Parallel (the source calls it a shuttle): rows h1, h2, h1 A, h2 A, ... (columns b1, b2, A b1, A
   b2, ...) are taken by turns as long as they are independent. Part i is spanned by the rows h_i A^k
-  (columns A^k b_i) taken from its own chain, each up to what is taken with lower powers of A: so
-  the canonical form of each part, which example 7 goes on to, is as right as the chains are. The
-  parts may act on one another, yet each is observable by its own output (controllable by its own
-  control).
+  (columns A^k b_i) taken from its own chain, each up to rows taken with lower powers of A: so the
+  canonical form of each part, as in example 7, is accepted as well as the chains. The parts may act
+  on one another, yet each is observable by its own output (controllable by its own control).
 """
 
 import numpy as np
@@ -57,20 +56,19 @@ def parallel_decomposition(claim, system):
 
 
 def _judge_components(claim, system, sequential):
-    """Zeros outside the blocks that a decomposition by components leaves, in the form by
-    observation."""
+    """Judge the zeros outside the blocks of a decomposition by components, by observation."""
     claim, pair, side = by_observation(claim, system)
     tolerance, n, m = relative_tolerance(claim), pair.order, pair.outputs
     ((_, A, H, _),), ((_, point),) = pair.systems, pair.samples
     sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(point))
-    # of every coordinate; m is the rest
+    # The part of every coordinate; m is the number of the last part.
     part = np.repeat(np.arange(m + 1), [*sizes, n - sum(sizes)])
     claimed = matrix_at(claim, {})
     require_invertible(claimed, tolerance, {})
     try:
         _judge_parts(claimed, A, H, part, tolerance, side, sequential)
     except Wrong:
-        # Which coordinate each row would be if the rows stood in the order in which they are taken.
+        # The rows in the order in which they are taken.
         turns = sorted(
             range(n), key=lambda k: (part[k] == m, k - np.flatnonzero(part == part[k])[0], part[k])
         )
@@ -84,24 +82,26 @@ def _judge_components(claim, system, sequential):
     return "the matrix is invertible, and every zero that the decomposition asks for is one"
 
 
-def _is_parallel(claimed, *rest):
+def _is_parallel(claimed, *arguments):
     try:
-        _judge_parts(claimed, *rest, sequential=False)
+        _judge_parts(claimed, *arguments, sequential=False)
     except Wrong:
         return False
     return True
 
 
 def _judge_parts(claimed, A, H, part, tolerance, side, sequential):
-    """The zeros of a decomposition; `part` is the number of the part of every coordinate, the rest
-    having the last number."""
+    """Judge the zeros of a decomposition; `part` is the number of the part of every coordinate.
+
+    The coordinates that belong to no component have the last number.
+    """
     n, m = len(A), len(H)
     sizes = [int((part == k).sum()) for k in range(m)]
     inverse = np.linalg.inv(claimed)
     new_A, new_H = claimed @ A @ inverse, H @ inverse
     names = [f"coordinate {k + 1}" for k in range(n)]
     message = "look again at which coordinates make up each part, and how many they are"
-    # What rounding of T to three digits can make of a zero.
+    # The largest value that a zero can have when T is rounded to three digits.
     bound = (
         tolerance
         * np.linalg.norm(claimed, axis=1)[:, None]
@@ -126,7 +126,7 @@ def _judge_parts(claimed, A, H, part, tolerance, side, sequential):
 
 
 def _judge_chains(parts, A, H, tolerance, side):
-    """Each part is spanned by its own rows h A^k, each up to rows with lower powers of A."""
+    """Judge that each part is spanned by its rows h A^k, each up to rows with lower powers of A."""
     lower, ends = np.zeros((0, len(A))), H
     for power in range(max(map(len, parts), default=0)):
         upper = _orthonormal(np.vstack([lower, ends]))
@@ -136,10 +136,10 @@ def _judge_chains(parts, A, H, tolerance, side):
             rows = _orthonormal(part)
             u, sizes, _ = np.linalg.svd(rows - rows @ upper.T @ upper)
             inside = u[:, np.pad(sizes, (0, len(rows) - len(sizes))) <= 10 * tolerance].T @ rows
-            own = _orthonormal(np.vstack([lower, ends[k : k + 1]]))
+            chain = _orthonormal(np.vstack([lower, ends[k : k + 1]]))
             if (
                 len(inside) != power + 1
-                or np.linalg.norm(inside - inside @ own.T @ own) > 10 * tolerance
+                or np.linalg.norm(inside - inside @ chain.T @ chain) > 10 * tolerance
             ):
                 name = (
                     f"b{k + 1}, A b{k + 1}, ..."
@@ -154,21 +154,20 @@ def _judge_chains(parts, A, H, tolerance, side):
 
 
 def _orthonormal(rows):
-    """An orthonormal basis, in rows, of the span of some rows, whatever their lengths."""
+    """Return an orthonormal basis, in rows, of the span of some rows, whatever their lengths."""
     lengths = np.linalg.norm(rows, axis=1)
     _, sizes, v = np.linalg.svd(rows[lengths > 0] / lengths[lengths > 0, None], full_matrices=False)
     return v[sizes > 1e-9 * sizes.max(initial=0)]
 
 
 def _sizes_in_turn(A, H):
-    """How many coordinates each output adds to what those before see."""
-    seen = [len(A) - len(unobservable_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
-    return [after - before for before, after in zip([0, *seen], seen)]
+    """Return how much each output adds to the rank of the outputs before it."""
+    ranks = [len(A) - len(unobservable_subspace(A, H[:k])) for k in range(1, len(H) + 1)]
+    return [after - before for before, after in zip([0, *ranks], ranks)]
 
 
 def _sizes_by_turns(A, H):
-    """How many rows each chain h, h A, h A^2, ... gives when they are taken by turns while
-    independent of all before."""
+    """Return how many rows each chain h, h A, h A^2, ... gives, taken by turns while independent."""
     transposed, taken, sizes = list(zip(*A)), [], [0] * len(H)
     ends = [list(row) for row in H]
     for _ in range(len(A)):

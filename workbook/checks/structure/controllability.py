@@ -12,11 +12,11 @@ from workbook.checks.structure.dual_questions import (
     judge_region,
     judge_yes_no,
 )
-from workbook.checks.structure.mechanical import DRIVEN, judge_rank
+from workbook.checks.structure.mechanical import CONTROL_PENCIL, judge_rank
 from workbook.checks.structure.unobservable_bases import (
     bases_by_value,
     judge_basis,
-    judge_where_lost,
+    judge_exceptional_bases,
 )
 from workbook.systems import Mechanical
 
@@ -28,7 +28,7 @@ def controllable(claim, system, parameters=()):
     With parameters: whether it is for all values that their assumptions allow.
     """
     if isinstance(system, Mechanical) and not parameters:
-        return judge_rank(claim, system.dual, DRIVEN)
+        return judge_rank(claim, system.dual, CONTROL_PENCIL)
     return judge_yes_no(claim, controlled_pair(system, parameters), CONTROL)
 
 
@@ -78,7 +78,7 @@ def uncontrollable_combinations_at(claim, system, parameter):
 
     For systems that lose controllability at finitely many values, all of them rational.
     """
-    return judge_where_lost(
+    return judge_exceptional_bases(
         claim,
         controlled_pair(system, (parameter,)),
         CONTROL,

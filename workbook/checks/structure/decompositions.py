@@ -1,6 +1,6 @@
 """Decompositions by observation (2.7) and by control (2.6).
 
-A change of variables is judged by the zeros that it makes. A system given in new variables is
+A change of variables is judged by the zeros of the new matrices. A system given in new variables is
 judged by the existence of the change: a matrix T with T A = A' T and H = H' T is the solution of
 linear equations, and an invertible one exists if a random solution is invertible. So every choice
 of coordinates is right that has the form asked.
@@ -31,18 +31,17 @@ from workbook.checks.tools.wording import number_text, where_text
 
 @dataclass(frozen=True)
 class _Side:
-    """The words of one of two dual questions; both are judged as decompositions by observation."""
+    """The wording of one of two dual questions, both judged as decompositions by observation."""
 
-    part: str  # what stands first
-    rest: str
+    part: str  # the part that stands first
+    complement: str
     size: str
-    asked: str
+    expected: str
     reverse: str
     by_control: bool
 
     def mixed(self, row, column, value):
-        """A derivative that contains what it should not; row and column are names of coordinates of
-        the form by observation."""
+        """Return a text on a nonzero entry that should vanish, by names of its row and column."""
         inner, outer = (row, column) if self.by_control else (column, row)
         return f"{outer}' contains {inner} with the coefficient {number_text(value)}"
 
@@ -82,7 +81,7 @@ def decomposed_system(answer, system, parameters=()):
     Any right coordinates are accepted, xi first, with as many coordinates as N or W has rank.
     """
     control = has_control(system)
-    matrix, other = _as_system(
+    matrix, coupling = _as_system(
         answer,
         parameters,
         ("A'", "B'" if control else "H'"),
@@ -90,7 +89,7 @@ def decomposed_system(answer, system, parameters=()):
         columns=control,
     )
     matrix, pair, side = by_observation(matrix, system, parameters)
-    return _judge_system(matrix, other.T if control else other, pair, side)
+    return _judge_system(matrix, coupling.T if control else coupling, pair, side)
 
 
 @judged
@@ -117,25 +116,32 @@ def similarity_matrix(claim, system, other, parameters=()):
     """
     A_from, A_to = system.A, matrix_of(other, parameters)
     tolerance = relative_tolerance(claim)
-    given, wanted = (
+    source, target = (
         pair_of(A_from, A_from[:1, :], parameters),
         pair_of(A_to, A_to[:1, :], parameters),
     )
-    for (values, one, _, _), (_, other, _, _) in zip(given.systems, wanted.systems):
+    for (values, A_source, _, _), (_, A_target, _, _) in zip(source.systems, target.systems):
         claimed = matrix_at(claim, values)
         require_invertible(claimed, tolerance, values)
-        left, right, open_ = claimed @ one, other @ claimed, entry_uncertainties(claim, values)
-        size = (
-            np.linalg.norm(claimed, axis=1)[:, None] * np.linalg.norm(one)
-            + abs(other) @ np.linalg.norm(claimed, axis=1)[:, None]
+        left, right, uncertainty = (
+            claimed @ A_source,
+            A_target @ claimed,
+            entry_uncertainties(claim, values),
         )
-        bad = ~(abs(left - right) <= EXACT * size + open_ @ abs(one) + abs(other) @ open_)
-        if bad.any():
+        size = (
+            np.linalg.norm(claimed, axis=1)[:, None] * np.linalg.norm(A_source)
+            + abs(A_target) @ np.linalg.norm(claimed, axis=1)[:, None]
+        )
+        mismatched = ~(
+            abs(left - right)
+            <= EXACT * size + uncertainty @ abs(A_source) + abs(A_target) @ uncertainty
+        )
+        if mismatched.any():
             inverse = np.linalg.inv(claimed)
-            off = np.linalg.norm(inverse @ one - other @ inverse)
-            if off <= tolerance * np.linalg.norm(inverse) * np.linalg.norm(one):
+            off = np.linalg.norm(inverse @ A_source - A_target @ inverse)
+            if off <= tolerance * np.linalg.norm(inverse) * np.linalg.norm(A_source):
                 raise Wrong("this matrix gives x from y; asked is S in y = S x")
-            i, j = np.argwhere(bad)[0]
+            i, j = np.argwhere(mismatched)[0]
             raise Wrong(
                 f"for x with x{j + 1} = 1 and zeros elsewhere{where_text(values)} y{i + 1}' is "
                 f"{number_text(left[i, j])} by the first system and {number_text(right[i, j])} by "
@@ -143,7 +149,7 @@ def similarity_matrix(claim, system, other, parameters=()):
             )
     judge_everywhere(
         claim,
-        given.parameters,
+        source.parameters,
         lambda: sp.true,
         "your matrix is undefined",
         "your matrix has no inverse",
@@ -152,19 +158,19 @@ def similarity_matrix(claim, system, other, parameters=()):
 
 
 def by_observation(claim, system, parameters=()):
-    """A matrix, the pair and the words of a question, transposed if it is one of control."""
+    """Return a matrix, the pair and the wording of a question, transposed if it is one of control."""
     if has_control(system):
         return claim.T, controlled_pair(system, parameters), CONTROL
     return claim, observed_pair(system, parameters), OUTPUT
 
 
 def _judge_split(claim, pair, side):
-    """The rows of T for the pair: the first ones vanish on the unseen states."""
+    """Judge the rows of T for the pair: the first ones vanish on the unobservable states."""
     n, tolerance = pair.order, relative_tolerance(claim)
-    for values, A, H, unseen in pair.systems_for(claim):
-        claimed, size = matrix_at(claim, values), n - len(unseen)
+    for values, A, H, unobservable in pair.systems_for(claim):
+        claimed, size = matrix_at(claim, values), n - len(unobservable)
         require_invertible(claimed, tolerance, values)
-        space, _ = np.linalg.qr(unseen.T)
+        space, _ = np.linalg.qr(unobservable.T)
         if (
             abs(claimed[:size] @ space)
             <= EXACT * np.linalg.norm(claimed[:size], axis=1)[:, None]
@@ -172,16 +178,16 @@ def _judge_split(claim, pair, side):
         ).all():
             continue
         if _vanishes(np.linalg.inv(claimed)[:size], space, tolerance):
-            raise Wrong(f"this matrix gives {side.reverse}; asked is {side.asked}")
+            raise Wrong(f"this matrix gives {side.reverse}; asked is {side.expected}")
         if _vanishes(claimed[n - size :], space, tolerance):
             raise Wrong(
-                f"your matrix has the {side.rest} coordinates first; the {side.part} ones, xi, "
+                f"your matrix has the {side.complement} coordinates first; the {side.part} ones, xi, "
                 "have to stand first"
             )
         if _vanishes(claimed.T[:size], space, tolerance):
             raise Wrong(
                 f"the coordinates stand in your matrix the other way, as "
-                f"{'rows' if side.by_control else 'columns'}; asked is {side.asked}"
+                f"{'rows' if side.by_control else 'columns'}; asked is {side.expected}"
             )
         new_A, new_H = claimed @ A @ np.linalg.inv(claimed), H @ np.linalg.inv(claimed)
         raise Wrong(
@@ -199,16 +205,19 @@ def _judge_split(claim, pair, side):
 
 
 def _judge_system(matrix, output, pair, side):
-    """A system (A', H') of the pair's order: the blocks vanish, and some change of variables turns
-    the pair into it."""
+    """Judge a system (A', H') of the pair's order: zero blocks, and similarity to the pair."""
     n, tolerance = pair.order, relative_tolerance(matrix, output)
     if matrix.rows != n:
         raise Invalid(
             f"expected the matrices of the whole system of order {n}; the order of yours is "
             f"{matrix.rows}"
         )
-    for values, A, H, unseen in pair.systems_for([matrix, output]):
-        new_A, new_H, size = matrix_at(matrix, values), matrix_at(output, values), n - len(unseen)
+    for values, A, H, unobservable in pair.systems_for([matrix, output]):
+        new_A, new_H, size = (
+            matrix_at(matrix, values),
+            matrix_at(output, values),
+            n - len(unobservable),
+        )
         bound = max(tolerance, 1e-9)
         if (abs(new_A[:size, size:]) > bound * np.linalg.norm(new_A)).any() or (
             abs(new_H[:, size:]) > bound * np.linalg.norm(new_H)
@@ -217,13 +226,15 @@ def _judge_system(matrix, output, pair, side):
                 f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi "
                 f"has as many coordinates as {side.size} says"
             )
-        open_ = entry_uncertainties(matrix, values)
-        if not are_similar(A, H, new_A, new_H, tolerance, A, open_):
+        uncertainty = entry_uncertainties(matrix, values)
+        if not are_similar(A, H, new_A, new_H, tolerance, A, uncertainty):
             part = new_A[:size, :size], new_H[:, :size]
             if (
                 size < n
                 and np.allclose(np.poly(new_A), np.poly(A))
-                and are_similar(A, H, *part, tolerance, _seen_part(A, unseen), open_)
+                and are_similar(
+                    A, H, *part, tolerance, _observable_block(A, unobservable), uncertainty
+                )
             ):
                 raise Wrong(
                     f"your {side.part} part is that of the given system, but no change of "
@@ -231,15 +242,15 @@ def _judge_system(matrix, output, pair, side):
                     "and at how the two parts act on each other"
                 )
             raise Wrong(difference_text(A, new_A, *part, values, side))
-    _serves_everywhere(matrix, output, pair, side)
+    _judge_parameters(matrix, output, pair, side)
     return "the blocks are zero where they have to be, and a change of variables turns the given system into yours"
 
 
 def _judge_part(matrix, output, pair):
-    """An observable system of order rank N that is the image of the pair's."""
+    """Judge an observable system of order rank N that is the image of the pair's."""
     tolerance = relative_tolerance(matrix, output)
-    for values, A, H, unseen in pair.systems_for([matrix, output]):
-        if matrix.rows != pair.order - len(unseen):
+    for values, A, H, unobservable in pair.systems_for([matrix, output]):
+        if matrix.rows != pair.order - len(unobservable):
             raise Wrong(
                 f"your subsystem has the order {matrix.rows}; the observable one has the order "
                 f"rank N, and that is not {matrix.rows}{where_text(values)}"
@@ -251,26 +262,25 @@ def _judge_part(matrix, output, pair):
             new_A,
             new_H,
             tolerance,
-            _seen_part(A, unseen),
+            _observable_block(A, unobservable),
             entry_uncertainties(matrix, values),
         ):
             raise Wrong(difference_text(None, new_A, new_A, new_H, values, OUTPUT))
-    _serves_everywhere(matrix, output, pair, OUTPUT)
+    _judge_parameters(matrix, output, pair, OUTPUT)
     return "its outputs are those of the given system, and it is observable"
 
 
-def _serves_everywhere(matrix, output, pair, side):
-    """That a system is defined, and as much of it observable as of the pair, for all values of the
-    parameters."""
+def _judge_parameters(matrix, output, pair, side):
+    """Judge that a system is defined, with the pair's rank N, for all values of the parameters."""
     rows = [output]
     while len(rows) < matrix.rows and pair.parameters:
         rows.append(rows[-1] * matrix)
-    seen = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unobservable[0])]
+    observability = sp.Matrix.vstack(*rows)[:, : pair.order - len(pair.unobservable[0])]
     judge_everywhere(
         matrix, pair.parameters, lambda: pair.generic_condition, "your system is undefined"
     )
     judge_everywhere(
-        seen,
+        observability,
         pair.parameters,
         lambda: pair.generic_condition,
         "your system is undefined",
@@ -278,18 +288,19 @@ def _serves_everywhere(matrix, output, pair, side):
     )
 
 
-def _seen_part(A, unseen):
-    """The matrix of the states without what is unseen, in an orthonormal basis."""
-    kept = np.linalg.svd(unseen)[2][len(unseen) :] if len(unseen) else np.eye(len(A))
-    return kept @ A @ kept.T
+def _observable_block(A, unobservable):
+    """Return A on the orthogonal complement of the unobservable states, in an orthonormal basis."""
+    complement = (
+        np.linalg.svd(unobservable)[2][len(unobservable) :] if len(unobservable) else np.eye(len(A))
+    )
+    return complement @ A @ complement.T
 
 
 def _as_system(answer, parameters, names, outputs, columns=False):
-    """Two matrices from a list: a square one, and that of outputs (rows) or of controls
-    (columns)."""
+    """Return two matrices from a list: a square one, and that of outputs (rows) or controls."""
     if not isinstance(answer, (list, tuple)) or len(answer) != 2:
         raise Invalid(f"expected a list of two matrices, [{', '.join(names)}]")
-    matrix, other = (
+    matrix, coupling = (
         coercion.as_matrix(
             part if isinstance(part, (sp.MatrixBase, np.ndarray, list, tuple)) else [part],
             parameters,
@@ -300,14 +311,14 @@ def _as_system(answer, parameters, names, outputs, columns=False):
     if matrix.cols != n:
         raise Invalid(f"expected a square matrix {names[0]}, got the shape {matrix.shape}")
     shape = (n, outputs) if columns else (outputs, n)
-    if outputs == 1 and other.shape == shape[::-1]:
-        other = other.T  # a vector, whichever way it is written
-    if other.shape != shape:
+    if outputs == 1 and coupling.shape == shape[::-1]:
+        coupling = coupling.T  # a vector, whichever way it is written
+    if coupling.shape != shape:
         raise Invalid(
             f"expected a matrix {names[1]} of shape {shape} beside your {names[0]}, got "
-            f"{other.shape}"
+            f"{coupling.shape}"
         )
-    return matrix, other
+    return matrix, coupling
 
 
 def require_invertible(claimed, tolerance, values):
@@ -322,14 +333,14 @@ def require_invertible(claimed, tolerance, values):
 
 
 def _vanishes(rows, space, tolerance):
-    """Whether rows vanish on a subspace, to a part of their own size."""
+    """Return whether rows vanish on a subspace, relative to their own norms."""
     return bool(
         (np.linalg.norm(rows @ space, axis=1) <= tolerance * np.linalg.norm(rows, axis=1)).all()
     )
 
 
 def _first_mixed(new_A, new_H, size, side):
-    """The largest entry that should be zero, in words."""
+    """Return a text on the largest entry that should be zero."""
     names = [f"xi{k + 1}" for k in range(size)] + [f"eta{k + 1}" for k in range(len(new_A) - size)]
     upper, shown = abs(new_A[:size, size:]), abs(new_H[:, size:])
     if upper.size and upper.max() >= shown.max(initial=0):

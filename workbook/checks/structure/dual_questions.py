@@ -1,8 +1,8 @@
-"""Questions about an output or a control: one judgement serves both, by transposition.
+"""Questions about an output or a control, judged by the same code through duality.
 
-What a control cannot reach is what the output B^T y of y' = A^T y does not show: a row w with w A =
-lambda w and w B = 0 is a column there. So each function here takes a `Pair`, of (A, H) or of (A^T,
-B^T), and the `Side` with the words of its messages.
+A row w with w A = lambda w and w B = 0 is an unobservable eigenvector of y' = A^T y with the output
+B^T y. So each function here takes a `Pair`, of (A, H) or of (A^T, B^T), and the `Side` with the
+wording of its messages.
 """
 
 from collections.abc import Callable
@@ -27,8 +27,7 @@ from workbook.checks.tools.wording import number_text, values_text, where_text
 
 
 def _output_shows(k, order, number, value):
-    """That a motion is seen: the first derivative of an output that is not zero; `number` is empty
-    for a single output."""
+    """Return a text on the first nonzero derivative of an output; `number` is "" for a single one."""
     name = (
         f"z{number}" + "'" * order if order < 4 else f"the derivative of z{number} of order {order}"
     )
@@ -36,32 +35,34 @@ def _output_shows(k, order, number, value):
 
 
 def _control_changes(k, order, number, value):
-    """That a combination w x is changed: the first of its derivatives that holds the control."""
+    """Return a text on the first derivative of a combination w x that the control enters."""
     power = "" if order == 0 else "A " if order == 1 else f"A^{order} "
-    which = "the first derivative" if order == 0 else f"the derivative of order {order + 1}"
+    derivative_text = (
+        "the first derivative" if order == 0 else f"the derivative of order {order + 1}"
+    )
     return (
-        f"the control u{number} changes your combination {k}: it enters {which} of w x with the "
+        f"the control u{number} changes your combination {k}: it enters {derivative_text} of w x with the "
         f"coefficient w {power}b{number} = {value}, not 0"
     )
 
 
 @dataclass(frozen=True)
 class Side:
-    """The words of one of the two questions."""
+    """The wording of one of the two questions."""
 
     holds: str
     fails: str
-    free: str  # what is left over where the property fails, one of them
+    free: str  # an element of the subspace where the property fails
     none_free: str
     matrix: str
     block: str  # of the matrix: row or column
     pencil: str
-    vector: str  # that shows the loss of an eigenvalue
+    vector: str  # the eigenvector of the PBH test
     spectrum: str = "eigenvalue of A"
-    left: str = "what is unseen"  # all that is left over, and why a basis of it is one
+    subspace: str = "what is unseen"
     basis_right: str = "from each of them z stays zero, they are independent, and there are no more"
-    shows: Callable = _output_shows  # why a vector does not belong
-    shows_little: str = "the motion from your vector {k} does not keep z = 0 to three digits"
+    shows: Callable = _output_shows  # text on a wrong vector of a basis
+    nearly_zero: str = "the motion from your vector {k} does not keep z = 0 to three digits"
 
     @property
     def across(self):
@@ -87,10 +88,10 @@ CONTROL = Side(
     "column",
     "(A - lambda E, B)",
     "row w with w A = lambda w and w B = 0",
-    left="what the control has no effect on",
+    subspace="what the control has no effect on",
     shows=_control_changes,
     basis_right="the control has no effect on any of them, they are independent, and there are no more",
-    shows_little="the control changes your combination {k}, though little",
+    nearly_zero="the control changes your combination {k}, though little",
 )
 #: The type of the claim that `judge_eigenvalues` takes.
 EIGENVALUES = Values(
@@ -99,10 +100,10 @@ EIGENVALUES = Values(
 
 
 def judge_yes_no(claim, pair, side):
-    """Whether the property holds, for all values of the parameters that their assumptions allow."""
+    """Judge whether the property holds for all values that the assumptions of the symbols allow."""
     if not pair.parameters:
-        (unseen,) = pair.unobservable
-        return (yield SameWord(claim, not unseen, left_over(len(unseen), side)))
+        (unobservable,) = pair.unobservable
+        return (yield SameWord(claim, not unobservable, existence_text(len(unobservable), side)))
     holds, reason = True, f"{side.none_free}, for any values of the parameters"
     try:
         compare(
@@ -110,34 +111,39 @@ def judge_yes_no(claim, pair, side):
             pair.parameters,
             pair.reference(True),
             lambda values, _: (
-                f"for some values of the parameters {left_over(pair.dimension_at(values), side)}"
+                f"for some values of the parameters {existence_text(pair.dimension_at(values), side)}"
             ),
         )
-    except Wrong as found:
-        always = min(map(len, pair.unobservable))
+    except Wrong as error:
+        dimension = min(map(len, pair.unobservable))
         holds, reason = (
             False,
-            f"{left_over(always, side)}, whatever the parameters" if always else str(found),
+            f"{existence_text(dimension, side)}, whatever the parameters"
+            if dimension
+            else str(error),
         )
     return (yield SameWord(claim, holds, reason))
 
 
 def judge_region(answer, pair, side, holds=True):
-    """The parameters for which the property holds (or, with `holds` False, fails)."""
+    """Judge the parameters for which the property holds (or, with `holds` False, fails)."""
 
     def message(values, reference):
-        dimension, says = pair.dimension_at(values), "does not hold" if reference else "holds"
-        found = f"the system is {side.fails if dimension else side.holds}"
+        dimension, claim_text = pair.dimension_at(values), "does not hold" if reference else "holds"
+        property_text = f"the system is {side.fails if dimension else side.holds}"
         if reference == holds or not dimension:
-            return f"at {values_text(values)} your condition {says}, yet {found} there: {left_over(dimension, side)}"
-        # An exceptional value itself would be the answer: one parameter of those it depends on
-        # stays unsaid.
-        asked = set().union(*(poly.free_symbols for poly in pair.boundaries))
-        hidden = next((p for p in pair.parameters if p in asked), pair.parameters[0])
+            return (
+                f"at {values_text(values)} your condition {claim_text}, yet {property_text} there: "
+                f"{existence_text(dimension, side)}"
+            )
+        # An exceptional value itself would be the answer: the message omits one of the parameters
+        # that it depends on.
+        dependent = set().union(*(poly.free_symbols for poly in pair.boundaries))
+        hidden = next((p for p in pair.parameters if p in dependent), pair.parameters[0])
         shown = " and ".join(f"{p} = {float(x):.4g}" for p, x in values.items() if p != hidden)
         return (
-            f"{f'with {shown} ' if shown else ''}your condition {says} at a value of {hidden} "
-            f"where {found}: {left_over(dimension, side)}"
+            f"{f'with {shown} ' if shown else ''}your condition {claim_text} at a value of {hidden} "
+            f"where {property_text}: {existence_text(dimension, side)}"
         )
 
     try:
@@ -157,8 +163,7 @@ def judge_region(answer, pair, side, holds=True):
 
 
 def judge_kalman(claim, pair, side):
-    """Kalman's matrix of a control, transposed, by its definition: B first, then each block is A
-    times the one before."""
+    """Judge the transposed Kalman matrix of a control: B first, then each block A times the last."""
     m, block = pair.outputs, side.block
     for values, A, H, _ in pair.systems_for(claim):
         true = np.vstack([H @ np.linalg.matrix_power(A, k) for k in range(pair.order)])
@@ -178,7 +183,7 @@ def judge_kalman(claim, pair, side):
                 ).all()
             ):
                 return f"this is the transpose of {side.matrix}"
-            asked = (
+            requirement = (
                 f"{block} {k + 1} of {side.matrix} has to be A times {block} {k - m + 1}"
                 if k >= m
                 else f"the first {block} of {side.matrix} has to be B"
@@ -186,7 +191,7 @@ def judge_kalman(claim, pair, side):
                 else f"the first {m} {block}s of {side.matrix} have to be the {block}s of B"
             )
             return (
-                f"{asked}{where_text(values)}: {block} {k + 1} of your matrix, with "
+                f"{requirement}{where_text(values)}: {block} {k + 1} of your matrix, with "
                 f"{number_text(claimed[k, j])} in {side.across} {j + 1}, does not fit"
             )
 
@@ -195,37 +200,36 @@ def judge_kalman(claim, pair, side):
 
 
 def judge_eigenvalues(claims, pair, side):
-    """The different eigenvalues at which the rank of Popov's criterion falls: those of A on the
-    unseen states."""
-    lost = [
-        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unseen)))
-        if unseen
+    """Judge the different eigenvalues of the PBH test: those of A on the unobservable states."""
+    fixed = [
+        different_roots(characteristic_coefficients(restricted(pair.at(point)[0], unobservable)))
+        if unobservable
         else np.array([])
-        for _, point, unseen in pair.samples_for(claims)
+        for _, point, unobservable in pair.samples_for(claims)
     ]
     spectra = [
-        (values, found, np.linalg.eigvals(A))
-        for found, (values, A, _, _) in zip(lost, pair.systems_for(claims))
+        (values, roots, np.linalg.eigvals(A))
+        for roots, (values, A, _, _) in zip(fixed, pair.systems_for(claims))
     ]
     return compare_eigenvalues(claims, spectra, side)
 
 
 def compare_eigenvalues(claims, spectra, side, equation=None):
-    """Compare a set of numbers with those where the rank falls; `spectra` are (values, these, all
-    eigenvalues).
+    """Compare a set of numbers with those where the rank falls.
 
-    `equation` = (symbol, polynomial whose roots are these numbers) lets the verdict say whether it
-    is proved.
+    `spectra` are rows (values, these numbers, all eigenvalues). With `equation` = (symbol,
+    polynomial whose roots are these numbers) the verdict says whether it is proved.
     """
-    for values, lost, every in spectra:
-        scale, where = max([1e-30, *abs(every)]), where_text(values)
+    for values, fixed, eigenvalues in spectra:
+        scale, where = max([1e-30, *abs(eigenvalues)]), where_text(values)
 
-        def fits(one, other, computed=EXACT):
-            return agree(one[1], other, one[0], scale, computed, uncertainty_at(one[0], values))
+        def matches(entry, eigenvalue, computed=EXACT):
+            claim, number = entry
+            return agree(number, eigenvalue, claim, scale, computed, uncertainty_at(claim, values))
 
-        def stranger(one):
-            number = number_text(one[1])
-            if any(fits(one, other, 1e-7) for other in every):
+        def extra_text(entry):
+            number = number_text(entry[1])
+            if any(matches(entry, eigenvalue, 1e-7) for eigenvalue in eigenvalues):
                 return (
                     f"{number} is {_a(side.spectrum)}{where}, but the rank of {side.pencil} does "
                     f"not fall there: there is no {side.vector}"
@@ -237,39 +241,40 @@ def compare_eigenvalues(claims, spectra, side, equation=None):
         numbers = numbers_at(claims, values, [f"value {k}" for k in range(1, len(claims) + 1)])
         yield SameMembers(
             list(zip(claims, numbers)),
-            list(lost),
-            fits,
-            stranger,
+            list(fixed),
+            matches,
+            extra_text,
             lambda *_: (
                 f"the rank of {side.pencil} falls at a value of lambda that your answer does not "
                 f"name{where}"
             ),
         )
-    known = f": {known_roots(claims, *equation)}" if equation else ""
+    evidence = f": {roots_evidence(claims, *equation)}" if equation else ""
     if not claims:
-        return f"the rank of {side.pencil} is full at every {side.spectrum}{known}"
-    return f"at each of them there is {_a(side.vector)}, and at no other {side.spectrum}{known}"
+        return f"the rank of {side.pencil} is full at every {side.spectrum}{evidence}"
+    return f"at each of them there is {_a(side.vector)}, and at no other {side.spectrum}{evidence}"
 
 
-def known_roots(claims, symbol, polynomial):
-    """How it is known, for the end of a sentence, that numbers which name all roots at sample
-    values are the roots.
+def roots_evidence(claims, symbol, polynomial):
+    """Return how it is known that numbers are all roots of a polynomial, given they are at samples.
 
-    It is proved if each is one identically: then they are different roots in general position, and
-    all there are.
+    It is proved if each is a root identically: then they are different roots in general position,
+    and there are no others.
     """
     if in_decimals(*claims):
         return "to three digits, for sample values"
-    left = [sp.numer(sp.together(polynomial.as_expr().subs(symbol, claim))) for claim in claims]
+    residuals = [
+        sp.numer(sp.together(polynomial.as_expr().subs(symbol, claim))) for claim in claims
+    ]
     return (
         "proved"
-        if all(sp.expand(part) == 0 for part in left)
+        if all(sp.expand(part) == 0 for part in residuals)
         else "to the digits computed, for sample values"
     )
 
 
-def left_over(count, side):
-    """The sentence on whether something is left over; how much is for the student to find."""
+def existence_text(count, side):
+    """Return a text on whether the subspace is zero; its dimension is for the student to find."""
     return f"there is {_a(side.free)}" if count else side.none_free
 
 

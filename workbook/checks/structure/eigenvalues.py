@@ -7,7 +7,7 @@ system.
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references.records import controlled_pair, has_control, observed_pair
 from workbook.checks.structure.dual_questions import CONTROL, EIGENVALUES, OUTPUT, judge_eigenvalues
-from workbook.checks.structure.mechanical import DRIVEN, SEEN, judge_roots
+from workbook.checks.structure.mechanical import CONTROL_PENCIL, OUTPUT_PENCIL, judge_roots
 from workbook.systems import Mechanical
 
 
@@ -24,7 +24,10 @@ def fixed_eigenvalues(claim, system, parameters=()):
     control = has_control(system)
     if isinstance(system, Mechanical):
         return judge_roots(
-            claim, system.dual if control else system, parameters, DRIVEN if control else SEEN
+            claim,
+            system.dual if control else system,
+            parameters,
+            CONTROL_PENCIL if control else OUTPUT_PENCIL,
         )
     return judge_eigenvalues(
         claim,

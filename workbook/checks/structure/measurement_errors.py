@@ -1,12 +1,12 @@
 """Measurements with an error of a known kind and an unknown size, as `WithError`.
 
-The measurement is z = H x + c w, w' = S w, w(0) = C (start): the system of both together, and C by
-the output.
+The measurement is z = H x + c w, w' = S w, w(0) = C (start). The checks judge the augmented system
+of x and w, and C as a function of the output.
 
-What z determines of x(0) and C is asked in `observability.py`: a pair (x(0), C) that gives z = 0
-for all time cannot be told from nothing at all. These pairs come from the largest invariant
-subspace that z does not show (`known_starts`), and not from the rank of an augmented matrix, which
-allows errors of any start w(0).
+Whether z determines x(0) and C is judged in `observability.py`: a pair (x(0), C) that gives z = 0
+for all time cannot be distinguished from zero. These pairs come from the largest unobservable
+invariant subspace (`known_starts`), not from the rank of an augmented matrix, which allows errors
+of any initial state w(0).
 """
 
 import numpy as np
@@ -49,36 +49,39 @@ def augmented_system(answer, system, parameters=(), own=False):
     )
     for values, point, _ in pair.samples_for([matrix, row]):
         true_A, true_H = (to_floats(rows, pair.order) for rows in pair.at(point))
-        said_A, said_H = matrix_at(matrix, values), matrix_at(row, values)
+        claimed_A, claimed_H = matrix_at(matrix, values), matrix_at(row, values)
         x, w = slice(0, n), slice(n, None)
-        for claim, block, true, what in (
+        for claim, block, true, property_text in (
             (matrix, (x, x), true_A[x, x], "the rows and columns of x in A' are those of A"),
             (matrix, (x, w), 0, "the error does not act on the motion: this part of A' is zero"),
             (matrix, (w, x), 0, "the motion does not act on the error: this part of A' is zero"),
             (row, (slice(None), x), true_H[:, x], "the columns of x in H' are those of H"),
         ):
-            claimed = (said_A if claim is matrix else said_H)[block]
-            _compare_block(claimed, true + 0 * claimed, claim[block], what, values)
+            claimed = (claimed_A if claim is matrix else claimed_H)[block]
+            _compare_block(claimed, true + 0 * claimed, claim[block], property_text, values)
         if own and matrix.rows == pair.order:
             _compare_block(
-                said_A[w, w],
+                claimed_A[w, w],
                 true_A[w, w],
                 matrix[w, w],
                 "the last coordinate is the error itself",
                 values,
             )
             _compare_block(
-                said_H[:, w],
+                claimed_H[:, w],
                 true_H[:, w],
                 row[:, w],
                 "the last coordinate is the error itself",
                 values,
             )
-        open_ = entry_uncertainties(matrix, values)[w, w], entry_uncertainties(row, values)[:, w]
+        uncertainties = (
+            entry_uncertainties(matrix, values)[w, w],
+            entry_uncertainties(row, values)[:, w],
+        )
         _compare_errors(
-            said_A[w, w],
-            said_H[:, w],
-            open_,
+            claimed_A[w, w],
+            claimed_H[:, w],
+            uncertainties,
             _error_derivatives(pair, point, n, matrix.rows),
             values,
         )
@@ -96,17 +99,17 @@ def amplitude_from_output(claim, system, outputs, time):
     """
     from scipy.linalg import expm
 
-    both = augmented(system)
-    matrix, row = np.array(both.A, dtype=float), np.array(both.H, dtype=float)[0]
+    combined = augmented(system)
+    matrix, row = np.array(combined.A, dtype=float), np.array(combined.H, dtype=float)[0]
     random = np.random.default_rng(17)
-    moments = [{time: moment} for moment in (0.2, 0.55, 0.9, 1.3, 1.7, 2.4)]
-    for moment in (values[time] for values in in_every_case(moments, claim, time >= 0)):
+    instants = [{time: instant} for instant in (0.2, 0.55, 0.9, 1.3, 1.7, 2.4)]
+    for instant in (values[time] for values in in_every_case(instants, claim, time >= 0)):
         x, amplitude = (
             random.normal(size=system.A.rows),
             random.choice([-1, 1]) * random.uniform(0.5, 3),
         )
-        state = expm(moment * matrix) @ [*x, *(amplitude * float(s) for s in system.start)]
-        values = {time: moment}
+        state = expm(instant * matrix) @ [*x, *(amplitude * float(s) for s in system.start)]
+        values = {time: instant}
         for symbol in outputs:
             values[symbol] = float(row @ state)
             state = matrix @ state
@@ -116,28 +119,34 @@ def amplitude_from_output(claim, system, outputs, time):
     return "it gives C at every moment of motions with all kinds of starts and errors"
 
 
-def _compare_block(claimed, true, claim, what, values):
+def _compare_block(claimed, true, claim, property_text, values):
     uncertain, where = entry_uncertainties(claim, values), where_text(values)
-    bad = ~agree(claimed, true, claim, max(abs(true).max(initial=0), 1.0), uncertain=uncertain)
-    if bad.any():
-        i, j = np.argwhere(bad)[0]
-        raise Wrong(f"{what}{where}; yours has {number_text(claimed[i, j])} there")
+    mismatched = ~agree(
+        claimed, true, claim, max(abs(true).max(initial=0), 1.0), uncertain=uncertain
+    )
+    if mismatched.any():
+        i, j = np.argwhere(mismatched)[0]
+        raise Wrong(f"{property_text}{where}; yours has {number_text(claimed[i, j])} there")
 
 
 def _error_derivatives(pair, point, n, count):
-    """The derivatives of the error with C = 1 at t = 0, exact: as many as tell two equations of
-    these orders apart."""
+    """Return the exact derivatives of the error with C = 1 at t = 0.
+
+    There are enough of them to distinguish two equations of these orders.
+    """
     A, H = pair.at(point)
-    state, found = [row[-1] for row in pair.starts], []
+    state, derivatives = [row[-1] for row in pair.starts], []
     for _ in range(count + pair.order):
-        found.append(product(H, state))
+        derivatives.append(product(H, state))
         state = product(A, state)
-    return found
+    return derivatives
 
 
-def _compare_errors(S, c, left_open, derivatives, where):
-    """Whether w' = S w, z = c w makes the error from some start, and whether it needs all its
-    coordinates; `left_open` is by how much the decimals of S and c leave them open."""
+def _compare_errors(S, c, uncertainties, derivatives, where):
+    """Judge that w' = S w, z = c w gives the error from some w(0), and needs all its coordinates.
+
+    `uncertainties` are the rounding errors of the decimals of S and c.
+    """
     size, count = len(S), len(derivatives)
     half = count // 2
     order = len(
@@ -150,23 +159,24 @@ def _compare_errors(S, c, left_open, derivatives, where):
         )
     rate = max(1.0, np.linalg.norm(S, 2))
     weights = np.repeat(rate ** -np.arange(count, dtype=float), len(c))
-    wanted = np.array([float(x) for entry in derivatives for x in entry]) * weights
+    reference = np.array([float(x) for entry in derivatives for x in entry]) * weights
 
-    def rest(S, c):
+    def residual(S, c):
         rows = [c]
         while len(rows) < count:
             rows.append(rows[-1] @ S)
-        message = np.vstack(rows) * weights[:, None]
-        if not np.isfinite(message).all():
+        outputs = np.vstack(rows) * weights[:, None]
+        if not np.isfinite(outputs).all():
             raise Wrong(f"the derivatives of your error are not finite{where}")
-        start = np.linalg.lstsq(message, wanted.astype(complex), rcond=1e-12)[0]
-        return message @ start - wanted
+        start = np.linalg.lstsq(outputs, reference.astype(complex), rcond=1e-12)[0]
+        return outputs @ start - reference
 
-    here = rest(S, c)
+    mismatch = residual(S, c)
     allowed = sum(
-        np.linalg.norm(rest(*other) - here) for other in perturbed_arrays((S, c), left_open)
+        np.linalg.norm(residual(*perturbed) - mismatch)
+        for perturbed in perturbed_arrays((S, c), uncertainties)
     )
-    if not np.linalg.norm(here) <= 10 * EXACT * np.linalg.norm(wanted) + allowed:
+    if not np.linalg.norm(mismatch) <= 10 * EXACT * np.linalg.norm(reference) + allowed:
         raise Wrong(
             "from no start do your coordinates of the error give the error of the "
             f"statement{where}: the derivatives of z at t = 0 do not agree"

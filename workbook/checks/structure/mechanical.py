@@ -4,8 +4,8 @@ The systems are records `Mechanical`. The ranks are those of Theorem 2.5, and of
 dual system; they need no states.
 
 A rank falls exactly where all maximal minors of its matrix vanish together, so the values of lambda
-are the roots of their greatest common divisor, a polynomial with rational coefficients. That holds
-for a singular M too. What else is asked of these systems is judged in the states (x, x'), in
+are the roots of their greatest common divisor, a polynomial with rational coefficients. This holds
+for a singular M too. All other questions about these systems are judged in the states (x, x'), in
 `observability.py` and `controllability.py`.
 """
 
@@ -27,29 +27,28 @@ from workbook.checks.structure.dual_questions import (
     EIGENVALUES,
     OUTPUT,
     compare_eigenvalues,
-    known_roots,
+    roots_evidence,
 )
 from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.samples import general_values, in_every_case
 
 LAMBDA = sp.Symbol("lambda")
 PENCIL = "root of det(M lambda^2 + D lambda + K) = 0"
-SEEN = dataclasses.replace(
+OUTPUT_PENCIL = dataclasses.replace(
     OUTPUT,
     pencil="(M lambda^2 + D lambda + K; H1 + lambda H2)",
     spectrum=PENCIL,
     vector="vector v other than 0 with (M lambda^2 + D lambda + K) v = 0 and (H1 + lambda H2) "
     "v = 0",
 )
-DRIVEN = dataclasses.replace(
+CONTROL_PENCIL = dataclasses.replace(
     CONTROL,
     pencil="(M lambda^2 + D lambda + K, L)",
     spectrum=PENCIL,
     vector="row w other than 0 with w (M lambda^2 + D lambda + K) = 0 and w L = 0",
 )
-#: A root is a value at which the square matrix loses its rank: the question of Theorem 2.5 with an
-#: output that shows nothing.
-ALONE = dataclasses.replace(
+#: A root is a value at which the square matrix loses its rank: Theorem 2.5 with the output zero.
+ROOTS_PENCIL = dataclasses.replace(
     OUTPUT,
     pencil="M lambda^2 + D lambda + K",
     spectrum=PENCIL,
@@ -68,43 +67,45 @@ def mechanical_eigenvalues(claim, system, parameters=()):
     roots = [
         different_roots(characteristic_coefficients(pair.at(point)[0])) for _, point, _ in samples
     ]
-    spectra = [(values, found, found) for (values, *_), found in zip(samples, roots)]
-    yield from compare_eigenvalues(claim, spectra, ALONE)
-    known = known_roots(claim, LAMBDA, _pencil(system).det())
-    return f"the determinant vanishes at each of them and nowhere else: {known}"
+    spectra = [
+        (values, eigenvalues, eigenvalues) for (values, *_), eigenvalues in zip(samples, roots)
+    ]
+    yield from compare_eigenvalues(claim, spectra, ROOTS_PENCIL)
+    evidence = roots_evidence(claim, LAMBDA, _pencil(system).det())
+    return f"the determinant vanishes at each of them and nowhere else: {evidence}"
 
 
 def judge_rank(claim, system, side):
-    """Whether the rank of Theorem 2.5 is full everywhere, of a system without parameters; M may be
-    singular."""
-    ((_, lost, _),) = _spectra(system, ())
-    falls = "falls at some lambda" if len(lost) else f"is full at every {side.spectrum}"
-    return (yield SameWord(claim, not len(lost), f"the rank of {side.pencil} {falls}"))
+    """Judge whether the rank of Theorem 2.5 is full everywhere, without parameters.
+
+    M may be singular.
+    """
+    ((_, fixed, _),) = _spectra(system, ())
+    rank_text = "falls at some lambda" if len(fixed) else f"is full at every {side.spectrum}"
+    return (yield SameWord(claim, not len(fixed), f"the rank of {side.pencil} {rank_text}"))
 
 
 def judge_roots(claim, system, parameters, side):
-    """The different values of lambda at which it falls."""
+    """Judge the different values of lambda at which the rank falls."""
     return compare_eigenvalues(
         claim, _spectra(system, parameters, claim), side, (LAMBDA, _polynomials(system)[0])
     )
 
 
 def _spectra(system, parameters, claim=()):
-    """(values, those of lambda where the rank of Theorem 2.5 falls, all roots of the characteristic
-    equation), each once."""
+    """Return rows (values, lambda where the rank of Theorem 2.5 falls, all characteristic roots)."""
     samples = in_every_case(general_values(parameters), claim)
-    return [(values, *_known_spectra(system.subs(values))) for values in samples]
+    return [(values, *_cached_spectra(system.subs(values))) for values in samples]
 
 
 @functools.lru_cache(maxsize=64)
-def _known_spectra(system):
+def _cached_spectra(system):
     return tuple(map(_roots, _polynomials(system)))
 
 
 @functools.lru_cache(maxsize=64)
 def _polynomials(system):
-    """The polynomials in lambda that vanish where the rank of Theorem 2.5 falls, and where the
-    square matrix alone loses its rank."""
+    """Return the polynomials that vanish where the rank falls, and where the square matrix's does."""
     rows = _pencil(system).col_join((system.H1 + LAMBDA * system.H2).applyfunc(_exact))
     minors = [
         sp.Poly(rows.extract(list(chosen), list(range(rows.cols))).det(method="berkowitz"), LAMBDA)

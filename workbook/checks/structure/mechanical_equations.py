@@ -43,21 +43,31 @@ def mechanical_equations(claim, system, parameters=()):
         true_mass, *true = (
             np.array(part.subs(values), dtype=float) for part in (system.M, system.K, system.L)
         )
-        open_mass, *opens = (entry_uncertainties(part, values) for part in claim)
-        for own, wanted, open_own, name, sign in zip(claimed, true, opens, "qu", (-1, 1)):
+        mass_uncertainty, *uncertainties = (entry_uncertainties(part, values) for part in claim)
+        for claimed_part, true_part, uncertainty, name, sign in zip(
+            claimed, true, uncertainties, "qu", (-1, 1)
+        ):
             uncertain = sum(
-                abs(np.linalg.solve(*other) - np.linalg.solve(mass, own))
-                for other in perturbed_arrays((mass, own), (open_mass, open_own))
+                abs(np.linalg.solve(*perturbed) - np.linalg.solve(mass, claimed_part))
+                for perturbed in perturbed_arrays(
+                    (mass, claimed_part), (mass_uncertainty, uncertainty)
+                )
             )
-            own, wanted = np.linalg.solve(mass, own), np.linalg.solve(true_mass, wanted)
+            claimed_part, true_part = (
+                np.linalg.solve(mass, claimed_part),
+                np.linalg.solve(true_mass, true_part),
+            )
             yield SameSides(
-                own,
-                wanted,
-                EXACT * max(abs(wanted).max(), 1e-300) + uncertain + np.zeros(own.shape),
+                claimed_part,
+                true_part,
+                EXACT * max(abs(true_part).max(), 1e-300)
+                + uncertain
+                + np.zeros(claimed_part.shape),
                 lambda point: (
-                    f"by your equations {name}{point[1] + 1 if own.shape[1] > 1 or name == 'q' else ''} enters the "
+                    f"by your equations {name}"
+                    f"{point[1] + 1 if claimed_part.shape[1] > 1 or name == 'q' else ''} enters the "
                     f"acceleration of q{point[0] + 1} with the coefficient "
-                    f"{number_text(sign * own[point])}"
+                    f"{number_text(sign * claimed_part[point])}"
                     f"{where_text(values)}, and that is not what the energies give"
                 ),
                 1.0,

@@ -9,12 +9,12 @@ from workbook.checks.contract.claims import Vectors, YesNo
 from workbook.checks.contract.verdict import judged
 from workbook.checks.references.records import observed_pair
 from workbook.checks.structure.dual_questions import OUTPUT, judge_region, judge_yes_no
-from workbook.checks.structure.mechanical import SEEN, judge_rank
+from workbook.checks.structure.mechanical import OUTPUT_PENCIL, judge_rank
 from workbook.checks.structure.output_wording import PARTS, words
 from workbook.checks.structure.unobservable_bases import (
     bases_by_value,
     judge_basis,
-    judge_where_lost,
+    judge_exceptional_bases,
 )
 from workbook.systems import Mechanical
 
@@ -27,7 +27,7 @@ def observable(claim, system, parameters=()):
     values that their assumptions allow.
     """
     if isinstance(system, Mechanical) and not parameters:
-        return judge_rank(claim, system, SEEN)
+        return judge_rank(claim, system, OUTPUT_PENCIL)
     return judge_yes_no(claim, observed_pair(system, parameters), words(system))
 
 
@@ -82,7 +82,7 @@ def unobservable_states_at(claim, system, parameter):
 
     For systems that lose observability at finitely many values, all of them rational.
     """
-    return judge_where_lost(
+    return judge_exceptional_bases(
         claim,
         observed_pair(system, (parameter,)),
         words(system),

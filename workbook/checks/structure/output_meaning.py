@@ -1,4 +1,4 @@
-"""What a scalar measurement means: which of several known quantities it can be.
+"""Identification of a scalar measurement with one of several known quantities.
 
 A measurement z = H x along the motions of x' = A x is a solution of a linear equation p(d/dt) z =
 0, and every solution of the equation of lowest order occurs. So a measurement and a coordinate of
@@ -19,29 +19,29 @@ def measured_quantity(claim, system, known, quantities):
     """Check which of the `quantities` {name: row} the measurement z = H x of x' = A x is.
 
     The rows are those of the system `known`; of one in `Deviations` they are {name: expression
-    in its state}, and their deviations are meant.
+    in its state} and stand for the deviations of these.
     """
     equations = {
         name: _equation(matrix_of(known), row_of(known, quantity))
         for name, quantity in quantities.items()
     }
     A, H = system.A, system.H
-    seen = _equation(A, H)
-    if list(equations.values()).count(seen) != 1:
+    measured = _equation(A, H)
+    if list(equations.values()).count(measured) != 1:
         raise RuntimeError("the equations do not tell the quantities apart")
-    if equations[claim] != seen:
+    if equations[claim] != measured:
         raise Wrong(
             f"the {claim} satisfies the linear equation {_text(equations[claim])} and none of "
             "lower order, in all motions; what is measured has motions that do not"
-            if _breaks(equations[claim], A, H)
-            else f"the {claim} has motions that break {_text(seen)}, an equation that holds for what is measured "
+            if _violates(equations[claim], A, H)
+            else f"the {claim} has motions that break {_text(measured)}, an equation that holds for what is measured "
             f"in all motions"
         )
-    return f"both satisfy {_text(seen)} and no equation of lower order, and no other of the quantities does"
+    return f"both satisfy {_text(measured)} and no equation of lower order, and no other of the quantities does"
 
 
 def _equation(A, H):
-    """The coefficients c0, c1, ..., 1 of the lowest order with c0 H + c1 H A + ... + H A^k = 0."""
+    """Return the coefficients c0, c1, ..., 1 of lowest order with c0 H + c1 H A + ... + H A^k = 0."""
     rows = [sp.Matrix(H)]
     while True:
         following = rows[-1] * sp.Matrix(A)
@@ -56,8 +56,8 @@ def _equation(A, H):
         rows.append(following)
 
 
-def _breaks(equation, A, H):
-    """Whether some motion of the system does not satisfy the equation."""
+def _violates(equation, A, H):
+    """Return whether some motion of the system does not satisfy the equation."""
     row, total = sp.Matrix(H), sp.zeros(1, sp.Matrix(A).rows)
     for coefficient in equation:
         total, row = total + coefficient * row, row * sp.Matrix(A)
@@ -65,7 +65,7 @@ def _breaks(equation, A, H):
 
 
 def _text(equation):
-    """The equation for z, its derivatives with primes."""
+    """Return the equation for z as text, with primes for derivatives."""
     order = len(equation) - 1
     names = ["z", *("z" + "'" * k for k in range(1, order + 1))]
     terms = [

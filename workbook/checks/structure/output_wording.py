@@ -41,7 +41,7 @@ LOCAL = replace(
     basis_right="none of them alters a measurement to first order, they are independent, and there are no "
     "more",
     shows=_measurement_changes,
-    shows_little="your change {k} alters a measurement, though little",
+    nearly_zero="your change {k} alters a measurement, though little",
 )
 
 #: By the part of the unknowns that is asked for.
@@ -54,7 +54,7 @@ PARTS = {
 
 
 def words(system, part=None):
-    """The words of the question whether an output shows all, or a part of what is unknown."""
+    """Return the wording of the question whether an output determines the unknowns, or a part."""
     if isinstance(system, WithError):
         return WITH_ERROR[part]
     return LOCAL if isinstance(system, Measurements) else OUTPUT

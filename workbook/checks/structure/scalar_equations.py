@@ -2,9 +2,9 @@
 
 An equation is of order n, between y = c x, the control and their derivatives.
 
-At one moment x, u, u', ... may have any values, and the system then says what y, y', ..., y^(n)
-are. An equation is right if it is linear with constant coefficients, of order n, and satisfied by
-all of these values. So neither the arrangement of its sides nor a factor matters. Where y is not
+At one instant x, u, u', ... may have any values, and the system then determines y, y', ..., y^(n).
+An equation is right if it is linear with constant coefficients, of order n, and satisfied by
+all of these values, so neither the arrangement of its sides nor a factor matters. Where y is not
 given as a combination of x it is the first coordinate of the canonical form by control (2.4): the
 combination with y' = xi2, y'' = xi3, ..., into whose n-th derivative the control enters with the
 coefficient 1, and not before.
@@ -35,9 +35,11 @@ def scalar_equation(answer, system, motion, control, parameters=()):
     """
     claim, canonical = _LinearEquation(answer, motion, control, parameters), not system.H
     for values in general_values(list(parameters)):
-        there = system.subs(values)
-        row = _first_coordinate(there.A, there.B) if canonical else there.H
-        claim.judge(there.A, there.B, row, values, canonical=canonical)
+        numeric_system = system.subs(values)
+        row = (
+            _first_coordinate(numeric_system.A, numeric_system.B) if canonical else numeric_system.H
+        )
+        claim.judge(numeric_system.A, numeric_system.B, row, values, canonical=canonical)
     pair = controlled_pair(system, parameters) if canonical else observed_pair(system, parameters)
     claim.judge_everywhere(system.A.rows, parameters, lambda: pair.generic_condition)
     return "it is linear, of the order of the system, and " + (
@@ -54,82 +56,86 @@ def canonical_coordinate(claim, system, parameters=()):
     The row has n entries; the form is that by control, with one control.
     """
     for values in in_every_case(general_values(list(parameters)), claim):
-        there, b = system.A.subs(values), system.B.subs(values)
-        row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, there.rows + 1)])
-        true = _floats(_first_coordinate(there, b))[0]
+        A, b = system.A.subs(values), system.B.subs(values)
+        row = numbers_at(claim, values, [f"coefficient of x{k}" for k in range(1, A.rows + 1)])
+        true = _floats(_first_coordinate(A, b))[0]
         uncertain = [uncertainty_at(entry, values) for entry in claim]
         if not agree(row, true, claim, np.linalg.norm(true), uncertain=uncertain).all():
             _explain_row(
-                row, _floats(there), _floats(b)[:, 0], relative_tolerance(claim), where_text(values)
+                row, _floats(A), _floats(b)[:, 0], relative_tolerance(claim), where_text(values)
             )
     return "the control enters the last derivative alone, with the coefficient 1"
 
 
 def _explain_row(row, A, b, tolerance, where):
-    """Which derivative of y = `row` x the control enters too early, or at last with another
-    coefficient than 1."""
+    """Raise `Wrong` on the derivative of y = `row` x that the control enters too early.
+
+    If there is none, it enters the last one with a coefficient other than 1.
+    """
     n = len(row)
     for order in range(1, n + 1):
-        enters = row @ b
-        if order == n or not abs(enters) <= tolerance * np.linalg.norm(row) * np.linalg.norm(b):
+        coefficient = row @ b
+        if order == n or not abs(coefficient) <= tolerance * np.linalg.norm(row) * np.linalg.norm(
+            b
+        ):
             raise Wrong(
                 f"the control enters {_derivative('y', order)} with the coefficient "
-                f"{number_text(enters)}{where}; in the form "
+                f"{number_text(coefficient)}{where}; in the form "
                 "(2.4) " + ("it is 1" if order == n else f"it enters {_derivative('y', n)} first")
             )
         row = row @ A
 
 
 class _LinearEquation:
-    """An answer as left - right = sum of a_k y^(k) + sum of b_k u^(k), with coefficients in the
-    parameters."""
+    """An equation as left - right = sum of a_k y^(k) + sum of b_k u^(k), a_k, b_k in parameters."""
 
     def __init__(self, answer, motion, control, parameters):
         (self.time,), self.names = motion.args, (motion.func.__name__, control.func.__name__)
         sides = [
-            self._own_functions(side, motion, control, parameters) for side in self._sides(answer)
+            self._in_data_symbols(side, motion, control, parameters) for side in self._sides(answer)
         ]
         self.derivatives = [
             [sp.Dummy(f"{name}{k}") for k in range(LARGEST_ORDER + 1)] for name in self.names
         ]
-        known = {
+        substitutions = {
             function.diff(self.time, k): symbol
             for function, symbols in zip((motion, control), self.derivatives)
             for k, symbol in enumerate(symbols)
         }
-        left, right = (side.xreplace(known) for side in sides)
+        left, right = (side.xreplace(substitutions) for side in sides)
         difference = sp.expand(left - right)
         self.coefficients = [
             [self._coefficient(difference, symbol) for symbol in symbols]
             for symbols in self.derivatives
         ]
-        rest = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
-        if rest.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or (
-            rest != 0 and sp.simplify(rest) != 0
+        constant_term = difference.xreplace(dict.fromkeys(sum(self.derivatives, []), sp.S.Zero))
+        if constant_term.has(sp.nan, sp.zoo, sp.oo, -sp.oo, self.time) or (
+            constant_term != 0 and sp.simplify(constant_term) != 0
         ):
             raise Wrong(
                 f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives "
                 "your equation has another one, so that it fails at rest without control"
             )
 
-    def judge_everywhere(self, order, parameters, given):
-        """That the equation is defined, and its highest derivative does not fall out, wherever
-        `given()`."""
+    def judge_everywhere(self, order, parameters, condition):
+        """Judge that the equation is defined and keeps its order wherever `condition()` holds."""
         of_motion, of_control = self.coefficients
         judge_everywhere(
-            sp.Matrix([of_motion + of_control]), parameters, given, "your equation is undefined"
+            sp.Matrix([of_motion + of_control]), parameters, condition, "your equation is undefined"
         )
         judge_everywhere(
             sp.Matrix([of_motion[order]]),
             parameters,
-            given,
+            condition,
             "your equation is undefined",
             "the highest derivative falls out of your equation",
         )
 
     def judge(self, A, b, c, values, canonical=False):
-        """That the equation has the order of the system and holds for y = c x, in exact matrices of
-        numbers; `values` for messages."""
+        """Judge that the equation has the order of the system and holds for y = c x.
+
+        The matrices are exact numbers; `values` are the parameters, for messages.
+        """
         n, where = A.rows, where_text(values)
         numbers = [
             [number_at(a, values, "a coefficient of your equation") if a != 0 else 0 for a in row]
@@ -142,39 +148,39 @@ class _LinearEquation:
         present = [[k for k, a in enumerate(row) if abs(a) > 1e-9 * size] for row in numbers]
         y, _u = self.names
         if not present[0] or max(present[0]) != n:
-            found = (
+            order_text = (
                 f"its highest derivative of {y} is of order {max(present[0])}"
                 if present[0]
                 else f"{y} does not occur in it"
             )
-            raise Wrong(f"the equation has to be of order {n}, as the system is; {found}")
+            raise Wrong(f"the equation has to be of order {n}, as the system is; {order_text}")
         highest = max(max(present[1], default=0), n - 1)
         rows = [c]
         while len(rows) <= n:
             rows.append(rows[-1] * A)
-        message = sp.Matrix.vstack(*rows[:n])
-        if message.det() == 0:
-            raise ValueError("y does not tell the state: its equation is not the system")
+        observability = sp.Matrix.vstack(*rows[:n])
+        if observability.det() == 0:
+            raise ValueError("y does not determine the state: its equation is not the system")
         # y^(k) in terms of x and of u, u', ..., u^(highest)
         driven = sp.Matrix(
             n + 1, highest + 1, lambda k, j: (rows[k - 1 - j] * b)[0] if j < k else 0
         )
-        to_all = np.array(sp.Matrix.vstack(*rows).row_join(driven).tolist(), dtype=float)
-        # The states at which y, ..., y^(n-1), u, u', ... vanish but for one of them: there no other
-        # term hides a wrong one.
-        back = message.inv()
+        output_map = np.array(sp.Matrix.vstack(*rows).row_join(driven).tolist(), dtype=float)
+        # The states at which all but one of y, ..., y^(n-1), u, u', ... vanish: no other term can
+        # cancel a wrong one there.
+        inverse = observability.inv()
         states = np.array(
-            (back.row_join(-back * driven[:n, :]))
+            (inverse.row_join(-inverse * driven[:n, :]))
             .col_join(sp.zeros(highest + 1, n).row_join(sp.eye(highest + 1)))
             .tolist(),
             dtype=float,
         )
-        failing = [k for k, state in enumerate(states.T) if self._fails(numbers, to_all, state)]
+        failing = [k for k, state in enumerate(states.T) if self._fails(numbers, output_map, state)]
         if failing:
-            self._explain(numbers, to_all, highest, failing, where, canonical, present[1])
+            self._explain(numbers, output_map, highest, failing, where, canonical, present[1])
 
-    def _explain(self, numbers, to_all, highest, failing, where, canonical, controls):
-        n, (y, u) = len(to_all) - 1, self.names
+    def _explain(self, numbers, output_map, highest, failing, where, canonical, controls):
+        n, (y, u) = len(output_map) - 1, self.names
         if failing[0] >= n and canonical:
             if max(controls, default=0) > 0:
                 raise Wrong(
@@ -187,50 +193,50 @@ class _LinearEquation:
                     f"coefficient; in the form (2.4) {u} enters the last equation with the "
                     f"coefficient 1, and {y} is the first coordinate of that form, no multiple"
                 )
-        random, free = np.random.default_rng(220), failing[0] < n
+        random, unforced = np.random.default_rng(220), failing[0] < n
         for _ in range(20):
             state = random.integers(1, 6, n + highest + 1) * random.choice(
                 (-1.0, 1.0), n + highest + 1
             )
-            if free:
+            if unforced:
                 state[n:] = 0
-            if self._fails(numbers, to_all, state):
+            if self._fails(numbers, output_map, state):
                 break
         x = ", ".join(number_text(s) for s in state[:n])
         control = (
             f"{u} = 0"
-            if free
+            if unforced
             else ", ".join(
                 f"{_derivative(u, k)} = {number_text(s)}" for k, s in enumerate(state[n:])
             )
         )
-        hint = "" if free else "without control it is right; "
+        hint = "" if unforced else "without control it is right; "
         raise Wrong(
             f"{hint}at x = ({x}) and {control}{where} the derivatives of {y} do not satisfy your "
             "equation"
         )
 
-    def _terms(self, numbers, to_all, state):
-        n = to_all.shape[0] - 1
+    def _terms(self, numbers, output_map, state):
+        n = output_map.shape[0] - 1
         return np.concatenate(
             [
-                np.array(numbers[0][: n + 1]) * (to_all @ state),
+                np.array(numbers[0][: n + 1]) * (output_map @ state),
                 np.array(numbers[1])[: len(state) - n] * state[n:],
             ]
         )
 
-    def _fails(self, numbers, to_all, state):
-        terms, open_ = (
-            self._terms(numbers, to_all, state),
-            self._terms(self.uncertain, to_all, state),
+    def _fails(self, numbers, output_map, state):
+        terms, uncertainties = (
+            self._terms(numbers, output_map, state),
+            self._terms(self.uncertain, output_map, state),
         )
-        return not abs(sum(terms)) <= EXACT * sum(abs(terms)) + sum(abs(open_))
+        return not abs(sum(terms)) <= EXACT * sum(abs(terms)) + sum(abs(uncertainties))
 
     def _sides(self, answer):
         if isinstance(answer, sp.Eq):
             sides = answer.args
         elif isinstance(answer, sp.Expr) and answer.has(AppliedUndef):
-            sides = (answer, sp.S.Zero)  # what is to be zero
+            sides = (answer, sp.S.Zero)  # an expression stands for expression = 0
         else:
             y, u = (f"{name}({self.time})" for name in self.names)
             raise Invalid(
@@ -250,21 +256,22 @@ class _LinearEquation:
             )
         return sides
 
-    def _own_functions(self, side, motion, control, parameters):
-        """The side in the data's functions and symbols, matched by name, with all derivatives
-        carried out."""
-        known = {symbol.name: symbol for symbol in (self.time, *parameters)}
-        foreign = {s.name for s in side.free_symbols if s.name not in known}
-        side = side.xreplace({s: known[s.name] for s in side.free_symbols if s.name in known})
+    def _in_data_symbols(self, side, motion, control, parameters):
+        """Return a side in the functions and symbols of the data, with derivatives carried out."""
+        symbols_by_name = {symbol.name: symbol for symbol in (self.time, *parameters)}
+        foreign = {s.name for s in side.free_symbols if s.name not in symbols_by_name}
+        side = side.xreplace(
+            {s: symbols_by_name[s.name] for s in side.free_symbols if s.name in symbols_by_name}
+        )
         functions = {}
         for function in side.atoms(AppliedUndef):
-            own = [
+            matching = [
                 f
                 for f in (motion, control)
                 if f.func.__name__ == function.func.__name__ and f.args == function.args
             ]
-            functions |= {function: own[0]} if own else {}
-            foreign |= set() if own else {str(function)}
+            functions |= {function: matching[0]} if matching else {}
+            foreign |= set() if matching else {str(function)}
         if foreign:
             allowed = ", ".join([str(motion), str(control), *(s.name for s in parameters)])
             raise Invalid(
@@ -281,7 +288,7 @@ class _LinearEquation:
             raise Invalid(
                 f"a derivative is not one with respect to {self.time}, a definite number of times"
             )
-        side = self._carried_out(side)
+        side = self._differentiated(side)
         if any(d.derivative_count > LARGEST_ORDER for d in side.atoms(sp.Derivative)) or side.has(
             sp.Integral
         ):
@@ -291,25 +298,27 @@ class _LinearEquation:
             )
         return side
 
-    def _carried_out(self, expression):
-        """With the derivatives of sums and multiples carried out; SymPy's own `doit` may take
-        minutes for powers and products."""
+    def _differentiated(self, expression):
+        """Carry out the derivatives of sums and multiples.
+
+        SymPy's own `doit` may take minutes for powers and products.
+        """
         if not expression.has(sp.Derivative):
             return expression
         if not isinstance(expression, sp.Derivative):
-            return expression.func(*map(self._carried_out, expression.args))
+            return expression.func(*map(self._differentiated, expression.args))
         if isinstance(expression.expr, AppliedUndef):
             return expression
-        total = []
-        for term in sp.Add.make_args(sp.expand(self._carried_out(expression.expr))):
+        terms = []
+        for term in sp.Add.make_args(sp.expand(self._differentiated(expression.expr))):
             factor, function = term.as_independent(AppliedUndef, sp.Derivative, as_Add=False)
             if factor.has(self.time) or not (
                 function == 1 or isinstance(function, (AppliedUndef, sp.Derivative))
             ):
                 raise Wrong(self._not_linear())
             if function != 1:
-                total.append(factor * function.diff((self.time, expression.derivative_count)))
-        return sp.Add(*total)
+                terms.append(factor * function.diff((self.time, expression.derivative_count)))
+        return sp.Add(*terms)
 
     def _not_linear(self):
         return (
@@ -320,20 +329,20 @@ class _LinearEquation:
     def _coefficient(self, difference, symbol):
         if not difference.has(symbol):
             return sp.S.Zero
-        found, others = sp.diff(difference, symbol), sum(self.derivatives, [])
-        if found.has(*others, self.time):
-            found = sp.simplify(found)
-        if found.has(*others, self.time):
+        coefficient, derivatives = sp.diff(difference, symbol), sum(self.derivatives, [])
+        if coefficient.has(*derivatives, self.time):
+            coefficient = sp.simplify(coefficient)
+        if coefficient.has(*derivatives, self.time):
             raise Wrong(
                 self._not_linear()
-                if found.has(*others)
+                if coefficient.has(*derivatives)
                 else f"a coefficient of your equation depends on {self.time}; those of the system do not"
             )
-        return found
+        return coefficient
 
 
 def _first_coordinate(A, b):
-    """The row c with c b = c A b = ... = 0 and c A^(n-1) b = 1."""
+    """Return the row c with c b = c A b = ... = 0 and c A^(n-1) b = 1."""
     columns = [b]
     while len(columns) < A.rows:
         columns.append(A * columns[-1])

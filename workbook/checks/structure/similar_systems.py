@@ -12,18 +12,21 @@ from workbook.checks.contract.tolerance import EXACT, half_unit
 from workbook.checks.tools.wording import number_text, where_text
 
 
-def are_similar(A, H, new_A, new_H, tolerance, similar=None, open_=()):
-    """Whether T A = A' T, H = H' T has a solution T of full rank; T has as many rows as A'.
-    Decimals leave A' `open_` by so much; it has to be similar to the matrix `similar`."""
+def are_similar(A, H, new_A, new_H, tolerance, reference=None, uncertainty=()):
+    """Return whether T A = A' T, H = H' T has a solution T of full rank, with as many rows as A'.
+
+    `uncertainty` holds the rounding errors of the entries of A', which has to be similar to the
+    matrix `reference`.
+    """
     # Decimals may have all their digits, or stand for simple fractions.
     if tolerance > 1e-6 and (
         are_similar(A, H, new_A, new_H, 1e-9)
         or are_similar(A, H, _as_fractions(new_A), _as_fractions(new_H), 1e-9)
     ):
         return True
-    # Rounded entries leave some T almost a solution for an eigenvalue that is off; the
-    # characteristic polynomial tells.
-    if tolerance > 1e-6 and not _same_polynomial(new_A, similar, open_):
+    # With rounded entries some T is almost a solution even if an eigenvalue is wrong; the
+    # characteristic polynomial shows it.
+    if tolerance > 1e-6 and not _same_polynomial(new_A, reference, uncertainty):
         return False
     rows, n = len(new_A), len(A)
     weight, unit = (
@@ -31,17 +34,20 @@ def are_similar(A, H, new_A, new_H, tolerance, similar=None, open_=()):
         max(np.linalg.norm(A) + np.linalg.norm(new_A), 1e-300),
     )
     scale = max(np.linalg.norm(new_H), 1e-300)
-    left, right = np.eye(rows), np.eye(n)
+    row_identity, column_identity = np.eye(rows), np.eye(n)
     # Row by row: the entry (i, j) of T is number n i + j of the unknowns, in units in which H and
     # H' have the same size.
     equations = np.vstack(
-        [(np.kron(left, A.T) - np.kron(new_A, right)) / unit, np.kron(new_H / scale, right)]
+        [
+            (np.kron(row_identity, A.T) - np.kron(new_A, column_identity)) / unit,
+            np.kron(new_H / scale, column_identity),
+        ]
     )
-    sides = np.concatenate([np.zeros(rows * n), (H / weight).ravel()])
+    right_side = np.concatenate([np.zeros(rows * n), (H / weight).ravel()])
     u, sizes, v = np.linalg.svd(equations)
     count = int((sizes > 0.5 * tolerance).sum()) if tolerance > 1e-6 else int((sizes > 1e-9).sum())
-    particular = v[:count].T.conj() @ ((u[:, :count].T.conj() @ sides) / sizes[:count])
-    if not np.linalg.norm(equations @ particular - sides) <= max(2 * tolerance, 1e-8):
+    particular = v[:count].T.conj() @ ((u[:, :count].T.conj() @ right_side) / sizes[:count])
+    if not np.linalg.norm(equations @ particular - right_side) <= max(2 * tolerance, 1e-8):
         return False
     random, free = np.random.default_rng(4), v[count:]
     for _ in range(3):
@@ -55,23 +61,29 @@ def are_similar(A, H, new_A, new_H, tolerance, similar=None, open_=()):
     return False
 
 
-def _same_polynomial(claimed, true, open_):
-    """Whether two matrices have the same characteristic polynomial, up to what the entries of the
-    first are off by."""
-    own = np.poly(claimed)
-    allowed = EXACT * max(np.linalg.norm(claimed), np.linalg.norm(true)) ** np.arange(len(own))
+def _same_polynomial(claimed, true, uncertainty):
+    """Return whether two matrices have the same characteristic polynomial.
+
+    The entries of the first are known up to `uncertainty`.
+    """
+    coefficients = np.poly(claimed)
+    allowed = EXACT * max(np.linalg.norm(claimed), np.linalg.norm(true)) ** np.arange(
+        len(coefficients)
+    )
     for i, j in np.ndindex(claimed.shape):
         step = np.zeros(claimed.shape)
-        step[i, j] = open_[i, j]
-        allowed = allowed + abs(np.poly(claimed + step) - own)
+        step[i, j] = uncertainty[i, j]
+        allowed = allowed + abs(np.poly(claimed + step) - coefficients)
     # A hundredth for products of two such steps.
-    return bool((abs(own - np.poly(true)) <= 1.01 * allowed).all())
+    return bool((abs(coefficients - np.poly(true)) <= 1.01 * allowed).all())
 
 
 @functools.partial(np.vectorize, otypes=[complex])
 def _as_fractions(number):
-    """The fraction with the smallest denominator up to 60 that the number is to three digits; else
-    the number itself."""
+    """Return the simplest fraction (denominator up to 60) equal to a number to three digits.
+
+    If there is none, return the number itself.
+    """
     size = abs(number)
     if not size or number.imag:
         return number
@@ -86,16 +98,18 @@ def _as_fractions(number):
 
 
 def difference_text(A, new_A, part, part_output, values, side):
-    """The property in which a system differs from the given one."""
+    """Return a text on the property in which a system differs from the given one."""
     if A is not None:
-        own, true = np.poly(new_A), np.poly(A)
-        if not np.allclose(own, true, rtol=1e-6, atol=1e-6 * max(abs(true))):
-            at = place_of_difference(own, true)
-            there, here = (number_text(np.polyval(poly, at)) for poly in (true, own))
+        claimed, true = np.poly(new_A), np.poly(A)
+        if not np.allclose(claimed, true, rtol=1e-6, atol=1e-6 * max(abs(true))):
+            point = point_of_difference(claimed, true)
+            true_value, claimed_value = (
+                number_text(np.polyval(poly, point)) for poly in (true, claimed)
+            )
             message = (
-                f"det(lambda E - A) at lambda = {at} is {here} for your matrix, and another number "
+                f"det(lambda E - A) at lambda = {point} is {claimed_value} for your matrix, and another number "
                 "for the given one"
-                if there != here
+                if true_value != claimed_value
                 else "by rounding, your matrix has other eigenvalues; exact numbers would be safe"
             )
             return f"no change of variables turns the given system into yours: {message}{where_text(values)}"
@@ -109,17 +123,16 @@ def difference_text(A, new_A, part, part_output, values, side):
     return f"no change of variables turns the given system into yours{where_text(values)}: it has other functions z(t)"
 
 
-def place_of_difference(own, true):
-    """Return where two polynomials differ; not 0, where the value is a coefficient of each."""
+def point_of_difference(claimed, true):
+    """Return a point where two polynomials differ; not 0, where a value is a coefficient."""
     return max(
         (1, -1, 2, -2, 3, 5),
-        key=lambda x: min(abs(np.polyval(own - true, x)), 0.5 * max(abs(own - true))),
+        key=lambda x: min(abs(np.polyval(claimed - true, x)), 0.5 * max(abs(claimed - true))),
     )
 
 
 def _observable(A, H):
-    """Whether a small system of floats is observable, by Kalman's matrix with blocks of one
-    size."""
+    """Return whether a small system of floats is observable, by its scaled Kalman matrix."""
     if not len(A):
         return True
     blocks = [H / max(np.linalg.norm(H), 1e-300)]

@@ -52,7 +52,7 @@ def observability_matrix(claim, system, parameters):
             _at(sp.Matrix.vstack(*slopes), values),
             [_at(system.A**k, values) for k in range(n)],
         )
-        # The derivative of order k of the product H(t) x(t), by the rule of Leibniz.
+        # The derivative of order k of the product H(t) x(t), by the Leibniz rule.
         terms = [[comb(k, j) * rows[j] @ powers[k - j] for j in range(k + 1)] for k in range(n)]
 
         def message(claimed, k, j):
@@ -61,7 +61,7 @@ def observability_matrix(claim, system, parameters):
                     f"row {k + 1} of your matrix leaves out that H changes with time: the "
                     "derivative of z = H(t) x has one term more"
                 )
-            what = (
+            derivative_text = (
                 "z itself"
                 if k == 0
                 else "the derivative of z"
@@ -69,7 +69,7 @@ def observability_matrix(claim, system, parameters):
                 else f"the derivative of z of order {k}"
             )
             return (
-                f"row {k + 1} times x has to be {what}; at {rounded_text(values)} it is not, in "
+                f"row {k + 1} times x has to be {derivative_text}; at {rounded_text(values)} it is not, in "
                 f"column {j + 1}: there your matrix has {number_text(claimed[k, j])}"
             )
 

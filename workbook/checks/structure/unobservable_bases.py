@@ -3,8 +3,8 @@
 They are asked for a system, for all values of a parameter, or at the values at which observability
 is lost. The combinations are those of the coordinates that no control changes.
 
-A condition such as alpha != 1 may be guessed; the states that stay unobservable at the value left out may
-not. The reference is that of `pairs`: the largest invariant subspace in the kernel of the output, at
+A condition such as alpha != 1 can be guessed; the unobservable states at the excluded value cannot.
+ The reference is that of `pairs`: the largest invariant subspace in the kernel of the output, at
 every value where it can appear.
 """
 
@@ -17,18 +17,21 @@ from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.exceptional_values import judge_everywhere
 from workbook.checks.references.invariant_subspaces import to_floats
 from workbook.checks.references.pairs import point_of, special_values
-from workbook.checks.structure.dual_questions import left_over
+from workbook.checks.structure.dual_questions import existence_text
 from workbook.checks.tools.comparisons import SameMembers
 from workbook.checks.tools.conditions import allowed
 from workbook.checks.tools.values import entry_uncertainties, number_at
 from workbook.checks.tools.wording import number_text, where_text
 
 
-def judge_basis(vectors, pair, side, at=None):
-    """A basis of what is unseen, a list of vectors; `at` tells of the place, if `pair` does not."""
+def judge_basis(vectors, pair, side, where_suffix=None):
+    """Judge a basis of the unobservable states, a list of vectors.
+
+    `where_suffix` describes the parameter value in messages, if `pair` has no parameters.
+    """
     n, tolerance = pair.unknowns, relative_tolerance(*vectors)
-    for values, point, unseen in pair.samples_for(vectors):
-        where = where_text(values) if at is None else at
+    for values, point, unobservable in pair.samples_for(vectors):
+        where = where_text(values) if where_suffix is None else where_suffix
         claimed = np.array(
             [
                 [
@@ -38,11 +41,11 @@ def judge_basis(vectors, pair, side, at=None):
                 for k, vector in enumerate(vectors, 1)
             ]
         ).reshape(len(vectors), n)
-        space, _ = np.linalg.qr(to_floats(unseen, n).T)
-        left_open = entry_uncertainties(
-            sp.Matrix(len(vectors), n, [entry for one in vectors for entry in one]), values
+        space, _ = np.linalg.qr(to_floats(unobservable, n).T)
+        uncertainties = entry_uncertainties(
+            sp.Matrix(len(vectors), n, [entry for row in vectors for entry in row]), values
         )
-        across = abs(np.eye(n) - space @ space.T)
+        projection = abs(np.eye(n) - space @ space.T)
         for k, vector in enumerate(claimed, 1):
             size = np.linalg.norm(vector)
             if size == 0:
@@ -50,9 +53,10 @@ def judge_basis(vectors, pair, side, at=None):
                     f"your vector {k} is zero{where}; a basis consists of vectors that are not"
                 )
             if not (
-                abs(vector - space @ (space.T @ vector)) <= EXACT * size + across @ left_open[k - 1]
+                abs(vector - space @ (space.T @ vector))
+                <= EXACT * size + projection @ uncertainties[k - 1]
             ).all():
-                raise Wrong(f"{_seen(pair, point, vector, k, side)}{where}")
+                raise Wrong(f"{_nonzero_text(pair, point, vector, k, side)}{where}")
         if (
             len(claimed)
             and np.linalg.svd(claimed / np.linalg.norm(claimed, axis=1)[:, None], compute_uv=False)[
@@ -61,9 +65,9 @@ def judge_basis(vectors, pair, side, at=None):
             < 1e-2 * tolerance
         ):
             raise Wrong(f"your {len(claimed)} vectors are linearly dependent{where}")
-        if len(claimed) < len(unseen):
+        if len(claimed) < len(unobservable):
             raise Wrong(
-                f"{left_over(len(unseen), side)}{where}, and it is no combination of those in your "
+                f"{existence_text(len(unobservable), side)}{where}, and it is no combination of those in your "
                 "answer"
             )
     if vectors:
@@ -77,9 +81,8 @@ def judge_basis(vectors, pair, side, at=None):
     return side.basis_right if vectors else side.none_free
 
 
-def _seen(pair, point, vector, k, side):
-    """Why a vector does not belong: the first of the numbers H A^k v, or w A^k B, that is not
-    zero."""
+def _nonzero_text(pair, point, vector, k, side):
+    """Return a text on the first nonzero number among H A^k v, or w A^k B, of a wrong vector."""
     A, H = (to_floats(rows, pair.order) for rows in pair.at(point))
     state = pair.state_of(vector)
     scale, growth = max(np.linalg.norm(state), 1e-30), max(1.0, np.linalg.norm(A))
@@ -88,12 +91,11 @@ def _seen(pair, point, vector, k, side):
             if abs(value) > 1e-4 * scale * growth**order * max(np.linalg.norm(H[j]), 1e-30):
                 return side.shows(k, order, "" if len(H) == 1 else j + 1, number_text(value))
         state = A @ state
-    return side.shows_little.format(k=k)
+    return side.nearly_zero.format(k=k)
 
 
 def bases_by_value(side):
-    """The claim {value: basis of what is unseen there}, of vectors with the unknowns of the datum
-    `system`."""
+    """Return the claim {value: basis of the unobservable states} for the datum `system`."""
 
     def size(data):
         return data["system"].unknowns
@@ -103,24 +105,22 @@ def bases_by_value(side):
         Vectors(size=size),
         lambda data: (
             f"a dictionary such as {{4: [{[3, 1, *[0] * (size(data) - 2)]}]}}, from each value to "
-            f"a basis of {side.left} there"
+            f"a basis of {side.subspace} there"
         ),
     )
 
 
-def judge_where_lost(claim, pair, side, at_value):
-    """Every real value of the single parameter at which something is unseen, with a basis of what
-    is unseen there.
+def judge_exceptional_bases(claim, pair, side, at_value):
+    """Judge every value of the parameter without observability, with a basis at each.
 
-    For what is lost at finitely many values, all of them rational; `at_value(value)` is the pair
-    without the parameter.
+    The values are finitely many and rational; `at_value(value)` is the pair without the parameter.
     """
     (parameter,) = pair.parameters
-    lost = _values_where_lost(pair, parameter)
+    exceptional = _exceptional_values(pair, parameter)
     named = yield SameMembers(
         [value for value, _ in claim],
-        lost,
-        _same,
+        exceptional,
+        _values_agree,
         lambda value: (
             f"at {parameter} = {sp.N(value, 4) if value.has(sp.Float) else value} {side.none_free}"
         ),
@@ -131,14 +131,14 @@ def judge_where_lost(claim, pair, side, at_value):
         judge_basis(basis, at_value(value), side, f" for {parameter} = {value}")
     return (
         f"at these values of the parameter and no others the system is {side.fails}, and the "
-        f"vectors are bases of {side.left}"
+        f"vectors are bases of {side.subspace}"
     )
 
 
-def _values_where_lost(pair, parameter):
-    """The exceptional values, SymPy rationals."""
+def _exceptional_values(pair, parameter):
+    """Return the exceptional values, SymPy rationals."""
     if all(pair.unobservable):
-        raise ValueError("something is unseen for all values in general position")
+        raise ValueError("there are unobservable states for all values in general position")
     values = special_values(pair.boundaries, parameter)
     real = {
         root
@@ -151,14 +151,14 @@ def _values_where_lost(pair, parameter):
         for root in real
         if allowed(parameter, 1 if root > 0 else -1)
     ):
-        raise ValueError("something is unseen at an irrational value")
+        raise ValueError("there are unobservable states at an irrational value")
     return [value for value in values if pair.unobservable_at(point_of({parameter: value}))]
 
 
-def _same(value, other):
-    """Decimals count to three digits; what is exact has to be right."""
+def _values_agree(value, reference):
+    """Return whether two values agree: decimals to three digits, exact ones identically."""
     return (
-        rounds_to(value, other, size=1)
+        rounds_to(value, reference, size=1)
         if in_decimals(value)
-        else sp.simplify(value - other).is_zero
+        else sp.simplify(value - reference).is_zero
     )

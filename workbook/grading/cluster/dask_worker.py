@@ -228,15 +228,15 @@ def _require_same_library(expected):
             "its workbook is another one than here: install the same one there, and start the "
             "worker again"
         )
-    here = _library_versions_now(
+    versions = _library_versions_now(
         [name.removeprefix("problem ") for name in expected if name.startswith("problem ")]
     )
     for part, version in expected.items():
-        if here[part] == version:
+        if versions[part] == version:
             continue
         if part in ("Python", *PACKAGES):
             raise UnfitWorkerError(
-                f"it has {part} {here[part] or '(none)'}, and this machine {version or '(none)'}"
+                f"it has {part} {versions[part] or '(none)'}, and this machine {version or '(none)'}"
             )
         raise UnfitWorkerError(
             f"its {part} is another one than here: install the same workbook there, and start the "

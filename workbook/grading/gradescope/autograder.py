@@ -122,7 +122,7 @@ def _submitted(folder, scratch, homework):
             aside.append(problem)
         else:
             matched[problem, entry.content] = (problem, entry)
-    remarks = [f"left aside: {sanitise(Path(entry.path).name)}: {entry.why}" for entry in aside]
+    remarks = [f"left aside: {sanitise(Path(entry.path).name)}: {entry.reason}" for entry in aside]
     if not matched:
         remarks.append("There is no notebook of this homework in what you handed in.")
     return list(matched.values()), aside, remarks

@@ -69,9 +69,9 @@ def pole_zero_cancellation():
         uncertainty_line.set_data(
             *_ellipse(0.01 * np.linalg.pinv(_gramian(matrix.T, H.T) + 1e-12 * np.eye(2)))
         )
-        leading, rest = numerator(values[alpha.name], values[beta.name])
+        leading, constant = numerator(values[alpha.name], values[beta.name])
         zero.set_data(
-            [-rest / leading] if abs(leading) > 1e-9 else [], [0] if abs(leading) > 1e-9 else []
+            [-constant / leading] if abs(leading) > 1e-9 else [], [0] if abs(leading) > 1e-9 else []
         )
         by_control, by_output = np.abs(left_vectors @ B).ravel(), np.abs(H @ vectors).ravel()
         return "; ".join(

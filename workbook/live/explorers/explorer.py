@@ -55,7 +55,7 @@ class Explorer(ipywidgets.VBox):
         in data coordinates, is where the pointer is.
     title : str
         A line above the figure.
-    beside : sequence of ipywidgets.Widget
+    extra_widgets : sequence of ipywidgets.Widget
         Widgets that stand beside the controls.
 
     Attributes
@@ -66,7 +66,7 @@ class Explorer(ipywidgets.VBox):
         Whether there is an `on_stroke`.
     """
 
-    def __init__(self, figure, controls, draw, on_stroke=None, title="", beside=()):
+    def __init__(self, figure, controls, draw, on_stroke=None, title="", extra_widgets=()):
         self.figure, self.controls, self.frames = figure, controls, 0
         self._draw, self._on_stroke, self._suspended = draw, on_stroke, False
         self._image = ipywidgets.Image(format="jpeg")
@@ -87,7 +87,9 @@ class Explorer(ipywidgets.VBox):
         )
         picture = ipywidgets.Box([self._image, layer])
         picture.add_class("workbook-figure")
-        row = ipywidgets.HBox([*beside, *controls.values()], layout={"flex_flow": "row wrap"})
+        row = ipywidgets.HBox(
+            [*extra_widgets, *controls.values()], layout={"flex_flow": "row wrap"}
+        )
         head = ipywidgets.HTML(
             STYLE + (f'<div class="workbook-text">{typeset(title)}</div>' if title else "")
         )

@@ -96,7 +96,7 @@ def fastest_motion(problem="5.3", item="a"):
     play = ipywidgets.Play(max=FRAMES - 1, interval=40, show_repeat=False)
     ipywidgets.link((play, "value"), (controls["frame"], "value"))
     start(np.array([sum(side) / 2 + 0.3 * (side[1] - side[0]) for side in synthesis.window]))
-    return Explorer(figure, controls, draw, on_stroke, beside=[play])
+    return Explorer(figure, controls, draw, on_stroke, extra_widgets=[play])
 
 
 @cache
@@ -126,8 +126,10 @@ def _extremal(synthesis, point):
     states, mode = fan.flow(np.full(FRAMES, fastest.s[0]), remaining)
     state, psi = states[:2], states[2:4]
     psi /= np.hypot(*psi).max()  # the costate is determined up to a positive factor
-    with_control, without = (fan.plant.at(state, np.full((1, FRAMES), u))[0] for u in (1.0, 0.0))
-    switching = (psi * (with_control - without)).sum(axis=0)
+    with_control, without_control = (
+        fan.plant.at(state, np.full((1, FRAMES), u))[0] for u in (1.0, 0.0)
+    )
+    switching = (psi * (with_control - without_control)).sum(axis=0)
     return {
         "times": remaining[0] - remaining,
         "state": state,

@@ -206,16 +206,25 @@ def phase_portrait(problem="1.4", item=""):
     rates, state = (
         part(data) if callable(part) else data[part] for part in (portrait.field, portrait.state)
     )
-    known = {symbol.name: symbol for rate in rates for symbol in sp.sympify(rate).free_symbols}
+    symbols_by_name = {
+        symbol.name: symbol for rate in rates for symbol in sp.sympify(rate).free_symbols
+    }
     rates = sp.Matrix(
         [
             sp.sympify(rate).subs(
-                {known[name]: value for name, value in portrait.constants.items() if name in known}
+                {
+                    symbols_by_name[name]: value
+                    for name, value in portrait.constants.items()
+                    if name in symbols_by_name
+                }
             )
             for rate in rates
         ]
     )
-    arguments = [*state, *(known.get(name, sp.Symbol(name)) for name in portrait.parameters)]
+    arguments = [
+        *state,
+        *(symbols_by_name.get(name, sp.Symbol(name)) for name in portrait.parameters),
+    ]
     field, jacobian, scalar_field = (
         sp.lambdify(arguments, *form)
         for form in (
@@ -311,9 +320,9 @@ def _portrait(problem, item):
 def _initial_points(window):
     """Return the points of a grid, every other row shifted by half a mesh."""
     (left, right), (low, high) = window
-    across, upwards = GRID
-    x, y = np.meshgrid((np.arange(across) + 0.25) / across, (np.arange(upwards) + 0.5) / upwards)
-    x[::2] += 0.5 / across
+    columns, rows = GRID
+    x, y = np.meshgrid((np.arange(columns) + 0.25) / columns, (np.arange(rows) + 0.5) / rows)
+    x[::2] += 0.5 / columns
     return left + (right - left) * x.ravel(), low + (high - low) * y.ravel()
 
 
@@ -415,9 +424,9 @@ def _motion(scalar_field, point, numbers, window):
             path, information = odeint(
                 rate, point, length, args=(sign,), rtol=1e-6, atol=1e-8, full_output=True
             )
-        good = np.append(
+        accurate = np.append(
             True, (information["tcur"] >= length[1:]) & np.isfinite(path[1:]).all(axis=1)
         )
-        return path[: len(good) if good.all() else np.argmin(good)]
+        return path[: len(accurate) if accurate.all() else np.argmin(accurate)]
 
     return np.concatenate([integrate(-1)[::-1], integrate(1)]).T

@@ -55,8 +55,8 @@ def region_of_stability(problem="1.15", item="a"):
 
     def draw(**values):
         x, y = values.values()
-        leading, *rest = coefficients(x, y)
-        roots = np.roots([leading, *rest])
+        leading, *lower_coefficients = coefficients(x, y)
+        roots = np.roots([leading, *lower_coefficients])
         history.append(roots)
         del history[:-120]
         inside = roots.real < -margin - 1e-9  # on the line counts as outside
