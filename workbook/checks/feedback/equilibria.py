@@ -59,17 +59,20 @@ def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
     flow = cached_field(tuple(field), (*state, *controls))
     uncontrolled = [sp.sympify(f).subs(dict.fromkeys(controls, 0)) for f in field]
     family = stationary_points_of(uncontrolled if zeros is None else zeros, state, [], domain)
-    (equilibria,) = family.rests(np.zeros((0, 1)))
+    (equilibria,) = family.points(np.zeros((0, 1)))
     unmatched = list(equilibria)
     for point, gain in claim:
         position = family.reduced(numbers_at(point, {}, [f"coordinate {x}" for x in state]).real)
         matches = [
             k
             for k, equilibrium in enumerate(unmatched)
-            if family.same(position.copy(), equilibrium, point)
+            if family.is_same_point(position.copy(), equilibrium, point)
         ]
         if not matches:
-            if any(family.same(position.copy(), equilibrium, point) for equilibrium in equilibria):
+            if any(
+                family.is_same_point(position.copy(), equilibrium, point)
+                for equilibrium in equilibria
+            ):
                 raise Wrong(f"the point {point_text(position)} stands twice in your list")
             rates = flow([*position, *[0.0] * len(controls)])
             raise Wrong(

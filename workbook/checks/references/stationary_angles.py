@@ -47,7 +47,7 @@ class StationaryAngles:
     def _numbers(self, values):
         return [float(values[p]) for p in self.parameters]
 
-    def rest(self, values):
+    def angles(self, values):
         """Return the simple stationary angles between 0 and 2 pi."""
         return self._zeros(self._force, self._slope, self._numbers(values))
 
@@ -74,7 +74,7 @@ class StationaryAngles:
         if key not in self._slopes_at:
             if len(self._slopes_at) == MOST_KEPT:
                 self._slopes_at.clear()
-            self._slopes_at[key] = [self.derivatives(values, phi) for phi in self.rest(values)]
+            self._slopes_at[key] = [self.derivatives(values, phi) for phi in self.angles(values)]
         return self._slopes_at[key]
 
     def derivatives(self, values, phi):
@@ -90,7 +90,7 @@ class StationaryAngles:
                 (
                     values
                     for values in sample_values(self.parameters, 300)
-                    if len(self.rest(values))
+                    if len(self.angles(values))
                 ),
                 5,
             )
@@ -101,7 +101,9 @@ class StationaryAngles:
 
     def samples_for(self, claims):
         """Return the samples, and more for cases of an answer that these do not cover."""
-        return [values for values in in_every_case(self.samples, claims) if len(self.rest(values))]
+        return [
+            values for values in in_every_case(self.samples, claims) if len(self.angles(values))
+        ]
 
     @functools.cached_property
     def edges(self):

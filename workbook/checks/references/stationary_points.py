@@ -94,7 +94,7 @@ class StationaryPoints:
         values = _evaluated(self._function, point, numbers)[len(self.state) :]
         return values.reshape(len(self.state), len(self.state), *values.shape[1:])
 
-    def settle(self, numbers, starts, steps):
+    def newton(self, numbers, starts, steps):
         """Return results of Newton's method from many starts for every column of parameters.
 
         They are points (n, columns, starts) and which of them are stationary points in the domain.
@@ -133,14 +133,14 @@ class StationaryPoints:
         x = self.reduced(x)
         return x, converged & self.inside(x)
 
-    def rests(self, numbers):
+    def points(self, numbers):
         """Return the list of stationary points in the domain for every column of parameter values."""
-        x, is_point = self.settle(numbers, starts=STARTS, steps=40)
+        x, is_point = self.newton(numbers, starts=STARTS, steps=40)
         return [_distinct_columns(x[:, j, is_point[j]]) for j in range(x.shape[1])]
 
-    def first_rests(self, numbers):
+    def single_points(self, numbers):
         """Return the stationary point for every column of parameters, and whether it exists."""
-        x, is_point = self.settle(numbers, starts=32, steps=40)
+        x, is_point = self.newton(numbers, starts=32, steps=40)
         first = np.take_along_axis(x, np.argmax(is_point, axis=1)[None, :, None], axis=2)
         if np.any(is_point & (abs(x - first) > 1e-5 * (1 + abs(first))).any(axis=0)):
             raise RuntimeError("there are several stationary points in the domain")
@@ -167,7 +167,7 @@ class StationaryPoints:
                 result &= points[k] < high - (END if interval.right_open else -END)
         return result
 
-    def same(self, point, reference, written, uncertain=None):
+    def is_same_point(self, point, reference, written, uncertain=None):
         """Return whether a claimed point is this stationary point.
 
         To three significant digits if it is written in decimals, which may change the coordinates by
@@ -186,7 +186,7 @@ class StationaryPoints:
             )
         )
 
-    def samples(self, claim=(), count=7, need_rest=True, alone=True):
+    def samples(self, claim=(), count=7, with_points=True, alone=True):
         """Yield triples (exact values, their floats, the stationary point).
 
         Parameters
@@ -195,7 +195,7 @@ class StationaryPoints:
             The answer; samples are added for cases of it that the others do not cover.
         count : int
             The number of samples.
-        need_rest : bool
+        with_points : bool
             Whether stationary points are computed.
         alone : bool
             Whether there has to be one; otherwise the third is the list of all points of the domain, and
@@ -203,7 +203,7 @@ class StationaryPoints:
         """
         candidates, numbers = self._candidates
         points_of_candidates = (
-            self._points_of_candidates if need_rest else [[None]] * len(candidates)
+            self._points_of_candidates if with_points else [[None]] * len(candidates)
         )
         chosen = [k for k, stationary in enumerate(points_of_candidates) if stationary]
         if not chosen:
@@ -226,12 +226,12 @@ class StationaryPoints:
         ]
         sampled_values = [values for values, *_ in samples]
         for values in (
-            in_every_case(sampled_values, claim, self.given)[len(sampled_values) :]
+            in_every_case(sampled_values, claim, self.domain_condition)[len(sampled_values) :]
             if cases(claim)
             else ()
         ):
             column = self.numbers(values)
-            stationary = [] if column is None else self.rests(column)[0] if need_rest else [None]
+            stationary = [] if column is None else self.points(column)[0] if with_points else [None]
             if column is not None and (stationary or not alone):
                 samples.append((values, column[:, 0], stationary))
         for values, column, stationary in samples:
@@ -267,10 +267,10 @@ class StationaryPoints:
 
     @functools.cached_property
     def _points_of_candidates(self):
-        return self.rests(self._candidates[1])
+        return self.points(self._candidates[1])
 
     @functools.cached_property
-    def given(self):
+    def domain_condition(self):
         """The condition of the domain on the parameters."""
         return sp.And(
             *(_interval_condition(p, interval_of(p, self.domain)) for p in self.parameters)

@@ -88,7 +88,7 @@ def angle_linearisation(claim, field, state, parameters, angle, deviations):
         )
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     for values in angles.samples_for(claim):
-        for phi in angles.rest(values):
+        for phi in angles.angles(values):
             slope, friction = angles.derivatives(values, phi)
             for deviation, true in (
                 ((1, 0), slope),
@@ -144,7 +144,7 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
     claims = [coercion.as_expression(part, [*parameters, integer]) for part in parts]
     angles = stationary_angles(tuple(field), tuple(state), tuple(parameters))
     for values in angles.samples_for(claims):
-        reference_angles = angles.rest(values)
+        reference_angles = angles.angles(values)
         chosen = [
             phi
             for phi in reference_angles
@@ -213,7 +213,7 @@ def _judge_angle_condition(answer, field, state, parameters, angle, kind, word):
     def points():
         """Stationary angles in general position, and close to where two of them meet."""
         for values in [*angles.samples, *(near for near, _ in angles.edges)]:
-            yield from (values | {angle: sp.Rational(float(phi))} for phi in angles.rest(values))
+            yield from (values | {angle: sp.Rational(float(phi))} for phi in angles.angles(values))
 
     def message(values, holds):
         return (

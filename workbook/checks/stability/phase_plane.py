@@ -144,7 +144,7 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
     slope = sp.diff(claim, first)
     family = stationary_points_of(field, state, parameters, domain)
     random = np.random.default_rng(12)
-    for values, numbers, _ in family.samples(claim, need_rest=False, count=5):
+    for values, numbers, _ in family.samples(claim, with_points=False, count=5):
         scale = 0.0
         for _ in range(6):
             x = sp.Rational(round(10**4 * random_value(random, first, domain)), 10**4)

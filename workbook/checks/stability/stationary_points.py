@@ -215,11 +215,11 @@ def _judge_points(answer, family, noun, searched=None):
             matches = [
                 j
                 for j, equilibrium in enumerate(missed)
-                if family.same(position, equilibrium, point, uncertainties)
+                if family.is_same_point(position, equilibrium, point, uncertainties)
             ]
             if not matches:
                 if any(
-                    family.same(position, equilibrium, point, uncertainties)
+                    family.is_same_point(position, equilibrium, point, uncertainties)
                     for equilibrium in equilibria
                 ):
                     raise Wrong(f"{sample_text(values)}two of your points are the same")
@@ -265,7 +265,7 @@ def _judge_existence(answer, family, noun):
     def at(values):
         numbers = family.numbers(values)
         return (
-            None if numbers is None else bool(family.settle(numbers, starts=32, steps=40)[1].any())
+            None if numbers is None else bool(family.newton(numbers, starts=32, steps=40)[1].any())
         )
 
     def message(values, holds):
@@ -274,7 +274,7 @@ def _judge_existence(answer, family, noun):
             f"condition {'does not hold' if holds else 'holds'}"
         )
 
-    assumptions, at_rest = family.given, family.at_rest
+    assumptions, at_rest = family.domain_condition, family.at_rest
     reference = ReferenceCondition(
         (Case(sp.And(assumptions, at_rest), tuple(family.state)),),
         (Case(sp.And(assumptions, sp.Not(at_rest)), tuple(family.state), every=True),),
@@ -302,7 +302,7 @@ def _judge_point_roots(answer, family, sign, noun):
         numbers = family.numbers(values)
         if numbers is None:
             return None
-        positions, exist = family.first_rests(numbers)
+        positions, exist = family.single_points(numbers)
         ((a,), (b,)), ((c,), (d,)) = family.jacobian(positions, numbers)
         trace, determinant, size = a + d, a * d - b * c, a**2 + b**2 + c**2 + d**2
         discriminant = trace**2 - 4 * determinant
@@ -324,7 +324,9 @@ def _judge_point_roots(answer, family, sign, noun):
         )
 
     _, determinant, discriminant = family.invariants
-    decided = sp.And(family.given, family.at_rest, *(sp.Ne(x, 0) for x in family.invariants))
+    decided = sp.And(
+        family.domain_condition, family.at_rest, *(sp.Ne(x, 0) for x in family.invariants)
+    )
     reference = exactly(
         sp.And(sign * discriminant > 0, determinant > 0), decided, tuple(family.state), at
     )
