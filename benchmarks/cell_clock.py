@@ -15,8 +15,9 @@ from functools import partial
 from pathlib import Path
 
 from workbook.checks.contract.decoding import decode
-from workbook.grading import forkserver, judging, worker_pool
-from workbook.grading.sandbox import Sandbox
+from workbook.grading.pool import judging, worker_pool
+from workbook.grading.sandbox import forkserver
+from workbook.grading.sandbox.sandbox import Sandbox
 
 SPENT = "workbook_spent"
 #: Not `time.process_time`: while a timer of processor time runs, as it does in a notebook's

@@ -36,7 +36,7 @@ from nbformat import NotebookNode
 from settings import CORES
 from sphinx_external_toc.parsing import parse_toc_yaml
 
-from workbook.grading.preloading import SYMPY, preload, warm_up_matplotlib
+from workbook.grading.sandbox.preloading import SYMPY, preload, warm_up_matplotlib
 from workbook.notebooks.dependencies import PACKAGES, module_closure
 from workbook.notebooks.dependencies import ROOT as HOME
 

@@ -20,7 +20,7 @@ for folder in ("problems", "checks", "library", "browser"):
 
 import pytest  # noqa: E402
 
-from workbook.grading.preloading import ALWAYS, LIBRARIES, THEMES, preload  # noqa: E402
+from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, THEMES, preload  # noqa: E402
 
 #: Tests that share what costs much: the proof of a problem, what a check knows of its data, the
 #: parsed pages of an edition, syntheses, a cluster, an installed bundle. The tests of a group are

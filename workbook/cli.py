@@ -242,7 +242,7 @@ def main():
     except ValueError as error:
         # imported only where a ValueError was raised
         from workbook.authoring import MasterError
-        from workbook.grading.assignment import InputError
+        from workbook.grading.course.assignment import InputError
 
         if not isinstance(error, (InputError, MasterError)):
             raise

@@ -9,7 +9,7 @@ from contextlib import suppress
 import psutil
 import pytest
 
-from workbook.grading.system_calls import system_call
+from workbook.grading.sandbox.system_calls import system_call
 
 #: Linux: orphaned descendants become children of this process.
 PR_SET_CHILD_SUBREAPER = 36

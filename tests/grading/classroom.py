@@ -5,7 +5,7 @@ import json
 import os
 
 from workbook.checks.contract.verdict import Verdict
-from workbook.grading import assignment as assignments
+from workbook.grading.course import assignment as assignments
 from workbook.notebooks import exercises
 
 #: Right answers of problem 1.15, each in one line (the import is in the notebook's own data cell).

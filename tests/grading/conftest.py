@@ -8,7 +8,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment
 
-from workbook.grading.store import Store
+from workbook.grading.course.store import Store
 
 #: Their tests wait: for sandboxes, worker processes, whole commands, a browser, limits of time.
 WAITING = {

@@ -5,7 +5,14 @@ import subprocess
 import sys
 from pathlib import Path
 
-from workbook.grading.system_calls import CLONE_NEWNS, MS_BIND, MS_PRIVATE, MS_REC, mount, unshare
+from workbook.grading.sandbox.system_calls import (
+    CLONE_NEWNS,
+    MS_BIND,
+    MS_PRIVATE,
+    MS_REC,
+    mount,
+    unshare,
+)
 
 USER = 54321
 

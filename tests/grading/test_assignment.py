@@ -11,10 +11,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, write_assignment
 
-from workbook.grading import assignment as assignments
-from workbook.grading import handing_out, submissions
-from workbook.grading.assignment import AssignmentError
-from workbook.grading.lateness import LateRule
+from workbook.grading.course import assignment as assignments
+from workbook.grading.course import handing_out, submissions
+from workbook.grading.course.assignment import AssignmentError
+from workbook.grading.course.lateness import LateRule
 from workbook.notebooks import exercises
 
 FULL = """

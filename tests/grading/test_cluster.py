@@ -28,12 +28,13 @@ from clusters import CERTIFICATES, COMMANDS, a_cluster, command_of
 from guide import like
 from test_nothing_lost import count, grades, outliving, submit_a_course
 
-from workbook.grading import course, grader
 from workbook.grading.cluster import connection, coordinator, dask_worker
-from workbook.grading.isolation import SandboxUnavailableError
-from workbook.grading.judging import Bounds
-from workbook.grading.preloading import ALWAYS
-from workbook.grading.sandbox import Limits
+from workbook.grading.course import course
+from workbook.grading.pool import grader
+from workbook.grading.pool.judging import Bounds
+from workbook.grading.sandbox.isolation import SandboxUnavailableError
+from workbook.grading.sandbox.preloading import ALWAYS
+from workbook.grading.sandbox.sandbox import Limits
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -293,18 +294,18 @@ def test_the_library_that_counts_is_all_that_grades():
             "checks.contract.encoding",
             "checks.contract.verdict",
             "grading.cluster.dask_worker",
-            "grading.forked_worker",
-            "grading.forkserver",
-            "grading.framing",
-            "grading.grader",
-            "grading.isolation",
-            "grading.judging",
-            "grading.notebook_worker",
-            "grading.sandbox",
-            "grading.seccomp",
-            "grading.system_calls",
-            "grading.watchdog",
-            "grading.worker_pool",
+            "grading.sandbox.forked_worker",
+            "grading.sandbox.forkserver",
+            "grading.sandbox.framing",
+            "grading.pool.grader",
+            "grading.sandbox.isolation",
+            "grading.pool.judging",
+            "grading.sandbox.notebook_worker",
+            "grading.sandbox.sandbox",
+            "grading.sandbox.seccomp",
+            "grading.sandbox.system_calls",
+            "grading.sandbox.watchdog",
+            "grading.pool.worker_pool",
         )
     } <= closure.keys()
 
@@ -584,8 +585,8 @@ def test_bad_options_end_in_one_line_and_code_2(tmp_path, options, message):
 
 def test_grading_on_one_machine_loads_nothing_of_dask():
     code = (
-        "import sys, workbook.cli, workbook.grading.commands, workbook.grading.worker_pool, "
-        "workbook.grading.notebook_worker, workbook.grading.cluster.coordinator\n"
+        "import sys, workbook.cli, workbook.grading.commands, workbook.grading.pool.worker_pool, "
+        "workbook.grading.sandbox.notebook_worker, workbook.grading.cluster.coordinator\n"
         "print([name for name in sys.modules if name.split('.')[0] in ('dask', 'distributed')])"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=60)

@@ -14,12 +14,12 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import notebook
 
 from workbook.cli import app
-from workbook.grading import ledger
-from workbook.grading.assignment import InputError
-from workbook.grading.canvas import Gradebook
-from workbook.grading.collecting import collect
-from workbook.grading.roster import Roster
-from workbook.grading.submissions import LeftAside, Submission, find, students
+from workbook.grading.course import ledger
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.collecting import collect
+from workbook.grading.course.roster import Roster
+from workbook.grading.course.submissions import LeftAside, Submission, find, students
+from workbook.grading.reports.canvas import Gradebook
 
 MOODLE = {
     "Ann Able_101_assignsubmission_file/ch1-p15.ipynb": 1,
@@ -506,7 +506,7 @@ def test_a_zip_of_notebooks_is_opened_by_the_same_rules(tmp_path):
     ids=["no archive", "notebooks", "size", "files"],
 )
 def test_a_zip_that_cannot_be_opened_is_named(tmp_path, monkeypatch, content, why):
-    monkeypatch.setattr("workbook.grading.archives.MAX_FILE", 1000)
+    monkeypatch.setattr("workbook.grading.course.archives.MAX_FILE", 1000)
     path = packed(tmp_path, {"Ann_1_assignsubmission_file_/work.zip": content})
     collected = collect(path, "hw1", tmp_path / "in")
     assert collected.files == {"Ann_1": ["work.zip"]} and why in collected.aside[0][1]
@@ -545,7 +545,7 @@ def test_a_time_that_a_student_hands_in_counts_for_nothing(tmp_path):
     ],
 )
 def test_only_what_may_be_a_notebook_makes_a_student_wait(tmp_path, monkeypatch, path, is_extra):
-    monkeypatch.setattr("workbook.grading.collecting.MAX_FILE", 100)
+    monkeypatch.setattr("workbook.grading.course.collecting.MAX_FILE", 100)
     good = "Ann_1_assignsubmission_file/ch1-p15.ipynb"
     collect(packed(tmp_path, {good: "{}", path: "x" * 101}), "hw1", tmp_path / "in")
     (aside,) = (entry for entry in find(tmp_path / "in") if isinstance(entry, LeftAside))

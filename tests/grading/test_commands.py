@@ -19,10 +19,11 @@ from guide import like, steps
 
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe
-from workbook.grading import commands, grader, worker_pool
-from workbook.grading.assignment import InputError
-from workbook.grading.collecting import collect
-from workbook.grading.judging import Judgement
+from workbook.grading import commands
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.collecting import collect
+from workbook.grading.pool import grader, worker_pool
+from workbook.grading.pool.judging import Judgement
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
 

@@ -12,21 +12,15 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, hand_in, write_assignment
 
 from workbook.checks.contract.verdict import Verdict
-from workbook.grading import (
-    commands,
-    course,
-    fingerprint,
-    forkserver,
-    grader,
-    ledger,
-    preloading,
-    worker_pool,
-)
-from workbook.grading.assignment import InputError
-from workbook.grading.judging import Judgement, grader_failure
-from workbook.grading.sandbox import Limits
-from workbook.grading.scores import scores
-from workbook.grading.store import Store
+from workbook.grading import commands
+from workbook.grading.course import course, ledger
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.store import Store
+from workbook.grading.pool import fingerprint, grader, worker_pool
+from workbook.grading.pool.judging import Judgement, grader_failure
+from workbook.grading.reports.scores import scores
+from workbook.grading.sandbox import forkserver, preloading
+from workbook.grading.sandbox.sandbox import Limits
 from workbook.notebooks import exercises
 
 
@@ -99,7 +93,7 @@ def test_a_worker_process_that_dies_is_replaced(tmp_path, monkeypatch):
     monkeypatch.setattr(
         forkserver,
         "START",
-        "import os\nfrom workbook.grading import grader\nreal = grader.Grader.grade\n"
+        "import os\nfrom workbook.grading.pool import grader\nreal = grader.Grader.grade\n"
         "grader.Grader.grade = lambda self, task: os._exit(1) if 'DIE' in ''.join(task['sources']) "
         "else real(self, task)\n" + forkserver.START,
     )

@@ -13,11 +13,11 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import graded
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
-from workbook.grading import canvas, exporting
-from workbook.grading.assignment import InputError
-from workbook.grading.canvas import Gradebook
-from workbook.grading.record import Change
-from workbook.grading.scores import scores
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.record import Change
+from workbook.grading.reports import canvas, exporting
+from workbook.grading.reports.canvas import Gradebook
+from workbook.grading.reports.scores import scores
 
 HOMEWORK = (
     'title = "Homework 1, stability"\nproblems = ["1.17", "1.18"]\ndue = '

@@ -13,10 +13,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import RIGHT_1_15, notebook
 
-from workbook.grading import submissions
-from workbook.grading.grader import Grader, _missing_data_cells
-from workbook.grading.preloading import ALWAYS
-from workbook.grading.sandbox import Limits
+from workbook.grading.course import submissions
+from workbook.grading.pool.grader import Grader, _missing_data_cells
+from workbook.grading.sandbox.preloading import ALWAYS
+from workbook.grading.sandbox.sandbox import Limits
 from workbook.notebooks import exercises
 
 EXERCISE = exercises.find("1.15")

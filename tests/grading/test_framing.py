@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from workbook.grading import framing
+from workbook.grading.sandbox import framing
 
 
 @pytest.fixture

@@ -30,8 +30,8 @@ from classroom import RIGHT_1_15, notebook, write_assignment
 from workbook.authoring import read, read_all
 from workbook.authoring.contract import master_file
 from workbook.authoring.mistakes import mistake_sentence
-from workbook.grading import assignment as assignments
-from workbook.grading.assignment import AssignmentError
+from workbook.grading.course import assignment as assignments
+from workbook.grading.course.assignment import AssignmentError
 from workbook.grading.gradescope import autograder, bundle
 from workbook.notebooks import exercises
 

@@ -18,9 +18,9 @@ from hostile_values import AuditWatch
 
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, STATUSES, UNCHECKED, WRONG
-from workbook.grading import judging
-from workbook.grading.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, Judge, judge
-from workbook.grading.sandbox import Outcome
+from workbook.grading.pool import judging
+from workbook.grading.pool.judging import FINAL, NOT_FINAL, WITHIN_LIMITS, Bounds, Judge, judge
+from workbook.grading.sandbox.sandbox import Outcome
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import CONTEXT, decoded, in_child, judge_cells
 
@@ -453,7 +453,8 @@ def _with_little_memory(taken, allowed):
 LEFT_ALONE = """
 import os, sys, time
 from workbook.notebooks import exercises
-from workbook.grading import judging, system_calls
+from workbook.grading.pool import judging
+from workbook.grading.sandbox import system_calls
 system_call, grader = system_calls.system_call, os.getpid()
 def late_system_call(*arguments):
     # The parent ends before this process can ask to end with it.
@@ -634,8 +635,8 @@ def _remembered():
 
 
 HOW_A_GRADER_ENDS = """
-from workbook.grading.grader import Grader
-from workbook.grading.preloading import ALWAYS
+from workbook.grading.pool.grader import Grader
+from workbook.grading.sandbox.preloading import ALWAYS
 with Grader(modules=ALWAYS) as grader:
     graded = grader.grade({"problem": "1.15", "direction": True, "sources": ["a_region = 1"]})
     worker = grader._sandbox._worker

@@ -9,9 +9,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import hand_in
 
-from workbook.grading import ledger, submissions
-from workbook.grading.assignment import InputError
-from workbook.grading.ledger import Entry, Ledger
+from workbook.grading.course import ledger, submissions
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.ledger import Entry, Ledger
 
 NOON = datetime(2026, 9, 30, 12).timestamp()
 COLLECTED = datetime(2026, 10, 2, 9).timestamp()

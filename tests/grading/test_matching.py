@@ -9,8 +9,9 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, hand_in
 
-from workbook.grading import matching, submissions, submitted_file
+from workbook.grading.course import matching, submissions
 from workbook.grading.gradescope import autograder
+from workbook.grading.sandbox import submitted_file
 
 
 def without_metadata(path):

@@ -204,7 +204,7 @@ def test_an_interrupted_run_continues(tmp_path):
 
 
 def test_one_grader_at_a_time(tmp_path):
-    from workbook.grading import course
+    from workbook.grading.course import course
 
     (tmp_path / "submitted").mkdir()
     with course._locked(tmp_path):

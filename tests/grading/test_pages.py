@@ -21,14 +21,14 @@ from workbook.authoring.mistakes import mistake_sentence
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
-from workbook.grading import assignment as assignments
-from workbook.grading import judging
-from workbook.grading.feedback import feedback
-from workbook.grading.grader import from_plain, to_plain
-from workbook.grading.sandbox import Outcome
-from workbook.grading.scores import of_student, scores
-from workbook.grading.store import Attempt
-from workbook.grading.summary import summary
+from workbook.grading.course import assignment as assignments
+from workbook.grading.course.store import Attempt
+from workbook.grading.pool import judging
+from workbook.grading.pool.grader import from_plain, to_plain
+from workbook.grading.reports.feedback import feedback
+from workbook.grading.reports.scores import of_student, scores
+from workbook.grading.reports.summary import summary
+from workbook.grading.sandbox.sandbox import Outcome
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
 

@@ -13,18 +13,18 @@ from unittest.mock import patch
 
 import pytest
 
-from workbook.grading import grader, worker_pool
-from workbook.grading.forkserver import (
+from workbook.grading.pool import grader, worker_pool
+from workbook.grading.pool.judging import Bounds
+from workbook.grading.sandbox.forkserver import (
     ALLOWED,
     NOTEBOOK_WORKER,
     WORKER_PROCESS,
     Forkserver,
     entry_point,
 )
-from workbook.grading.isolation import ProcessStartError
-from workbook.grading.judging import Bounds
-from workbook.grading.preloading import ALWAYS, LIBRARIES, modules_for
-from workbook.grading.sandbox import MAX_STARTS, Limits, Sandbox
+from workbook.grading.sandbox.isolation import ProcessStartError
+from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, modules_for
+from workbook.grading.sandbox.sandbox import MAX_STARTS, Limits, Sandbox
 from workbook.notebooks import exercises
 
 #: For worker processes that import nothing beforehand.
@@ -126,7 +126,7 @@ def test_a_judge_imports_nothing_more():
 
 def test_what_scipy_imports_but_hardly_uses_is_loaded_at_first_use():
     code = (
-        "import sys\nfrom workbook.grading.preloading import NAMED_BY_SCIPY, preload\n"
+        "import sys\nfrom workbook.grading.sandbox.preloading import NAMED_BY_SCIPY, preload\n"
         "preload('numpy', 'scipy.integrate', 'scipy.linalg', 'scipy.optimize')\n"
         "waiting = [name for name in NAMED_BY_SCIPY if type(sys.modules[name]).__name__ == "
         "'_LazyModule']\n"
@@ -215,7 +215,7 @@ def test_no_worker_process_is_an_ancestor_of_a_sandbox():
 
 
 @pytest.mark.parametrize(
-    "name", ["os:abort", "workbook.grading.worker_pool:grade_all", "notebook", ""]
+    "name", ["os:abort", "workbook.grading.pool.worker_pool:grade_all", "notebook", ""]
 )
 def test_a_forkserver_starts_only_what_is_on_its_allow_list(name):
     with pytest.raises(PermissionError):

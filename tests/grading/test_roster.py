@@ -2,8 +2,8 @@
 
 import pytest
 
-from workbook.grading.assignment import InputError
-from workbook.grading.roster import Roster
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.roster import Roster
 
 CLASS = [
     ("Able, Ann", "ann", "ann@uni.example", "101"),

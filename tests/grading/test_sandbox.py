@@ -22,10 +22,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 import ordinary
 from hostile.reading import READING
 
-from workbook.grading import framing, isolation, watchdog
-from workbook.grading import sandbox as sandbox_module
-from workbook.grading.preloading import ALWAYS
-from workbook.grading.sandbox import Limits, Outcome, Sandbox, Unsandboxed
+from workbook.grading.sandbox import framing, isolation, watchdog
+from workbook.grading.sandbox import sandbox as sandbox_module
+from workbook.grading.sandbox.preloading import ALWAYS
+from workbook.grading.sandbox.sandbox import Limits, Outcome, Sandbox, Unsandboxed
 
 ROOT = Path(__file__).resolve().parents[2]
 TIGHT = Limits(cpu_seconds=3, wall_seconds=6, memory_megabytes=300)
@@ -124,7 +124,7 @@ def test_no_exercise_is_visible_in_any_installation(layout):
             sys.path[:0] = [{str(packages)!r}, {str(home)!r}]
             import json, workbook
             from workbook.notebooks import exercises
-            from workbook.grading.sandbox import Sandbox
+            from workbook.grading.sandbox.sandbox import Sandbox
             assert workbook.__file__.startswith({str(folder)!r}) and exercises.find("1.15")
             with Sandbox() as sandbox:
                 outcome = sandbox.run([{LOOK!r}], ["a"])
@@ -138,7 +138,7 @@ def test_no_exercise_is_visible_in_any_installation(layout):
             timeout=120,
         )
         assert done.returncode == 0, done.stderr
-        assert "workbook/grading/notebook_worker.py" in done.stdout
+        assert "workbook/grading/sandbox/notebook_worker.py" in done.stdout
         for hidden in ("exercises/ch", "solutions/ch", "/tests/", ".ipynb"):
             assert hidden not in done.stdout, done.stdout
     finally:
@@ -146,7 +146,7 @@ def test_no_exercise_is_visible_in_any_installation(layout):
 
 
 def test_a_course_in_a_visible_folder_is_refused(tmp_path):
-    from workbook.grading import course
+    from workbook.grading.course import course
 
     submitted = Path(sys.base_prefix).resolve() / "submitted"
     with pytest.raises(course.CourseError, match="every notebook can read"):
@@ -349,7 +349,7 @@ def test_limits_for_an_ordinary_user(single_use):
         done = ordinary.run(
             dedent(f"""
             import os
-            from workbook.grading.sandbox import Sandbox, Limits
+            from workbook.grading.sandbox.sandbox import Sandbox, Limits
             assert os.getuid() != 0
             limits = Limits(cpu_seconds=10, wall_seconds=100, memory_megabytes=600)
             with Sandbox(limits, single_use={single_use}) as sandbox:

@@ -9,8 +9,8 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, graded
 
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
-from workbook.grading.scores import scores
-from workbook.grading.submissions import LeftAside
+from workbook.grading.course.submissions import LeftAside
+from workbook.grading.reports.scores import scores
 
 TWO = ["a_region", "b_region"]  # the answers of problem 1.17
 HOMEWORK = 'problems = ["1.17"]\ndue = 2026-10-01T12:00:00Z\n[points]\n"1.17.a_region" = 3\n'

@@ -8,10 +8,10 @@ import struct
 
 import pytest
 
-from workbook.grading import seccomp
-from workbook.grading.isolation import SandboxUnavailableError
-from workbook.grading.notebook_worker import PR_SET_NO_NEW_PRIVS
-from workbook.grading.system_calls import system_call
+from workbook.grading.sandbox import seccomp
+from workbook.grading.sandbox.isolation import SandboxUnavailableError
+from workbook.grading.sandbox.notebook_worker import PR_SET_NO_NEW_PRIVS
+from workbook.grading.sandbox.system_calls import system_call
 from workbook.notebooks.execution import in_child
 
 

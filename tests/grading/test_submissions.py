@@ -12,9 +12,10 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import hand_in, notebook
 
-from workbook.grading import submissions, submitted_file
-from workbook.grading.sanitising import sanitise, sanitise_name
-from workbook.grading.submissions import LeftAside, Submission, find, students
+from workbook.grading.course import submissions
+from workbook.grading.course.submissions import LeftAside, Submission, find, students
+from workbook.grading.sandbox import submitted_file
+from workbook.grading.sandbox.sanitising import sanitise, sanitise_name
 
 
 def test_order_and_what_was_left_aside(tmp_path):

@@ -6,8 +6,8 @@ from datetime import datetime
 
 import pytest
 
-from workbook.grading import worksheet
-from workbook.grading.assignment import InputError
+from workbook.grading.course import worksheet
+from workbook.grading.course.assignment import InputError
 
 #: As Moodle writes them: two participants, of whom the second has handed in nothing.
 ENGLISH = """Identifier,Full name,Email address,Status,Grade,Maximum Grade,Grade can be changed,\

@@ -107,7 +107,7 @@ def test_the_hash_is_that_of_the_text():
 def test_fingerprints_are_computed_without_loading_the_checks():
     """Who grades reads this of every problem, before anything is computed."""
     code = (
-        "import sys\nfrom workbook.notebooks import exercises\nfrom workbook.grading.fingerprint "
+        "import sys\nfrom workbook.notebooks import exercises\nfrom workbook.grading.pool.fingerprint "
         "import fingerprint\n"
         "for exercise in exercises.read_all(): fingerprint(exercise)\n"
         "print([name for name in ('sympy', 'numpy', 'z3') if name in sys.modules])"

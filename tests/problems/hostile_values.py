@@ -13,7 +13,7 @@ import sympy as sp
 
 from workbook.checks.contract.encoding import encode
 from workbook.checks.contract.verdict import RIGHT, UNCHECKED
-from workbook.grading import judging
+from workbook.grading.pool import judging
 from workbook.notebooks.execution import decoded
 
 

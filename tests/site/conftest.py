@@ -15,7 +15,7 @@ import pytest
 from bs4 import BeautifulSoup
 from chromium import browser, moving_browser  # noqa: F401
 
-from workbook.grading.preloading import freeze_new_objects
+from workbook.grading.sandbox.preloading import freeze_new_objects
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).parent

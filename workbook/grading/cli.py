@@ -122,7 +122,7 @@ def _grade_course(*arguments):
 
     with repeat_lost_interrupts():
         from workbook.grading.commands import grade_course
-        from workbook.grading.isolation import ProcessStartError, SandboxUnavailableError
+        from workbook.grading.sandbox.isolation import ProcessStartError, SandboxUnavailableError
 
         try:
             return grade_course(*arguments)
@@ -150,9 +150,9 @@ def collect(
     ] = None,
 ):
     """Put a download from Moodle or Canvas into folders submitted/STUDENT/ASSIGNMENT."""
-    from workbook.grading.canvas import read_roster
-    from workbook.grading.collecting import collect
-    from workbook.grading.pages import count
+    from workbook.grading.course.collecting import collect
+    from workbook.grading.reports.canvas import read_roster
+    from workbook.grading.reports.pages import count
 
     collected = collect(
         download, homework, into, worksheet, read_roster(roster) if roster is not None else None
@@ -221,7 +221,7 @@ def new(
     ] = False,
 ):
     """Make a homework folder: notebooks, a README, and assignment.toml with points and dates."""
-    from workbook.grading.handing_out import due_date, due_text, make
+    from workbook.grading.course.handing_out import due_date, due_text, make
 
     homework = make(
         assignments, name, numbers, title, due_date(due) if due else None, site, direction

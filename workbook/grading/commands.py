@@ -11,15 +11,16 @@ from unicodedata import normalize
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from workbook.grading import assignment as assignments
-from workbook.grading import canvas, console_summary, course, exporting, record, submissions
-from workbook.grading.assignment import InputError
-from workbook.grading.feedback import feedback
-from workbook.grading.pages import count
-from workbook.grading.sandbox import Limits
-from workbook.grading.scores import scores
-from workbook.grading.store import Store
-from workbook.grading.summary import summary
+from workbook.grading.course import assignment as assignments
+from workbook.grading.course import course, record, submissions
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.store import Store
+from workbook.grading.reports import canvas, console_summary, exporting
+from workbook.grading.reports.feedback import feedback
+from workbook.grading.reports.pages import count
+from workbook.grading.reports.scores import scores
+from workbook.grading.reports.summary import summary
+from workbook.grading.sandbox.sandbox import Limits
 
 
 def grade_course(

@@ -121,7 +121,7 @@ def request_kernel(address, request):
 
 
 def _import_all():
-    from workbook.grading.preloading import SYMPY, freeze_new_objects, warm_up_matplotlib
+    from workbook.grading.sandbox.preloading import SYMPY, freeze_new_objects, warm_up_matplotlib
 
     with freeze_new_objects():
         os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"

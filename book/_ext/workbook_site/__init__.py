@@ -20,7 +20,7 @@ offline           nothing is loaded from another host
 
 import gc
 
-from workbook.grading.preloading import GC_THRESHOLD
+from workbook.grading.sandbox.preloading import GC_THRESHOLD
 from workbook_site import (
     catalogue,
     cell_output,

@@ -8,9 +8,9 @@ import sys
 from contextlib import closing
 from pathlib import Path
 
-from workbook.grading import course
-from workbook.grading.judging import Bounds
-from workbook.grading.sandbox import Limits
+from workbook.grading.course import course
+from workbook.grading.pool.judging import Bounds
+from workbook.grading.sandbox.sandbox import Limits
 
 #: Tight, so that endless submissions end soon; honest ones need a third of it.
 LIMITS = Limits(cpu_seconds=4, wall_seconds=8, memory_megabytes=512)

@@ -15,7 +15,7 @@ from hostile.attack import SECRET
 from hostile.course import a_course, seen_by_naive, seen_by_ours
 from hostile.table import ATTACKS
 
-from workbook.grading.isolation import PACKAGE
+from workbook.grading.sandbox.isolation import PACKAGE
 
 HONEST = ("a-honest", "z-honest")
 #: How many attacks stand between two honest students.

@@ -10,7 +10,7 @@ import warnings
 from contextlib import contextmanager, suppress
 from urllib.parse import urlsplit
 
-from workbook.grading.assignment import InputError
+from workbook.grading.course.assignment import InputError
 
 #: Seconds to reach the scheduler.
 CONNECT_SECONDS = 10

@@ -17,9 +17,9 @@ from urllib.parse import urlsplit
 
 from workbook.grading.cluster import dask_worker
 from workbook.grading.cluster.connection import ClusterError, connected, innermost_cause, security
-from workbook.grading.grader import to_plain
-from workbook.grading.isolation import SandboxUnavailableError
-from workbook.grading.judging import grader_failure
+from workbook.grading.pool.grader import to_plain
+from workbook.grading.pool.judging import grader_failure
+from workbook.grading.sandbox.isolation import SandboxUnavailableError
 
 #: How often a notebook is begun at which processes end, before it is left to the next run.
 MAX_TRIES = 3

@@ -19,10 +19,14 @@ import sys
 import threading
 from importlib import metadata
 
-from workbook.grading import grader, worker_pool
-from workbook.grading.fingerprint import fingerprint
-from workbook.grading.forkserver import Forkserver
-from workbook.grading.isolation import ProcessStartError, SandboxUnavailableError, visible_parent
+from workbook.grading.pool import grader, worker_pool
+from workbook.grading.pool.fingerprint import fingerprint
+from workbook.grading.sandbox.forkserver import Forkserver
+from workbook.grading.sandbox.isolation import (
+    ProcessStartError,
+    SandboxUnavailableError,
+    visible_parent,
+)
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import module_closure
 

@@ -16,16 +16,17 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
-from workbook.grading import assignment as assignments
-from workbook.grading import exporting, matching, record, submissions
-from workbook.grading.feedback import hints
-from workbook.grading.grader import unreadable_notebook
+from workbook.grading.course import assignment as assignments
+from workbook.grading.course import matching, record, submissions
+from workbook.grading.course.store import Attempt
 from workbook.grading.gradescope.own_user import OwnUser
-from workbook.grading.judging import Bounds, judge
-from workbook.grading.sandbox import Limits
-from workbook.grading.sanitising import sanitise
-from workbook.grading.scores import of_student
-from workbook.grading.store import Attempt
+from workbook.grading.pool.grader import unreadable_notebook
+from workbook.grading.pool.judging import Bounds, judge
+from workbook.grading.reports import exporting
+from workbook.grading.reports.feedback import hints
+from workbook.grading.reports.scores import of_student
+from workbook.grading.sandbox.sandbox import Limits
+from workbook.grading.sandbox.sanitising import sanitise
 from workbook.notebooks import exercises
 
 #: The user that setup.sh makes.

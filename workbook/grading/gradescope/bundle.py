@@ -10,9 +10,9 @@ import zipfile
 from importlib import metadata
 from pathlib import Path
 
-from workbook.grading import assignment as assignments
-from workbook.grading.assignment import AssignmentError
-from workbook.grading.record import put_bytes
+from workbook.grading.course import assignment as assignments
+from workbook.grading.course.assignment import AssignmentError
+from workbook.grading.course.record import put_bytes
 from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import PACKAGES

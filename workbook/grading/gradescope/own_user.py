@@ -12,8 +12,8 @@ import subprocess
 import sys
 from dataclasses import asdict
 
-from workbook.grading import isolation, notebook_worker, seccomp, system_calls
-from workbook.grading.sandbox import Outcome, Sandbox
+from workbook.grading.sandbox import isolation, notebook_worker, seccomp, system_calls
+from workbook.grading.sandbox.sandbox import Outcome, Sandbox
 
 
 class OwnUser(Sandbox):

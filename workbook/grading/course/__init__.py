@@ -1,0 +1,1 @@
+"""A course: who, what is handed out, what was handed in, when, and the grades."""

@@ -1,0 +1,215 @@
+"""Make a homework folder to hand out: notebooks, a README for students, and assignment.toml.
+
+A notebook is named ch1-p15.ipynb, so that its problem, 1.15, is still known when an editor has
+dropped its metadata.
+"""
+
+import datetime
+import json
+import re
+import shutil
+from pathlib import Path
+
+from workbook.grading.course import assignment as assignments
+from workbook.grading.course.assignment import AssignmentError
+from workbook.notebooks import exercises
+
+#: A date, with or without a time, with or without a zone.
+DATE = re.compile(r"\d{4}-\d\d-\d\d([T ]\d\d:\d\d(:\d\d)?(Z|[+-]\d\d:\d\d)?)?", re.ASCII)
+
+README = """\
+# {title}
+{due}
+{problems}
+
+## How to work
+
+1. Install the workbook as the end of each notebook says, and open the notebooks in Jupyter.
+2. Replace each `...` by your answer; the comment beside it says what is asked. Keep the names of the variables: answers
+   are found by name, in whatever cell they are assigned.
+3. Run the check cell as often as you like. It says what holds and what does not.
+
+## How to hand in
+
+Save the notebooks and hand them in **under the names they have**. {attempts}
+
+Your notebook is run from top to bottom in a fresh process, without network and without files beside it, so run it once
+that way yourself (*Restart kernel and run all cells*). Each answer earns its points alone: a wrong or missing one
+costs nothing else.
+Changing a check cell changes nothing, since answers are judged by the cells as they were handed out.
+"""
+
+
+def make(folder, name, problems, title=None, due=None, site="", direction=False):
+    """Write a homework into `folder`/`name`, which must not exist.
+
+    Parameters
+    ----------
+    folder : path
+        Folder of all homeworks.
+    name : str
+        The homework's name.
+    problems : list of str
+        The problems' numbers.
+    title : str, optional
+        By default the name.
+    due : datetime.datetime, optional
+        With a time zone.
+    site : str
+        Address of the student edition of the site, for links to the theory.
+    direction : bool
+        Whether verdicts say in which direction a number is wrong.
+
+    Returns
+    -------
+    Assignment
+        The homework.
+
+    Raises
+    ------
+    AssignmentError
+        If the name, the problems or the folder cannot be used.
+    """
+    target = Path(folder) / name
+    if not assignments.can_be_name(name):
+        raise AssignmentError(
+            f"{name!r} cannot be the name of a homework: it names a folder, take letters, digits, "
+            "- and _"
+        )
+    if target.exists():
+        raise AssignmentError(f"{target} is already there; take another name or remove it")
+    files = {
+        file_name(problem): release(problem, site, direction) for problem in _checked(problems)
+    }
+    files["assignment.toml"] = _toml(title or name, problems, due, direction)
+    homework = assignments.from_text(files["assignment.toml"], target / "assignment.toml")
+    files["README.md"] = _readme(homework)
+    created = False
+    try:
+        target.mkdir(parents=True)
+        created = True
+        for file, text in files.items():
+            (target / file).write_text(text, encoding="utf-8")
+    except OSError as error:
+        if created:
+            shutil.rmtree(target, ignore_errors=True)
+        raise AssignmentError(f"{target} cannot be written: {error.strerror}") from None
+    return homework
+
+
+def file_name(problem):
+    """Return the name under which a problem's notebook is handed out and comes back.
+
+    >>> file_name("1.4")
+    'ch1-p04.ipynb'
+    """
+    chapter, number = problem.split(".")
+    return f"ch{chapter}-p{number:0>2}.ipynb"
+
+
+def release(problem, site="", direction=False):
+    """Return the text of a student's notebook, whose references are links to `site` if given.
+
+    Its check cells say in which direction a number is wrong, or do not.
+    """
+    notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        if not direction and "check" in cell["metadata"].get("tags", ()):
+            cell["source"] = exercises.hiding_direction("".join(cell["source"]))
+    if site:
+        # Homework links to the student edition, which has no solutions.
+        to_site = exercises.site_urls(site)
+        notebook = exercises.add_links(
+            notebook, lambda page: to_site(re.sub("^solutions/", "exercises/", page))
+        )
+    return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
+
+
+def due_date(text):
+    """Return the datetime, with a zone, of a text such as "2026-10-01 23:59" or "2026-10-01".
+
+    Without a zone it is in this machine's; a date alone means the end of that day. Raises
+    `AssignmentError`.
+    """
+    try:
+        # Python reads further forms, such as 2026-W40-4, to which no end of the day is added below.
+        due = datetime.datetime.fromisoformat(text) if DATE.fullmatch(text) else None
+        if due is None or not assignments.can_be_due(due):
+            raise ValueError
+    except ValueError:
+        raise AssignmentError(
+            f'{text!r} is not a date; write "2026-10-01 23:59", or "2026-10-01T23:59:00+03:00" '
+            "with a zone"
+        ) from None
+    if len(text) == len("2026-10-01"):
+        due = due.replace(hour=23, minute=59, second=59)
+    return due if due.tzinfo else due.astimezone()
+
+
+def _checked(problems):
+    for problem in problems:
+        try:
+            assignments.answers_of(problem)
+        except exercises.UnknownExercise as error:
+            raise AssignmentError(str(error)) from None
+    if len(set(problems)) != len(problems):
+        raise AssignmentError("a problem is named twice")
+    return problems
+
+
+def _toml(title, problems, due, direction):
+    quoted = ", ".join(_text(problem) for problem in problems)
+    points = "\n".join(
+        f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
+        for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems)
+    )
+    return (
+        "# What counts. README.md tells the students the same: after a change here, change it "
+        "there too.\n"
+        f"title = {_text(title)}\nproblems = [{quoted}]\n"
+        + (
+            f"due = {due.isoformat(timespec='seconds')}\n"
+            if due
+            else "# due = 2026-10-01T23:59:00+03:00  # later work is marked late\n"
+        )
+        + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
+        "ones do not count\n"
+        f"direction = {str(direction).lower()}  # true: messages say whether a number is too great or "
+        "too small, as in practice\n\n"
+        f"# A problem's points are shared equally by its answers; "
+        f"{_text(problems[0] + '.' + assignments.answers_of(problems[0])[0])} = 2 "
+        f"would set one answer's.\n[points]\n{points}\n\n"
+        "# Without this lateness is marked and costs nothing.\n# [late]\n"
+        "# per_day = 0.1  # the share of the points that each day begun takes\n"
+        "# floor = 0.5  # the share that is kept until the cut-off\n"
+        "# cutoff_days = 7  # later work has no points\n\n"
+        "# [extensions]\n"
+        '# "ann" = 2026-10-08T23:59:00+03:00  # a due date of her own\n'
+    )
+
+
+def _text(value):
+    """Return a TOML string, whose escapes are those of JSON, except for DEL."""
+    return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
+def _readme(homework):
+    rows = [
+        f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
+        f"{sum(points.values()):g} point{'s' * (sum(points.values()) != 1)} for {len(points)} "
+        f"answer{'s' * (len(points) != 1)}"
+        for problem, points in homework.points.items()
+    ]
+    due = f"\nDue {due_text(homework.due)}.\n" if homework.due else ""
+    counts = "the best one counts" if homework.attempt == "best" else "the last one counts"
+    attempts = (
+        f"You may hand in up to {homework.attempts} times; {counts}."
+        if homework.attempts
+        else f"You may hand in again; {counts}."
+    )
+    return README.format(title=homework.title, due=due, problems="\n".join(rows), attempts=attempts)
+
+
+def due_text(due):
+    """Return a due date as people read it: 2026-10-01 23:59 (UTC+03:00)."""
+    return f"{due:%Y-%m-%d %H:%M} ({datetime.timezone(due.utcoffset())})"

@@ -1,0 +1,101 @@
+"""Matching: which problem a notebook is for, and which problems a homework has."""
+
+from workbook.grading.course import assignment as assignments
+from workbook.grading.course.submissions import LeftAside, Submission
+from workbook.notebooks import exercises
+
+#: From this number of students on, a problem that only one of them handed in is not asked for.
+MIN_CLASS = 3
+
+
+def infer_homework(name, entries):
+    """Infer a homework without a file from its notebooks.
+
+    Every problem that a student handed in adds to the points of all, so one that a single student
+    of a class handed in, while others share the rest, is not asked for.
+
+    Parameters
+    ----------
+    name : str
+        The homework's.
+    entries : list of Submission or LeftAside
+        All that was submitted.
+
+    Returns
+    -------
+    tuple
+        (the `Assignment`, {problem: why its notebooks are left aside}).
+    """
+    students = {}
+    for entry in entries:
+        if (
+            isinstance(entry, Submission)
+            and entry.assignment == name
+            and entry.problem
+            and is_known_problem(entry.problem)
+        ):
+            students.setdefault(entry.problem, set()).add(entry.student)
+    numbers = sorted(students, key=lambda number: [int(part) for part in number.split(".")])
+    shared = [number for number in numbers if len(students[number]) > 1]
+    reasons = {}
+    if shared and len(set().union(*students.values())) >= MIN_CLASS:
+        reasons = {
+            number: f"only {min(students[number])} handed in problem {number}, while others share "
+            f"{', '.join(shared)}: "
+            f"it is not taken for part of {name}; an assignment.toml would say what is"
+            for number in numbers
+            if number not in shared
+        }
+    return assignments.of_problems(
+        name, [number for number in numbers if number not in reasons]
+    ), reasons
+
+
+def why_no_homework(submission, files):
+    """Return why a notebook is for no homework, where `files` (by name) say which there are."""
+    name, student = submission.assignment, submission.student
+    similar = [
+        file_name for file_name in files if file_name.casefold().strip() == name.casefold().strip()
+    ]
+    if similar:
+        return f"there is no homework {name}; {similar[0]} is another name: rename the folder"
+    if student in files:
+        return (
+            f"{student} is a homework, so this has to lie in {name}/{student}: first the student, "
+            "then the homework"
+        )
+    return (
+        f"there is no homework {name}: no assignment.toml stands in a folder of this name beside "
+        "the others"
+    )
+
+
+def problem_for(submission, homework):
+    """Return the problem of the homework that a notebook is for, or a `LeftAside`."""
+    named, owner = submission.problem, (submission.student, submission.assignment)
+    if named in homework.problems:
+        return named
+    if named is not None and is_known_problem(named):
+        return LeftAside(
+            submission.path,
+            f"it is for problem {named}, which this homework does not ask for",
+            *owner,
+            named,
+        )
+    if len(homework.problems) == 1:  # it names none, and there is only one it can be
+        return homework.problems[0]
+    problems_text = f" ({', '.join(homework.problems)})" if homework.problems else ""
+    return LeftAside(
+        submission.path,
+        submission.trouble
+        or f"it does not say which problem of the homework it is for{problems_text}",
+        *owner,
+    )
+
+
+def is_known_problem(number):
+    """Return whether the workbook has a problem of this number, written exactly so."""
+    try:
+        return exercises.find(number).number == number
+    except exercises.UnknownExercise:
+        return False

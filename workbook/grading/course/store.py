@@ -1,0 +1,272 @@
+"""The grade store: one SQLite file, with one transaction for each notebook.
+
+So a run that is killed loses nothing, and the next one grades nothing twice.
+"""
+
+import json
+import sqlite3
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from pathlib import Path
+
+from workbook.checks.contract.verdict import Verdict
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.ledger import KNOWN
+
+SCHEMA = """
+CREATE TABLE IF NOT EXISTS attempt (
+  id INTEGER PRIMARY KEY,
+  student TEXT NOT NULL, assignment TEXT NOT NULL, problem TEXT NOT NULL,
+  content TEXT NOT NULL,            -- SHA-256 of the notebook's bytes
+  submitted REAL NOT NULL,          -- its time when it was last there, seconds since 1970
+  timing TEXT NOT NULL DEFAULT 'known', -- what is known of that time, as in the ledger
+  UNIQUE (student, assignment, problem, content)
+);
+CREATE TABLE IF NOT EXISTS result (
+  attempt INTEGER NOT NULL REFERENCES attempt (id),
+  exercise TEXT NOT NULL,           -- fingerprint of the exercise and of the checks it was judged by
+  verdicts TEXT NOT NULL, answers TEXT NOT NULL, remarks TEXT NOT NULL,
+  graded TEXT NOT NULL,
+  hashes TEXT NOT NULL DEFAULT '{}', -- SHA-256 of each answer as it was encoded
+  PRIMARY KEY (attempt, exercise)
+);
+CREATE TABLE IF NOT EXISTS manual (
+  student TEXT NOT NULL, assignment TEXT NOT NULL, problem TEXT NOT NULL, answer TEXT NOT NULL,
+  points REAL NOT NULL, comment TEXT NOT NULL, entered TEXT NOT NULL,
+  PRIMARY KEY (student, assignment, problem, answer)
+);
+"""
+
+
+@dataclass(frozen=True)
+class Attempt:
+    """One submitted notebook of a student for a problem, and its newest result if there is one.
+
+    Parameters
+    ----------
+    id : int
+        In the store.
+    student, assignment, problem : str
+        Whose, and for what.
+    content : str
+        SHA-256 of the notebook.
+    submitted : float
+        Time in seconds since 1970, or what orders it if the time is not known.
+    exercise : str or None
+        The version of the exercise that the result is by; None without a result.
+    verdicts, answers, hashes : dict
+        Verdict, short text and SHA-256 by answer.
+    remarks : tuple of str
+        On the notebook.
+    timing : str
+        What is known of the time: one of those in `ledger`.
+    """
+
+    id: int
+    student: str
+    assignment: str
+    problem: str
+    content: str
+    submitted: float
+    exercise: str | None
+    verdicts: dict
+    answers: dict
+    remarks: tuple
+    hashes: dict = field(default_factory=dict)
+    timing: str = KNOWN
+
+
+class StoreError(InputError):
+    """The file cannot be read or written; its content is unchanged."""
+
+
+class Store:
+    """The grades of a course; use it as a context manager.
+
+    Parameters
+    ----------
+    path : path
+        The SQLite file, made if it does not exist.
+
+    Raises
+    ------
+    StoreError
+        If the file cannot be read or written, also at the end of the block.
+    """
+
+    def __init__(self, path):
+        self.path = Path(path)
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            self._database = sqlite3.connect(self.path, isolation_level=None, timeout=60)
+            self._database.execute("PRAGMA journal_mode=WAL")
+            self._database.execute("PRAGMA foreign_keys=ON")
+            self._database.executescript(SCHEMA)
+            # The file may be of an older version.
+            self._add_column("result", "hashes", "'{}'")
+            self._add_column("attempt", "timing", "'known'")
+        except sqlite3.Error as error:
+            raise self._error(error) from error
+
+    def _add_column(self, table, name, default):
+        columns = self._database.execute(f"PRAGMA table_info({table})")
+        if name not in {row[1] for row in columns}:
+            self._database.execute(
+                f"ALTER TABLE {table} ADD COLUMN {name} TEXT NOT NULL DEFAULT {default}"
+            )
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, kind, error, trace):
+        self._database.close()
+        # The disk, not an error in our SQL.
+        if type(error) in (sqlite3.OperationalError, sqlite3.DatabaseError):
+            raise self._error(error) from error
+
+    def _error(self, error):
+        return StoreError(
+            f"{self.path}: {error}; what is stored in it is kept, and the same command goes on "
+            "from there"
+        )
+
+    @contextmanager
+    def transaction(self):
+        """Store what is noted in this block in one transaction, which waits for the disk once."""
+        self._database.execute("BEGIN IMMEDIATE")
+        with self._database:
+            yield
+
+    def note_attempt(self, student, assignment, problem, content, submitted, timing=KNOWN):
+        """Return the id of an attempt, new or known.
+
+        The same notebook handed in twice is one attempt, at the time that it has now.
+        """
+        key = (student, assignment, problem, content)
+        self._database.execute(
+            "INSERT INTO attempt (student, assignment, problem, content, submitted, timing) VALUES "
+            "(?, ?, ?, ?, ?, ?) ON CONFLICT DO UPDATE SET submitted = excluded.submitted, timing = "
+            "excluded.timing WHERE submitted != excluded.submitted OR timing != excluded.timing",
+            (*key, submitted, timing),
+        )
+        (attempt,) = self._database.execute(
+            "SELECT id FROM attempt WHERE student = ? AND assignment = ? AND problem = ? AND "
+            "content = ?",
+            key,
+        ).fetchone()
+        return attempt
+
+    def attempts_beyond(self, assignment, attempts):
+        """Return the ids of attempts after the first `attempts` of a student at a problem.
+
+        None is no limit.
+        """
+        if attempts is None:
+            return []
+        rows = self._database.execute(
+            """
+            SELECT id FROM (
+              SELECT id, row_number() OVER (PARTITION BY student, problem ORDER BY submitted, id) AS number
+              FROM attempt WHERE assignment = ?) WHERE number > ?""",
+            (assignment, attempts),
+        )
+        return [attempt for (attempt,) in rows]
+
+    def versions(self, attempt):
+        """Return the versions by which an attempt has results, the newest last, which counts."""
+        rows = self._database.execute(
+            "SELECT exercise FROM result WHERE attempt = ? ORDER BY rowid", (attempt,)
+        )
+        return [exercise for (exercise,) in rows]
+
+    def record(self, attempt, exercise, verdicts, answers, remarks, hashes=None):
+        """Store a result, completely or not at all; it replaces one by the same exercise.
+
+        Parameters
+        ----------
+        attempt : int
+            The id of the attempt.
+        exercise : str
+            The version of the exercise.
+        verdicts, answers : dict
+            `Verdict` and short text by answer.
+        remarks : sequence of str
+            On the notebook.
+        hashes : dict, optional
+            SHA-256 by answer.
+        """
+        self._database.execute(
+            "INSERT OR REPLACE INTO result (attempt, exercise, verdicts, answers, remarks, "
+            "graded, hashes) VALUES (?, ?, ?, ?, ?, ?, ?)",
+            (
+                attempt,
+                exercise,
+                json.dumps(
+                    {name: [v.status, v.message, v.mistake] for name, v in verdicts.items()},
+                    ensure_ascii=False,
+                ),
+                json.dumps(answers, ensure_ascii=False),
+                json.dumps(list(remarks), ensure_ascii=False),
+                datetime.now(UTC).isoformat(timespec="seconds"),
+                json.dumps(hashes or {}),
+            ),
+        )
+
+    def attempts(self, assignment):
+        """Return all attempts at an assignment by student, problem and time, with newest results."""
+        rows = self._database.execute(
+            """
+            SELECT a.id, a.student, a.assignment, a.problem, a.content, a.submitted, r.exercise, r.verdicts, r.answers,
+                   r.remarks, r.hashes, a.timing
+            FROM attempt a LEFT JOIN result r ON r.attempt = a.id
+              AND r.rowid = (SELECT max(rowid) FROM result WHERE attempt = a.id)
+            WHERE a.assignment = ? ORDER BY a.student, a.problem, a.submitted, a.id""",
+            (assignment,),
+        )
+        return [
+            Attempt(
+                *row[:7],
+                {name: Verdict(*verdict) for name, verdict in json.loads(row[7] or "{}").items()},
+                json.loads(row[8] or "{}"),
+                tuple(json.loads(row[9] or "[]")),
+                json.loads(row[10] or "{}"),
+                row[11],
+            )
+            for row in rows
+        ]
+
+    def set_manual(self, student, assignment, problem, answer, points, comment):
+        """Store a lecturer's points, which replace the automatic ones until they are taken back."""
+        self._database.execute(
+            "INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)",
+            (
+                student,
+                assignment,
+                problem,
+                answer,
+                points,
+                comment,
+                datetime.now(UTC).isoformat(timespec="seconds"),
+            ),
+        )
+
+    def take_back(self, student, assignment, problem, answer):
+        """Remove a lecturer's points for an answer; return whether there were any."""
+        cursor = self._database.execute(
+            "DELETE FROM manual WHERE student = ? AND assignment = ? AND problem = ?"
+            " AND answer = ?",
+            (student, assignment, problem, answer),
+        )
+        return cursor.rowcount > 0
+
+    def manual(self, assignment):
+        """Return {(student, problem, answer): (points, comment)} entered by hand."""
+        rows = self._database.execute(
+            "SELECT student, problem, answer, points, comment FROM manual WHERE assignment = ?",
+            (assignment,),
+        )
+        return {
+            (student, problem, answer): (points, comment)
+            for student, problem, answer, points, comment in rows
+        }

@@ -1,0 +1,1 @@
+"""Judge many notebooks at once, each in processes of its own."""

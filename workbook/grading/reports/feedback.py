@@ -1,0 +1,169 @@
+"""Feedback: the page for a student, with verdicts, hints and links to the theory.
+
+It never has a solution.
+"""
+
+from html import escape
+from pathlib import Path
+
+from trajlib.typesetting import plain
+from workbook.checks.contract.reporting import MARKS
+from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from workbook.grading.course.handing_out import due_text
+from workbook.grading.course.lateness import days_begun
+from workbook.grading.course.ledger import KNOWN
+from workbook.grading.reports.pages import count, page, points
+from workbook.notebooks import exercises
+
+LEGEND = {
+    RIGHT: "the property that was asked for holds",
+    WRONG: "a property fails; the line says which",
+    MISSING: "there is no answer",
+    INVALID: "not of the kind asked for",
+    UNCHECKED: "our check failed, not you: a lecturer will look at it",
+}
+
+
+def feedback(assignment, score, site=""):
+    """Return the page as HTML.
+
+    Parameters
+    ----------
+    assignment : Assignment
+        The homework.
+    score : StudentScore
+        The student's.
+    site : str
+        Address of the student edition of the site; without it the theory is named, not linked.
+
+    Returns
+    -------
+    str
+        HTML.
+    """
+    waiting = (
+        f", and {count(len(score.to_review), 'answer')} still to be looked at by a lecturer"
+        if score.to_review
+        else ""
+    )
+    parts = [f"<p>{points(score.points)} of {points(score.max_points)} points{waiting}.</p>"]
+    if due := assignment.due_of(score.student):
+        parts.append(f'<p class="soft">Due {due_text(due)}.</p>')
+    if score.aside:
+        entries = "".join(
+            f"<li><code>{escape(Path(entry.path).name)}</code>: {escape(entry.reason)}</li>"
+            for entry in score.aside
+        )
+        look = "; your lecturer will look at it" if score.aside_needs_review else ""
+        parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{entries}</ul>")
+    for problem in assignment.problems:
+        about, answers = exercises.find(problem).about, score.of_problem(problem)
+        earned = f"{points(sum(a.points for a in answers))} / {points(sum(a.max_points for a in answers))}"
+        parts.append(
+            f"<h2><span>{escape(problem)} {escape(about['title'])}</span><span "
+            f'class="points">{earned}</span></h2>'
+        )
+        parts += _of_problem(problem, about, answers, score, assignment)
+        parts.append(f"<p>{_theory(problem, site)}</p>")
+    legend = "".join(
+        f'<li class="{status}">{_mark(status)}: {meaning}</li>'
+        for status, meaning in LEGEND.items()
+    )
+    return page(
+        assignment.title,
+        score.student,
+        f"{''.join(parts)}<h2>What the marks mean</h2><ul>{legend}</ul>",
+    )
+
+
+def hints(answer, about):
+    """Return the hints of the notebook for an answer that is not right yet."""
+    return (
+        about["hints"].get(answer.answer, [])
+        if answer.verdict.status in (WRONG, MISSING, INVALID)
+        else []
+    )
+
+
+def _of_problem(problem, about, answers, score, assignment):
+    attempt = score.counted.get(problem)
+    if attempt is None and all(answer.manual is None for answer in answers):
+        return [
+            "<p>No notebook for this problem was found beside what was left aside.</p>"
+            if score.aside
+            else "<p>Nothing was submitted for this problem.</p>"
+        ]
+    parts = []
+    if problem in score.late:
+        parts.append(f"<p><em>{_lateness(attempt, assignment, score.student)}</em></p>")
+    elif problem in score.untimed:
+        parts.append(
+            '<p class="soft">It is not known when you handed this in, so it is not late.</p>'
+        )
+    if attempt is not None and score.attempt_counts[problem] > 1:
+        parts.append(
+            f'<p class="soft">You handed this in {score.attempt_counts[problem]} times; what follows is the '
+            "attempt that counts.</p>"
+        )
+    if attempt is not None and attempt.remarks:
+        parts.append(
+            f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>'
+        )
+    return parts + [_answer(answer, about, hints(answer, about)) for answer in answers]
+
+
+def _lateness(attempt, assignment, student):
+    """Say how late an attempt is, and what that costs."""
+    rule, due = assignment.late_rule, assignment.due_of(student)
+    if rule is None or attempt.timing != KNOWN:
+        return "Handed in after the due date."
+    seconds = attempt.submitted - due.timestamp()
+    if rule.is_cut_off(seconds):
+        return (
+            f"Handed in more than {rule.cutoff_days:g} days after the due date: right answers have no "
+            "points any more."
+        )
+    return (
+        f"Handed in {count(days_begun(seconds), 'day')} after the due date (a day begun counts): "
+        f"right answers have {rule.share(seconds):.0%} of their points."
+    )
+
+
+def _answer(answer, about, hint_texts):
+    name, verdict = answer.answer, answer.verdict
+    earned = f"{points(answer.points)} / {points(answer.max_points)}"
+    parts = [
+        f"<header><span><code>{escape(name)}</code></span><span "
+        f'class="points">{earned}</span></header>',
+        f'<div class="soft">{escape(plain(about["answers"][name]["text"]))}</div>',
+    ]
+    if answer.text and verdict.status != MISSING:
+        parts.append(f"<div>Your answer: <code>{escape(answer.text)}</code></div>")
+    parts.append(f"<div>{_mark(verdict.status)}: {escape(verdict.message)}</div>")
+    parts += [f"<div>{escape(line)}</div>" for line in verdict.mistake.splitlines()]
+    if answer.manual is not None:
+        parts.append(
+            f"<div><em>Points given by your "
+            f"lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>"
+        )
+    parts += [
+        f"<details><summary>Hint {k}</summary>{escape(plain(hint))}</details>"
+        for k, hint in enumerate(hint_texts, 1)
+    ]
+    return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
+
+
+def _mark(status):
+    return f'<span class="verdict">{MARKS[status]} {status}</span>'
+
+
+def _theory(problem, site):
+    chapter, number = problem.split(".")
+    if not site:
+        return f"The theory stands in chapter {chapter} of the workbook."
+    base = escape(site.rstrip("/"), quote=True)
+    return (
+        f'The theory: <a href="{base}/book/ch{chapter}.html">chapter {chapter}</a>. '
+        f'The statement: <a href="{base}/exercises/ch{chapter}/p{number:0>2}.html">problem '
+        f"{escape(problem)}</a>."
+    )
