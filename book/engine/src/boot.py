@@ -23,8 +23,8 @@ def execute():
 
 def warm():
     """Load what most checks need, by a right and a wrong answer."""
-    import scipy.integrate  # noqa: F401
-    import scipy.linalg  # noqa: F401
+    import scipy.integrate
+    import scipy.linalg
     import scipy.optimize  # noqa: F401
 
     from workbook.display import show  # noqa: F401
