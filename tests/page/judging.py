@@ -1,0 +1,75 @@
+"""Judge a master and its trials; the page's Python and a native one run this same text."""
+
+import ast
+import contextlib
+import io
+import json
+import sys
+import time
+
+
+def judged_problem(cells, trials):
+    """Return [what, status, message, seconds] of each answer of a master and of each trial.
+
+    Parameters
+    ----------
+    cells : list of (str, str)
+        (role, source) of its data, answer and check cells, in order. Answer cells that fail, such as
+        those that compute with CasADi, leave their answers out.
+    trials : list of (str, str, str)
+        (role, name of the answer, source).
+    """
+    from workbook.checks import collecting
+
+    namespace, judges, rows = {"__name__": "__main__"}, {}, []
+    for role, source in cells:
+        started = time.perf_counter()
+        with collecting() as verdicts, _silent():
+            _run(source, namespace)
+        seconds = (time.perf_counter() - started) / max(len(verdicts), 1)
+        rows += [
+            ["cell " + name, verdict.status, verdict.message, seconds]
+            for name, verdict in verdicts.items()
+        ]
+        if role == "check":
+            judges.update(_judges(source))
+    for number, (role, name, source) in enumerate(trials):
+        names = dict(namespace)
+        with _silent():
+            failure = _run(source, names)
+            started = time.perf_counter()
+            verdict = None if failure else eval(judges[name], names)
+        row = [verdict.status, verdict.message] if verdict else ["failed", failure]
+        rows.append([f"{role} trial {number} {name}", *row, time.perf_counter() - started])
+    return rows
+
+
+def _run(source, namespace):
+    try:
+        exec(compile(source, "<cell>", "exec"), namespace)
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+
+
+def _judges(source):
+    """Return the expression of each answer in a check cell."""
+    return {
+        keyword.arg: ast.unparse(keyword.value)
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Call) and ast.unparse(node.func) == "checks.report"
+        for keyword in node.keywords
+    }
+
+
+def _silent():
+    stack = contextlib.ExitStack()
+    stack.enter_context(contextlib.redirect_stdout(io.StringIO()))
+    stack.enter_context(contextlib.redirect_stderr(io.StringIO()))
+    return stack
+
+
+if __name__ == "__main__":  # natively, without the libraries named
+    for library in sys.argv[1:]:
+        sys.modules[library] = None
+    for line in sys.stdin:
+        print(json.dumps(judged_problem(*json.loads(line))), file=sys.__stdout__, flush=True)
