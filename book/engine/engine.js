@@ -1,3 +1,4 @@
+// Built by build.sh from src/ (5338c99e28b75d5263bc536b1b24d07ffdb04ddcd0359fc36d93ce85289c45d1) and @bjorn3/browser_wasi_shim 0.4.2 (MIT, licenses/).
 (()=>{var w=`"""What the page's Python runs once; its memory afterwards is the image that each later start uses."""
 
 import json
@@ -23,8 +24,8 @@ def execute():
 
 def warm():
     """Load what most checks need, by a right and a wrong answer."""
-    import scipy.integrate  # noqa: F401
-    import scipy.linalg  # noqa: F401
+    import scipy.integrate
+    import scipy.linalg
     import scipy.optimize  # noqa: F401
 
     from workbook.display import show  # noqa: F401

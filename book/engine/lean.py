@@ -9,6 +9,8 @@ import re
 
 #: Packages whose code is left out, as Cython writes them into the names of functions.
 LEFT_OUT = ("lxml", "pandas", "sklearn", "statsmodels")
+#: A Python function of a package that stays.
+KEPT = re.compile(r"__pyx_pw_\d+(numpy|scipy)_")
 CODE, CUSTOM, IMPORT = 10, 0, 2
 FUNCTION_NAMES = 1
 #: Bodies of a function and of a static initialiser, which runs at the start and then does nothing.
@@ -65,8 +67,9 @@ def left_out(names):
         marked = [index for index, name in names.items() if mark.search(name)]
         inside = range(min(marked), max(marked) + 1)
         gone |= {index for index in inside if "::" not in names[index].split("(")[0]}
-    kept = {index for index, name in names.items() if re.match(r"__pyx_pw_\d+(numpy|scipy)_", name)}
-    assert not gone & kept, "functions of a package that is kept lie between those that go"
+    kept = [index for index, name in names.items() if KEPT.match(name)]
+    if gone.intersection(kept):
+        raise ValueError("functions of a package that is kept lie between those that go")
     return gone
 
 

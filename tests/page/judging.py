@@ -25,7 +25,9 @@ def judged_problem(cells, trials):
     for role, source in cells:
         started = time.perf_counter()
         with collecting() as verdicts, _silent():
-            _run(source, namespace)
+            failure = _run(source, namespace)
+        if failure and role != "answer":
+            rows.append([f"{role} cell", "failed", failure, 0])
         seconds = (time.perf_counter() - started) / max(len(verdicts), 1)
         rows += [
             ["cell " + name, verdict.status, verdict.message, seconds]
@@ -38,9 +40,10 @@ def judged_problem(cells, trials):
         with _silent():
             failure = _run(source, names)
             started = time.perf_counter()
-            verdict = None if failure else eval(judges[name], names)
-        row = [verdict.status, verdict.message] if verdict else ["failed", failure]
-        rows.append([f"{role} trial {number} {name}", *row, time.perf_counter() - started])
+            failure = failure or _run(f"verdict = {judges[name]}", names)
+        seconds, verdict = time.perf_counter() - started, names.get("verdict")
+        row = ["failed", failure] if failure else [verdict.status, verdict.message]
+        rows.append([f"{role} trial {number} {name}", *row, seconds])
     return rows
 
 
