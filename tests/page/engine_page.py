@@ -13,9 +13,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "book" / "engine"))
 
-PAGE = (
-    '<!doctype html><meta charset="utf-8"><title>t</title><script src="../run/engine.js"></script>'
-)
+PAGE = """<!doctype html><meta charset="utf-8"><title>A page</title><link rel="icon" href="data:,">
+<script src="../run/engine.js"></script>"""
 
 
 class QuietHandler(SimpleHTTPRequestHandler):

