@@ -51,17 +51,17 @@ def addresses(packed):
     server.server_close()
 
 
-def evaluate(browser, script, *arguments):
+def evaluate(browser, script, *arguments, seconds=300):
     """Return the value of an asynchronous script in the open page, with its `args`."""
-    browser.driver.set_script_timeout(300)
-    value = browser.driver.execute_async_script(
-        "const done = arguments[arguments.length - 1];"
+    browser.driver.execute_script(
+        "window.outcome = null;"
         f"(async (...args) => {{ {script} }})(...arguments)"
-        ".then(value => done([value]), error => done(String(error)));",
+        ".then(value => { window.outcome = [value]; }, error => { window.outcome = String(error); });",
         *arguments,
     )
-    assert isinstance(value, list), value
-    return value[0]
+    outcome = browser.wait_for("window.outcome", seconds)
+    assert isinstance(outcome, list), outcome or f"no value after {seconds} s"
+    return outcome[0]
 
 
 def literal(value):

@@ -23,8 +23,9 @@ export class Assets {
     return new Response(counted.pipeThrough(new DecompressionStream("gzip")), { headers: { "content-type": type } });
   }
 
-  async bytes(name) {
-    return new Uint8Array(await (await this.response(name)).arrayBuffer());
+  // The browser holds a blob outside of the page's memory, and hands it to a worker without a copy.
+  async blob(name) {
+    return (await this.response(name)).blob();
   }
 
   async #fetched(name) {

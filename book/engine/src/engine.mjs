@@ -21,8 +21,8 @@ async function load(base, onProgress) {
   const assets = new Assets(base, share => onProgress("Loading Python", share));
   const [module, stdlib, library, image] = await Promise.all([
     assets.response("python.wasm", "application/wasm").then(WebAssembly.compileStreaming),
-    assets.bytes("stdlib.zip"),
-    assets.bytes("library.tar"),
+    assets.blob("stdlib.zip"),
+    assets.blob("library.tar"),
     images.read(key),
   ]);
   parts = { module, stdlib, library, image, script: bootScript };
@@ -30,7 +30,7 @@ async function load(base, onProgress) {
   session = new Session(parts);
   await session.ready;
   if (!image) {
-    parts.image = await snapshot();
+    parts.image = new Blob([await snapshot()]);
     images.keep(key, parts.image);
   }
 }

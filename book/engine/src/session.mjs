@@ -5,7 +5,7 @@ export class Session {
   #asked = 0;
   #waiting = new Map();
 
-  // parts: module, stdlib, library, and the image or the script to start with
+  // parts: the module; the blobs stdlib, library and image; the script to start with without an image
   constructor(parts) {
     const address = URL.createObjectURL(new Blob([workerText], { type: "text/javascript" }));
     this.worker = new Worker(address);

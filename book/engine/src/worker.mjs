@@ -22,6 +22,8 @@ function put(folder, path, file) {
   folder.set(name, file);
 }
 
+const bytesOf = async blob => new Uint8Array(await blob.arrayBuffer());
+
 function fileOf(bytes) {
   const file = new File([], { readonly: true });
   file.data = bytes; // not copied
@@ -40,8 +42,8 @@ function* entriesOf(tar) {
 
 async function boot({ module, stdlib, library, image, script }) {
   const root = new Map([["tmp", new Directory(new Map())]]);
-  put(root, "/usr/local/lib/python315.zip", fileOf(stdlib));
-  for (const [path, bytes] of entriesOf(library)) put(root, `/library/${path}`, fileOf(bytes));
+  put(root, "/usr/local/lib/python315.zip", fileOf(await bytesOf(stdlib)));
+  for (const [path, bytes] of entriesOf(await bytesOf(library))) put(root, `/library/${path}`, fileOf(bytes));
   put(root, "/run/code.py", codeFile);
   put(root, "/run/result.json", resultFile);
   const output = new ConsoleStdout(bytes => { printed += decoder.decode(bytes, { stream: true }); });
@@ -58,8 +60,8 @@ async function boot({ module, stdlib, library, image, script }) {
   wasi.inst = python;
   if (image) {
     const { memory } = python.exports;
-    memory.grow((image.length - memory.buffer.byteLength) / MEMORY_PAGE);
-    new Uint8Array(memory.buffer).set(image);
+    memory.grow((image.size - memory.buffer.byteLength) / MEMORY_PAGE);
+    new Uint8Array(memory.buffer).set(await bytesOf(image));
   } else {
     python.exports._initialize();
     if (turn(script)) throw new Error(`Python did not start: ${printed.trim().split("\n").pop()}`);
