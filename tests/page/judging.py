@@ -8,21 +8,26 @@ import sys
 import time
 
 
-def judged_problem(cells, trials):
+def judged_problem(cells, trials, answers=None):
     """Return [what, status, message, seconds] of each answer of a master and of each trial.
 
     Parameters
     ----------
     cells : list of (str, str)
-        (role, source) of its data, answer and check cells, in order. Answer cells that fail, such as
-        those that compute with CasADi, leave their answers out.
+        (role, source) of its data, answer and check cells, in order.
     trials : list of (str, str, str)
         (role, name of the answer, source).
+    answers : dict of str, optional
+        Encoded answers, for those whose cells fail because they compute with CasADi.
     """
     from workbook.checks import collecting
+    from workbook.checks.contract.decoding import decode
 
     namespace, judges, rows = {"__name__": "__main__"}, {}, []
     for role, source in cells:
+        if role == "check":
+            for name in reported(source).keys() & (answers or {}).keys() - namespace.keys():
+                namespace[name] = decode(answers[name].encode())
         started = time.perf_counter()
         with collecting() as verdicts, _silent():
             failure = _run(source, namespace)
@@ -34,7 +39,7 @@ def judged_problem(cells, trials):
             for name, verdict in verdicts.items()
         ]
         if role == "check":
-            judges.update(_judges(source))
+            judges.update(reported(source))
     for number, (role, name, source) in enumerate(trials):
         names = dict(namespace)
         with _silent():
@@ -54,7 +59,7 @@ def _run(source, namespace):
         return f"{type(error).__name__}: {error}"
 
 
-def _judges(source):
+def reported(source):
     """Return the expression of each answer in a check cell."""
     return {
         keyword.arg: ast.unparse(keyword.value)
@@ -71,8 +76,19 @@ def _silent():
     return stack
 
 
-if __name__ == "__main__":  # natively, without the libraries named
-    for library in sys.argv[1:]:
+def encoded_answers(cells):
+    """Return the encoded answers of a master whose check cells run."""
+    from workbook.checks import collecting
+    from workbook.checks.contract.encoding import encode
+
+    namespace = {"__name__": "__main__"}
+    with collecting() as verdicts, _silent():
+        for _, source in cells:
+            _run(source, namespace)
+    return {name: encode(namespace[name]).decode() for name in verdicts}
+
+
+if __name__ == "__main__":  # natively: FUNCTION, and the libraries that are to be absent
+    for library in sys.argv[2:]:
         sys.modules[library] = None
-    for line in sys.stdin:
-        print(json.dumps(judged_problem(*json.loads(line))), file=sys.__stdout__, flush=True)
+    print(json.dumps(globals()[sys.argv[1]](*json.load(sys.stdin))), file=sys.__stdout__)
