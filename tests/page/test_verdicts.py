@@ -40,6 +40,8 @@ THIN = {
     "3.24": ["wrong trial 22 observer_margins"],
     "4.3": ["wrong trial 0 determined"],
     "4.34": ["wrong trial 8 exists"],
+    "5.1": ["wrong trial 14 reached"],
+    "7.2": ["wrong trial 5 b_condition"],
 }
 
 
