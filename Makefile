@@ -8,35 +8,41 @@ BIN := $(VENV)/bin
 INSTALLED ?= $(VENV)/.installed
 PYTEST := $(BIN)/python -m pytest
 SPHINX_FLAGS := -n -W --keep-going
+# `make book PAGE=no` builds the pages without answer boxes, which need 80 MB.
+PAGE ?= yes
 CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 # Hundreds of processes import the library; compiled once, it is read by all.
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs serve test test-quick test-problem clean
+.PHONY: help book book-student outputs page serve test test-quick test-page test-problem clean
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 # Sphinx warns about a page only when it reads it: after a failed build all are to be read again.
-book: outputs _build/wheels  ## execute what is stale and build the site in _build/html
+book: outputs page _build/wheels  ## execute what is stale and build the site in _build/html
 	$(BIN)/python book/build.py site || { rm -rf _build/.doctrees; exit 1; }
-	@rm -rf _build/html/wheels && cp -R _build/wheels _build/html/wheels
+	@rm -rf _build/html/wheels _build/html/run && cp -R _build/wheels $$(ls -d _build/run 2>/dev/null) _build/html
 
 # The page of the checks stays out, its tables hold right answers, and so do the lectures, which work problems out.
 # By plain sphinx-build, so that the book does not depend on Jupyter Book's own command.
-book-student: outputs _build/wheels  ## build the edition without solutions in _build/student/html
+book-student: outputs page _build/wheels  ## build the edition without solutions in _build/student/html
 	@mkdir -p _build/student
 	@sed 's|solutions/|exercises/|; \|guides/checks|d; \|file: book/lectures|,\|glob: book/lectures|d' _toc.yml > _build/student/_toc.yml
 	@$(BIN)/jupyter-book config sphinx . >/dev/null
 	PYTHONPATH=book/_ext $(BIN)/sphinx-build $(SPHINX_FLAGS) -q -d _build/student/.doctrees \
 	  -D external_toc_path=_build/student/_toc.yml -D html_title="Controlled Motion, student edition" . _build/student/html || \
 	  { rm -rf _build/student/.doctrees; exit 1; }
-	@rm -rf _build/student/html/wheels && cp -R _build/wheels _build/student/html/wheels
+	@rm -rf _build/student/html/wheels _build/student/html/run && cp -R _build/wheels $$(ls -d _build/run 2>/dev/null) _build/student/html
 	@echo "The student edition is in _build/student/html"
 
 outputs: $(INSTALLED)
 	$(BIN)/python book/build.py outputs
+
+# Python for the answer boxes of the pages, in _build/run.
+page: $(INSTALLED)
+	$(if $(filter no,$(PAGE)),rm -rf _build/run _build/run.json,$(BIN)/python book/build.py page)
 
 serve:  ## show the built site at http://127.0.0.1:8000
 	@test -f _build/html/index.html || { echo "There is no site yet: run make book first." >&2; exit 1; }
@@ -61,6 +67,9 @@ test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.3
 	@test -n "$(N)" || { echo "Name the problem: make test-problem N=2.30" >&2; exit 2; }
 	@$(BIN)/workbook exercises $(N)
 	$(PYTEST) -n 0 tests/problems -k "[$(N)]"
+
+test-page: $(INSTALLED)  ## judge all masters and trials by the Python of the pages, in Chromium
+	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n 0 tests/page
 
 test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of all problems, and what waits or is slow
 	$(PYTEST) -n logical -m "not waits and not slow and not site"

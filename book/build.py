@@ -1,6 +1,7 @@
-"""The two steps that `make` calls to build the site; no module is loaded that no page needs.
+"""The three steps that `make` calls to build the site; no module is loaded that no page needs.
 
     python book/build.py outputs    execute the pages that are stale (book/execute.py)
+    python book/build.py page       pack Python for the answer boxes of the pages (book/engine/pack.py)
     python book/build.py site       read and write the pages that changed, as `jupyter-book build` does
 
 A warning is an error. Pages are executed in parallel, one on each core. Sphinx reads them one after
@@ -31,6 +32,14 @@ def outputs():
     return main(ROOT)
 
 
+def page():
+    """Pack Python for the pages in _build/run; return the exit code."""
+    sys.path.insert(0, str(ROOT / "book" / "engine"))
+    from pack import main
+
+    return main(ROOT)
+
+
 def site():
     """Build the edition with solutions in _build/html; return the exit code."""
     from jupyter_book.sphinx import build_sphinx
@@ -52,4 +61,4 @@ def site():
 
 
 if __name__ == "__main__":
-    sys.exit({"outputs": outputs, "site": site}[sys.argv[1]]())
+    sys.exit({"outputs": outputs, "page": page, "site": site}[sys.argv[1]]())

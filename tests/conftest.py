@@ -15,7 +15,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 # All of Jupyter loads jsonschema, and this the grammars of a checker that nobody asks: two seconds
 # in each process.
 sys.modules["rfc3987_syntax"] = None
-for folder in ("problems", "checks", "library", "browser"):
+for folder in ("problems", "checks", "library", "browser", "page"):
     sys.path.insert(0, str(Path(__file__).parent / folder))
 
 import pytest  # noqa: E402
@@ -23,12 +23,13 @@ import pytest  # noqa: E402
 from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, THEMES, preload  # noqa: E402
 
 #: Tests that share what costs much: the proof of a problem, what a check knows of its data, the
-#: parsed pages of an edition, syntheses, a cluster, an installed bundle. The tests of a group are
-#: those with the same parts in their ids.
+#: parsed pages of an edition, syntheses, a cluster, an installed bundle, the Python of the pages. The
+#: tests of a group are those with the same parts in their ids.
 TOGETHER = re.compile(
     r"(problems/test_)(?:masters|exercises).*\[([\d.]+)\]|(checks/test_cases).*\[(\w+): "
     r"|(site/)\S*\[(full|student)\]"
     r"|(library/test_pontryagin_synthesis|grading/test_cluster|grading/test_gradescope)\.py"
+    r"|(page)/test_"
 )
 _BEGAN, _APART = pytest.StashKey(), pytest.StashKey()
 #: glibc's numbers of two settings: from which size an array gets pages of its own, and from which

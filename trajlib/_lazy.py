@@ -6,6 +6,7 @@ The tables are the only source; `python -m trajlib._stubs` writes the type stubs
 import importlib
 import sys
 from collections.abc import Iterable, Mapping
+from types import ModuleType
 
 
 def lazy_modules(package: str, modules: Iterable[str]) -> tuple:
@@ -52,3 +53,19 @@ def _lazy(package: str, home: Mapping[str, str | None]) -> tuple:
     # Pages of reference list functions and classes; constants are not among them.
     public = [name for name in sorted(home) if not name.isupper()]
     return __getattr__, lambda: sorted(home), public
+
+
+class _OnFirstUse(ModuleType):
+    """Stands for a module, which is imported when one of its names is first used."""
+
+    def __getattr__(self, name):
+        if name.startswith("__"):  # the import system and inspection ask for these
+            raise AttributeError(name)
+        value = getattr(importlib.import_module(self.__name__), name)
+        setattr(self, name, value)
+        return value
+
+
+#: CasADi, which takes long to load and which pages of the site do not have. Modules take it from here:
+#: importing them does not need it.
+casadi = _OnFirstUse("casadi")

@@ -7,8 +7,12 @@ import sympy as sp
 from case import check_named
 from test_cases import CASES, LONG
 
+from trajlib.pontryagin import Problem
+from workbook import checks
 from workbook.checks.contract.verdict import UNCHECKED
+from workbook.checks.references.optima.transfer_optima import Transfer
 from workbook.checks.references.spectra import Spectrum
+from workbook.systems import Controlled
 
 pytestmark = pytest.mark.slow
 
@@ -34,3 +38,21 @@ def test_a_root_next_to_the_axis_is_decided_exactly(monkeypatch):
     spectrum = Spectrum(sp.Matrix([[0, 1], [-1, e]]), [e], 0)
     at = [spectrum.is_unstable({e: sp.Rational(k, 5 * 10**6)}) for k in (-1, 0, 1)]
     assert at == [False, False, True]
+
+
+@pytest.mark.parametrize("rate, expected", [("u - x1", "True"), ("u + x2", "Abs(x2) < 1")])
+def test_a_start_far_away_can_reach_the_origin(rate, expected, monkeypatch):
+    """Sampled directions suffice for limited times only; the modes decide for all starts."""
+    monkeypatch.setitem(sys.modules, "z3", None)
+    state = x1, x2 = sp.symbols("x1 x2", real=True)
+    u = sp.Symbol("u", real=True)
+    names = {"x1": x1, "x2": x2, "u": u}
+    system = Controlled({x1: x2, x2: sp.sympify(rate, names)}, {u: (-1, 1)})
+    problem = Problem(*system, {x1: None, x2: None}, [x1, x2])
+    transfer = Transfer(problem, tuple(state))
+    assert transfer.solvable({x1: sp.Integer(-(10**6)), x2: sp.Rational(3, 4)}) is True
+    claim = sp.sympify(expected, names)
+    assert checks.transferable_initial_states(claim, problem, list(state)).status == "right"
+    too_wide = sp.sympify("Abs(x2) < 2", names)
+    verdict = checks.transferable_initial_states(too_wide, problem, list(state))
+    assert verdict.status == "wrong"

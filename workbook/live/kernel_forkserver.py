@@ -134,7 +134,8 @@ def _import_all():
         # would not see what a buffer holds.
         for name in json.loads(sys.stdin.buffer.raw.readline() or "[]"):
             importlib.import_module(name)
-        if any("casadi" in name for name in sys.modules):
+        # modules that compute with it load it late
+        if any("casadi" in name or ".optima." in name for name in sys.modules):
             importlib.import_module("casadi")
         warm_up_matplotlib("png")
         del sys.modules["rfc3987_syntax"], sys.modules["jupyter_server"]

@@ -31,7 +31,8 @@ def find_mistake(problem, answer, value):
     from workbook.mistakes.sealing import find
     from workbook.mistakes.signature import AnswerType, NoSignature, signatures
 
-    file = mistakes_file(exercises.notebook_path(problem))
+    # a page of the site has the sealed mistakes without the notebooks
+    file = mistakes_file(exercises.path_of(problem))
     mistakes = (
         json.loads(file.read_text(encoding="utf-8"))["answers"].get(answer)
         if file.is_file()

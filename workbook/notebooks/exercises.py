@@ -135,11 +135,23 @@ def hiding_direction(source):
 
 def notebook_path(number):
     """Return the file of an exercise; raise `UnknownExercise` if there is none."""
-    chapter, _, problem = str(number).partition(".")
-    path = folder() / f"ch{chapter}" / f"p{problem:0>2}.ipynb"
-    if not (chapter.isdigit() and problem.isdigit() and path.exists()):
-        raise UnknownExercise(f"there is no problem {number}; `workbook problems` lists them")
+    path = path_of(number)
+    if not path.exists():
+        raise _unknown(number)
     return path
+
+
+def path_of(number):
+    """Return where the notebook of a problem is, if there is one; raise `UnknownExercise` for a
+    number that cannot be a problem's."""
+    chapter, _, problem = str(number).partition(".")
+    if not (chapter.isdigit() and problem.isdigit()):
+        raise _unknown(number)
+    return folder() / f"ch{chapter}" / f"p{problem:0>2}.ipynb"
+
+
+def _unknown(number):
+    return UnknownExercise(f"there is no problem {number}; `workbook problems` lists them")
 
 
 def add_links(notebook, url_of):

@@ -1,8 +1,8 @@
 """Starting guesses for the transcription: found from the statement, or given by the user."""
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.problem.errors import StartOnTarget
 from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 

@@ -8,9 +8,9 @@ option forbids it, and its return status decides.
 
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 
 # Intervals of a discrete solution.

@@ -8,9 +8,9 @@ arc. The change by the last arc bounds the error of truncation.
 
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.indirect.flow import extrapolated_midpoint
 
 # Steps of the integrator on an arc, largest number of arcs, and relative change of the cost below

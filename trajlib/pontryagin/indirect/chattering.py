@@ -11,9 +11,9 @@ trajectory: from the others the cost may fall with every further arc as well (th
 of x as control, the cost x^2, q = 3). There the numbers decide.
 """
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.indirect.accumulation import estimate_accumulation
 from trajlib.pontryagin.indirect.flow import ArcFlow
 from trajlib.pontryagin.problem.errors import Chattering, WrongStructure

@@ -16,9 +16,9 @@ substeps, of order 8; it needs no table of coefficients.
 
 from functools import cached_property
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem

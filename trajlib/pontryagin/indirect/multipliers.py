@@ -9,9 +9,9 @@ arcs, so a linear programme finds the solution that is farthest from its border.
 
 from copy import copy
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.indirect.maximum_condition import FRACTIONS
 
 # Singular values below this share of the largest count as zero.

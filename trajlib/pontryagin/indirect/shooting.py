@@ -19,9 +19,9 @@ steps are least-squares steps.
 import itertools
 from dataclasses import dataclass
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.indirect.flow import ArcFlow
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES
 from trajlib.pontryagin.problem.numeric import NumericProblem

@@ -2,35 +2,36 @@
 
 from functools import reduce
 
-import casadi as ca
 import sympy as sp
 
+from trajlib._lazy import casadi as ca
+
 _UNARY = {
-    sp.exp: ca.exp,
-    sp.log: ca.log,
-    sp.sin: ca.sin,
-    sp.cos: ca.cos,
-    sp.tan: ca.tan,
-    sp.asin: ca.asin,
-    sp.acos: ca.acos,
-    sp.atan: ca.atan,
-    sp.sinh: ca.sinh,
-    sp.cosh: ca.cosh,
-    sp.tanh: ca.tanh,
-    sp.asinh: ca.asinh,
-    sp.acosh: ca.acosh,
-    sp.atanh: ca.atanh,
-    sp.Abs: ca.fabs,
-    sp.sign: ca.sign,
-    sp.erf: ca.erf,
-    sp.floor: ca.floor,
-    sp.ceiling: ca.ceil,
+    sp.exp: "exp",
+    sp.log: "log",
+    sp.sin: "sin",
+    sp.cos: "cos",
+    sp.tan: "tan",
+    sp.asin: "asin",
+    sp.acos: "acos",
+    sp.atan: "atan",
+    sp.sinh: "sinh",
+    sp.cosh: "cosh",
+    sp.tanh: "tanh",
+    sp.asinh: "asinh",
+    sp.acosh: "acosh",
+    sp.atanh: "atanh",
+    sp.Abs: "fabs",
+    sp.sign: "sign",
+    sp.erf: "erf",
+    sp.floor: "floor",
+    sp.ceiling: "ceil",
 }
 _RELATIONS = {
-    sp.StrictLessThan: ca.lt,
-    sp.LessThan: ca.le,
-    sp.Equality: ca.eq,
-    sp.Unequality: ca.ne,
+    sp.StrictLessThan: "lt",
+    sp.LessThan: "le",
+    sp.Equality: "eq",
+    sp.Unequality: "ne",
 }
 
 
@@ -77,7 +78,7 @@ def _node(e, walk):
             value = ca.if_else(_condition(piece.cond, walk), walk(piece.expr), value)
         return value
     if type(e) in _UNARY:
-        return _UNARY[type(e)](walk(e.args[0]))
+        return getattr(ca, _UNARY[type(e)])(walk(e.args[0]))
     if e.is_Symbol:
         raise ValueError(f"{e} has no value; give one by problem.subs({{{e}: ...}})")
     raise ValueError(f"{e}: this function is not known to the numerical methods")
@@ -106,4 +107,4 @@ def _condition(cond, walk):
     cond = cond.canonical if not isinstance(cond, (sp.Equality, sp.Unequality)) else cond
     if isinstance(cond, (sp.GreaterThan, sp.StrictGreaterThan)):
         cond = cond.reversed
-    return _RELATIONS[type(cond)](walk(cond.lhs), walk(cond.rhs))
+    return getattr(ca, _RELATIONS[type(cond)])(walk(cond.lhs), walk(cond.rhs))

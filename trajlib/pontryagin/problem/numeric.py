@@ -2,10 +2,10 @@
 
 from functools import cached_property
 
-import casadi as ca
 import numpy as np
 import sympy as sp
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.problem.angle_relaxation import is_angle, relax_angles
 from trajlib.pontryagin.problem.casadi_expressions import to_casadi
 from trajlib.pontryagin.problem.derivation import conditions

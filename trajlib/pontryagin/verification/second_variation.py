@@ -16,9 +16,9 @@ to the mean square of du over time.
 
 from dataclasses import dataclass, replace
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 
 # Number of intervals into which an extremal is cut.

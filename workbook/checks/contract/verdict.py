@@ -144,6 +144,11 @@ def _judged(check, claim):
             return Verdict(WRONG, message, answer=decoded)
         except (Invalid, EncodingError) as refused:
             return Verdict(INVALID, str(refused))
+        except ModuleNotFoundError as missing:  # in a page of the site
+            return Verdict(
+                UNCHECKED,
+                f"this check runs in the notebook: it needs {missing.name}, not in a page",
+            )
         except Exception as error:
             return Verdict(
                 UNCHECKED,

@@ -2,10 +2,10 @@
 
 import functools
 
-import casadi as ca
 import numpy as np
 import sympy as sp
 
+from trajlib._lazy import casadi as ca
 from workbook.checks.references.optima.runge_kutta import rk4
 
 

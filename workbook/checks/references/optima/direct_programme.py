@@ -1,8 +1,8 @@
 """The nonlinear programme of a direct optimisation on arcs, solved by IPOPT."""
 
-import casadi as ca
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from workbook.checks.references.optima.direct_problem import DirectProblem
 from workbook.checks.references.optima.radau import radau
 from workbook.checks.references.optima.runge_kutta import rk4

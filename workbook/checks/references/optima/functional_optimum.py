@@ -9,9 +9,10 @@ has an error in even powers of the step, and three grids remove the first two of
 import functools
 from typing import NamedTuple
 
-import casadi as ca
 import numpy as np
 import sympy as sp
+
+from trajlib._lazy import casadi as ca
 
 #: Intervals of the three grids.
 GRIDS = (20, 40, 80)
@@ -131,9 +132,9 @@ class _Programme(NamedTuple):
     All are functions of the values at the nodes and of the programme's parameters.
     """
 
-    solver: ca.Function
-    hessian: ca.Function
-    equations: ca.Function
+    solver: "ca.Function"
+    hessian: "ca.Function"
+    equations: "ca.Function"
 
 
 @functools.cache

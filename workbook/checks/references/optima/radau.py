@@ -2,8 +2,9 @@
 
 import functools
 
-import casadi as ca
 import numpy as np
+
+from trajlib._lazy import casadi as ca
 
 
 @functools.lru_cache

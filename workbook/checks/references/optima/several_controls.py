@@ -11,10 +11,10 @@ its statement is used.
 import functools
 import itertools
 
-import casadi as ca
 import numpy as np
 import sympy as sp
 
+from trajlib._lazy import casadi as ca
 from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.runge_kutta import rk4
 

@@ -181,6 +181,8 @@ class Transfer:
             return None
         if self._kind is not LinearTransfer:
             return self.at(values).possible()
+        if self._condition is not None:  # the directions below are right for limited times only
+            return bool(self._condition.subs(values))
         return self._modes_allow(start) and self._system().holds(np.array(start, dtype=float))
 
     def solvable_condition(self):
@@ -191,6 +193,10 @@ class Transfer:
         if self._kind is not LinearTransfer or any(constant):
             return None
         return reach.to_origin(matrix, column, self.bounds, self.initial)
+
+    @functools.cached_property
+    def _condition(self):
+        return self.solvable_condition()
 
     def off_target(self):
         """Return the condition that the start does not lie on the target."""

@@ -1,0 +1,40 @@
+"""Where CasADi is absent, as in a page of the site, all modules load and other checks judge."""
+
+import subprocess
+import sys
+
+IMPORTS = """
+import importlib, pkgutil, sys
+sys.modules["casadi"] = None
+import trajlib, workbook.checks
+for package in (trajlib, workbook.checks):
+    for module in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
+        importlib.import_module(module.name)
+"""
+JUDGE = """
+import sys
+sys.modules["casadi"] = None
+from workbook.checks.contract.verdict import judged
+from trajlib._lazy import casadi
+
+@judged
+def solves(answer):
+    return str(casadi.SX.sym("x"))
+
+print(solves(1))
+"""
+
+
+def shown(code):
+    run = subprocess.run(
+        [sys.executable, "-c", code], capture_output=True, text=True, check=True, timeout=120
+    )
+    return run.stdout
+
+
+def test_all_modules_load():
+    assert shown(IMPORTS) == ""
+
+
+def test_a_check_that_needs_it_says_where_it_runs():
+    assert "status='unchecked', message='this check runs in the notebook" in shown(JUDGE)

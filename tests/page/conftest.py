@@ -1,0 +1,2 @@
+from chromium import browser  # noqa: F401
+from engine_page import addresses, packed  # noqa: F401

