@@ -60,8 +60,8 @@ def test_formulas_of_a_verdict_are_set_in_a_notebook_and_typed_in_a_terminal():
         "wrong", "at k1 = -2 the root of x**2 + 2*k1*x >= 0 is <b>0.5</b>", "Was lambda left out?"
     )
     shown, typed = (
-        reporting._as_html({"a_region": verdict}),
-        reporting._as_text({"a_region": verdict}),
+        reporting.as_html({"a_region": verdict}),
+        reporting.as_text({"a_region": verdict}),
     )
     assert (
         "at <i>k</i><sub>1</sub> = −2 the root of <i>x</i><sup>2</sup> + "
@@ -271,7 +271,7 @@ def test_a_question_ends_once():
 def test_code_in_a_message_is_set_as_code():
     """Code such as `x != 1`, which typesetting would change, is shown as code."""
     x = sp.Symbol("x")
-    shown = reporting._as_html(
+    shown = reporting.as_html(
         {"a": checks.observable_parameters(True, Linear(sp.diag(x, 1), H=[[1, 1]]), [x])}
     )
     assert re.findall("<code style='color: inherit; background: none'>(.*?)</code>", shown) == [

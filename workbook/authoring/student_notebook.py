@@ -22,7 +22,7 @@ from workbook.authoring.mistakes import mistakes_text, source_hash
 from workbook.authoring.plain_markdown import plain_markdown
 from workbook.authoring.statements import assigned_names
 from workbook.authoring.study_time import study_time
-from workbook.checks.contract.check_cells import reported_names
+from workbook.checks.contract.check_cells import reported_names, with_problem
 from workbook.mistakes import mistakes_file
 from workbook.notebooks import exercises
 from workbook.notebooks.new_cells import new_code_cell, new_markdown_cell, new_notebook
@@ -207,13 +207,7 @@ def _check_source(source, number):
     With the number, mistakes are named wherever the notebook is. With the import, a check cell that
     runs first after a restart can say which cells to run before it.
     """
-    numbered = re.sub(
-        r"(checks\.report\()(\s*)(?=\w)",
-        lambda m: f'{m[1]}{m[2]}"{number}",{m[2] or chr(10) + " " * len(m[1])}',
-        source,
-        count=1,
-    )
-    return f"{IMPORT}\n\n{numbered}"
+    return f"{IMPORT}\n\n{with_problem(source, number)}"
 
 
 def _stub(answer):

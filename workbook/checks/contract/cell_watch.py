@@ -5,8 +5,9 @@ After a cell that fails, its answers keep their values of an earlier run: they a
 symbol x2 of the data cell: then every answer with x2 is wrong, however it is mended, until the data
 cell runs again. Such names are listed in `overwritten`.
 
-In Jupyter `start` watches the cells. For a check cell that runs before its answer cell, names that
-do not exist yet are set to stubs. One that runs before its data cell, as after a restart, imports
+In Jupyter `start` watches the cells; a page of the site calls the same functions (`workbook.page`).
+For a check cell that runs before its answer cell, names that do not exist yet are set to stubs. One
+that runs before its data cell, as after a restart, imports
 this package by itself; then the hint says what to run. Where cells run in one process and answers
 are judged in another, `notebooks.cells` watches them and the judge calls `recall`.
 """
@@ -83,6 +84,37 @@ def after_cell(namespace, source, error):
             overwritten[name] = lost
 
 
+def before_check(namespace, source):
+    """Prepare the names that a check cell reads, until `after_check`.
+
+    Parameters
+    ----------
+    namespace : dict
+        The notebook's names. Answers that do not exist yet are set to stubs, and names of the data
+        that were overwritten to what the data cell set, as in a grader.
+    source : str
+        The cell; nothing happens unless it is a check cell.
+    """
+    if names := _reported(source):
+        for name in names:
+            namespace.setdefault(name, ...)
+        lost = _lost_data(namespace)
+        _students.update({name: namespace[name] for name in lost if name in namespace})
+        namespace.update({name: _data[name] for name in lost})
+
+
+def after_check(namespace):
+    """Put the names back that a student had given other values than the data cell."""
+    namespace.update(_students)
+    _students.clear()
+
+
+def forget():
+    """Forget all cells that have run, for a new namespace."""
+    for names in (stopped, overwritten, _data, _before, _students):
+        names.clear()
+
+
 def recall(stopped_cells, overwritten_names):
     """Let `report` know what `after_cell` listed in another process.
 
@@ -117,18 +149,11 @@ def start(shell):
 
 def _before_cell(shell, source):
     before_cell(shell.user_ns, source)
-    if names := _reported(source):
-        for name in names:
-            shell.user_ns.setdefault(name, ...)
-        # checks get the data as the data cell set them, here as in a grader
-        lost = _lost_data(shell.user_ns)
-        _students.update({name: shell.user_ns[name] for name in lost if name in shell.user_ns})
-        shell.user_ns.update({name: _data[name] for name in lost})
+    before_check(shell.user_ns, source)
 
 
 def _after_cell(shell, result):
-    shell.user_ns.update(_students)
-    _students.clear()
+    after_check(shell.user_ns)
     after_cell(
         shell.user_ns, result.info.raw_cell, result.error_before_exec or result.error_in_exec
     )

@@ -1,6 +1,7 @@
 """The code of check cells."""
 
 import ast
+import re
 
 
 def reported_names(source):
@@ -12,3 +13,15 @@ def reported_names(source):
         if ast.unparse(call.func) == "checks.report"
         for keyword in call.keywords
     ]
+
+
+def with_problem(source, number):
+    """Return a check cell with the number of its problem, unless it has one or `number` is ""."""
+    if not number:
+        return source
+    return re.sub(
+        r"(checks\.report\()(\s*)(?=\w)",
+        lambda m: f'{m[1]}{m[2]}"{number}",{m[2] or chr(10) + " " * len(m[1])}',
+        source,
+        count=1,
+    )

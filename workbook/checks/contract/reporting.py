@@ -38,7 +38,7 @@ class NotYet(Exception):
     """
 
     def __init__(self, verdicts):
-        super().__init__(_as_text(verdicts))
+        super().__init__(as_text(verdicts))
         self.verdicts = verdicts
 
     def _render_traceback_(self):
@@ -66,7 +66,7 @@ def deliver(verdicts):
     if runs_in_notebook():
         _display(verdicts)
     elif right:
-        print(_as_text(verdicts))
+        print(as_text(verdicts))
     if not right and not runs_for_a_person():
         raise NotYet(verdicts)
 
@@ -96,7 +96,8 @@ def collecting():
         _collected.reset(token)
 
 
-def _as_text(verdicts):
+def as_text(verdicts):
+    """Return the verdicts on the answers of a check cell as lines of text."""
     return "\n".join(
         line
         for name, v in verdicts.items()
@@ -107,7 +108,8 @@ def _as_text(verdicts):
     )
 
 
-def _as_html(verdicts):
+def as_html(verdicts):
+    """Return the verdicts as HTML, with the mark and the colours of each."""
     lines = (
         f'<div class="workbook-verdict {v.status}" style="{_style(v.status)}"><span '
         f'class="mark">{MARKS[v.status]}'
@@ -135,4 +137,4 @@ def _style(status):
 def _display(verdicts):
     from IPython.display import display
 
-    display({"text/plain": _as_text(verdicts), "text/html": _as_html(verdicts)}, raw=True)
+    display({"text/plain": as_text(verdicts), "text/html": as_html(verdicts)}, raw=True)

@@ -1,0 +1,122 @@
+"""Run and check one answer box of a page: `run_cell` is what the page's Python calls.
+
+A page has no kernel that remembers earlier cells: each call runs the data cells and the boxes above
+once more, in a namespace of its own, so that the order of clicks changes no verdict.
+"""
+
+import ast
+import contextlib
+import io
+import os
+import traceback
+
+from workbook.checks.contract import cell_watch
+from workbook.checks.contract.check_cells import with_problem
+from workbook.checks.contract.error_hints import hint_for
+from workbook.checks.contract.reporting import as_html, as_text, collecting
+
+#: Characters of printed output that a page shows.
+MOST_PRINTED = 20_000
+
+
+def run_cell(cells, check, problem=""):
+    """Run the cells above a check cell, then the check cell, in a fresh namespace.
+
+    Parameters
+    ----------
+    cells : list of str
+        The data cells and the answer boxes in the order of the page, this check's own box last. One
+        that fails does not stop the others.
+    check : str
+        The check cell.
+    problem : str, optional
+        The problem's number if the check cell does not name it, as on the pages with solutions: with
+        it the mistake that may have led to a wrong answer is named.
+
+    Returns
+    -------
+    dict
+        "printed": what the last of the cells printed, and the value of its last line; "errors": for
+        each cell that failed its position in `cells` (`len(cells)` for the check cell), "line" (from
+        1, or None), "text" and "hint" ("" without one); "verdicts": status by answer; "html" and
+        "text": the verdicts as a notebook shows them, "" if the check cell failed. It can be written
+        as JSON.
+
+    Examples
+    --------
+    >>> data = "import sympy as sp; from workbook import checks; k = sp.Symbol('k', real=True)"
+    >>> check = "checks.report(a=checks.stability_region(a, sp.Symbol('s') + k, [k]))"
+    >>> result = run_cell([data, "a = k > 0"], check)
+    >>> result["verdicts"], result["errors"]
+    ({'a': 'right'}, [])
+    >>> run_cell([data, "print(k)\\na = K > 0"], check)["errors"][0]["line"]
+    2
+    """
+    os.environ.setdefault("MPLBACKEND", "Agg")
+    cell_watch.forget()
+    namespace, errors, printed = {"__name__": "__main__"}, [], _Printed()
+    for position, source in enumerate(cells):
+        printed = _Printed()
+        cell_watch.before_cell(namespace, source)
+        error = _run(source, f"<cell {position}>", namespace, printed)
+        cell_watch.after_cell(namespace, source, error)
+        if error is not None:
+            errors.append(_described(error, position, f"<cell {position}>"))
+    cell_watch.before_check(namespace, check)
+    with collecting() as verdicts:
+        error = _run(with_problem(check, problem), "<check>", namespace, _Printed())
+    if error is not None:
+        errors.append(_described(error, len(cells), "<check>"))
+    cell_watch.forget()
+    return {
+        "printed": printed.getvalue(),
+        "errors": errors,
+        "verdicts": {name: verdict.status for name, verdict in verdicts.items()},
+        "html": as_html(verdicts) if verdicts else "",
+        "text": as_text(verdicts),
+    }
+
+
+class _Printed(io.StringIO):
+    """Keeps the beginning of what is written, which may be endless."""
+
+    def write(self, text):
+        remaining = MOST_PRINTED - self.tell()
+        if remaining >= 0:
+            more = "\n... (more is not shown)" if len(text) > remaining else ""
+            super().write(text[:remaining] + more)
+        return len(text)
+
+
+def _run(source, name, namespace, printed):
+    """Run a cell and print the value of its last line, as Jupyter does; return its error or None."""
+    try:
+        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
+            body = ast.parse(source, name).body
+            last = body.pop() if body and isinstance(body[-1], ast.Expr) else None
+            exec(compile(ast.Module(body, []), name, "exec"), namespace)
+            if last is not None:
+                value = eval(compile(ast.Expression(last.value), name, "eval"), namespace)
+                if value is not None:
+                    print(repr(value))
+    except BaseException as error:  # a student's sys.exit() too
+        return error
+    return None
+
+
+def _described(error, position, name):
+    """Return where a cell failed, with what, and what to write instead."""
+    try:
+        message = error.msg if isinstance(error, SyntaxError) else str(error)
+    except Exception:  # of a class of the student's
+        message = ""
+    frames = traceback.extract_tb(error.__traceback__)
+    lines = [frame.lineno for frame in frames if frame.filename == name]
+    if isinstance(error, SyntaxError) and error.filename == name:
+        lines.append(error.lineno)
+    return {
+        "cell": position,
+        "line": lines[-1] if lines else None,
+        "text": f"{type(error).__name__}: {message}".removesuffix(": "),
+        "hint": hint_for(message) or "",
+    }
