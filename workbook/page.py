@@ -25,8 +25,8 @@ def run_cell(cells, check, problem=""):
     Parameters
     ----------
     cells : list of str
-        The data cells and the answer boxes in the order of the page, this check's own box last. One
-        that fails does not stop the others.
+        The data cells and the answer boxes in the order of the page, this check's own last. One that
+        fails does not stop the others.
     check : str
         The check cell.
     problem : str, optional
@@ -36,11 +36,11 @@ def run_cell(cells, check, problem=""):
     Returns
     -------
     dict
-        "printed": what the last of the cells printed, and the value of its last line; "errors": for
-        each cell that failed its position in `cells` (`len(cells)` for the check cell), "line" (from
-        1, or None), "text" and "hint" ("" without one); "verdicts": status by answer; "html" and
-        "text": the verdicts as a notebook shows them, "" if the check cell failed. It can be written
-        as JSON.
+        "printed": what each of the cells printed, and the value of its last line; "errors": for each
+        cell that failed "cell", its position in `cells` (`len(cells)` for the check cell), "line"
+        (from 1, or None), "text" and "hint" ("" without one); "verdicts": status by answer; "html"
+        and "text": the verdicts as a notebook shows them, "" if the check cell failed. It can be
+        written as JSON.
 
     Examples
     --------
@@ -54,11 +54,10 @@ def run_cell(cells, check, problem=""):
     """
     os.environ.setdefault("MPLBACKEND", "Agg")
     cell_watch.forget()
-    namespace, errors, printed = {"__name__": "__main__"}, [], _Printed()
+    namespace, errors, printed = {"__name__": "__main__"}, [], [_Printed() for _ in cells]
     for position, source in enumerate(cells):
-        printed = _Printed()
         cell_watch.before_cell(namespace, source)
-        error = _run(source, f"<cell {position}>", namespace, printed)
+        error = _run(source, f"<cell {position}>", namespace, printed[position])
         cell_watch.after_cell(namespace, source, error)
         if error is not None:
             errors.append(_described(error, position, f"<cell {position}>"))
@@ -69,7 +68,7 @@ def run_cell(cells, check, problem=""):
         errors.append(_described(error, len(cells), "<check>"))
     cell_watch.forget()
     return {
-        "printed": printed.getvalue(),
+        "printed": [output.getvalue() for output in printed],
         "errors": errors,
         "verdicts": {name: verdict.status for name, verdict in verdicts.items()},
         "html": as_html(verdicts) if verdicts else "",
