@@ -29,6 +29,8 @@ export class Box {
     this.live = make("p", { className: "answer-live", role: "status" });
     this.output = make("div", { className: "answer-output" });
     const fields = make("div", { className: "answer-fields highlight" }, ...this.element.children);
+    // shortcuts of the site, such as / for the search, are not for those who write here
+    fields.addEventListener("keydown", (event) => event.ctrlKey || event.metaKey || event.stopPropagation());
     const label = this.fields.length > 1 ? "Your answers" : "Your answer";
     this.bar = make("div", { className: "answer-bar" }, this.runButton, this.stopButton, this.state);
     this.element.append(
@@ -54,7 +56,9 @@ export class Box {
         return copy;
       });
     });
-    this.state.before(...hints);
+    if (several && hints.length) {
+      this.bar.append(make("details", { className: "hint answer-hints" }, make("summary", {}, "Hints"), make("div", {}, ...hints)));
+    } else this.bar.append(...hints);
   }
 
   say(text) {
@@ -74,7 +78,7 @@ export class Box {
       this.say("running …");
       const began = performance.now();
       const { result, error } = await this.runCells();
-      this.say(error ? "" : `${((performance.now() - began) / 1000).toFixed(1)} s`);
+      this.say(error ? "" : `${((performance.now() - began) / 1000).toPrecision(2)} s`);
       if (error) this.showFailure(python.failure(error));
       else this.show(result);
     } catch (error) {

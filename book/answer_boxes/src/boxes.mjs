@@ -97,7 +97,9 @@ class Page {
     this.waiting = box;
     if (this.isStarted) return;
     box.say("starting Python …");
-    await python.start((text, fraction) => this.waiting.say(`${text} ${Math.round(100 * fraction)} %`));
+    await python.start((text, fraction) => {
+      this.waiting.say(`${text} ${fraction < 1 ? `${Math.round(100 * fraction)} %` : "…"}`);
+    });
     if (!this.isStarted) this.waiting.say("ready");
     this.isStarted = true;
   }

@@ -28,8 +28,8 @@ export class Question {
       box.runButton.focus();
     });
     const words =
-      "To check answers here, this page loads Python with NumPy, SciPy and SymPy: " +
-      `${size} MB, from this site, asked once in this browser. Your answers stay on this computer.`;
+      `Checking answers here needs Python with NumPy, SciPy and SymPy: ${size} MB from this site. ` +
+      "This browser is asked once. What you type stays on this computer.";
     this.element = make("div", { className: "answer-question", role: "group", ariaLabel: "Load Python" }, make("p", {}, words), make("div", { className: "answer-bar" }, yes, no));
     box.output.before(this.element);
     box.live.textContent = words;
