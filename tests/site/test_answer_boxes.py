@@ -61,7 +61,10 @@ def build(folder, edition, engine=""):
     """Build some pages of an edition without their outputs; return the folder of the site."""
     toc = folder / f"{edition}.yml"
     files = "".join(f"  - file: {edition}/{page}\n" for page in PAGES)
-    toc.write_text(f"format: jb-book\nroot: book/problems\nchapters:\n{files}", encoding="utf-8")
+    toc.write_text(
+        f"format: jb-book\nroot: book/index\nchapters:\n  - file: book/problems\n{files}",
+        encoding="utf-8",
+    )
     overrides = {
         "external_toc_path": str(toc),
         "latex_individualpages": False,
@@ -114,12 +117,12 @@ class Page:
     def __init__(self, browser, address, downloads):
         self.browser, self.address, self.downloads = browser, address, downloads
 
-    def open(self, page="ch1/p15", edition="solutions", allowed=True, phone=False):
-        """Open a page in a browser that may load Python, or has not been asked yet."""
+    def open(self, page="ch1/p15", edition="solutions", allowed=True, phone=False, path=None):
+        """Open the page of a problem, or another one, in a browser that may load Python, or has not been asked yet."""
         self.browser.resize(*((390, 844, True) if phone else (1280, 900)))
         source = "localStorage['workbook/python'] = 'true'" if allowed else ""
         with self.before_scripts(source):
-            self.browser.open(f"{self.address[edition]}/{edition}/{page}.html")
+            self.browser.open(f"{self.address[edition]}/{path or f'{edition}/{page}'}.html")
         return self
 
     @contextmanager
@@ -255,11 +258,8 @@ def test_without_the_engine_a_page_has_no_box_and_no_script(tmp_path):
 def test_only_pages_with_boxes_or_lists_load_a_script(sites):
     for path in sites.solutions.rglob("*.html"):
         text = path.read_text(encoding="utf-8")
-        assert (
-            ("answer_boxes/boxes.js" in text)
-            == ("answer-box" in text)
-            == ("ch" in path.parent.name)
-        )
+        has_boxes = path.parent.name.startswith("ch") or path == sites.solutions / "book/index.html"
+        assert ("answer_boxes/boxes.js" in text) == ('class="answer-box"' in text) == has_boxes
         assert ("answer_boxes/progress.js" in text) == (path.stem == "problems")
 
 
@@ -536,14 +536,26 @@ def test_a_foreign_notebook_is_refused_by_name(page, tmp_path):
     assert page.text("a_region") == RIGHT["a_region"]
 
 
-def test_lists_show_what_was_verified_here(page, browser, served):
-    page.open()
-    browser.open(f"{served['solutions']}/book/problems.html")
+@pytest.mark.parametrize("edition", ["solutions", "exercises"])
+def test_the_first_page_lets_a_visitor_try_an_answer(page, edition):
+    page.open(edition=edition)
+    page.write("b_region", RIGHT["b_region"])
+    page.open(edition=edition, path="book/index")
+    assert len(page.all(".answer-box")) == 1 and not page.all(".answers-panel")
+    page.write("a_region", RIGHT["a_region"])
+    assert "right" in page.run()
+    page.open(edition=edition)
+    assert page.text("a_region") == RIGHT["a_region"] and page.text("b_region") == RIGHT["b_region"]
+    assert "1 of 5 verified here" in page.panel()
+
+
+def test_lists_show_what_was_verified_here(page):
+    page.open(path="book/problems")
     assert not page.all(".problem-verified, .verified-note")
     page.open()
     page.write("a_region", RIGHT["a_region"])
     page.run()
-    browser.open(f"{served['solutions']}/book/problems.html")
+    page.open(path="book/problems")
     assert [mark.text for mark in page.all(".problem-verified")] == ["1/5"]
     assert "prove nothing to a grader" in page.all(".verified-note")[0].text
 

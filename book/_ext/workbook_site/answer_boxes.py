@@ -3,7 +3,7 @@
 A page holds its boxes hidden, with the stubs of the student's notebook, and `book/answer_boxes`
 shows them; without scripts, on paper and without the engine (Python in WebAssembly, `run/`) a page
 is as it is without boxes. The boxes are the answer cells of the notebook: what is typed goes into
-it unchanged, and the verdict is the grader's.
+it unchanged, and the verdict is the grader's. `{try-answer}` shows a box of a problem on another page.
 """
 
 import hashlib
@@ -15,6 +15,7 @@ from html import escape
 
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
+from sphinx.util.docutils import SphinxDirective
 
 from workbook.authoring.contract import item_of
 from workbook.checks.contract.check_cells import reported_names
@@ -36,7 +37,7 @@ class Box:
     check: str
     answers: tuple
 
-    def node(self):
+    def html(self):
         """Return the hidden box."""
         fields = "".join(
             f'<textarea data-cell="{cell}" data-name="{name}" aria-label="{name}" spellcheck="false" '
@@ -44,12 +45,14 @@ class Box:
             for cell, name, stub in self.answers
         )
         names = ", ".join(name for _, name, _ in self.answers)
-        return nodes.raw(
-            "",
+        return (
             f'<section class="answer-box" data-check="{self.check}" aria-label="Answer: {names}" '
-            f"hidden>{fields}</section>",
-            format="html",
+            f"hidden>{fields}</section>\n"
         )
+
+
+class answer_box(nodes.General, nodes.Element):
+    """A box of a problem: its attributes are `page`, the problem's, and `box`."""
 
 
 def boxes_of(notebook):
@@ -106,11 +109,44 @@ class AnswerBoxes(SphinxPostTransform):
         problem = catalogue.of(self.env).get(self.env.docname)
         if problem is None or not self.config.workbook_engine_found:
             return
-        notebook = _notebook(self.app, problem)
         cells = [cell for cell in self.document.findall(nodes.container) if _is_cell(cell, "check")]
         place = _Place(self.document)
-        for box, check in zip(boxes_of(notebook), cells, strict=True):
-            place.insert(box, check)
+        for box, check in zip(boxes_of(_notebook(self.app, problem)), cells, strict=True):
+            place.insert(answer_box(page=problem.page, box=box), check)
+
+
+class TryAnswer(SphinxDirective):
+    """Shows its text with the box of an answer: {try-answer} 1.15 a_region; nothing without the engine."""
+
+    has_content = True
+    required_arguments = 2
+
+    def run(self):
+        number, name = self.arguments
+        trial = nodes.container(classes=["try-answer"], number=number, answer=name)
+        self.state.nested_parse(self.content, self.content_offset, trial)
+        return [trial]
+
+
+class TryAnswers(SphinxPostTransform):
+    """Completes or removes what `TryAnswer` shows."""
+
+    default_priority = AnswerBoxes.default_priority
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        problems = {problem.number: problem for problem in catalogue.of(self.env).values()}
+        for trial in list(self.document.findall(lambda node: "try-answer" in _classes(node))):
+            problem = problems.get(trial["number"])
+            if problem is None or not self.config.workbook_engine_found:
+                trial.parent.remove(trial)
+                continue
+            (box,) = (
+                box
+                for box in boxes_of(_notebook(self.app, problem))
+                if trial["answer"] in {name for _, name, _ in box.answers}
+            )
+            trial += answer_box(page=problem.page, box=box)
 
 
 class _Place:
@@ -120,11 +156,11 @@ class _Place:
         self._order = list(document.findall())
         self._first = 0  # of the nodes before which the next box may stand
 
-    def insert(self, box, check):
+    def insert(self, node, check):
         end = self._order.index(check)
         candidates = self._order[self._first : end]
-        before = self._solution(candidates, box) or self._stub_or_hint(candidates) or check
-        before.parent.insert(before.parent.index(before), box.node())
+        before = self._solution(candidates, node["box"]) or self._stub_or_hint(candidates) or check
+        before.parent.insert(before.parent.index(before), node)
         self._first = self._order.index(before)
         if before is check or not isinstance(before, details):
             self._first = end + 1
@@ -152,12 +188,12 @@ class _Place:
         return None
 
 
+def _classes(node):
+    return node["classes"] if isinstance(node, nodes.container) else ()
+
+
 def _is_cell(node, role):
-    return (
-        isinstance(node, nodes.container)
-        and node.get("nb_element") == "cell_code"
-        and f"tag_{role}" in node["classes"]
-    )
+    return f"tag_{role}" in _classes(node) and node.get("nb_element") == "cell_code"
 
 
 def _is_hint(node):
@@ -181,9 +217,10 @@ def _add_scripts(app, page, template, context, doctree):
         return
     if page in getattr(app.env, "workbook_listings", ()):
         app.add_js_file("answer_boxes/progress.js", loading_method="defer")
-    problem = catalogue.of(app.env).get(page)
-    if problem is None:
+    box = next(iter(doctree.findall(answer_box)), None) if doctree else None
+    if box is None:
         return
+    problem = catalogue.of(app.env)[box["page"]]
     root = posixpath.relpath(".", posixpath.dirname(page))
     app.add_css_file("answer_boxes/boxes.css")
     app.add_js_file(
@@ -192,9 +229,11 @@ def _add_scripts(app, page, template, context, doctree):
         **{
             "data-number": problem.number,
             "data-title": problem.title,
+            "data-answers": str(len(problem.answers)),
             "data-version": version_of(_notebook(app, problem)),
             "data-notebook": f"{root}/{problem.notebook}.js",
             "data-run": f"{root}/{RUN}/",
+            **({} if page == problem.page else {"data-part": "true"}),
         },
     )
 
@@ -213,6 +252,18 @@ def _write_notebooks(app, exception):
             script.unlink(missing_ok=True)
 
 
+def _note_notebook(app, document):
+    """Make a page outdated when its notebook changes, also if its master has not."""
+    problem = catalogue.of(app.env).get(app.env.docname)
+    if problem is not None:
+        app.env.note_dependency(problem.notebook)
+
+
+def _open_box(self, node):
+    self.body.append(node["box"].html())
+    raise nodes.SkipNode
+
+
 def setup(app):
     # where `make` puts the engine; "" for a site without boxes
     app.add_config_value("workbook_engine", f"_build/{RUN}", "html")
@@ -220,4 +271,8 @@ def setup(app):
     app.connect("config-inited", _find_engine, priority=100)
     app.connect("html-page-context", _add_scripts)
     app.connect("build-finished", _write_notebooks)
+    app.connect("doctree-read", _note_notebook)
+    app.add_node(answer_box, html=(_open_box, None))
+    app.add_directive("try-answer", TryAnswer)
     app.add_post_transform(AnswerBoxes)
+    app.add_post_transform(TryAnswers)

@@ -41,6 +41,7 @@ export class Box {
       this.live,
     );
     this.element.hidden = false;
+    for (const field of this.fields) field.fit();
   }
 
   /** Show hints of its answers that stand in folds elsewhere on the page. */

@@ -16,12 +16,12 @@ class Page {
     this.boxes = elements.map((element) => new Box(element, this));
     this.fields = this.boxes.flatMap((box) => box.fields);
     this.names = Object.fromEntries(this.fields.map((field) => [field.cell, field.name]));
-    this.panel = new AnswersPanel(this, elements.at(-1));
+    this.panel = settings.part ? null : new AnswersPanel(this, elements.at(-1));
     this.question = new Question();
     const adopted = store.adoptEarlierAnswers(settings.number, settings.version);
     this.setAnswers(store.readAnswers(settings.number, settings.version));
-    if (adopted) this.panel.say("They were typed for an earlier version of this problem: check them again.");
-    this.panel.count();
+    if (adopted) this.panel?.say("They were typed for an earlier version of this problem: check them again.");
+    this.panel?.count();
   }
 
   // Answers ---------------------------------------------------------------------------------------------------------------
@@ -36,13 +36,17 @@ class Page {
     for (const field of this.fields) field.text = answers[field.name] ?? field.stub;
   }
 
+  /** Keep what was typed; another page may have other boxes of the problem. */
   save() {
-    store.writeAnswers(settings.number, settings.version, this.answers(this.fields.filter((field) => field.isTyped)));
+    const kept = Object.entries(store.readAnswers(settings.number, settings.version));
+    const others = Object.fromEntries(kept.filter(([name]) => !this.fields.some((field) => field.name === name)));
+    const typed = this.answers(this.fields.filter((field) => field.isTyped));
+    store.writeAnswers(settings.number, settings.version, { ...others, ...typed });
   }
 
   noteVerdicts(verdicts) {
-    store.noteVerdicts({ number: settings.number, version: settings.version, answers: this.fields.length }, verdicts);
-    this.panel.count();
+    store.noteVerdicts(settings, verdicts);
+    this.panel?.count();
   }
 
   /** The answers of a box and of all boxes above it. */

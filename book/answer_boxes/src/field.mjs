@@ -38,8 +38,15 @@ export class Field {
   }
 
   changed() {
-    this.textarea.rows = this.textarea.value.split("\n").length;
+    this.fit();
     this.events.onChange();
+  }
+
+  /** Make the textarea as high as its text, in a browser that does not do so by itself. */
+  fit() {
+    if (CSS.supports("field-sizing", "content")) return;
+    this.textarea.style.height = "auto";
+    this.textarea.style.height = `${this.textarea.scrollHeight}px`;
   }
 
   /** Replace the textarea by the editor; without it the textarea stays. */

@@ -36,7 +36,7 @@ export class AnswersPanel {
     const { number, version } = settings;
     const verified = store.readVerified()[number];
     const right = verified?.version === version ? verified.right.length : 0;
-    this.verified.textContent = right ? `${right} of ${this.page.fields.length} verified here. ` : "";
+    this.verified.textContent = right ? `${right} of ${settings.answers} verified here. ` : "";
   }
 
   async open(file) {

@@ -2,7 +2,8 @@
 
 const script = document.currentScript;
 
-/** number, title and version of the problem; notebook and run, the addresses of its notebook and of the engine. */
+/** number, title and version of the problem, and how many answers it has; notebook and run, the addresses of its notebook and
+    of the engine; part, if the page is another one that shows a box of the problem. */
 export const settings = { ...script.dataset };
 
 /** The address of a file beside this script. */

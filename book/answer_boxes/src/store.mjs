@@ -59,7 +59,7 @@ export function noteVerdicts({ number, version, answers }, verdicts) {
     if (status === "right") right.add(name);
     else right.delete(name);
   }
-  if (right.size) verified[number] = { version, answers, right: [...right] };
+  if (right.size) verified[number] = { version, answers: Number(answers), right: [...right] };
   else delete verified[number];
   writeVerified(verified);
 }
