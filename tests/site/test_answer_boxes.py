@@ -57,7 +57,7 @@ class _Handler(SimpleHTTPRequestHandler):
         pass
 
 
-def build(folder, edition, engine=""):
+def build(folder, edition, engine):
     """Build some pages of an edition without their outputs; return the folder of the site."""
     toc = folder / f"{edition}.yml"
     files = "".join(f"  - file: {edition}/{page}\n" for page in PAGES)
@@ -247,7 +247,7 @@ def test_a_box_stands_before_the_solution_of_its_item_or_before_its_hints(sites)
 
 
 def test_without_the_engine_a_page_has_no_box_and_no_script(tmp_path):
-    site = build(tmp_path, "exercises")
+    site = build(tmp_path, "exercises", tmp_path / "run")
     for page in site.rglob("*.html"):
         assert "answer-box" not in page.read_text(encoding="utf-8")
         assert "answer_boxes" not in page.read_text(encoding="utf-8")

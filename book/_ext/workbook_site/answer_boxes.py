@@ -205,8 +205,7 @@ def _notebook(app, problem):
 
 
 def _find_engine(app, config):
-    folder = config.workbook_engine
-    config.workbook_engine_found = bool(folder) and (app.srcdir / folder / ENGINE).exists()
+    config.workbook_engine_found = (app.srcdir / config.workbook_engine / ENGINE).exists()
     if config.workbook_engine_found:
         config.html_static_path.append(STATIC)
 
@@ -265,7 +264,7 @@ def _open_box(self, node):
 
 
 def setup(app):
-    # where `make` puts the engine; "" for a site without boxes
+    # the folder of the engine, where `make` puts it; without one there are no boxes
     app.add_config_value("workbook_engine", f"_build/{RUN}", "html")
     app.add_config_value("workbook_engine_found", False, "html")
     app.connect("config-inited", _find_engine, priority=100)
