@@ -74,6 +74,7 @@ export class Box {
     }
     this.setRunning(true);
     this.clear();
+    this.live.textContent = "Running.";
     try {
       await this.page.startPython(this);
       this.say("running …");
