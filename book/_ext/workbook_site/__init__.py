@@ -4,6 +4,7 @@ catalogue         the problems of the edition that is being built, from their fr
 problem_pages     a problem's page: title, chips, download, answers and hints, labels for both editions
 listings          the list of all problems and the index by topic, made from the catalogue
 downloads         the students' notebooks and the wheel
+answer_boxes      boxes for answers that are checked in the page
 folding           statements; solutions, hints and code folded with the browser's own <details>
 figures           pictures with their number, their caption and alternative text
 cell_output       formulas typeset in what cells print
@@ -22,6 +23,7 @@ import gc
 
 from workbook.grading.sandbox.preloading import GC_THRESHOLD
 from workbook_site import (
+    answer_boxes,
     catalogue,
     cell_output,
     check_cases,
@@ -45,6 +47,7 @@ EXTENSIONS = (
     problem_pages,
     listings,
     downloads,
+    answer_boxes,
     folding,
     figures,
     cell_output,

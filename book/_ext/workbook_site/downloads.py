@@ -49,24 +49,28 @@ def _copy_notebooks(app, exception):
     if exception is not None or app.builder.format != "html":
         return
     for problem in catalogue.of(app.env).values():
-        source, copy = app.srcdir / problem.notebook, app.outdir / problem.notebook
-        if source.exists():
+        copy = app.outdir / problem.notebook
+        if (app.srcdir / problem.notebook).exists():
             copy.parent.mkdir(parents=True, exist_ok=True)
+            notebook = served_notebook(app, problem)
             copy.write_text(
-                _served(source, app.config.html_baseurl, problem.solved), encoding="utf-8"
+                json.dumps(notebook, indent=1, ensure_ascii=False) + "\n", encoding="utf-8"
             )
 
 
-def _served(source, base, solved):
-    """Return the text of a notebook with links to this edition, if the site has an address."""
+def served_notebook(app, problem):
+    """Return a student notebook with links to this edition, if the site has an address."""
+    source, base = app.srcdir / problem.notebook, app.config.html_baseurl
     notebook = json.loads(source.read_text(encoding="utf-8"))
     if base:
         to_site = exercises.site_urls(base)
         notebook = exercises.add_links(
             notebook,
-            lambda path: to_site(path if solved else path.replace("solutions/", "exercises/", 1)),
+            lambda path: to_site(
+                path if problem.solved else path.replace("solutions/", "exercises/", 1)
+            ),
         )
-    return json.dumps(notebook, indent=1, ensure_ascii=False) + "\n"
+    return notebook
 
 
 def setup(app):

@@ -33,7 +33,8 @@ def _configure(app, config):
 def _remove_pages(app, env, added, changed, removed):
     """Delete the files of pages that left the book: Sphinx would go on serving them."""
     for page in removed:
-        for leftover in (f"{page}.html", f"{page.replace('solutions/', 'exercises/', 1)}.ipynb"):
+        notebook = f"{page.replace('solutions/', 'exercises/', 1)}.ipynb"
+        for leftover in (f"{page}.html", notebook, f"{notebook}.js"):
             (app.outdir / leftover).unlink(missing_ok=True)
     return []
 

@@ -1,0 +1,277 @@
+"""A box before each check cell, in which a reader types answers and has them checked.
+
+A page holds its boxes hidden, with the stubs of the student's notebook, and `book/answer_boxes`
+shows them; without scripts, on paper and without the engine (Python in WebAssembly, `run/`) a page
+is as it is without boxes. The boxes are the answer cells of the notebook: what is typed goes into
+it unchanged, and the verdict is the grader's. `{try-answer}` shows a box of a problem on another page.
+"""
+
+import hashlib
+import json
+import posixpath
+import re
+from dataclasses import dataclass
+from html import escape
+
+from docutils import nodes
+from sphinx.transforms.post_transforms import SphinxPostTransform
+from sphinx.util.docutils import SphinxDirective
+
+from workbook.authoring.contract import item_of
+from workbook.checks.contract.check_cells import reported_names
+from workbook_site import catalogue
+from workbook_site.downloads import served_notebook
+from workbook_site.folding import details
+
+#: The folder of the engine below the site's root, and its script.
+RUN, ENGINE = "run", "engine.js"
+STATIC = "book/answer_boxes/static"
+STUB = re.compile(r"^(\w+) = \.\.\.", re.M)
+DIGITS = 12
+
+
+@dataclass(frozen=True)
+class Box:
+    """The id of a check cell and its answer cells: (id, name, stub)."""
+
+    check: str
+    answers: tuple
+
+    def html(self):
+        """Return the hidden box."""
+        fields = "".join(
+            f'<textarea data-cell="{cell}" data-name="{name}" aria-label="{name}" spellcheck="false" '
+            f'autocapitalize="off" rows="{stub.count(chr(10)) + 1}">{escape(stub)}</textarea>'
+            for cell, name, stub in self.answers
+        )
+        names = ", ".join(name for _, name, _ in self.answers)
+        return (
+            f'<section class="answer-box" data-check="{self.check}" aria-label="Answer: {names}" '
+            f"hidden>{fields}</section>\n"
+        )
+
+
+class answer_box(nodes.General, nodes.Element):
+    """A box of a problem: its attributes are `page`, the problem's, and `box`."""
+
+
+def boxes_of(notebook):
+    """Return the boxes of a student notebook in the order of its check cells."""
+    stubs = {
+        STUB.search(cell["source"])[1]: (cell["id"], cell["source"])
+        for cell in notebook["cells"]
+        if _has_role(cell, "answer")
+    }
+    checks = [
+        (cell["id"], set(reported_names(cell["source"])))
+        for cell in notebook["cells"]
+        if _has_role(cell, "check")
+    ]
+    return [
+        Box(
+            check,
+            tuple((cell, name, stub) for name, (cell, stub) in stubs.items() if name in names),
+        )
+        for check, names in checks
+    ]
+
+
+def in_order_of_boxes(notebook):
+    """Return the notebook with its answer cells in the order of the boxes.
+
+    Some checks judge an answer whose stub stands among those of an earlier check. Cells run in the
+    order in which the page shows them, and the downloaded notebook has the same.
+    """
+    cells = {cell["id"]: cell for cell in notebook["cells"]}
+    order = iter([cells[cell] for box in boxes_of(notebook) for cell, _, _ in box.answers])
+    return notebook | {
+        "cells": [next(order) if _has_role(cell, "answer") else cell for cell in notebook["cells"]]
+    }
+
+
+def version_of(notebook):
+    """Return a digest of the code: typed answers are kept for one version of a problem."""
+    code = [cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    return hashlib.sha256(json.dumps(code[1:]).encode()).hexdigest()[:DIGITS]
+
+
+def _has_role(cell, role):
+    return role in cell["metadata"].get("tags", ())
+
+
+class AnswerBoxes(SphinxPostTransform):
+    """Puts each box before the worked solution of its item, or before its hints and check."""
+
+    default_priority = 195  # after solutions and code are folded
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        problem = catalogue.of(self.env).get(self.env.docname)
+        if problem is None or not self.config.workbook_engine_found:
+            return
+        cells = [cell for cell in self.document.findall(nodes.container) if _is_cell(cell, "check")]
+        place = _Place(self.document)
+        for box, check in zip(boxes_of(_notebook(self.app, problem)), cells, strict=True):
+            place.insert(answer_box(page=problem.page, box=box), check)
+
+
+class TryAnswer(SphinxDirective):
+    """Shows its text with the box of an answer: {try-answer} 1.15 a_region; nothing without the engine."""
+
+    has_content = True
+    required_arguments = 2
+
+    def run(self):
+        number, name = self.arguments
+        trial = nodes.container(classes=["try-answer"], number=number, answer=name)
+        self.state.nested_parse(self.content, self.content_offset, trial)
+        return [trial]
+
+
+class TryAnswers(SphinxPostTransform):
+    """Completes or removes what `TryAnswer` shows."""
+
+    default_priority = AnswerBoxes.default_priority
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        problems = {problem.number: problem for problem in catalogue.of(self.env).values()}
+        for trial in list(self.document.findall(lambda node: "try-answer" in _classes(node))):
+            problem = problems.get(trial["number"])
+            if problem is None or not self.config.workbook_engine_found:
+                trial.parent.remove(trial)
+                continue
+            (box,) = (
+                box
+                for box in boxes_of(_notebook(self.app, problem))
+                if trial["answer"] in {name for _, name, _ in box.answers}
+            )
+            trial += answer_box(page=problem.page, box=box)
+
+
+class _Place:
+    """Where boxes go; each follows the one before it."""
+
+    def __init__(self, document):
+        self._order = list(document.findall())
+        self._first = 0  # of the nodes before which the next box may stand
+
+    def insert(self, node, check):
+        end = self._order.index(check)
+        candidates = self._order[self._first : end]
+        before = self._solution(candidates, node["box"]) or self._stub_or_hint(candidates) or check
+        before.parent.insert(before.parent.index(before), node)
+        self._first = self._order.index(before)
+        if before is check or not isinstance(before, details):
+            self._first = end + 1
+
+    def _solution(self, candidates, box):
+        """Return the fold of the box's item, or else the last one before its check."""
+        folds = [
+            node
+            for node in candidates
+            if isinstance(node, details) and "solution" in node["classes"]
+        ]
+        item = item_of(box.answers[0][1])
+        for fold in folds:
+            label = next((name for part in fold.findall(nodes.Element) for name in part["ids"]), "")
+            if item and item in label.rpartition("-")[2]:
+                return fold
+        return folds[-1] if folds else None
+
+    def _stub_or_hint(self, candidates):
+        """Return the first answer cell of the student edition, or else the first hint."""
+        for kind in (lambda node: _is_cell(node, "answer"), _is_hint):
+            for node in candidates:
+                if kind(node):
+                    return node
+        return None
+
+
+def _classes(node):
+    return node["classes"] if isinstance(node, nodes.container) else ()
+
+
+def _is_cell(node, role):
+    return f"tag_{role}" in _classes(node) and node.get("nb_element") == "cell_code"
+
+
+def _is_hint(node):
+    return isinstance(node, nodes.raw) and node.astext().startswith("<details><summary>Hint")
+
+
+def _notebook(app, problem):
+    return in_order_of_boxes(served_notebook(app, problem))
+
+
+def _find_engine(app, config):
+    config.workbook_engine_found = (app.srcdir / config.workbook_engine / ENGINE).exists()
+    if config.workbook_engine_found:
+        config.html_static_path.append(STATIC)
+
+
+def _add_scripts(app, page, template, context, doctree):
+    """Load the script of the boxes where there are boxes, and that of the marks on lists."""
+    if not app.config.workbook_engine_found:
+        return
+    if page in getattr(app.env, "workbook_listings", ()):
+        app.add_js_file("answer_boxes/progress.js", loading_method="defer")
+    box = next(iter(doctree.findall(answer_box)), None) if doctree else None
+    if box is None:
+        return
+    problem = catalogue.of(app.env)[box["page"]]
+    root = posixpath.relpath(".", posixpath.dirname(page))
+    app.add_css_file("answer_boxes/boxes.css")
+    app.add_js_file(
+        "answer_boxes/boxes.js",
+        loading_method="defer",
+        **{
+            "data-number": problem.number,
+            "data-title": problem.title,
+            "data-answers": str(len(problem.answers)),
+            "data-version": version_of(_notebook(app, problem)),
+            "data-notebook": f"{root}/{problem.notebook}.js",
+            "data-run": f"{root}/{RUN}/",
+            **({} if page == problem.page else {"data-part": "true"}),
+        },
+    )
+
+
+def _write_notebooks(app, exception):
+    """Write each notebook as a script too, which pages opened as files can load."""
+    if exception is not None or app.builder.format != "html":
+        return
+    for problem in catalogue.of(app.env).values():
+        script = app.outdir / f"{problem.notebook}.js"
+        if app.config.workbook_engine_found:
+            script.parent.mkdir(parents=True, exist_ok=True)
+            text = json.dumps(_notebook(app, problem), ensure_ascii=False)
+            script.write_text(f"window.workbookNotebook = {text};\n", encoding="utf-8")
+        else:
+            script.unlink(missing_ok=True)
+
+
+def _note_notebook(app, document):
+    """Make a page outdated when its notebook changes, also if its master has not."""
+    problem = catalogue.of(app.env).get(app.env.docname)
+    if problem is not None:
+        app.env.note_dependency(problem.notebook)
+
+
+def _open_box(self, node):
+    self.body.append(node["box"].html())
+    raise nodes.SkipNode
+
+
+def setup(app):
+    # the folder of the engine, where `make` puts it; without one there are no boxes
+    app.add_config_value("workbook_engine", f"_build/{RUN}", "html")
+    app.add_config_value("workbook_engine_found", False, "html")
+    app.connect("config-inited", _find_engine, priority=100)
+    app.connect("html-page-context", _add_scripts)
+    app.connect("build-finished", _write_notebooks)
+    app.connect("doctree-read", _note_notebook)
+    app.add_node(answer_box, html=(_open_box, None))
+    app.add_directive("try-answer", TryAnswer)
+    app.add_post_transform(AnswerBoxes)
+    app.add_post_transform(TryAnswers)
