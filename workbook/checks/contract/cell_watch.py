@@ -117,37 +117,6 @@ def forget():
         names.clear()
 
 
-def before_check(namespace, source):
-    """Prepare the names that a check cell reads, until `after_check`.
-
-    Parameters
-    ----------
-    namespace : dict
-        The notebook's names. Answers that do not exist yet are set to stubs, and names of the data
-        that were overwritten to what the data cell set, as in a grader.
-    source : str
-        The cell; nothing happens unless it is a check cell.
-    """
-    if names := _reported(source):
-        for name in names:
-            namespace.setdefault(name, ...)
-        lost = _lost_data(namespace)
-        _students.update({name: namespace[name] for name in lost if name in namespace})
-        namespace.update({name: _data[name] for name in lost})
-
-
-def after_check(namespace):
-    """Put the names back that a student had given other values than the data cell."""
-    namespace.update(_students)
-    _students.clear()
-
-
-def forget():
-    """Forget all cells that have run, for a new namespace."""
-    for names in (stopped, overwritten, _data, _before, _students):
-        names.clear()
-
-
 def recall(stopped_cells, overwritten_names):
     """Let `report` know what `after_cell` listed in another process.
 
