@@ -1,6 +1,8 @@
 """`workbook.page.run_cell`: what a page runs says what a notebook would say."""
 
 import json
+import re
+import sys
 
 import pytest
 
@@ -81,3 +83,10 @@ def test_output_and_the_value_of_the_last_line_are_printed():
 def test_endless_output_is_cut():
     printed = run("for k in range(10**5): print(k)")["printed"][-1]
     assert len(printed) < page.MOST_PRINTED + 100 and printed.endswith("(more is not shown)")
+
+
+def test_an_agreement_that_was_only_sampled_is_not_called_more(monkeypatch):
+    """Without z3 a condition is tried at points; with it, all values are decided."""
+    assert run(RIGHT_A)["text"].endswith("proved for all values")
+    monkeypatch.setitem(sys.modules, "z3", None)
+    assert re.search(r"agrees at \d+ points; the notebook can decide more$", run(RIGHT_A)["text"])
