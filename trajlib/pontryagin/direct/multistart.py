@@ -45,7 +45,7 @@ class SearchResult:
         (DirectSolution, side of the target).
     starts : int
         Number of starting guesses that were tried.
-    found : int
+    processes : int
         Number of different processes to which they led.
     coarse_durations : list of float
         The durations that the solutions had on few intervals.
@@ -53,7 +53,7 @@ class SearchResult:
 
     solutions: list[tuple[DirectSolution, int | None]]
     starts: int
-    found: int
+    processes: int
     coarse_durations: list[float]
 
 
@@ -80,7 +80,7 @@ def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
         solutions = [(descend(numeric, solution, side), side) for solution, side in solutions]
     solutions.sort(key=lambda pair: pair[0].cost)
     return SearchResult(
-        solutions, multistart.starts, max(multistart.found, 1), multistart.coarse_durations
+        solutions, multistart.starts, max(multistart.processes, 1), multistart.coarse_durations
     )
 
 
@@ -89,7 +89,7 @@ class _Multistart:
 
     def __init__(self, numeric, structure):
         self.numeric, self.structure = numeric, structure
-        self.failures, self.closest, self.starts, self.found = [], np.inf, 0, 0
+        self.failures, self.closest, self.starts, self.processes = [], np.inf, 0, 0
         self.nearest, self.convex = None, sufficiency_theorem(numeric.problem) is not None
         self.coarse_durations = []
 
@@ -120,7 +120,7 @@ class _Multistart:
             for start in starts:
                 solutions = self.solve(programme, start)
                 if solutions:
-                    self.found += 1
+                    self.processes += 1
                     return [(solution, side) for solution in solutions]
         return []
 
@@ -139,7 +139,7 @@ class _Multistart:
                 coarse_solutions = self._distinct_solutions(fine, self.process_to_target(side))
         if point and len(coarse_solutions) > 1:
             coarse_solutions = self._improved_by_oscillations(coarse, coarse_solutions)
-        self.found += len(coarse_solutions)
+        self.processes += len(coarse_solutions)
         fine_programme = Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
         solutions = []
         for solution in coarse_solutions:
@@ -201,8 +201,8 @@ class _Multistart:
                 for sign in (1, -1)
                 for start in oscillating_guesses(self.numeric, COARSE, best.duration, sign)
             ]
-            others = [solution for start in starts for solution in self.solve(programme, start)]
-            solutions = _distinct([*solutions, *others])
+            candidates = [solution for start in starts for solution in self.solve(programme, start)]
+            solutions = _distinct([*solutions, *candidates])
             if solutions[0].cost >= best.cost - FALLS * abs(best.cost):
                 break
         return solutions
@@ -327,14 +327,14 @@ def _distinct(solutions):
     Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to
     the next.
     """
-    kept = []
+    distinct = []
     for solution in sorted(solutions, key=lambda p: np.sum(np.abs(np.diff(p.controls, axis=0)))):
         if not any(
-            abs(solution.cost - other.cost) < 1e-4 * (1e-3 + abs(other.cost))
-            and abs(solution.duration - other.duration) < 1e-3 * other.duration
-            and np.max(np.abs(solution.states - other.states))
-            < 1e-2 * (1 + np.max(np.abs(other.states)))
-            for other in kept
+            abs(solution.cost - reference.cost) < 1e-4 * (1e-3 + abs(reference.cost))
+            and abs(solution.duration - reference.duration) < 1e-3 * reference.duration
+            and np.max(np.abs(solution.states - reference.states))
+            < 1e-2 * (1 + np.max(np.abs(reference.states)))
+            for reference in distinct
         ):
-            kept.append(solution)
-    return sorted(kept, key=lambda solution: solution.cost)
+            distinct.append(solution)
+    return sorted(distinct, key=lambda solution: solution.cost)

@@ -50,7 +50,7 @@ class Extremal:
     _numeric: NumericProblem
     _shot: ShootingSolution
     _starts: int = 1
-    _found: int = 1
+    _processes: int = 1
 
     @property
     def switching_times(self) -> tuple[float, ...]:
@@ -194,7 +194,7 @@ class Extremal:
         """What is known beyond the necessary conditions: proved, locally minimal, or best found."""
 
         def optimality(kind, reason):
-            return Optimality(kind, reason, self._starts, self._found)
+            return Optimality(kind, reason, self._starts, self._processes)
 
         proof = relaxed_sufficiency_theorem(self.problem)
         if proof and (self.normal or not proof[1]):
@@ -298,7 +298,7 @@ class Extremal:
 
 
 def extremal_of_shot(
-    numeric: NumericProblem, shot: ShootingSolution, starts: int, found: int
+    numeric: NumericProblem, shot: ShootingSolution, starts: int, processes: int
 ) -> Extremal:
     """Return the extremal of a converged solution, with lambda_0 = 1 in the normal case.
 
@@ -338,7 +338,7 @@ def extremal_of_shot(
         numeric,
         shot,
         starts,
-        found,
+        processes,
     )
     if problem.first_return and _passes_target(extremal):
         raise WrongStructure(

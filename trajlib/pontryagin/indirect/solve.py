@@ -154,7 +154,7 @@ class _Refinement:
     def _extremal(self, solution, arcs, duration, keep_structure=False):
         shot = refine(self.numeric, solution, arcs, duration, self.flow_cache, keep_structure)
         return extremal_of_shot(
-            self.numeric, shot, self.search_result.starts, self.search_result.found
+            self.numeric, shot, self.search_result.starts, self.search_result.processes
         )
 
     def _certified(self, solution, side):

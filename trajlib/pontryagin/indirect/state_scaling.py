@@ -60,7 +60,7 @@ class StateScaling:
             np.concatenate([y[:n] * self.scales, y[n : 2 * n] / self.scales, y[2 * n :]])
             for y in shot.starts
         ]
-        return extremal_of_shot(self.numeric, shot, extremal._starts, extremal._found)
+        return extremal_of_shot(self.numeric, shot, extremal._starts, extremal._processes)
 
 
 def scale_large_states(problem: Statement) -> StateScaling | None:
