@@ -1,19 +1,19 @@
 """Discrete solutions from several starting guesses, or the reason why there is none."""
 
 from dataclasses import dataclass
+from functools import cache
 from itertools import zip_longest
 
 import numpy as np
 
 from trajlib.pontryagin.direct.descent import descend
-from trajlib.pontryagin.direct.free_duration import FALLS, least_time, user_cost
+from trajlib.pontryagin.direct.free_duration import FALLS, least_time
 from trajlib.pontryagin.direct.guesses import (
     oscillating_guesses,
-    refuse_start_on_target,
     starting_guesses,
     target_sides,
 )
-from trajlib.pontryagin.direct.infeasibility import is_separated, refuse_infeasible
+from trajlib.pontryagin.direct.infeasibility import is_separated
 from trajlib.pontryagin.direct.transcription import (
     INTERVALS,
     PATIENCE,
@@ -64,8 +64,6 @@ def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
     given arcs. Otherwise guesses of several kinds are tried on few intervals, and the best
     solutions are refined. Raises `PontryaginError` with the reason if there is none.
     """
-    refuse_start_on_target(numeric)
-    refuse_infeasible(numeric)
     multistart = _Multistart(numeric, structure)
     single = guess is not None or structure is not None or sufficiency_theorem(numeric.problem)
     solutions = []
@@ -141,19 +139,24 @@ class _Multistart:
             coarse_solutions = self._improved_by_oscillations(coarse, coarse_solutions)
         self.processes += len(coarse_solutions)
         fine_programme = Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
+
+        @cache
+        def patient_programme():
+            return Transcription(numeric, INTERVALS, None, side)
+
         solutions = []
         for solution in coarse_solutions:
             if len(solutions) == 3 or (
                 solutions and solution.cost > solutions[0].cost + CLOSE * abs(solutions[0].cost)
             ):
                 break
-            # Where IPOPT does not converge on many intervals, the solution on few is used.
             if len(solution.controls) == INTERVALS:
                 solutions.append(solution)
                 continue
-            finer = self.solve(
-                fine_programme, (solution.duration, solution.states, solution.controls)
-            )
+            # On few intervals a process may be far from the one on many: then it takes patience.
+            # Where IPOPT does not converge there, the solution on few is used.
+            start = (solution.duration, solution.states, solution.controls)
+            finer = self.solve(fine_programme, start) or self.solve(patient_programme(), start)
             self.coarse_durations += [solution.duration] * len(finer)
             solutions += finer or [solution]
         return [(solution, side) for solution in _distinct(solutions)]
@@ -270,7 +273,7 @@ class _Multistart:
         numeric, failure = self.numeric, self.divergence()
         if failure:
             raise Unbounded(
-                f"the cost falls without bound (it passed {user_cost(numeric, failure.cost):.3g}): "
+                f"the cost falls without bound (it passed {numeric.user_cost(failure.cost):.3g}): "
                 "there is no optimal process. Check the sign of the cost, bound the controls, or "
                 "fix the duration."
             )
@@ -287,7 +290,7 @@ class _Multistart:
             self._refuse_separated(distance_text)
         status = f", last status: {self.failures[-1].status}" if self.failures else ""
         longest = (
-            f" that lasts {numeric.longest:g} at most"
+            f" that lasts {numeric.user_time(numeric.longest):g} at most"
             if numeric.duration is None and not numeric.time_bounds_given
             else ""
         )
@@ -309,14 +312,14 @@ class _Multistart:
         if not is_separated(numeric, duration, end):
             return
         text = (
-            f"no admissible control leads to the target in the time {duration:.6g}: a costate "
+            f"no admissible control leads to the target in the time {numeric.user_time(duration):.6g}: a costate "
             f"separates it from all states that can be reached; {distance_text}"
         )
         shortest = least_time(numeric) if numeric.duration is not None else None
         if shortest is not None and shortest > numeric.duration:
             raise Infeasible(
-                f"the duration {duration:.6g} is too short: the least time in which the target is "
-                f"reached is {shortest:.6g}. {text[0].upper() + text[1:]}."
+                f"the duration {numeric.user_time(duration):.6g} is too short: the least time in which the target is "
+                f"reached is {numeric.user_time(shortest):.6g}. {text[0].upper() + text[1:]}."
             )
         raise Infeasible(text + ". Try another duration, or a free one.")
 

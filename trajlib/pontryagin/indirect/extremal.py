@@ -255,15 +255,7 @@ class Extremal:
 
     def _along(self, t, evaluate):
         """Evaluate a function of (flow, y) at times."""
-        times = np.atleast_1d(np.asarray(t, dtype=float))
-        if times.ndim != 1:
-            raise ValueError(
-                f"t: expected a number or a one-dimensional array, got shape {times.shape}"
-            )
-        slack = 1e-9 * (1 + self.duration)
-        if not np.all((times >= -slack) & (times <= self.duration + slack)):
-            raise ValueError(f"t: expected times between 0 and the duration {self.duration:.6g}")
-        times = np.clip(times, 0, self.duration)
+        times = self._times(t)
         begins = np.concatenate([[0.0], np.cumsum(self._shot.lengths)[:-1]])
         segment = np.searchsorted(begins, times, side="right") - 1
         result = None
@@ -281,6 +273,18 @@ class Extremal:
             result = np.empty((len(value), len(times))) if result is None else result
             result[:, mask] = value
         return result[:, 0] if np.ndim(t) == 0 else result
+
+    def _times(self, t):
+        """Return times as an array, (N,). Raises ValueError for others than the process has."""
+        times = np.atleast_1d(np.asarray(t, dtype=float))
+        if times.ndim != 1:
+            raise ValueError(
+                f"t: expected a number or a one-dimensional array, got shape {times.shape}"
+            )
+        slack = 1e-9 * self.duration
+        if not np.all((times >= -slack) & (times <= self.duration + slack)):
+            raise ValueError(f"t: expected times between 0 and the duration {self.duration:.6g}")
+        return np.clip(times, 0, self.duration)
 
     def __repr__(self):
         shown = ", ".join(f"{kind} [{begin:.6g}, {end:.6g}]" for kind, begin, end in self.arcs)

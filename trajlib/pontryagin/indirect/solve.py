@@ -1,9 +1,9 @@
 """From a problem to an extremal: reformulate, solve, restore.
 
-A problem with |u| in its cost or with large states is solved in another form (`l1_control`,
-`state_scaling`), and its extremal restored. Between them: discrete solutions (`direct.multistart`),
-their arcs (`structure`), and Newton's method for the boundary value problem over these arcs
-(`refinement`, `shooting`, `flow`).
+A problem with |u| in its cost is solved in another form (`l1_control`), a linear plant with a
+quadratic cost by one linear solve (`linear_quadratic`), and all others in natural units
+(`problem.scaling`): discrete solutions (`direct.multistart`), their arcs (`structure`), and Newton's
+method for the boundary value problem over these arcs (`refinement`, `shooting`, `flow`).
 """
 
 from collections.abc import Sequence
@@ -15,21 +15,23 @@ from trajlib.pontryagin.direct.free_duration import (
     fixed_duration,
     refuse_falling_cost,
     refuse_unbounded_duration,
-    user_cost,
 )
-from trajlib.pontryagin.direct.guesses import read_guess
+from trajlib.pontryagin.direct.guesses import read_guess, refuse_start_on_target
+from trajlib.pontryagin.direct.infeasibility import refuse_infeasible
 from trajlib.pontryagin.direct.multistart import SearchResult, search
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
 from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
 from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
 from trajlib.pontryagin.indirect.l1_control import split_l1_controls
+from trajlib.pontryagin.indirect.linear_quadratic import solve_linear_quadratic
 from trajlib.pontryagin.indirect.refinement import refine
-from trajlib.pontryagin.indirect.state_scaling import scale_large_states
+from trajlib.pontryagin.indirect.scaled_extremal import restore_units, scaled_guess
 from trajlib.pontryagin.indirect.structure import candidate_structures, detect_arcs, read_structure
 from trajlib.pontryagin.problem.arcs import Arc, arc_name
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.scaling import natural_units
 from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
 
@@ -89,24 +91,27 @@ def solve(
     >>> turnpike.solve()
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
-    reformulations = []
-    for reformulate in (split_l1_controls, scale_large_states):
-        step = reformulate(problem)
-        if step is not None:
-            structure, guess = step.structure(structure), step.guess(guess)
-            problem = step.problem
-            reformulations.append(step)
-    extremal = _solved(problem, structure, guess)
-    for step in reversed(reformulations):
-        extremal = step.restore(extremal)
-    return extremal
-
-
-def _solved(problem, structure, guess):
-    """Return an extremal of a problem that is smooth in its controls and well scaled."""
+    split = split_l1_controls(problem)
+    if split is not None:
+        return split.restore(solve(split.problem, split.structure(structure), split.guess(guess)))
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
-    refinement = _Refinement(numeric, search(numeric, read_guess(numeric, guess), kinds))
+    start = read_guess(numeric, guess)
+    refuse_start_on_target(numeric)
+    refuse_infeasible(numeric)
+    extremal = solve_linear_quadratic(numeric) if kinds is None else None
+    if extremal is not None:
+        return extremal
+    scaling = natural_units(problem)
+    if scaling is None:
+        return _refined(numeric, kinds, start)
+    inner = NumericProblem(scaling.problem, scaling)
+    return restore_units(scaling, _refined(inner, kinds, scaled_guess(scaling, start)))
+
+
+def _refined(numeric, kinds, guess):
+    """Return an extremal of a problem in natural units, found by search and refinement."""
+    refinement = _Refinement(numeric, search(numeric, guess, kinds))
     return refinement.best_extremal() if kinds is None else refinement.with_structure(kinds)
 
 
@@ -149,7 +154,7 @@ class _Refinement:
         if fixed_duration(numeric, solution) is None:
             finer = finer_solution(numeric, solution, side, 4) or solution
             refuse_unbounded_duration(numeric, finer, side)
-        raise self._error(user_cost(numeric, solution.cost))
+        raise self._error(numeric.user_cost(solution.cost))
 
     def _extremal(self, solution, arcs, duration, keep_structure=False):
         shot = refine(self.numeric, solution, arcs, duration, self.flow_cache, keep_structure)

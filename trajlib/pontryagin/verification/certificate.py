@@ -4,7 +4,8 @@ State, costate and control are functions of time here, wherever they come from. 
 differential equations are tested in integral form, y(b) - y(a) against the integral of the
 right-hand side over panels [a, b] by Gaussian quadrature, so that nothing is shared with a solver:
 neither its grid, nor its integrator, nor its derivatives (SymPy and NumPy here). All residuals are
-relative: to 1 + the largest state, costate or Hamiltonian that occurs.
+relative: to 1 + the largest state, costate or Hamiltonian that occurs, in units in which these are
+about 1 in size (`problem.scaling`), so that they do not depend on the user's units.
 """
 
 from collections.abc import Callable, Sequence
@@ -12,13 +13,16 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from trajlib.pontryagin.problem.scaling import units_of_process
 from trajlib.pontryagin.problem.statement import Statement
-from trajlib.pontryagin.verification.residuals import TrajectoryResiduals
+from trajlib.pontryagin.verification.residuals import TrajectoryResiduals, sampled
 
 # Panels on an arc, more and more until the integrals agree with the trajectory to within
 # INTEGRATED: a rapid turn needs many. A remaining defect is one of the trajectory, not of the
 # quadrature.
 PANELS, INTEGRATED = (12, 48, 192), 1e-11
+# Times at which the sizes of the values are taken.
+SAMPLES = 65
 
 
 @dataclass(frozen=True)
@@ -184,6 +188,9 @@ def certify(
     >>> certify(fall, lambda t: [2 - t], lambda t: [0*t + 1], lambda t: [0*t - 1], duration=2).failures()
     ['maximum', 'stationarity']
     """
+    problem, (state, costate, control), duration, switching_times = _in_own_units(
+        problem, (state, costate, control), duration, switching_times, multiplier
+    )
     for panels in PANELS if points is None else [points]:
         values = TrajectoryResiduals(
             problem, state, costate, control, duration, switching_times, multiplier, panels
@@ -214,4 +221,35 @@ def certify(
         multipliers=float(max(-multiplier, 0.0) if size > 1e-9 else 1.0),
         passage=values.passage(),
         kelley=values.kelley(arcs),
+    )
+
+
+def _in_own_units(problem, functions, duration, switching_times, multiplier):
+    """Return the same arguments in units in which the values of the process are about 1.
+
+    `functions`: state, costate and control.
+    """
+    if problem.parameters:
+        raise ValueError(f"certify: no value for {', '.join(map(str, problem.parameters))}")
+    times, n = np.linspace(0, float(duration), SAMPLES), len(problem.state)
+    sizes = (n, n, len(problem.control))
+    values = (
+        sampled(function, times, rows, name)
+        for function, rows, name in zip(functions, sizes, ("state", "costate", "control"))
+    )
+    scaling = units_of_process(problem, *values, float(duration), float(multiplier))
+    if scaling is None:
+        return problem, functions, duration, switching_times
+    time = float(scaling.time)
+
+    def scaled(function, units):
+        units = np.array([[float(unit)] for unit in units])
+        return lambda t: np.asarray(function(np.minimum(time * t, duration)), float) / units
+
+    units = (scaling.states, [scaling.cost / s for s in scaling.states], scaling.controls)
+    return (
+        scaling.problem,
+        tuple(map(scaled, functions, units)),
+        duration / time,
+        [t / time for t in switching_times],
     )
