@@ -13,7 +13,7 @@ CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs serve test test-quick test-problem clean
+.PHONY: help book book-student outputs serve test test-quick test-problem test-units clean
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -64,6 +64,9 @@ test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.3
 
 test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of all problems, and what waits or is slow
 	$(PYTEST) -n logical -m "not waits and not slow and not site"
+
+test-units: $(INSTALLED)  ## all problems of optimal control in other units and from other origins
+	$(PYTEST) -n $(CORES) -m slow tests/library/test_pontryagin_units.py
 
 clean:  ## remove everything built, but not the environment
 	rm -rf _build conf.py

@@ -9,6 +9,7 @@ import sympy as sp
 
 from trajlib.pontryagin import Infeasible, Problem
 
+pytestmark = pytest.mark.slow
 R = sp.Rational
 x, y, z, u, v, s = sp.symbols("x y z u v s")
 

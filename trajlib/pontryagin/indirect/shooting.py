@@ -331,7 +331,8 @@ def _shortened(equations, z, r, step, shortest):
     lengths, change = z[equations.lengths], step[equations.lengths]
     shrinking = change < 0
     # An arc loses at most nine tenths of its length in one step.
-    alpha = min(1.0, 0.9 * np.min(-lengths[shrinking] / change[shrinking], initial=np.inf))
+    with np.errstate(over="ignore"):
+        alpha = min(1.0, 0.9 * np.min(-lengths[shrinking] / change[shrinking], initial=np.inf))
     while alpha > shortest:
         trial = z + alpha * step
         r_trial, J_trial = equations.residual(trial)

@@ -4,9 +4,10 @@ With psi = (c/s) Psi the conditions of the maximum principle keep their form and
 
     Y' = (tau/s) f,   f_0' = (tau/c) f_0,   phi_0' = (phi_0 - J_0)/c,   H = (c/tau) H',
 
-so that one extremal belongs to both. Units are powers of two, which change no digit (a cost that is
-a multiple of the time becomes the time). A constant in phi_0, and one in f_0 where the duration is
-given, changes no process and is left out (J_0).
+so that one extremal belongs to both. Units are powers of two, which change no digit, but for angles,
+which are in radians, and for a cost that is a multiple of the time, which becomes the time. A
+constant in phi_0, and one in f_0 where the duration is given, changes no process and is left out
+(J_0).
 
 `natural_units` finds units from the statement alone. In them the terms of all equations are about 1
 in size; the logarithms of the units solve linear equations, log(coefficient) + sum of log(units) =
@@ -105,6 +106,8 @@ def _natural_units(problem):
     if max(map(abs, logs)) <= WIDE:
         logs = [0.0] * len(logs)
     units = [_power_of_two(value) for value in logs]
+    for i, u in enumerate(problem.control, len(problem.state)):
+        units[i] = _angle_unit(problem, u) or units[i]
     running, final = _without_constant(problem)
     # The time itself, up to a factor.
     if problem.free_time and final == 0 and running.is_positive:
@@ -113,6 +116,18 @@ def _natural_units(problem):
         return None
     n = len(problem.state)
     return Scaling(problem, tuple(units[:n]), tuple(units[n:-2]), units[-2], units[-1])
+
+
+def _angle_unit(problem, u):
+    """Return the unit of an angle that makes its factors in sines and cosines integers, or None."""
+    if problem.controls[u] != (-sp.oo, sp.oo):
+        return None
+    waves = set().union(*(e.atoms(sp.sin, sp.cos) for e in (*problem.field, problem.running)))
+    factors = {abs(sp.diff(wave.args[0], u)) for wave in waves} - {sp.Integer(0)}
+    if not factors or any(factor.free_symbols for factor in factors):
+        return None
+    least = min(factors)
+    return 1 / least if all((factor / least).is_Integer for factor in factors) else None
 
 
 def units_of_process(
@@ -143,10 +158,10 @@ def units_of_process(
         *(_log(np.max(np.abs(row))) + logs[y] for y, row in zip(problem.state, costates)),
         _log(multiplier) + largest_term(running, logs) + time,
         _log(multiplier) + largest_term(final, logs),
-        natural[_COST] - SMALL,
+        _log(multiplier) + natural[_COST] - SMALL,
     )
     units = [*(logs[symbol] for symbol in symbols), time, cost]
-    if max(map(abs, units)) <= WIDE:
+    if max(abs(unit) for unit in units if np.isfinite(unit)) <= WIDE:
         return None
     n, rounded = len(problem.state), [_power_of_two(unit) for unit in units]
     return Scaling(problem, tuple(rounded[:n]), tuple(rounded[n:-2]), rounded[-2], rounded[-1])
@@ -278,4 +293,4 @@ def _log(value):
 
 
 def _power_of_two(log):
-    return sp.Integer(2) ** int(np.clip(round(log), -LARGEST, LARGEST))
+    return sp.Integer(2) ** round(float(np.clip(log, -LARGEST, LARGEST)))

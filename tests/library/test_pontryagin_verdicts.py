@@ -1,0 +1,43 @@
+"""What is said of problems without a solution, or with more than one, before and after the search."""
+
+import time
+
+import pytest
+import sympy as sp
+
+from trajlib.pontryagin import Infeasible, Problem
+
+R = sp.Rational
+x, y, z, u = sp.symbols("x y z u")
+TWINS, FREE, ONE = {x: -x + u, y: -y + u}, {u: None}, {u: (-1, 1)}
+START = {x: 1, y: R(1, 2)}
+
+
+@pytest.mark.parametrize(
+    "problem, message",
+    [
+        (Problem(TWINS, ONE, START, [x, y]), r"x - y = exp\(-t\)/2 whatever .* asks for 0, which it never"),
+        (Problem(TWINS, FREE, START, [x, y], running=1 + u**2), "an uncontrollable mode .* -1"),
+        (Problem(TWINS, FREE, START, [x, y], running=u**2, duration=1), "does not depend on the c"),
+        (Problem(TWINS, ONE, START, [x - y - R(1, 4), y], duration=(1, 2)), "at t = 0.693147 only"),
+        (
+            Problem({**TWINS, z: -2 * z}, ONE, {**START, z: 1}, [x - R(1, 4), y, z - R(1, 2)]),
+            "at the times 0.693147 and 0.346574",
+        ),
+        (Problem({x: y, y: u, z: 2}, ONE, {x: 1, y: 0, z: 0}, [x, y, z + 1]), r"z (= 2\*t|begins)"),
+        # The limit of x' = -x + u with |u| <= 1, for the units of the user as well.
+        (Problem({x: -x + u}, ONE, {x: 0}, [x - 1]), "remains below 1"),
+        (Problem({x: -x + u}, {u: (-R(1, 10**9), R(1, 10**9))}, {x: 0}, [x - R(2, 10**9)]), "below"),
+    ],
+)  # fmt: skip
+def test_uncontrollable_modes_are_infeasible(problem, message):
+    begin = time.process_time()
+    with pytest.raises(Infeasible, match=message):
+        problem.solve()
+    assert time.process_time() - begin < 2
+
+
+def test_modes_that_reach_the_target():
+    """The mode x - y is zero at both ends."""
+    extremal = Problem(TWINS, ONE, {x: 1, y: 1}, [x, y]).solve()
+    assert extremal.duration == pytest.approx(float(sp.log(2)), rel=1e-12)
