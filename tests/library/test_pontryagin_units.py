@@ -96,8 +96,8 @@ def validate(name, numbers):
 
 
 ALL = list(itertools.product(PROBLEMS, NUMBERS))
-# Each problem in one kind of numbers, each kind for every ninth problem.
-SAMPLE = [(name, kind) for name, kind in zip(PROBLEMS, itertools.cycle(NUMBERS))]
+# Every second problem in one kind of numbers, each kind for every ninth of them.
+SAMPLE = list(zip(list(PROBLEMS)[::2], itertools.cycle(NUMBERS)))
 
 
 @pytest.mark.parametrize("name, kind", SAMPLE)

@@ -2,13 +2,16 @@
 
 import time
 
+import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.pontryagin import Infeasible, Problem
+from trajlib.pontryagin import Infeasible, PontryaginError, Problem
+from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
+from trajlib.pontryagin.problem.numeric import NumericProblem
 
 R = sp.Rational
-x, y, z, u = sp.symbols("x y z u")
+x, y, z, u, v = sp.symbols("x y z u v")
 TWINS, FREE, ONE = {x: -x + u, y: -y + u}, {u: None}, {u: (-1, 1)}
 START = {x: 1, y: R(1, 2)}
 
@@ -41,3 +44,28 @@ def test_modes_that_reach_the_target():
     """The mode x - y is zero at both ends."""
     extremal = Problem(TWINS, ONE, {x: 1, y: 1}, [x, y]).solve()
     assert extremal.duration == pytest.approx(float(sp.log(2)), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        Problem({x: u}, ONE, {x: 1}, [x**2]),
+        Problem({x: u}, FREE, {x: 1}, [x**2], running=u**2, duration=1),
+        Problem({x: u}, ONE, {x: 10**6}, [x**4]),
+        Problem({x: u, y: v}, {**ONE, v: (-1, 1)}, START, [x**2 + y**2], running=1 + u**2 + v**2),
+        # The equation holds to 1e-17 at a distance of 3e-9.
+        Problem({x: u}, ONE, {x: 1}, [sp.cos(x) - 1]),
+    ],
+    ids=lambda problem: str(problem.terminal[0]),
+)
+def test_degenerate_targets_are_named(problem):
+    with pytest.raises(PontryaginError, match="gradient of .* vanishes on the target"):
+        problem.solve()
+
+
+@pytest.mark.parametrize("start", [2, 10**4, 1e-6])
+def test_targets_with_a_normal_are_not_refused(start):
+    """A path along the axis to the unit circle, from near and far."""
+    circle = Problem({x: u, y: v}, {**ONE, v: (-1, 1)}, {x: start, y: 0}, [x**2 + y**2 - 1])
+    path = np.stack([np.linspace(start, 1, 50), np.zeros(50)], axis=1)
+    refuse_degenerate_target(NumericProblem(circle), path)

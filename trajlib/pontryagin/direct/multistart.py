@@ -6,6 +6,7 @@ from itertools import zip_longest
 
 import numpy as np
 
+from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.direct.descent import descend
 from trajlib.pontryagin.direct.free_duration import FALLS, least_time
 from trajlib.pontryagin.direct.guesses import (
@@ -286,6 +287,7 @@ class _Multistart:
             if 1e-4 < self.closest < np.inf
             else ""
         )
+        refuse_degenerate_target(numeric, next(iter(starting_guesses(numeric, INTERVALS)))[1])
         if distance_text and not arcs:
             self._refuse_separated(distance_text)
         status = f", last status: {self.failures[-1].status}" if self.failures else ""

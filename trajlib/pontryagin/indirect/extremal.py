@@ -1,6 +1,6 @@
 """Extremals of a problem: evaluated at any time, certified, shown."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, overload
 
@@ -165,15 +165,16 @@ class Extremal:
         Returns
         -------
         Certificate or Proof
-            The residuals of all conditions; with `proved` the proof, or the reason why there is
-            none.
+            The residuals of all conditions and what is known beyond them; with `proved` the proof,
+            or the reason why there is none.
         """
         if proved:
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
-        return self._certificate if points is None else self._certificate_at(points)
+        residuals = self._residuals if points is None else self._certificate_at(points)
+        return replace(residuals, optimality=self.optimality)
 
     @cached_property
-    def _certificate(self):
+    def _residuals(self):
         return self._certificate_at(None)
 
     def _certificate_at(self, points):
@@ -288,7 +289,8 @@ class Extremal:
 
     def __repr__(self):
         shown = ", ".join(f"{kind} [{begin:.6g}, {end:.6g}]" for kind, begin, end in self.arcs)
-        return f"Extremal(cost={self.cost:.12g}, duration={self.duration:.12g}, arcs: {shown})"
+        evidence = "" if self.optimality.proved else f", {self.optimality.summary}"
+        return f"Extremal(cost={self.cost:.12g}, duration={self.duration:.12g}, arcs: {shown}{evidence})"
 
     def _repr_markdown_(self):
         rows = "".join(

@@ -10,6 +10,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
 from trajlib.pontryagin.direct.free_duration import (
     fixed_duration,
@@ -126,6 +127,7 @@ class _Refinement:
     def with_structure(self, kinds):
         """Return the extremal with given arcs. Raises `WrongStructure` if there is none."""
         solution, _ = self.search_result.solutions[0]
+        refuse_degenerate_target(self.numeric, solution.states)
         arcs = _arcs_of_structure(kinds, solution)
         duration = fixed_duration(self.numeric, solution)
         extremal = self._extremal(solution, arcs, duration, keep_structure=True)
@@ -137,6 +139,7 @@ class _Refinement:
     def best_extremal(self):
         """Return the best certified extremal, or raise the reason why there is none."""
         numeric, solutions = self.numeric, self.search_result.solutions
+        refuse_degenerate_target(numeric, solutions[0][0].states)
         refuse_falling_cost(numeric, self.search_result)
         for solution, side in solutions:
             extremal = self._certified(solution, side)
@@ -238,10 +241,9 @@ def _arcs_of_structure(kinds, solution):
 
 def _certificate_failure(extremal):
     """Return which conditions the extremal's certificate finds violated; "" if all hold."""
-    failures = extremal.certificate().failures()
+    failures, worst = extremal._residuals.failures(), extremal._residuals.worst
     if not failures:
         return ""
-    worst = extremal.certificate().worst
     return (
         f"the certificate of the arcs {', '.join(str(kind) for kind, _, _ in extremal.arcs)} fails "
         f"({', '.join(failures)}; {worst:.1e})"

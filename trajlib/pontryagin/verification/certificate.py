@@ -15,6 +15,7 @@ import numpy as np
 
 from trajlib.pontryagin.problem.scaling import units_of_process
 from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.verification.optimality import Optimality
 from trajlib.pontryagin.verification.residuals import TrajectoryResiduals, sampled
 
 # Panels on an arc, more and more until the integrals agree with the trajectory to within
@@ -54,6 +55,8 @@ class Certificate:
         How far the trajectory passes the target before the final time (with first_return), else 0.
     kelley : float or None
         Largest (-1)^q b on the singular arcs, not positive for a minimum; None without such arcs.
+    optimality : Optimality or None
+        What is known beyond these necessary conditions; None where the search is not known.
     """
 
     dynamics: float
@@ -69,11 +72,12 @@ class Certificate:
     multipliers: float
     passage: float
     kelley: float | None
+    optimality: Optimality | None = None
 
     @property
     def worst(self) -> float:
         """The largest of the residuals (Kelley's sign apart)."""
-        return max(getattr(self, f.name) for f in fields(self) if f.name != "kelley")
+        return max(getattr(self, name) for name in _RESIDUALS)
 
     def failures(self, tolerance: float = 1e-9) -> list[str]:
         """Return the names of the conditions that do not hold to within a tolerance.
@@ -88,11 +92,7 @@ class Certificate:
         list of str
             Names of attributes, empty if all conditions hold.
         """
-        names = [
-            f.name
-            for f in fields(self)
-            if f.name != "kelley" and not getattr(self, f.name) <= tolerance
-        ]
+        names = [name for name in _RESIDUALS if not getattr(self, name) <= tolerance]
         return names + ["kelley"] * (self.kelley is not None and not self.kelley <= tolerance)
 
     def holds(self, tolerance: float = 1e-9) -> bool:
@@ -128,7 +128,11 @@ class Certificate:
         rows = "".join(f"| {word} | {getattr(self, name):.1e} |\n" for name, word in words.items())
         if self.kelley is not None:
             rows += f"| Kelley: $(-1)^q b \\le 0$ | {self.kelley:.3g} |\n"
-        return f"| condition | residual |\n|---|---|\n{rows}"
+        statement = f"\n{str(self.optimality).capitalize()}.\n" if self.optimality else ""
+        return f"| condition | residual |\n|---|---|\n{rows}{statement}"
+
+
+_RESIDUALS = [f.name for f in fields(Certificate) if f.name not in ("kelley", "optimality")]
 
 
 def certify(

@@ -52,6 +52,15 @@ class Optimality:
         """Whether no process is better, by a theorem."""
         return self.kind == "proved"
 
+    @property
+    def summary(self) -> str:
+        """In a few words: proved optimal, or the kind and the best of how many starts."""
+        if self.proved:
+            return "proved optimal"
+        if self.starts == 1:
+            return f"{self.kind}, found from the start given"
+        return f"{self.kind}, best of {self.starts} starts"
+
     def __str__(self):
         if self.proved:
             return f"proved optimal: {self.reason}"
