@@ -69,3 +69,37 @@ def test_targets_with_a_normal_are_not_refused(start):
     circle = Problem({x: u, y: v}, {**ONE, v: (-1, 1)}, {x: start, y: 0}, [x**2 + y**2 - 1])
     path = np.stack([np.linspace(start, 1, 50), np.zeros(50)], axis=1)
     refuse_degenerate_target(NumericProblem(circle), path)
+
+
+# A shallow well near zero and a deep one far away.
+WELLS = Problem(
+    {x: u},
+    FREE,
+    {x: 0},
+    running=u**2 / 2,
+    final=-sp.exp(-((x + R(1, 2)) ** 2)) / 2 - 20 * sp.exp(-((x - 5) ** 2)),
+    duration=1,
+)
+
+
+def test_more_starts_find_a_better_process():
+    """The cost is s^2/2 + phi(s), s being the end: its least value on a fine grid."""
+    s = np.linspace(-2, 8, 1000001)
+    values = s**2 / 2 + sp.lambdify(x, WELLS.final)(s)
+    few, many = WELLS.solve(), WELLS.solve(starts=30)
+    assert many.cost == pytest.approx(np.min(values), abs=1e-9) and many.cost < few.cost - 7
+    assert many.optimality.starts == 30 and many.optimality.processes > 1
+    assert "locally minimal, best of 30 starts" in repr(many)
+    evidence = many.certificate()
+    assert evidence.holds() and evidence.optimality == many.optimality
+    assert "best of 2 found from 30 starts" in evidence._repr_markdown_()
+
+
+def test_time_limit():
+    begin = time.monotonic()
+    extremal = WELLS.solve(starts=10**9, time_limit=2)
+    assert time.monotonic() - begin < 20 and extremal.optimality.starts < 10**9
+    with pytest.raises(ValueError, match="time_limit: expected a positive"):
+        WELLS.solve(time_limit=0)
+    with pytest.raises(ValueError, match="starts: expected at least one"):
+        WELLS.solve(starts=0)

@@ -1,8 +1,9 @@
 """Discrete solutions from several starting guesses, or the reason why there is none."""
 
+import time
 from dataclasses import dataclass
 from functools import cache
-from itertools import zip_longest
+from itertools import islice, zip_longest
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from trajlib.pontryagin.direct.descent import descend
 from trajlib.pontryagin.direct.free_duration import FALLS, least_time
 from trajlib.pontryagin.direct.guesses import (
     oscillating_guesses,
+    random_guesses,
     starting_guesses,
     target_sides,
 )
@@ -58,14 +60,18 @@ class SearchResult:
     coarse_durations: list[float]
 
 
-def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
+def search(
+    numeric: NumericProblem, guess=None, structure=None, starts=None, time_limit=None
+) -> SearchResult:
     """Search for discrete solutions over the sides of the target.
 
     Where a theorem makes every extremal optimal one solution is enough, and so with a guess or
     given arcs. Otherwise guesses of several kinds are tried on few intervals, and the best
-    solutions are refined. Raises `PontryaginError` with the reason if there is none.
+    solutions are refined. `starts`: so many guesses on each side; by default until AGREEING in a
+    row lead to one process. `time_limit`: seconds after which no further guess is tried. Raises
+    `PontryaginError` with the reason if there is no solution.
     """
-    multistart = _Multistart(numeric, structure)
+    multistart = _Multistart(numeric, structure, starts, time_limit)
     single = guess is not None or structure is not None or sufficiency_theorem(numeric.problem)
     solutions = []
     for side in target_sides(numeric):
@@ -86,15 +92,15 @@ def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
 class _Multistart:
     """The guesses tried, the failures, and the least distance from the target."""
 
-    def __init__(self, numeric, structure):
-        self.numeric, self.structure = numeric, structure
+    def __init__(self, numeric, structure, count=None, time_limit=None):
+        self.numeric, self.structure, self.count = numeric, structure, count
+        self.deadline = time.monotonic() + (np.inf if time_limit is None else time_limit)
         self.failures, self.closest, self.starts, self.processes = [], np.inf, 0, 0
         self.nearest, self.convex = None, sufficiency_theorem(numeric.problem) is not None
         self.coarse_durations = []
 
     def solve(self, programme, start):
         """Return the solution found from a guess in a list; a failure is noted."""
-        self.starts += 1
         result = programme.solve(start)
         if isinstance(result, DirectSolution):
             return [result]
@@ -117,6 +123,7 @@ class _Multistart:
             else:
                 starts = []
             for start in starts:
+                self.starts += 1
                 solutions = self.solve(programme, start)
                 if solutions:
                     self.processes += 1
@@ -136,7 +143,7 @@ class _Multistart:
             coarse_solutions = self._distinct_solutions(fine, self._diverse_guesses(side))
             if not coarse_solutions and not ladder_tried and not self.divergence():
                 coarse_solutions = self._distinct_solutions(fine, self.process_to_target(side))
-        if point and len(coarse_solutions) > 1:
+        if point and len(coarse_solutions) > 1 and time.monotonic() < self.deadline:
             coarse_solutions = self._improved_by_oscillations(coarse, coarse_solutions)
         self.processes += len(coarse_solutions)
         fine_programme = Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
@@ -170,6 +177,9 @@ class _Multistart:
         """
         starts = list(starting_guesses(self.numeric, COARSE, side))
         oscillations = oscillating_guesses(self.numeric, COARSE, starts[0][0])
+        if self.count is not None:
+            yield from (*starts, *oscillations)
+            yield from random_guesses(self.numeric, COARSE, starts[0][0])
         yield from (
             start
             for pair in zip_longest(starts, oscillations)
@@ -183,13 +193,19 @@ class _Multistart:
                 yield from oscillating_guesses(self.numeric, COARSE, share * process[0])
 
     def _distinct_solutions(self, programme, starts):
-        """Return the different solutions, the best first; AGREEING equal ones in a row are enough."""
+        """Return the different solutions, the best first; AGREEING equal ones in a row are enough.
+
+        Where the number of starts is given, they are not.
+        """
         solutions, repeats = [], 0
-        for start in starts:
+        for start in islice(starts, self.count):
+            if time.monotonic() > self.deadline:
+                break
+            self.starts += 1
             for solution in self.solve(programme, start):
                 before, solutions = len(solutions), _distinct([*solutions, solution])
                 repeats = repeats + 1 if len(solutions) == before else 1
-            if repeats == AGREEING:
+            if repeats == AGREEING and self.count is None:
                 break
         return solutions
 
@@ -205,6 +221,7 @@ class _Multistart:
                 for sign in (1, -1)
                 for start in oscillating_guesses(self.numeric, COARSE, best.duration, sign)
             ]
+            self.starts += len(starts)
             candidates = [solution for start in starts for solution in self.solve(programme, start)]
             solutions = _distinct([*solutions, *candidates])
             if solutions[0].cost >= best.cost - FALLS * abs(best.cost):
@@ -272,6 +289,11 @@ class _Multistart:
     def raise_reason(self):
         """Raise the reason why no solution was found."""
         numeric, failure = self.numeric, self.divergence()
+        if time.monotonic() > self.deadline:
+            raise NotConverged(
+                f"no process that ends on the target was found within the time limit, from "
+                f"{self.starts} starts. Nothing is proved by that: allow more time, or give a guess."
+            )
         if failure:
             raise Unbounded(
                 f"the cost falls without bound (it passed {numeric.user_cost(failure.cost):.3g}): "

@@ -38,7 +38,11 @@ from trajlib.pontryagin.verification.second_variation import process_of_solution
 
 
 def solve(
-    problem: Statement, structure: Sequence | None = None, guess: Extremal | dict | None = None
+    problem: Statement,
+    structure: Sequence | None = None,
+    guess: Extremal | dict | None = None,
+    starts: int | None = None,
+    time_limit: float | None = None,
 ) -> Extremal:
     """Find an extremal of a problem; called as `problem.solve(...)`.
 
@@ -52,6 +56,12 @@ def solve(
     guess : Extremal or dict, optional
         An extremal of a similar problem, or {"duration": number, state or control: number, list of
         values at equal steps, or function of time}, any of them.
+    starts : int, optional
+        How many starting guesses to try, random ones after those that follow from the statement; by
+        default until three in a row lead to one process. Not used where a guess is given or where a
+        theorem makes every extremal optimal.
+    time_limit : float, optional
+        Seconds after which no further starting guess is tried.
 
     Returns
     -------
@@ -92,11 +102,14 @@ def solve(
     >>> turnpike.solve()
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
+    _check_effort(starts, time_limit)
     split = split_l1_controls(problem)
     if split is not None:
-        return split.restore(solve(split.problem, split.structure(structure), split.guess(guess)))
+        structure, guess = split.structure(structure), split.guess(guess)
+        return split.restore(solve(split.problem, structure, guess, starts, time_limit))
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
+    effort = {"starts": starts, "time_limit": time_limit}
     start = read_guess(numeric, guess)
     refuse_start_on_target(numeric)
     refuse_infeasible(numeric)
@@ -105,14 +118,24 @@ def solve(
         return extremal
     scaling = natural_units(problem)
     if scaling is None:
-        return _refined(numeric, kinds, start)
+        return _refined(numeric, kinds, start, effort)
     inner = NumericProblem(scaling.problem, scaling)
-    return restore_units(scaling, _refined(inner, kinds, scaled_guess(scaling, start)))
+    return restore_units(scaling, _refined(inner, kinds, scaled_guess(scaling, start), effort))
 
 
-def _refined(numeric, kinds, guess):
+def _check_effort(starts, time_limit):
+    """Raise TypeError or ValueError if `starts` is no count or `time_limit` no time."""
+    if starts is not None and (isinstance(starts, bool) or not isinstance(starts, int)):
+        raise TypeError(f"starts: expected a whole number, got {starts!r}")
+    if starts is not None and starts < 1:
+        raise ValueError(f"starts: expected at least one, got {starts}")
+    if time_limit is not None and not float(time_limit) > 0:
+        raise ValueError(f"time_limit: expected a positive number of seconds, got {time_limit}")
+
+
+def _refined(numeric, kinds, guess, effort):
     """Return an extremal of a problem in natural units, found by search and refinement."""
-    refinement = _Refinement(numeric, search(numeric, guess, kinds))
+    refinement = _Refinement(numeric, search(numeric, guess, kinds, **effort))
     return refinement.best_extremal() if kinds is None else refinement.with_structure(kinds)
 
 
