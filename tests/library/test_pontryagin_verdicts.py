@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.pontryagin import Infeasible, PontryaginError, Problem
+from trajlib.pontryagin import Infeasible, PontryaginError, Problem, Unbounded
 from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
@@ -103,3 +103,47 @@ def test_time_limit():
         WELLS.solve(time_limit=0)
     with pytest.raises(ValueError, match="starts: expected at least one"):
         WELLS.solve(starts=0)
+
+
+DOUBLE_WELL = 10 * (x**2 - 1) ** 2 + x
+
+
+@pytest.mark.parametrize("unit", [1, 1000, R(1, 1000)])
+@pytest.mark.parametrize("maximise", [False, True])
+def test_polynomial_terminal_cost_is_decided(unit, maximise):
+    """From the shallower well: V(s) = (s - 1)^2/2, and the sum on a fine grid."""
+    s, sign = np.linspace(-3, 3, 600001), -1 if maximise else 1
+    least = np.min((s - 1) ** 2 / 2 + 10 * (s**2 - 1) ** 2 + s)
+    extremal = Problem(
+        {x: u},
+        FREE,
+        {x: unit},
+        running=sign * u**2 / 2,
+        final=sign * unit**2 * DOUBLE_WELL.subs(x, x / unit),
+        duration=1,
+        maximise=maximise,
+    ).solve()
+    assert sign * extremal.cost == pytest.approx(float(least * unit**2), rel=1e-9)
+    assert extremal.optimality.proved and extremal.certificate().holds()
+
+
+def test_polynomial_of_one_of_two_states():
+    """The search finds no better process from a guess beside either well."""
+    problem = Problem(
+        {x: y, y: u},
+        FREE,
+        {x: 1, y: 0},
+        [y],
+        running=u**2 / 2 + x**2,
+        final=DOUBLE_WELL,
+        duration=1,
+    )
+    extremal = problem.solve()
+    costs = [problem.solve(guess={x: [1, end]}).cost for end in (-1, 1)]
+    assert extremal.optimality.proved
+    assert extremal.cost == pytest.approx(min(costs), rel=1e-10)
+
+
+def test_polynomial_that_falls_without_bound():
+    with pytest.raises(Unbounded, match="outweighs any running cost"):
+        Problem({x: u}, FREE, {x: 1}, running=u**2 / 2, final=-(x**4), duration=1).solve()

@@ -51,6 +51,7 @@ class Extremal:
     _shot: ShootingSolution
     _starts: int = 1
     _processes: int = 1
+    _proof: str | None = None
 
     @property
     def switching_times(self) -> tuple[float, ...]:
@@ -197,6 +198,8 @@ class Extremal:
         def optimality(kind, reason):
             return Optimality(kind, reason, self._starts, self._processes)
 
+        if self._proof:
+            return optimality("proved", self._proof)
         proof = relaxed_sufficiency_theorem(self.problem)
         if proof and (self.normal or not proof[1]):
             return optimality("proved", proof[0])

@@ -1,6 +1,6 @@
 """Extremals that were found in other units than the user's."""
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
@@ -45,7 +45,11 @@ class ScaledExtremal(Extremal):
     @property
     def optimality(self):
         """What is known of the extremal, as `Extremal.optimality`."""
-        return self.inner.optimality
+        return (
+            replace(self.inner, _proof=self._proof).optimality
+            if self._proof
+            else self.inner.optimality
+        )
 
     def _scaled(self, function, t, units):
         values = function(self._inner_times(t))

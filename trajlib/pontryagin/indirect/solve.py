@@ -26,6 +26,7 @@ from trajlib.pontryagin.indirect.chattering import refuse_chattering
 from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
 from trajlib.pontryagin.indirect.l1_control import split_l1_controls
 from trajlib.pontryagin.indirect.linear_quadratic import solve_linear_quadratic
+from trajlib.pontryagin.indirect.polynomial_end import solve_polynomial_end
 from trajlib.pontryagin.indirect.refinement import refine
 from trajlib.pontryagin.indirect.scaled_extremal import restore_units, scaled_guess
 from trajlib.pontryagin.indirect.structure import candidate_structures, detect_arcs, read_structure
@@ -114,6 +115,8 @@ def solve(
     refuse_start_on_target(numeric)
     refuse_infeasible(numeric)
     extremal = solve_linear_quadratic(numeric) if kinds is None else None
+    if extremal is None and kinds is None and guess is None:
+        extremal = solve_polynomial_end(problem)
     if extremal is not None:
         return extremal
     scaling = natural_units(problem)

@@ -102,7 +102,7 @@ def natural_units(problem: Statement) -> Scaling | None:
 
 
 def _natural_units(problem):
-    logs = [_sizes(problem)[name] for name in (*problem.state, *problem.control, _TIME, _COST)]
+    logs = [sizes(problem)[name] for name in (*problem.state, *problem.control, _TIME, _COST)]
     if max(map(abs, logs)) <= WIDE:
         logs = [0.0] * len(logs)
     units = [_power_of_two(value) for value in logs]
@@ -145,7 +145,7 @@ def units_of_process(
     products psi_i y_i and of the terms of lambda_0 J.
     """
     symbols, values = (*problem.state, *problem.control), (*states, *controls)
-    natural = _sizes(problem)
+    natural = sizes(problem)
     logs = {
         symbol: max(_log(np.max(np.abs(row))), natural[symbol] - SMALL)
         for symbol, row in zip(symbols, values)
@@ -183,7 +183,7 @@ def largest_term(e: sp.Expr, logs: dict) -> float:
     return largest_term(e.args[0], logs) if isinstance(e, sp.Abs) else 0.0
 
 
-def _sizes(problem):
+def sizes(problem: Statement) -> dict:
     """Return {symbol: log2 of its size} for all symbols, the time and the cost."""
     return problem.cached("sizes", lambda: _Equations(problem).solution())
 
