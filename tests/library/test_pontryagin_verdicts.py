@@ -147,3 +147,17 @@ def test_polynomial_of_one_of_two_states():
 def test_polynomial_that_falls_without_bound():
     with pytest.raises(Unbounded, match="outweighs any running cost"):
         Problem({x: u}, FREE, {x: 1}, running=u**2 / 2, final=-(x**4), duration=1).solve()
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        # The cost of u = h^(-1/3) during the time h is h^(1/3).
+        Problem({x: u**3}, FREE, {x: 0}, [x - 1], running=u**2, duration=1),
+        Problem({x: u}, FREE, {x: 1}, [x], running=x**2, duration=1),
+        Problem({x: y, y: u}, FREE, {x: 1, y: 0}, [x, y], running=x**2 + y**2, duration=1),
+    ],
+)
+def test_impulses_are_named(problem):
+    with pytest.raises(Unbounded, match="impulses seem to approach the infimum"):
+        problem.solve()

@@ -29,12 +29,12 @@ def refuse_uncontrollable_modes(numeric: NumericProblem, problem) -> None:
         start = (p * sp.Matrix([problem.initial[s] for s in problem.state]))[0]
         drift = (p * sp.Matrix(problem.field).subs(dict.fromkeys(problem.state, 0)))[0]
         drift = drift.subs(dict.fromkeys(problem.control, 0))
+        if mu * start + drift == 0:
+            continue  # a constant, which is judged at any time
         shift = drift / mu if mu != 0 else sp.Integer(0)
         law = (start + shift) * sp.exp(mu * t) - shift if mu != 0 else start + drift * t
         time = _time(float(start + shift), float(required + shift), float(mu), float(drift))
         text = f"{sp.sstr((p * y)[0])} = {sp.sstr(sp.nsimplify(sp.expand(law)))}"
-        if time is None:
-            continue
         if not numeric.shortest * (1 - MARGIN) <= time <= _longest(numeric):
             raise Infeasible(
                 f"no control leads to the target: {text} whatever the control (an uncontrollable "
@@ -85,16 +85,11 @@ def _prescribed_modes(problem):
 
 
 def _time(start, required, mu, drift):
-    """Return when l is as required; nan for never, None for at all times.
+    """Return when l is as required; nan for never.
 
     For mu other than zero `start` and `required` are those of l + drift/mu.
     """
-    size = MARGIN * max(abs(start), abs(required))
     if mu == 0:
-        if drift == 0:
-            return None if abs(required - start) <= size else np.nan
         return (required - start) / drift
-    if abs(start) <= size * MARGIN:
-        return None if abs(required) <= size else np.nan
     ratio = required / start
     return float(np.log(ratio) / mu) if ratio > 0 else np.nan

@@ -25,7 +25,8 @@ PROOF = "a linear plant, a convex quadratic running cost, and the least of all s
 def solve_polynomial_end(problem: Statement) -> Extremal | None:
     """Return the best extremal for a terminal cost of degree three or more in one state.
 
-    None for other problems, and where its certificate does not hold. Raises `Unbounded` if the cost falls without bound as that state grows.
+    None for other problems, and where its certificate does not hold. Raises `Unbounded` if the cost
+    falls without bound as that state grows.
     """
     if len(problem.final.free_symbols) != 1 or not problem.final.is_polynomial():
         return None

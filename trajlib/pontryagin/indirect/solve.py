@@ -18,6 +18,7 @@ from trajlib.pontryagin.direct.free_duration import (
     refuse_unbounded_duration,
 )
 from trajlib.pontryagin.direct.guesses import read_guess, refuse_start_on_target
+from trajlib.pontryagin.direct.impulses import refuse_impulses
 from trajlib.pontryagin.direct.infeasibility import refuse_infeasible
 from trajlib.pontryagin.direct.multistart import SearchResult, search
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
@@ -183,6 +184,7 @@ class _Refinement:
         if fixed_duration(numeric, solution) is None:
             finer = finer_solution(numeric, solution, side, 4) or solution
             refuse_unbounded_duration(numeric, finer, side)
+        refuse_impulses(numeric, solution, side)
         raise self._error(numeric.user_cost(solution.cost))
 
     def _extremal(self, solution, arcs, duration, keep_structure=False):
