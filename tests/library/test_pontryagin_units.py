@@ -14,8 +14,11 @@ from test_pontryagin_book_problems import BOOK_PROBLEMS
 from test_pontryagin_extremals import FIGURES, RECORDS
 from test_pontryagin_literature import CASES
 
+from trajlib.pontryagin import Problem
+
 pytestmark = pytest.mark.slow
 R = sp.Rational
+x, v, u = sp.symbols("x v u")
 PROBLEMS = {
     **{name: (case.problem, 1e-10) for name, case in CASES.items()},
     **{name: (record.problem, FIGURES.get(name, 1e-11)) for name, record in RECORDS.items()},
@@ -109,3 +112,21 @@ def test_same_digits_in_other_numbers(name, kind):
 @pytest.mark.parametrize("name, kind", sorted(set(ALL) - set(SAMPLE)))
 def test_same_digits_in_all_numbers(name, kind):
     validate(name, NUMBERS[kind])
+
+
+@pytest.mark.parametrize("power", range(-9, 10, 3))
+def test_size_of_the_cost(power):
+    """x' = u from 1/2 to zero, J = s int x^2."""
+    extremal = Problem(
+        {x: u}, {u: (-1, 1)}, {x: R(1, 2)}, running=R(10) ** power * x**2, duration=1
+    ).solve()
+    assert extremal.cost == pytest.approx(10.0**power / 24, rel=1e-13)
+    assert extremal.switching_times == pytest.approx([0.5], rel=1e-9)
+    assert extremal.optimality.proved and extremal.certificate().holds(1e-11)
+
+
+@pytest.mark.parametrize("distance", [R(1, 10**9), R(1, 10**6), 10**6, 10**9])
+def test_carriage_from_rest_to_rest(distance):
+    extremal = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 0, v: 0}, [x - distance, v]).solve()
+    assert extremal.duration == pytest.approx(2 * float(distance) ** 0.5, rel=1e-13)
+    assert extremal.optimality.proved and extremal.certificate().holds(1e-11)
