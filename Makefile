@@ -15,7 +15,7 @@ CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs page serve test test-quick test-page test-problem clean
+.PHONY: help book book-student outputs page serve test test-quick test-page test-problem test-units clean
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -73,6 +73,9 @@ test-page: $(INSTALLED)  ## judge all masters and trials by the Python of the pa
 
 test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of all problems, and what waits or is slow
 	$(PYTEST) -n logical -m "not waits and not slow and not site"
+
+test-units: $(INSTALLED)  ## all problems of optimal control in other units and from other origins
+	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n $(CORES) tests/library/test_pontryagin_units.py
 
 clean:  ## remove everything built, but not the environment
 	rm -rf _build conf.py

@@ -76,10 +76,10 @@ def euler_equation(functional) -> sp.Eq:
     >>> euler_equation(Functional(x(t).diff(t)**2, x(t), (t, 0, 1), start=[0], end=[1]))
     Eq(-2*Derivative(x(t), (t, 2)), 0)
     """
-    left = (
+    left_side = (
         _slope(functional, functional.motion) - momenta(functional)[0].diff(functional.time).doit()
     )
-    return sp.Eq(sp.expand(left), 0)
+    return sp.Eq(sp.expand(left_side), 0)
 
 
 def natural_conditions(functional) -> list[sp.Eq]:

@@ -76,7 +76,11 @@ class Problem(Statement):
         return conditions(self)
 
     def solve(
-        self, structure: Sequence | None = None, guess: "Extremal | dict | None" = None
+        self,
+        structure: Sequence | None = None,
+        guess: "Extremal | dict | None" = None,
+        starts: int | None = None,
+        time_limit: float | None = None,
     ) -> "Extremal":
         """Find an extremal of the problem with its arcs and switching times.
 
@@ -88,6 +92,10 @@ class Problem(Statement):
         guess : Extremal or dict, optional
             Where the search begins: an extremal of a similar problem, or values for "duration",
             states and controls.
+        starts : int, optional
+            How many starting guesses to try; by default until three in a row agree.
+        time_limit : float, optional
+            Seconds after which no further starting guess is tried.
 
         Returns
         -------
@@ -106,7 +114,7 @@ class Problem(Statement):
         # CasADi is loaded with it, which takes half a second.
         from trajlib.pontryagin.indirect.solve import solve
 
-        return solve(self, structure, guess)
+        return solve(self, structure, guess, starts, time_limit)
 
     def _repr_markdown_(self):
         return problem_markdown(self)

@@ -31,14 +31,14 @@ def fixed_duration(numeric: NumericProblem, solution: DirectSolution) -> float |
     T, low, high = solution.duration, numeric.shortest, numeric.longest
     if T <= 1.5 * low and not numeric.time_bounds_given:
         raise Unbounded(
-            f"the best duration tends to zero (it ran into {low:g}): the infimum "
-            f"{user_cost(numeric, solution.cost)} is approached by ever shorter processes and not "
+            f"the best duration tends to zero (it ran into {numeric.user_time(low):g}): the infimum "
+            f"{numeric.user_cost(solution.cost)} is approached by ever shorter processes and not "
             "attained. Bound the controls, or give a duration; if processes as short as that are "
             "meant, choose a smaller unit of time."
         )
     if T >= high * (1 - 1e-6) and not numeric.time_bounds_given:
         raise Unbounded(
-            f"the best duration grows beyond every bound (it ran into {high:g}): there is no best "
+            f"the best duration grows beyond every bound (it ran into {numeric.user_time(high):g}): there is no best "
             "process. Give a duration, or bounds for it; for a process that ends when it first "
             "meets the target, state it with first_return=True."
         )
@@ -104,20 +104,22 @@ def refuse_unbounded_duration(numeric, solution, side):
     if len(costs) < 2:
         return
     if costs[-1] - costs[0] <= 1e-6 * abs(costs[0]):
-        times = " and ".join(f"{duration:.3g}" for duration in durations[:2][::-1])
+        times = " and ".join(
+            f"{numeric.user_time(duration):.3g}" for duration in durations[:2][::-1]
+        )
         raise NotUnique(
             f"the best duration is left open: processes that last {times} cost the same, about "
-            f"{user_cost(numeric, costs[0]):.7g}, so that many may be equally good. Give a duration, "
+            f"{numeric.user_cost(costs[0]):.7g}, so that many may be equally good. Give a duration, "
             "or the time a small cost."
         )
     values = ", ".join(
-        f"{user_cost(numeric, cost):.7g} for {duration:.3g}"
+        f"{numeric.user_cost(cost):.7g} for {numeric.user_time(duration):.3g}"
         for duration, cost in zip(durations[::-1], costs[::-1])
     )
     raise Unbounded(
         "no best duration was found: the cost keeps "
         f"{'rising' if numeric.problem.maximise else 'falling'} with the duration ({values}), "
-        f"towards about {user_cost(numeric, costs[0]):.7g}. It seems that this value is approached as "
+        f"towards about {numeric.user_cost(costs[0]):.7g}. It seems that this value is approached as "
         "the duration grows, and not attained. Give a duration."
     )
 
@@ -130,8 +132,3 @@ def least_time(numeric: NumericProblem) -> float | None:
     programme = Transcription(fastest, INTERVALS)
     results = (programme.solve(start) for start in starting_guesses(fastest, INTERVALS))
     return next((result.duration for result in results if isinstance(result, DirectSolution)), None)
-
-
-def user_cost(numeric, value):
-    """Return a cost with the sign that it has in the statement."""
-    return -value if numeric.problem.maximise else value

@@ -64,6 +64,27 @@ def oscillating_guesses(numeric, intervals, duration, sign=1):
     return result
 
 
+def random_guesses(numeric, intervals, duration):
+    """Yield guesses without end, from random controls that change slowly (always the same ones).
+
+    Controls between bounds reach them; the sizes of the others differ by a factor of thousand.
+    """
+    random, inside = np.random.default_rng(0), (np.arange(intervals) + 0.5) / intervals
+    bounded = np.isfinite(numeric.upper - numeric.lower)
+    start = np.nan_to_num(numeric.start)
+    while True:
+        waves = np.cos(np.pi * np.arange(4)[:, None] * inside) / (1 + np.arange(4)[:, None])
+        shapes = random.standard_normal((numeric.k, 4)) @ waves
+        sizes = np.where(bounded, (numeric.upper - numeric.lower) / 2, 10 ** random.uniform(-1, 2))
+        controls = np.clip(numeric.middle() + sizes * shapes.T, numeric.lower, numeric.upper)
+        length = duration if numeric.duration else duration * 2 ** random.uniform(-2, 2)
+        length = np.clip(length, numeric.shortest, numeric.longest)
+        path, _ = runge_kutta(numeric).mapaccum(intervals)(start, controls.T, length / intervals)
+        states = np.vstack([start, path.full().T])
+        if np.all(np.abs(np.nan_to_num(states, nan=np.inf)) < 1e6):
+            yield length, states, controls
+
+
 def target_sides(numeric):
     """Return the possible sides of the target before its end: [1], [-1], both, or [None].
 

@@ -16,6 +16,7 @@ Contradictory linear terminal equations are refused too. Angles count as vectors
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.direct.uncontrollable_modes import refuse_uncontrollable_modes
 from trajlib.pontryagin.problem.errors import Infeasible
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
@@ -38,8 +39,12 @@ def refuse_infeasible(numeric: NumericProblem) -> None:
             continue
         value, required = float(p @ numeric.start), float(weights @ d)
         least, greatest = _range(value, mu, drift, gains, numeric)
-        size = MARGIN * (1 + abs(value) + abs(required))
-        if required < least - size or required > greatest + size:
+        size = MARGIN * float(np.abs(p) @ np.abs(numeric.start) + np.abs(weights) @ np.abs(d))
+        # Without a bound of the time a stable quantity approaches its limit and does not reach it.
+        asymptotic = mu < 0 and numeric.duration is None and not numeric.time_bounds_given
+        below = required < least - size or (asymptotic and required <= least < value)
+        above = required > greatest + size or (asymptotic and required >= greatest > value)
+        if below or above:
             quantity = sum(
                 (
                     sp.Rational(repr(float(c))).limit_denominator(10**6) * y
@@ -48,8 +53,12 @@ def refuse_infeasible(numeric: NumericProblem) -> None:
                 sp.Integer(0),
             )
             limit = (
-                f"cannot fall below {least:.6g}"
-                if required < least
+                f"remains above {least:.6g}"
+                if asymptotic and below
+                else f"remains below {greatest:.6g}"
+                if asymptotic
+                else f"cannot fall below {least:.6g}"
+                if below
                 else f"cannot exceed {greatest:.6g}"
             )
             when = "" if numeric.duration is None else f" at the time {numeric.duration:.6g}"
@@ -64,7 +73,7 @@ def refuse_infeasible(numeric: NumericProblem) -> None:
 def _refuse_contradiction(G, d):
     """Raise `Infeasible` if G y = d for no y."""
     nearest, *_ = np.linalg.lstsq(G, d, rcond=None)
-    if np.max(np.abs(G @ nearest - d)) > MARGIN * (1 + np.max(np.abs(d))):
+    if np.max(np.abs(G @ nearest - d)) > MARGIN * np.max(np.abs(d)):
         raise Infeasible(
             "the terminal equations contradict one another: no state satisfies all of them. Leave "
             "out what is not asked for."
@@ -77,6 +86,8 @@ def _refuse_unmoved(numeric):
     plant = _linear_plant(problem)
     if plant is None:
         return
+    if numeric.duration is None:
+        refuse_uncontrollable_modes(numeric, problem)
     A, _B, c = plant
     state, n = sp.Matrix(problem.state), numeric.n
     G = sp.Matrix(problem.terminal).jacobian(problem.state)
@@ -96,7 +107,9 @@ def _refuse_unmoved(numeric):
             value = float(p @ numeric.start)
         else:
             value = float(p @ _free_motion(A, c, numeric.start, duration))
-        if abs(value - required) > MARGIN * (1 + abs(value) + abs(required)):
+        if abs(value - required) > MARGIN * (
+            np.abs(p) @ np.abs(numeric.start) + abs(value) + abs(required)
+        ):
             when = "at all times" if duration is None else f"at the time {duration:.6g}"
             raise Infeasible(
                 f"no control leads to the target: {sp.sstr((row * state)[0])} does not depend on "

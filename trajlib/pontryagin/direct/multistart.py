@@ -1,19 +1,22 @@
 """Discrete solutions from several starting guesses, or the reason why there is none."""
 
+import time
 from dataclasses import dataclass
-from itertools import zip_longest
+from functools import cache
+from itertools import islice, zip_longest
 
 import numpy as np
 
+from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.direct.descent import descend
-from trajlib.pontryagin.direct.free_duration import FALLS, least_time, user_cost
+from trajlib.pontryagin.direct.free_duration import FALLS, least_time
 from trajlib.pontryagin.direct.guesses import (
     oscillating_guesses,
-    refuse_start_on_target,
+    random_guesses,
     starting_guesses,
     target_sides,
 )
-from trajlib.pontryagin.direct.infeasibility import is_separated, refuse_infeasible
+from trajlib.pontryagin.direct.infeasibility import is_separated
 from trajlib.pontryagin.direct.transcription import (
     INTERVALS,
     PATIENCE,
@@ -45,7 +48,7 @@ class SearchResult:
         (DirectSolution, side of the target).
     starts : int
         Number of starting guesses that were tried.
-    found : int
+    processes : int
         Number of different processes to which they led.
     coarse_durations : list of float
         The durations that the solutions had on few intervals.
@@ -53,20 +56,22 @@ class SearchResult:
 
     solutions: list[tuple[DirectSolution, int | None]]
     starts: int
-    found: int
+    processes: int
     coarse_durations: list[float]
 
 
-def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
+def search(
+    numeric: NumericProblem, guess=None, structure=None, starts=None, time_limit=None
+) -> SearchResult:
     """Search for discrete solutions over the sides of the target.
 
     Where a theorem makes every extremal optimal one solution is enough, and so with a guess or
     given arcs. Otherwise guesses of several kinds are tried on few intervals, and the best
-    solutions are refined. Raises `PontryaginError` with the reason if there is none.
+    solutions are refined. `starts`: so many guesses on each side; by default until AGREEING in a
+    row lead to one process. `time_limit`: seconds after which no further guess is tried. Raises
+    `PontryaginError` with the reason if there is no solution.
     """
-    refuse_start_on_target(numeric)
-    refuse_infeasible(numeric)
-    multistart = _Multistart(numeric, structure)
+    multistart = _Multistart(numeric, structure, starts, time_limit)
     single = guess is not None or structure is not None or sufficiency_theorem(numeric.problem)
     solutions = []
     for side in target_sides(numeric):
@@ -80,22 +85,22 @@ def search(numeric: NumericProblem, guess=None, structure=None) -> SearchResult:
         solutions = [(descend(numeric, solution, side), side) for solution, side in solutions]
     solutions.sort(key=lambda pair: pair[0].cost)
     return SearchResult(
-        solutions, multistart.starts, max(multistart.found, 1), multistart.coarse_durations
+        solutions, multistart.starts, max(multistart.processes, 1), multistart.coarse_durations
     )
 
 
 class _Multistart:
     """The guesses tried, the failures, and the least distance from the target."""
 
-    def __init__(self, numeric, structure):
-        self.numeric, self.structure = numeric, structure
-        self.failures, self.closest, self.starts, self.found = [], np.inf, 0, 0
+    def __init__(self, numeric, structure, count=None, time_limit=None):
+        self.numeric, self.structure, self.count = numeric, structure, count
+        self.deadline = time.monotonic() + (np.inf if time_limit is None else time_limit)
+        self.failures, self.closest, self.starts, self.processes = [], np.inf, 0, 0
         self.nearest, self.convex = None, sufficiency_theorem(numeric.problem) is not None
         self.coarse_durations = []
 
     def solve(self, programme, start):
         """Return the solution found from a guess in a list; a failure is noted."""
-        self.starts += 1
         result = programme.solve(start)
         if isinstance(result, DirectSolution):
             return [result]
@@ -118,9 +123,10 @@ class _Multistart:
             else:
                 starts = []
             for start in starts:
+                self.starts += 1
                 solutions = self.solve(programme, start)
                 if solutions:
-                    self.found += 1
+                    self.processes += 1
                     return [(solution, side) for solution in solutions]
         return []
 
@@ -137,23 +143,28 @@ class _Multistart:
             coarse_solutions = self._distinct_solutions(fine, self._diverse_guesses(side))
             if not coarse_solutions and not ladder_tried and not self.divergence():
                 coarse_solutions = self._distinct_solutions(fine, self.process_to_target(side))
-        if point and len(coarse_solutions) > 1:
+        if point and len(coarse_solutions) > 1 and time.monotonic() < self.deadline:
             coarse_solutions = self._improved_by_oscillations(coarse, coarse_solutions)
-        self.found += len(coarse_solutions)
+        self.processes += len(coarse_solutions)
         fine_programme = Transcription(numeric, INTERVALS, None, side, patience=REFINING, near=True)
+
+        @cache
+        def patient_programme():
+            return Transcription(numeric, INTERVALS, None, side)
+
         solutions = []
         for solution in coarse_solutions:
             if len(solutions) == 3 or (
                 solutions and solution.cost > solutions[0].cost + CLOSE * abs(solutions[0].cost)
             ):
                 break
-            # Where IPOPT does not converge on many intervals, the solution on few is used.
             if len(solution.controls) == INTERVALS:
                 solutions.append(solution)
                 continue
-            finer = self.solve(
-                fine_programme, (solution.duration, solution.states, solution.controls)
-            )
+            # On few intervals a process may be far from the one on many: then it takes patience.
+            # Where IPOPT does not converge there, the solution on few is used.
+            start = (solution.duration, solution.states, solution.controls)
+            finer = self.solve(fine_programme, start) or self.solve(patient_programme(), start)
             self.coarse_durations += [solution.duration] * len(finer)
             solutions += finer or [solution]
         return [(solution, side) for solution in _distinct(solutions)]
@@ -166,6 +177,9 @@ class _Multistart:
         """
         starts = list(starting_guesses(self.numeric, COARSE, side))
         oscillations = oscillating_guesses(self.numeric, COARSE, starts[0][0])
+        if self.count is not None:
+            yield from (*starts, *oscillations)
+            yield from random_guesses(self.numeric, COARSE, starts[0][0])
         yield from (
             start
             for pair in zip_longest(starts, oscillations)
@@ -179,13 +193,19 @@ class _Multistart:
                 yield from oscillating_guesses(self.numeric, COARSE, share * process[0])
 
     def _distinct_solutions(self, programme, starts):
-        """Return the different solutions, the best first; AGREEING equal ones in a row are enough."""
+        """Return the different solutions, the best first; AGREEING equal ones in a row are enough.
+
+        Where the number of starts is given, they are not.
+        """
         solutions, repeats = [], 0
-        for start in starts:
+        for start in islice(starts, self.count):
+            if time.monotonic() > self.deadline:
+                break
+            self.starts += 1
             for solution in self.solve(programme, start):
                 before, solutions = len(solutions), _distinct([*solutions, solution])
                 repeats = repeats + 1 if len(solutions) == before else 1
-            if repeats == AGREEING:
+            if repeats == AGREEING and self.count is None:
                 break
         return solutions
 
@@ -201,8 +221,9 @@ class _Multistart:
                 for sign in (1, -1)
                 for start in oscillating_guesses(self.numeric, COARSE, best.duration, sign)
             ]
-            others = [solution for start in starts for solution in self.solve(programme, start)]
-            solutions = _distinct([*solutions, *others])
+            self.starts += len(starts)
+            candidates = [solution for start in starts for solution in self.solve(programme, start)]
+            solutions = _distinct([*solutions, *candidates])
             if solutions[0].cost >= best.cost - FALLS * abs(best.cost):
                 break
         return solutions
@@ -268,9 +289,14 @@ class _Multistart:
     def raise_reason(self):
         """Raise the reason why no solution was found."""
         numeric, failure = self.numeric, self.divergence()
+        if time.monotonic() > self.deadline:
+            raise NotConverged(
+                f"no process that ends on the target was found within the time limit, from "
+                f"{self.starts} starts. Nothing is proved by that: allow more time, or give a guess."
+            )
         if failure:
             raise Unbounded(
-                f"the cost falls without bound (it passed {user_cost(numeric, failure.cost):.3g}): "
+                f"the cost falls without bound (it passed {numeric.user_cost(failure.cost):.3g}): "
                 "there is no optimal process. Check the sign of the cost, bound the controls, or "
                 "fix the duration."
             )
@@ -283,11 +309,12 @@ class _Multistart:
             if 1e-4 < self.closest < np.inf
             else ""
         )
+        refuse_degenerate_target(numeric, next(iter(starting_guesses(numeric, INTERVALS)))[1])
         if distance_text and not arcs:
             self._refuse_separated(distance_text)
         status = f", last status: {self.failures[-1].status}" if self.failures else ""
         longest = (
-            f" that lasts {numeric.longest:g} at most"
+            f" that lasts {numeric.user_time(numeric.longest):g} at most"
             if numeric.duration is None and not numeric.time_bounds_given
             else ""
         )
@@ -309,14 +336,14 @@ class _Multistart:
         if not is_separated(numeric, duration, end):
             return
         text = (
-            f"no admissible control leads to the target in the time {duration:.6g}: a costate "
+            f"no admissible control leads to the target in the time {numeric.user_time(duration):.6g}: a costate "
             f"separates it from all states that can be reached; {distance_text}"
         )
         shortest = least_time(numeric) if numeric.duration is not None else None
         if shortest is not None and shortest > numeric.duration:
             raise Infeasible(
-                f"the duration {duration:.6g} is too short: the least time in which the target is "
-                f"reached is {shortest:.6g}. {text[0].upper() + text[1:]}."
+                f"the duration {numeric.user_time(duration):.6g} is too short: the least time in which the target is "
+                f"reached is {numeric.user_time(shortest):.6g}. {text[0].upper() + text[1:]}."
             )
         raise Infeasible(text + ". Try another duration, or a free one.")
 
@@ -327,14 +354,14 @@ def _distinct(solutions):
     Of the same ones the smoothest is kept: an angle may jump by a whole turn from one interval to
     the next.
     """
-    kept = []
+    distinct = []
     for solution in sorted(solutions, key=lambda p: np.sum(np.abs(np.diff(p.controls, axis=0)))):
         if not any(
-            abs(solution.cost - other.cost) < 1e-4 * (1e-3 + abs(other.cost))
-            and abs(solution.duration - other.duration) < 1e-3 * other.duration
-            and np.max(np.abs(solution.states - other.states))
-            < 1e-2 * (1 + np.max(np.abs(other.states)))
-            for other in kept
+            abs(solution.cost - reference.cost) < 1e-4 * (1e-3 + abs(reference.cost))
+            and abs(solution.duration - reference.duration) < 1e-3 * reference.duration
+            and np.max(np.abs(solution.states - reference.states))
+            < 1e-2 * (1 + np.max(np.abs(reference.states)))
+            for reference in distinct
         ):
-            kept.append(solution)
-    return sorted(kept, key=lambda solution: solution.cost)
+            distinct.append(solution)
+    return sorted(distinct, key=lambda solution: solution.cost)

@@ -67,11 +67,11 @@ def estimate_accumulation(numeric, arcs, singular, duration):
         or (duration is not None and depends)
     ):
         return None
-    rest = singular.control if duration is not None else None
+    singular_control = singular.control if duration is not None else None
     first, lengths, processes = kinds[0], [arc.end - arc.begin for arc in arcs[:leading]], []
     for count in range(max(2, leading), MAX_ARCS + 1):
         lengths += [lengths[-1] / SHORTER] * (count - len(lengths))
-        best = _best_process(numeric, first, np.array(lengths), rest, duration)
+        best = _best_process(numeric, first, np.array(lengths), singular_control, duration)
         if best is None:
             break
         processes.append(best)
@@ -103,23 +103,23 @@ def _limit(numeric, processes):
     )
 
 
-def _best_process(numeric, first, guess, rest, duration):
+def _best_process(numeric, first, guess, singular_control, duration):
     """Return (cost, lengths) of the best process with as many arcs as guessed, or None."""
     lengths, state = ca.SX.sym("lengths", len(guess)), ca.vertcat(*numeric.start, 0.0)
     bounds = [numeric.lower, numeric.upper] if first == "u-" else [numeric.upper, numeric.lower]
     for i in range(len(guess)):
         state = _integrated(numeric, ca.DM(bounds[i % 2]), state, lengths[i])
     if duration is not None:
-        state = _integrated(numeric, rest, state, duration - ca.sum1(lengths))
+        state = _integrated(numeric, singular_control, state, duration - ca.sum1(lengths))
     cost = state[-1] + ca.substitute(numeric.final, numeric.x, state[: numeric.n])
     target = (
         ca.substitute(numeric.target, numeric.x, state[: numeric.n]) if numeric.m else ca.SX(0, 1)
     )
-    left = ca.sum1(lengths)
+    total = ca.sum1(lengths)
     programme = ca.nlpsol(
         "lengths",
         "ipopt",
-        {"x": lengths, "f": cost, "g": ca.vertcat(target, left)},
+        {"x": lengths, "f": cost, "g": ca.vertcat(target, total)},
         {
             "ipopt.print_level": 0,
             "print_time": False,

@@ -1,6 +1,6 @@
 """Extremals of a problem: evaluated at any time, certified, shown."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal, overload
 
@@ -50,7 +50,8 @@ class Extremal:
     _numeric: NumericProblem
     _shot: ShootingSolution
     _starts: int = 1
-    _found: int = 1
+    _processes: int = 1
+    _proof: str | None = None
 
     @property
     def switching_times(self) -> tuple[float, ...]:
@@ -165,15 +166,16 @@ class Extremal:
         Returns
         -------
         Certificate or Proof
-            The residuals of all conditions; with `proved` the proof, or the reason why there is
-            none.
+            The residuals of all conditions and what is known beyond them; with `proved` the proof,
+            or the reason why there is none.
         """
         if proved:
             return prove(self.problem, self.arcs, self.state(0), self.costate(0), self.multiplier)
-        return self._certificate if points is None else self._certificate_at(points)
+        residuals = self._residuals if points is None else self._certificate_at(points)
+        return replace(residuals, optimality=self.optimality)
 
     @cached_property
-    def _certificate(self):
+    def _residuals(self):
         return self._certificate_at(None)
 
     def _certificate_at(self, points):
@@ -194,8 +196,10 @@ class Extremal:
         """What is known beyond the necessary conditions: proved, locally minimal, or best found."""
 
         def optimality(kind, reason):
-            return Optimality(kind, reason, self._starts, self._found)
+            return Optimality(kind, reason, self._starts, self._processes)
 
+        if self._proof:
+            return optimality("proved", self._proof)
         proof = relaxed_sufficiency_theorem(self.problem)
         if proof and (self.normal or not proof[1]):
             return optimality("proved", proof[0])
@@ -255,15 +259,7 @@ class Extremal:
 
     def _along(self, t, evaluate):
         """Evaluate a function of (flow, y) at times."""
-        times = np.atleast_1d(np.asarray(t, dtype=float))
-        if times.ndim != 1:
-            raise ValueError(
-                f"t: expected a number or a one-dimensional array, got shape {times.shape}"
-            )
-        slack = 1e-9 * (1 + self.duration)
-        if not np.all((times >= -slack) & (times <= self.duration + slack)):
-            raise ValueError(f"t: expected times between 0 and the duration {self.duration:.6g}")
-        times = np.clip(times, 0, self.duration)
+        times = self._times(t)
         begins = np.concatenate([[0.0], np.cumsum(self._shot.lengths)[:-1]])
         segment = np.searchsorted(begins, times, side="right") - 1
         result = None
@@ -282,9 +278,22 @@ class Extremal:
             result[:, mask] = value
         return result[:, 0] if np.ndim(t) == 0 else result
 
+    def _times(self, t):
+        """Return times as an array, (N,). Raises ValueError for others than the process has."""
+        times = np.atleast_1d(np.asarray(t, dtype=float))
+        if times.ndim != 1:
+            raise ValueError(
+                f"t: expected a number or a one-dimensional array, got shape {times.shape}"
+            )
+        slack = 1e-9 * self.duration
+        if not np.all((times >= -slack) & (times <= self.duration + slack)):
+            raise ValueError(f"t: expected times between 0 and the duration {self.duration:.6g}")
+        return np.clip(times, 0, self.duration)
+
     def __repr__(self):
         shown = ", ".join(f"{kind} [{begin:.6g}, {end:.6g}]" for kind, begin, end in self.arcs)
-        return f"Extremal(cost={self.cost:.12g}, duration={self.duration:.12g}, arcs: {shown})"
+        evidence = "" if self.optimality.proved else f", {self.optimality.summary}"
+        return f"Extremal(cost={self.cost:.12g}, duration={self.duration:.12g}, arcs: {shown}{evidence})"
 
     def _repr_markdown_(self):
         rows = "".join(
@@ -298,7 +307,7 @@ class Extremal:
 
 
 def extremal_of_shot(
-    numeric: NumericProblem, shot: ShootingSolution, starts: int, found: int
+    numeric: NumericProblem, shot: ShootingSolution, starts: int, processes: int
 ) -> Extremal:
     """Return the extremal of a converged solution, with lambda_0 = 1 in the normal case.
 
@@ -338,7 +347,7 @@ def extremal_of_shot(
         numeric,
         shot,
         starts,
-        found,
+        processes,
     )
     if problem.first_return and _passes_target(extremal):
         raise WrongStructure(

@@ -246,7 +246,10 @@ def singular_control(numeric, i, control, kinds):
     derivatives = [slope]
     for order in range(1, 2 * numeric.n + 1):
         derivative = ca.jtimes(derivatives[-1], point, motion)
-        if any(not _vanishes(numeric, ca.jacobian(derivative, other)) for other in moving):
+        if any(
+            not _vanishes(numeric, ca.jacobian(derivative, control_symbol))
+            for control_symbol in moving
+        ):
             raise WrongStructure(
                 f"a singular arc of {numeric.problem.control[i]} while another control moves "
                 "between its bounds acts on it: such arcs are not provided for"

@@ -140,6 +140,18 @@ class SplitExtremal(Extremal):
     inner: Extremal | None = None
     split: L1Split | None = None
 
+    def state(self, t):
+        """Return the state at given times, as `Extremal.state`."""
+        return self.inner.state(t)
+
+    def costate(self, t):
+        """Return the costate at given times, as `Extremal.costate`."""
+        return self.inner.costate(t)
+
+    def hamiltonian(self, t):
+        """Return H at given times, as `Extremal.hamiltonian`."""
+        return self.inner.hamiltonian(t)
+
     def control(self, t):
         """Return the controls p - q at given times, as `Extremal.control`."""
         return self._joined(self.inner.control(t), lambda p, q: p - q)

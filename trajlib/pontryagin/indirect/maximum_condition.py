@@ -57,11 +57,11 @@ def _required_kinds(numeric, kind, j, slopes, controls, shot):
     )
     if kind in ("u-", "u+"):
         inward = slopes > margin if kind == "u-" else slopes < -margin
-        other = (
+        inner_kind = (
             ({"u-": "u+", "u+": "u-"}[kind] if np.isfinite([low, high]).all() else "singular")
             if numeric.affine[j]
             else "interior"
         )
-        return [other if wrong else kind for wrong in inward]
+        return [inner_kind if wrong else kind for wrong in inward]
     width = 1e-7 * (1 + np.max(np.abs(controls)))
     return ["u-" if u < low - width else "u+" if u > high + width else kind for u in controls]

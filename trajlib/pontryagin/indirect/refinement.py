@@ -162,23 +162,23 @@ def _starting_values(numeric, solution, arcs, flows):
             points = [
                 _point(numeric, solution, flow, begin, length / pieces, scale) for begin in begins
             ]
-            growth = _growth(flow, points, 1 / scale, length / pieces)
+            error_growth = growth(flow, points, 1 / scale, length / pieces)
             if (
-                growth > CANCELLING
+                error_growth > CANCELLING
                 and length < SWEEP * solution.duration
                 and "interior" in flow.kinds
             ):
                 # No error grows so fast: the control has passed its bound, beyond which H is not
                 # concave.
                 length *= _swept(numeric, flow, points[0], 1 / scale, length)
-                growth = _growth(flow, points[:1], 1 / scale, length)
-            if growth <= CANCELLING or pieces >= MAX_SEGMENTS:
+                error_growth = growth(flow, points[:1], 1 / scale, length)
+            if error_growth <= CANCELLING or pieces >= MAX_SEGMENTS:
                 break
-            needed = np.log(growth) / np.log(CANCELLING) if np.isfinite(growth) else 2
+            needed = np.log(error_growth) / np.log(CANCELLING) if np.isfinite(error_growth) else 2
             pieces = int(min(max(np.ceil(pieces * min(needed, 4)), pieces + 1), MAX_SEGMENTS))
-        if growth > MAX_GROWTH:
+        if error_growth > MAX_GROWTH:
             raise WrongStructure(
-                f"errors along the arc {arc_name(flow.kinds)} grow by {growth:.0e} even on {pieces} "
+                f"errors along the arc {arc_name(flow.kinds)} grow by {error_growth:.0e} even on {pieces} "
                 "segments"
             )
         segment_flows += [flow] * pieces
@@ -236,14 +236,14 @@ def _point(numeric, solution, flow, begin, length, scale):
     return np.array(x + psi + w)
 
 
-def _growth(flow, points, multiplier, length):
+def growth(flow, points, multiplier, length):
     """Return the largest growth of errors along segments; infinite if one cannot be integrated."""
-    growth = 0.0
+    largest = 0.0
     for point in points:
         _, by_start, _, by_length = flow.transition(point, multiplier, length, 8)
-        followed = np.isfinite(by_start).all() and np.isfinite(by_length).all()
-        growth = max(growth, float(np.max(np.abs(by_start))) if followed else np.inf)
-    return growth
+        finite = np.isfinite(by_start).all() and np.isfinite(by_length).all()
+        largest = max(largest, float(np.max(np.abs(by_start))) if finite else np.inf)
+    return largest
 
 
 def _solved(numeric, shot, duration, abnormal):
@@ -253,14 +253,14 @@ def _solved(numeric, shot, duration, abnormal):
     before, jumping = np.inf, control_jumps(numeric, shot)
     # With steps that are far too long Newton's method would solve another problem, and stay near
     # its solution.
-    shot.steps = _finer_steps(shot, ROUGH)
+    shot.steps = finer_steps(shot, ROUGH)
     for _ in range(8):
         equations = ArcEquations(
             numeric, shot.flows, shot.steps, duration, first / scale**2, abnormal, jumping
         )
         z, residual, uncertainty = newton(equations, equations.pack(shot))
         shot = equations.unpack(z, residual, uncertainty)
-        steps = _finer_steps(shot, INTEGRATED)
+        steps = finer_steps(shot, INTEGRATED)
         if steps == shot.steps or not np.isfinite(residual):
             break
         shot.steps = steps
@@ -271,7 +271,7 @@ def _solved(numeric, shot, duration, abnormal):
     return shot
 
 
-def _finer_steps(shot, accuracy):
+def finer_steps(shot, accuracy):
     """Return the numbers of steps, doubled as often as the accuracy needs at order 8.
 
     The error of an arc is the change of its end when the steps are halved.

@@ -193,12 +193,12 @@ class ArcEquations:
         """Append the equations between two segments."""
         left, right = self.flows[index], self.flows[index + 1]
         block, n = self.blocks[index + 1], self.numeric.n
-        same = left.kinds == right.kinds
-        for i in range(left.size if same else 2 * n):
+        same_arc = left.kinds == right.kinds
+        for i in range(left.size if same_arc else 2 * n):
             row = derivative[i].copy()
             row[block.start + i] -= 1
             self._add(end[i] - self.z[block.start + i], row)
-        if same:
+        if same_arc:
             first = self.lengths.start + index
             self._add(self.z[first] - self.z[first + 1], {first: 1.0, first + 1: -1.0})
             return
@@ -306,10 +306,10 @@ def newton(equations, z, iterations=80):
             # Such a step may go along a family of solutions (a closed path may begin anywhere).
             across = _least_squares(J, r, RANK)
             if better is None or np.linalg.norm(across) < np.linalg.norm(step) / 2:
-                other = _shortened(equations, z, r, across, 1e-7 if better is None else 1e-2)
+                truncated = _shortened(equations, z, r, across, 1e-7 if better is None else 1e-2)
                 better = min(
-                    filter(None, (better, other)),
-                    key=lambda tried: np.linalg.norm(tried[1]),
+                    filter(None, (better, truncated)),
+                    key=lambda trial: np.linalg.norm(trial[1]),
                     default=None,
                 )
         if better is None:
@@ -331,7 +331,8 @@ def _shortened(equations, z, r, step, shortest):
     lengths, change = z[equations.lengths], step[equations.lengths]
     shrinking = change < 0
     # An arc loses at most nine tenths of its length in one step.
-    alpha = min(1.0, 0.9 * np.min(-lengths[shrinking] / change[shrinking], initial=np.inf))
+    with np.errstate(over="ignore"):
+        alpha = min(1.0, 0.9 * np.min(-lengths[shrinking] / change[shrinking], initial=np.inf))
     while alpha > shortest:
         trial = z + alpha * step
         r_trial, J_trial = equations.residual(trial)

@@ -1,41 +1,50 @@
 """From a problem to an extremal: reformulate, solve, restore.
 
-A problem with |u| in its cost or with large states is solved in another form (`l1_control`,
-`state_scaling`), and its extremal restored. Between them: discrete solutions (`direct.multistart`),
-their arcs (`structure`), and Newton's method for the boundary value problem over these arcs
-(`refinement`, `shooting`, `flow`).
+A problem with |u| in its cost is solved in another form (`l1_control`), a linear plant with a
+quadratic cost by one linear solve (`linear_quadratic`), and all others in natural units
+(`problem.scaling`): discrete solutions (`direct.multistart`), their arcs (`structure`), and Newton's
+method for the boundary value problem over these arcs (`refinement`, `shooting`, `flow`).
 """
 
 from collections.abc import Sequence
 
 import numpy as np
 
+from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
 from trajlib.pontryagin.direct.free_duration import (
     fixed_duration,
     refuse_falling_cost,
     refuse_unbounded_duration,
-    user_cost,
 )
-from trajlib.pontryagin.direct.guesses import read_guess
+from trajlib.pontryagin.direct.guesses import read_guess, refuse_start_on_target
+from trajlib.pontryagin.direct.impulses import refuse_impulses
+from trajlib.pontryagin.direct.infeasibility import refuse_infeasible
 from trajlib.pontryagin.direct.multistart import SearchResult, search
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
 from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
 from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
 from trajlib.pontryagin.indirect.l1_control import split_l1_controls
+from trajlib.pontryagin.indirect.linear_quadratic import solve_linear_quadratic
+from trajlib.pontryagin.indirect.polynomial_end import solve_polynomial_end
 from trajlib.pontryagin.indirect.refinement import refine
-from trajlib.pontryagin.indirect.state_scaling import scale_large_states
+from trajlib.pontryagin.indirect.scaled_extremal import restore_units, scaled_guess
 from trajlib.pontryagin.indirect.structure import candidate_structures, detect_arcs, read_structure
 from trajlib.pontryagin.problem.arcs import Arc, arc_name
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.scaling import natural_units
 from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
 
 
 def solve(
-    problem: Statement, structure: Sequence | None = None, guess: Extremal | dict | None = None
+    problem: Statement,
+    structure: Sequence | None = None,
+    guess: Extremal | dict | None = None,
+    starts: int | None = None,
+    time_limit: float | None = None,
 ) -> Extremal:
     """Find an extremal of a problem; called as `problem.solve(...)`.
 
@@ -49,6 +58,12 @@ def solve(
     guess : Extremal or dict, optional
         An extremal of a similar problem, or {"duration": number, state or control: number, list of
         values at equal steps, or function of time}, any of them.
+    starts : int, optional
+        How many starting guesses to try, random ones after those that follow from the statement; by
+        default until three in a row lead to one process. Not used where a guess is given or where a
+        theorem makes every extremal optimal.
+    time_limit : float, optional
+        Seconds after which no further starting guess is tried.
 
     Returns
     -------
@@ -89,24 +104,42 @@ def solve(
     >>> turnpike.solve()
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
-    reformulations = []
-    for reformulate in (split_l1_controls, scale_large_states):
-        step = reformulate(problem)
-        if step is not None:
-            structure, guess = step.structure(structure), step.guess(guess)
-            problem = step.problem
-            reformulations.append(step)
-    extremal = _solved(problem, structure, guess)
-    for step in reversed(reformulations):
-        extremal = step.restore(extremal)
-    return extremal
-
-
-def _solved(problem, structure, guess):
-    """Return an extremal of a problem that is smooth in its controls and well scaled."""
+    _check_effort(starts, time_limit)
+    split = split_l1_controls(problem)
+    if split is not None:
+        structure, guess = split.structure(structure), split.guess(guess)
+        return split.restore(solve(split.problem, structure, guess, starts, time_limit))
     numeric = NumericProblem(problem)
     kinds = None if structure is None else read_structure(numeric, structure)
-    refinement = _Refinement(numeric, search(numeric, read_guess(numeric, guess), kinds))
+    effort = {"starts": starts, "time_limit": time_limit}
+    start = read_guess(numeric, guess)
+    refuse_start_on_target(numeric)
+    refuse_infeasible(numeric)
+    extremal = solve_linear_quadratic(numeric) if kinds is None else None
+    if extremal is None and kinds is None and guess is None:
+        extremal = solve_polynomial_end(problem)
+    if extremal is not None:
+        return extremal
+    scaling = natural_units(problem)
+    if scaling is None:
+        return _refined(numeric, kinds, start, effort)
+    inner = NumericProblem(scaling.problem, scaling)
+    return restore_units(scaling, _refined(inner, kinds, scaled_guess(scaling, start), effort))
+
+
+def _check_effort(starts, time_limit):
+    """Raise TypeError or ValueError if `starts` is no count or `time_limit` no time."""
+    if starts is not None and (isinstance(starts, bool) or not isinstance(starts, int)):
+        raise TypeError(f"starts: expected a whole number, got {starts!r}")
+    if starts is not None and starts < 1:
+        raise ValueError(f"starts: expected at least one, got {starts}")
+    if time_limit is not None and not float(time_limit) > 0:
+        raise ValueError(f"time_limit: expected a positive number of seconds, got {time_limit}")
+
+
+def _refined(numeric, kinds, guess, effort):
+    """Return an extremal of a problem in natural units, found by search and refinement."""
+    refinement = _Refinement(numeric, search(numeric, guess, kinds, **effort))
     return refinement.best_extremal() if kinds is None else refinement.with_structure(kinds)
 
 
@@ -121,6 +154,7 @@ class _Refinement:
     def with_structure(self, kinds):
         """Return the extremal with given arcs. Raises `WrongStructure` if there is none."""
         solution, _ = self.search_result.solutions[0]
+        refuse_degenerate_target(self.numeric, solution.states)
         arcs = _arcs_of_structure(kinds, solution)
         duration = fixed_duration(self.numeric, solution)
         extremal = self._extremal(solution, arcs, duration, keep_structure=True)
@@ -132,6 +166,7 @@ class _Refinement:
     def best_extremal(self):
         """Return the best certified extremal, or raise the reason why there is none."""
         numeric, solutions = self.numeric, self.search_result.solutions
+        refuse_degenerate_target(numeric, solutions[0][0].states)
         refuse_falling_cost(numeric, self.search_result)
         for solution, side in solutions:
             extremal = self._certified(solution, side)
@@ -149,12 +184,13 @@ class _Refinement:
         if fixed_duration(numeric, solution) is None:
             finer = finer_solution(numeric, solution, side, 4) or solution
             refuse_unbounded_duration(numeric, finer, side)
-        raise self._error(user_cost(numeric, solution.cost))
+        refuse_impulses(numeric, solution, side)
+        raise self._error(numeric.user_cost(solution.cost))
 
     def _extremal(self, solution, arcs, duration, keep_structure=False):
         shot = refine(self.numeric, solution, arcs, duration, self.flow_cache, keep_structure)
         return extremal_of_shot(
-            self.numeric, shot, self.search_result.starts, self.search_result.found
+            self.numeric, shot, self.search_result.starts, self.search_result.processes
         )
 
     def _certified(self, solution, side):
@@ -233,10 +269,9 @@ def _arcs_of_structure(kinds, solution):
 
 def _certificate_failure(extremal):
     """Return which conditions the extremal's certificate finds violated; "" if all hold."""
-    failures = extremal.certificate().failures()
+    failures, worst = extremal._residuals.failures(), extremal._residuals.worst
     if not failures:
         return ""
-    worst = extremal.certificate().worst
     return (
         f"the certificate of the arcs {', '.join(str(kind) for kind, _, _ in extremal.arcs)} fails "
         f"({', '.join(failures)}; {worst:.1e})"

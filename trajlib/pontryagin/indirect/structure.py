@@ -23,12 +23,12 @@ def candidate_structures(numeric, solution):
     bound long before: it may be on an interior arc to the end.
     """
     on_axis = any(stays_on_axis(numeric, solution, i) for i in range(numeric.k))
-    tried = []
+    structures = []
     for options in ({"constant_angles": True},) * on_axis + ({}, {"tolerance": AT}):
         arcs = detect_arcs(numeric, solution, **options)
         kinds = [arc.kinds for arc in arcs]
-        if kinds not in tried:
-            tried.append(kinds)
+        if kinds not in structures:
+            structures.append(kinds)
             yield arcs
 
 
@@ -174,7 +174,7 @@ def _split(numeric, solution, i, result, runs, index):
     after = runs[index + 1][0] if index + 1 < len(runs) else None
     neighbour_bounds = [side for side in (before, after) if side in value]
     mean = solution.controls[begin:end, i].mean()
-    other = {"u-": "u+", "u+": "u-"}[neighbour_bounds[0]]
+    opposite = {"u-": "u+", "u+": "u-"}[neighbour_bounds[0]]
     if len(neighbour_bounds) == 2 and before != after:
         cut = begin + (end - begin) * float(
             np.clip((mean - value[after]) / (value[before] - value[after]), 0, 1)
@@ -186,19 +186,19 @@ def _split(numeric, solution, i, result, runs, index):
         ]
     share = (end - begin) * float(
         np.clip(
-            (mean - value[neighbour_bounds[0]]) / (value[other] - value[neighbour_bounds[0]]),
+            (mean - value[neighbour_bounds[0]]) / (value[opposite] - value[neighbour_bounds[0]]),
             0.02,
             1,
         )
     )
     if before is None:
-        return [(other, begin, begin + share)], [
+        return [(opposite, begin, begin + share)], [
             *runs[: index + 1],
             (after, begin + share, runs[index + 1][2]),
             *runs[index + 2 :],
         ]
     first = end - share if after is None else (begin + end - share) / 2
-    result = [*result[:-1], (before, result[-1][1], first), (other, first, first + share)]
+    result = [*result[:-1], (before, result[-1][1], first), (opposite, first, first + share)]
     if after is not None:
         runs = [*runs[: index + 1], (after, first + share, runs[index + 1][2]), *runs[index + 2 :]]
     return result, runs

@@ -62,10 +62,10 @@ def read_plant(problem: Statement) -> list[ControlTerm]:
             for e in (*problem.field, *bounds, *problem.terminal, problem.running, problem.final)
         )
     )
-    left = used - set(problem.state) - set(problem.control)
-    if left:
+    unbound = used - set(problem.state) - set(problem.control)
+    if unbound:
         raise ValueError(
-            f"problem: no value for {', '.join(sorted(map(str, left)))}; use problem.subs({{...}}) "
+            f"problem: no value for {', '.join(sorted(map(str, unbound)))}; use problem.subs({{...}}) "
             "first"
         )
     cost = -problem.running if problem.maximise else problem.running

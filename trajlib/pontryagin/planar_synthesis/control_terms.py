@@ -34,13 +34,13 @@ class ControlTerm:
 
     def __init__(self, problem, cost, u):
         self.u, (self.low, self.high) = u, problem.controls[u]
-        x, others = sp.Matrix(problem.state), [v for v in problem.control if v != u]
+        x, other_controls = sp.Matrix(problem.state), [v for v in problem.control if v != u]
         f = sp.Matrix(problem.field)
         self.input_field = f.diff(u)
         l1_weight = cost.coeff(sp.Abs(u)) if cost.has(sp.Abs(u)) else sp.Integer(0)
         smooth = sp.expand(cost - l1_weight * sp.Abs(u))
         linear, quadratic_weight = smooth.diff(u).subs(u, 0), sp.simplify(smooth.diff(u, 2))
-        self._check(f, smooth, l1_weight, quadratic_weight, others)
+        self._check(f, smooth, l1_weight, quadratic_weight, other_controls)
         if l1_weight != 0 and not self.low < 0 < self.high:  # |u| is u or -u
             linear, l1_weight = linear + (l1_weight if self.low >= 0 else -l1_weight), sp.Integer(0)
         self.linear, self.l1_weight, self.quadratic_weight = linear, l1_weight, quadratic_weight
@@ -51,7 +51,7 @@ class ControlTerm:
         if not self.convex and max(_sign(l1_weight, ""), _sign(quadratic_weight, "")) > 0:
             raise ValueError(f"running: it is neither convex nor concave in {u}")
         self._make_levels()
-        self._make_singular(problem, f, cost, x, others)
+        self._make_singular(problem, f, cost, x, other_controls)
 
     def surfaces(self, psi, lambda_0):
         """Return [(expression, its size)] between the levels, positive where the control is above."""
@@ -69,25 +69,25 @@ class ControlTerm:
         values = {}
         for i, level in enumerate(self.levels):
             if level.name == "interior":
-                below = any(other.name == "zero" for other in self.levels[i:])
+                below = any(later.name == "zero" for later in self.levels[i:])
                 corner = self.l1_weight if self.l1_weight == 0 or below else -self.l1_weight
                 values[i] = (slope + lambda_0 * corner) / (lambda_0 * self.quadratic_weight)
         return values
 
-    def _check(self, f, smooth, l1_weight, quadratic_weight, others):
+    def _check(self, f, smooth, l1_weight, quadratic_weight, other_controls):
         u = self.u
         if any(sp.simplify(e) != 0 for e in f.diff(u, 2)) or any(
-            sp.simplify(e) != 0 for v in others for e in f.diff(u, v)
+            sp.simplify(e) != 0 for v in other_controls for e in f.diff(u, v)
         ):
             raise ValueError(
-                f"problem: the right-hand side is not affine in {', '.join(map(str, [u, *others]))}"
+                f"problem: the right-hand side is not affine in {', '.join(map(str, [u, *other_controls]))}"
             )
         if smooth.has(sp.Abs(u)) or l1_weight.has(u) or quadratic_weight.has(u):
             raise ValueError(
                 f"running: expected a polynomial of at most the second degree in {u}, and a "
                 f"multiple of |{u}|"
             )
-        if any(sp.simplify(smooth.diff(u, v)) != 0 for v in others):
+        if any(sp.simplify(smooth.diff(u, v)) != 0 for v in other_controls):
             raise ValueError(
                 f"running: a product of {u} with another control, so that the maximum condition "
                 "does not tell the controls one by one"
@@ -115,17 +115,17 @@ class ControlTerm:
             shifts = [g - k + r * low, *shifts, g + k + r * high]
         self.levels, self._shifts = [bottom, *middle, top], shifts or [g]
 
-    def _make_singular(self, problem, f, cost, x, others):
+    def _make_singular(self, problem, f, cost, x, other_controls):
         self.singular, self.open = [], False
         if self.quadratic_weight != 0 and self.convex:
             return
         parallel = True
-        rest = cost - self.l1_weight * sp.Abs(self.u)
+        smooth_cost = cost - self.l1_weight * sp.Abs(self.u)
         for shift in self._shifts:
             extended_field = sp.Matrix([*self.input_field, shift])
-            for values in product(*(problem.controls[v] for v in others)):
-                constants = {self.u: 0, **dict(zip(others, values))}
-                field = sp.Matrix([*f, rest]).subs(constants)
+            for values in product(*(problem.controls[v] for v in other_controls)):
+                constants = {self.u: 0, **dict(zip(other_controls, values))}
+                field = sp.Matrix([*f, smooth_cost]).subs(constants)
                 bracket = (
                     extended_field.jacobian(x) * field[:2, :]
                     - field.jacobian(x) * extended_field[:2, :]
@@ -142,7 +142,7 @@ class ControlTerm:
                 )
                 if det not in self.singular:
                     self.singular.append(det)
-        self.open = parallel and bool(others)
+        self.open = parallel and bool(other_controls)
         if self.open:
             self.levels.append(Level("open"))
             self.singular = []

@@ -24,32 +24,34 @@ def find_overtakings(fan, value_function):
     The time is `fan.optimal_until`. Rows of the result: number of one fan and its s, number of the
     other and its s, time, x1, x2; the fan that comes first in front.
     """
-    h, own, meetings = fan.times[1], value_function.fans.index(fan), []
+    h, fan_number, meetings = fan.times[1], value_function.fans.index(fan), []
     sequences = fan.plant.sequences
     fan.optimal_until = fan.times[fan.last_step] * (fan.last_step > 0)
     overtaken, first, better = _overtaken(fan, value_function)
     fan.optimal_until[overtaken] = fan.times[np.maximum(first - 1, 0)]
-    for number, other in enumerate(value_function.fans):
+    for number, other_fan in enumerate(value_function.fans):
         members = np.flatnonzero(better.fan == number)
         if not members.size:
             continue
-        which, begin = overtaken[members], fan.times[first[members]]
+        columns, begin = overtaken[members], fan.times[first[members]]
         tau, partner = np.full(members.size, np.inf), np.full(members.size, np.nan)
         # The point where they meet may lie before the last switching of either.
         for back, back2 in ((0, 0), (1, 0), (0, 1), (1, 1)):
             sequence, sequence2 = (
-                _shortened(sequences, fan.sequence[first[members], which], back),
+                _shortened(sequences, fan.sequence[first[members], columns], back),
                 _shortened(sequences, better.sequence[members], back2),
             )
-            earlier = sequences.length[fan.sequence[np.maximum(first[members] - BEFORE, 0), which]]
-            tried = (sequence >= 0) & (sequence2 >= 0)
-            tried &= sequences.length[sequence] >= earlier
-            selected = np.flatnonzero(tried & ~np.isfinite(tau) if back2 else tried)
+            earlier = sequences.length[
+                fan.sequence[np.maximum(first[members] - BEFORE, 0), columns]
+            ]
+            candidates = (sequence >= 0) & (sequence2 >= 0)
+            candidates &= sequences.length[sequence] >= earlier
+            selected = np.flatnonzero(candidates & ~np.isfinite(tau) if back2 else candidates)
             when, s2, ok = _meet(
                 fan,
-                which[selected],
+                columns[selected],
                 sequence[selected],
-                other,
+                other_fan,
                 begin[selected],
                 better.s[members[selected]],
                 better.time[members[selected]],
@@ -63,20 +65,25 @@ def find_overtakings(fan, value_function):
             )
             node = np.clip((when / h).astype(int), 0, fan.times.size - 2)
             length = sequences.length[sequence[selected]]
-            ok &= (sequences.length[fan.sequence[node, which[selected]]] <= length) & (
-                length <= sequences.length[fan.sequence[node + 1, which[selected]]]
+            ok &= (sequences.length[fan.sequence[node, columns[selected]]] <= length) & (
+                length <= sequences.length[fan.sequence[node + 1, columns[selected]]]
             )
-            if other is fan:
-                ok &= np.abs(s2 - fan.s[which[selected]]) > 1e-4 * (fan.ends.high - fan.ends.low)
+            if other_fan is fan:
+                ok &= np.abs(s2 - fan.s[columns[selected]]) > 1e-4 * (fan.ends.high - fan.ends.low)
             tau[selected[ok]], partner[selected[ok]] = when[ok], s2[ok]
         ok = np.isfinite(tau)
-        which, tau, partner = which[ok], tau[ok], partner[ok]
-        fan.optimal_until[which] = tau
-        z, _ = fan.flow(fan.s[which], tau)
+        columns, tau, partner = columns[ok], tau[ok], partner[ok]
+        fan.optimal_until[columns] = tau
+        z, _ = fan.flow(fan.s[columns], tau)
         pair = np.array(
-            [np.full(which.size, own), fan.s[which], np.full(which.size, number), partner]
+            [
+                np.full(columns.size, fan_number),
+                fan.s[columns],
+                np.full(columns.size, number),
+                partner,
+            ]
         )
-        turned = (own > number) | ((own == number) & (partner < fan.s[which]))
+        turned = (fan_number > number) | ((fan_number == number) & (partner < fan.s[columns]))
         meetings.append(np.vstack([np.where(turned, pair[[2, 3, 0, 1]], pair), tau, z[:2]]))
     return np.hstack([np.empty((7, 0)), *meetings])
 
@@ -132,20 +139,20 @@ def _overtaken(fan, value_function):
     np.maximum.at(last, j, k)
     high = last.copy()
     np.minimum.at(high, j[overtaken], k[overtaken])
-    which = np.flatnonzero(high > 0)
-    high = high[which]
-    better, is_better = _better(fan, value_function, which, high)
+    columns = np.flatnonzero(high > 0)
+    high = high[columns]
+    better, is_better = _better(fan, value_function, columns, high)
     # Interpolated costs may be wrong: then test the last step.
-    again = np.flatnonzero(~is_better & (high < last[which]))
-    high[again] = last[which[again]]
-    best, is_better[again] = _better(fan, value_function, which[again], high[again])
+    again = np.flatnonzero(~is_better & (high < last[columns]))
+    high[again] = last[columns[again]]
+    best, is_better[again] = _better(fan, value_function, columns[again], high[again])
     better.assign(again, best)
-    which, high, better = which[is_better], high[is_better], better.at(is_better)
+    columns, high, better = columns[is_better], high[is_better], better.at(is_better)
     # Back in steps of growing width to a node where nothing is better, then by bisection.
     low, back = high - 1, np.ones(high.size, int)
     searching = np.arange(high.size)
     while searching.size:
-        best, is_better = _better(fan, value_function, which[searching], low[searching])
+        best, is_better = _better(fan, value_function, columns[searching], low[searching])
         better.assign(searching[is_better], best.at(is_better))
         searching = searching[is_better]
         high[searching] = low[searching]
@@ -154,16 +161,16 @@ def _overtaken(fan, value_function):
         searching = searching[high[searching] > 0]
     while (open_ := np.flatnonzero(high - low > 1)).size:
         middle = (low[open_] + high[open_]) // 2
-        best, is_better = _better(fan, value_function, which[open_], middle)
+        best, is_better = _better(fan, value_function, columns[open_], middle)
         high[open_[is_better]] = middle[is_better]
         better.assign(open_[is_better], best.at(is_better))
         low[open_[~is_better]] = middle[~is_better]
-    return which, high, better
+    return columns, high, better
 
 
-def _better(fan, value_function, which, step):
+def _better(fan, value_function, columns, step):
     """Return the best extremals from points of a fan, and whether the fan's are worse."""
-    x, cost = fan.path[step, :, which].T, fan.value[step, which]
+    x, cost = fan.path[step, :, columns].T, fan.value[step, columns]
     best = value_function.by_newton(x)
     is_better = best.cost < cost - GAIN * value_function.step_cost
     # Where Newton's method fails (next to a fold of a family) interpolated costs are used.
@@ -175,17 +182,17 @@ def _better(fan, value_function, which, step):
     return best, is_better
 
 
-def _meet(fan, which, sequence, other, tau, s2, tau2, sequence2):
+def _meet(fan, columns, sequence, other_fan, tau, s2, tau2, sequence2):
     """Find where two extremals meet at the same cost, x(s, tau) = y(s2, tau2), by Newton."""
-    s2, tau, tau2, good = s2.copy(), tau.copy(), tau2.copy(), np.zeros(which.size, bool)
-    plant, low, high = fan.plant, other.ends.low, other.ends.high
+    s2, tau, tau2, good = s2.copy(), tau.copy(), tau2.copy(), np.zeros(columns.size, bool)
+    plant, low, high = fan.plant, other_fan.ends.low, other_fan.ends.high
     ds, longest = 1e-6 * (high - low), 4 * fan.times[1]
     mode, mode2 = plant.sequences.mode[sequence], plant.sequences.mode[sequence2]
-    active = np.arange(which.size)
+    active = np.arange(columns.size)
     for _ in range(12):
-        z, begin = fan.arcs(fan.s[which[active]], tau[active], sequence[active])
+        z, begin = fan.arcs(fan.s[columns[active]], tau[active], sequence[active])
         up, down = np.minimum(s2[active] + ds, high), np.maximum(s2[active] - ds, low)
-        y, begin2 = other.arcs(
+        y, begin2 = other_fan.arcs(
             np.concatenate([s2[active], up, down]),
             np.tile(tau2[active], 3),
             np.tile(sequence2[active], 3),

@@ -119,8 +119,8 @@ def _mode_label(synthesis, mode):
 
 def _line(ax, points, label, **look):
     """Draw a line; a label is shown once for all lines of its kind."""
-    known = ax.get_legend_handles_labels()[1]
-    ax.plot(*points.T, label=None if label in known else label, **look)
+    legend = ax.get_legend_handles_labels()[1]
+    ax.plot(*points.T, label=None if label in legend else label, **look)
 
 
 def _extremal(ax, points, controls, synthesis):

@@ -116,14 +116,14 @@ class Fan:
                 break
             z_new, mode_new, switched = plant.advance(z[:, active_columns], mode[active_columns], h)
             z[:, active_columns], mode[active_columns] = z_new, mode_new
-            for which, gone, switching_z, old, new in switched:
-                sequence[active_columns[which]] = plant.sequences.after(
-                    sequence[active_columns[which]], new
+            for crossing, gone, switching_z, old, new in switched:
+                sequence[active_columns[crossing]] = plant.sequences.after(
+                    sequence[active_columns[crossing]], new
                 )
                 switchings.append(
                     np.vstack(
                         [
-                            active_columns[which],
+                            active_columns[crossing],
                             self.times[k - 1] + gone,
                             switching_z[:2],
                             new,

@@ -20,10 +20,10 @@ def series_step(matrix, growth, rate, z, h):
     The series is z + h (1 + hA/2! + (hA)^2/3! + ...) z'; `growth`: a norm of A.
     """
     size = growth * np.max(np.abs(h), initial=0, where=np.isfinite(h))
-    terms, left = 1, 1.0
-    while 1e-17 < left < np.inf:
+    terms, bound = 1, 1.0
+    while 1e-17 < bound < np.inf:
         terms += 1
-        left *= size / terms
+        bound *= size / terms
     total = rate
     for k in range(terms, 1, -1):
         total = rate + h / k * (matrix @ total)

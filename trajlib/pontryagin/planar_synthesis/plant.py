@@ -117,10 +117,10 @@ class Plant:
                 rank = s - int(np.argmax(self._owner == j))
                 self.required_sign[m, s] = 1 if mode[j] > rank else -1
                 step = 1 if self.required_sign[m, s] < 0 else -1
-                other = number[(*mode[:j], mode[j] + step, *mode[j + 1 :])]
-                self.next_mode[m, s] = other
+                neighbour = number[(*mode[:j], mode[j] + step, *mode[j + 1 :])]
+                self.next_mode[m, s] = neighbour
                 if mode[j] == rank + (step < 0):
-                    self.crossing[m, other] = s
+                    self.crossing[m, neighbour] = s
 
     def name(self, mode):
         """Return the names of the levels of a mode: a string for one control, a tuple for several."""
@@ -129,8 +129,8 @@ class Plant:
 
     def open_mode(self, mode, j):
         """Return the mode in which control j is held at a value of its own."""
-        other = (*self.modes[mode][:j], len(self._levels[j]) - 1, *self.modes[mode][j + 1 :])
-        return self.modes.index(other)
+        levels = (*self.modes[mode][:j], len(self._levels[j]) - 1, *self.modes[mode][j + 1 :])
+        return self.modes.index(levels)
 
     def owner(self, surface):
         """Return the number of the control whose levels a surface separates."""
@@ -294,7 +294,7 @@ class Plant:
 
     def _earliest(self, z, mode, h, end, crossed):
         """Return when each column first crosses a surface, z there, and which surface it is."""
-        when, crossing_z, which = np.full(h.shape, np.inf), end.copy(), np.zeros(h.shape, int)
+        when, crossing_z, surface = np.full(h.shape, np.inf), end.copy(), np.zeros(h.shape, int)
         for s in np.flatnonzero(crossed.any(axis=1)):
             candidates = np.flatnonzero(crossed[s])
             first, zero_z = self.first_zero(
@@ -306,9 +306,9 @@ class Plant:
             )
             earlier = first < when[candidates]
             candidates = candidates[earlier]
-            when[candidates], which[candidates] = first[earlier], s
+            when[candidates], surface[candidates] = first[earlier], s
             crossing_z[:, candidates] = zero_z[:, earlier]
-        return when, crossing_z, which
+        return when, crossing_z, surface
 
     def first_zero(self, z, mode, surface, h, end):
         """Solve surface = 0 in the step by Newton's method, with bisection outside of the bracket.

@@ -218,16 +218,19 @@ def _arrival(synthesis):
 
 def _passages(synthesis):
     """Test condition D by the largest number of switchings."""
-    most = 0
+    largest = 0
     for fan in synthesis._value_function.fans:
         if fan.switchings.shape[1]:
             index = fan.switchings[0].astype(int)
             inside = synthesis._inside(fan.switchings[2:]) & (
                 fan.switchings[1] <= fan.optimal_until[index]
             )
-            most = max(most, int(np.bincount(index[inside], minlength=1).max()))
+            largest = max(largest, int(np.bincount(index[inside], minlength=1).max()))
     return Condition(
-        "D", True, most, f"at most {most} switchings on a trajectory in the window, then the target"
+        "D",
+        True,
+        largest,
+        f"at most {largest} switchings on a trajectory in the window, then the target",
     )
 
 

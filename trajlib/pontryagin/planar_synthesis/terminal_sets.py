@@ -159,10 +159,10 @@ class CurveTarget:
 
     def _point(self, s):
         starts = np.array([2 * low - high for low, high, _ in self._pieces])
-        which = np.clip(np.searchsorted(starts, s, side="right") - 1, 0, None)
+        piece = np.clip(np.searchsorted(starts, s, side="right") - 1, 0, None)
         points = np.empty((2, s.size))
         for k, spline in enumerate(self._splines):
-            points[:, which == k] = spline(np.clip(s[which == k], *self._pieces[k][:2]))
+            points[:, piece == k] = spline(np.clip(s[piece == k], *self._pieces[k][:2]))
         return self._onto_curve(points)
 
     def _onto_curve(self, points):

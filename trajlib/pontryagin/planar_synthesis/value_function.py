@@ -62,14 +62,14 @@ class BestExtremals:
             sequence,
         )
 
-    def at(self, which):
+    def at(self, indices):
         """Return those of some of the points."""
-        return BestExtremals(*(getattr(self, f.name)[which] for f in fields(self)))
+        return BestExtremals(*(getattr(self, f.name)[indices] for f in fields(self)))
 
-    def assign(self, which, others):
+    def assign(self, indices, replacements):
         """Replace those of some points by others."""
         for f in fields(self):
-            getattr(self, f.name)[which] = getattr(others, f.name)
+            getattr(self, f.name)[indices] = getattr(replacements, f.name)
 
 
 class ValueFunction:
@@ -109,7 +109,7 @@ class ValueFunction:
         k, j = np.nonzero(either)
         corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
         x = np.array([fan.path[a, :, b] for a, b in corners])
-        known = np.array(
+        parameters = np.array(
             [np.stack([fan.s[b], fan.times[a], fan.value[a, b]], axis=-1) for a, b in corners]
         )
         # A border of the first mode is an extremal of the fan; for the cell on its other side it
@@ -117,11 +117,19 @@ class ValueFunction:
         middle = (fan.s[:-1] + fan.s[1:]) / 2
         first = (fan.start(middle)[1] if middle.size else np.empty(0, int))[j]
         inside = first >= 0
-        k, j, first, known, x = k[inside], j[inside], first[inside], known[:, inside], x[:, inside]
+        k, j, first, parameters, x = (
+            k[inside],
+            j[inside],
+            first[inside],
+            parameters[:, inside],
+            x[:, inside],
+        )
         corners = [(k, j), (k, j + 1), (k + 1, j), (k + 1, j + 1)]
         sequences = np.array([_seen_from(fan, first, a, b) for a, b in corners])
         points = np.concatenate([x[[0, 1, 2]], x[[1, 3, 2]]], axis=1).transpose(1, 0, 2)
-        values = np.concatenate([known[[0, 1, 2]], known[[1, 3, 2]]], axis=1).transpose(1, 0, 2)
+        values = np.concatenate([parameters[[0, 1, 2]], parameters[[1, 3, 2]]], axis=1).transpose(
+            1, 0, 2
+        )
         sequences = np.concatenate([sequences[[0, 1, 2]], sequences[[1, 3, 2]]], axis=1).T
         a, b = points[:, 1] - points[:, 0], points[:, 2] - points[:, 0]
         area = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
@@ -133,11 +141,11 @@ class ValueFunction:
         """Return about what a unit of time costs."""
         if self.plant.counts_time:
             return 1.0
-        spent = [np.abs(np.diff(fan.value, axis=0)).ravel() / fan.times[1] for fan in self.fans]
-        spent = np.concatenate(spent)
+        prices = [np.abs(np.diff(fan.value, axis=0)).ravel() / fan.times[1] for fan in self.fans]
+        prices = np.concatenate(prices)
         # Where only the terminal cost counts, its range gives the size of a difference.
         ends = np.ptp(np.concatenate([fan.value[0] for fan in self.fans]))
-        return float(np.median(spent[np.isfinite(spent)])) + float(ends) / self.fans[0].times[-1]
+        return float(np.median(prices[np.isfinite(prices)])) + float(ends) / self.fans[0].times[-1]
 
     def _sort(self):
         # A corner, two edges and their determinant, in one row each, since rows are fetched in any
@@ -235,10 +243,10 @@ class ValueFunction:
         self._newton(x, np.flatnonzero(~np.isfinite(best.cost)), best, np.inf)
         return best
 
-    def _newton(self, x, which, best, later):
+    def _newton(self, x, indices, best, later):
         """Apply Newton's method in cells that are at most `later` steps behind the cheapest."""
-        point, triangle, s, tau = self._distinct(x[:, which], later)
-        point = which[point]
+        point, triangle, s, tau = self._distinct(x[:, indices], later)
+        point = indices[point]
         # Newton's method starts inside of the cell: at its edge the family may have a fold.
         corner = self.values[triangle][:, :, 0]
         low, width = corner.min(axis=1), np.ptp(corner, axis=1)
@@ -322,10 +330,10 @@ class ValueFunction:
 def _seen_from(fan, first, steps, columns):
     """Return the sequences at corners of cells that begin with the modes `first`."""
     sequences, root = fan.sequence[steps, columns], fan.mode[0, columns]
-    other = np.flatnonzero((root != first) & (sequences >= 0))
-    if other.size:
+    changed = np.flatnonzero((root != first) & (sequences >= 0))
+    if changed.size:
         sequences = sequences.copy()
-        sequences[other] = fan.plant.sequences.prefixed(first[other], sequences[other])
+        sequences[changed] = fan.plant.sequences.prefixed(first[changed], sequences[changed])
     # The extremal itself may be singular: it does not move, and only its end is a corner.
     singular = (sequences < 0) & (steps == 0)
     sequences = np.where(singular, fan.plant.sequences.after(-1, first), sequences)

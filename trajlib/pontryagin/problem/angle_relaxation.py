@@ -58,8 +58,10 @@ def is_angle(problem, u):
         for wave in e.atoms(sp.sin, sp.cos):
             if sp.diff(wave.args[0], u).is_integer:
                 waves[wave] = sp.Dummy()
-    rest = set().union(*(e.xreplace(waves).free_symbols for e in (*problem.field, problem.running)))
-    return problem.controls[u] == (-sp.oo, sp.oo) and u not in rest
+    remaining_symbols = set().union(
+        *(e.xreplace(waves).free_symbols for e in (*problem.field, problem.running))
+    )
+    return problem.controls[u] == (-sp.oo, sp.oo) and u not in remaining_symbols
 
 
 def relax_angles(problem: Statement) -> AngleRelaxation | None:

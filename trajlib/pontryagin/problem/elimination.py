@@ -99,11 +99,11 @@ def control_field(problem: Statement) -> dict[sp.Symbol, sp.Expr]:
         sp.expand(e.subs(from_end)) for e in (slope, drift, sp.diff(slope, u))
     )
     free = [psi for psi in costates if any(e.has(psi) for e in (slope, drift, curvature))]
-    rest, gains = slope.subs(dict.fromkeys(free, 0)), [sp.diff(slope, psi) for psi in free]
-    if len(free) == 2 and rest == 0:
+    constant_part, gains = slope.subs(dict.fromkeys(free, 0)), [sp.diff(slope, psi) for psi in free]
+    if len(free) == 2 and constant_part == 0:
         values = {free[0]: gains[1], free[1]: -gains[0]}
     elif len(free) == 1:
-        values = {free[0]: -rest / gains[0]}
+        values = {free[0]: -constant_part / gains[0]}
     elif not free:
         values = {}
     else:

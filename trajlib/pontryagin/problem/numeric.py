@@ -9,6 +9,7 @@ from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.problem.angle_relaxation import is_angle, relax_angles
 from trajlib.pontryagin.problem.casadi_expressions import to_casadi
 from trajlib.pontryagin.problem.derivation import conditions
+from trajlib.pontryagin.problem.scaling import Scaling
 from trajlib.pontryagin.problem.statement import Statement
 
 # Values tried for a control in which H is not linear.
@@ -32,18 +33,20 @@ class NumericProblem:
         The given duration; a free one lies between `shortest` and `longest`.
     affine, angles : list of bool
         Whether H is linear in a control; whether a control is an angle without bounds.
+    scaling : Scaling or None
+        From the user's units to those of the problem, where they differ.
     """
 
     # A free final time is bounded by default: from below since it would shrink to zero or beyond,
-    # from above since a problem without a minimum would run away. In the user's units of time.
+    # from above since a problem without a minimum would run away. In natural units of time.
     SHORTEST, LONGEST = 1e-6, 1e3
 
-    def __init__(self, problem: Statement):
+    def __init__(self, problem: Statement, scaling: Scaling | None = None):
         if problem.parameters:
             names = ", ".join(map(str, problem.parameters))
             raise ValueError(f"solve: no value for {names}; give values by problem.subs({{...}})")
         _refuse_kinks(problem)
-        self.problem = problem
+        self.problem, self.scaling = problem, scaling
         switching = conditions(problem).switching
         # Whether H is linear in a control, so that a bound or a singular arc makes it largest.
         self.affine = [u in switching for u in problem.control]
@@ -164,6 +167,17 @@ class NumericProblem:
             chosen = np.argmax(H, axis=0)
             best, largest = trials[chosen, rows], H[chosen, rows]
         return best, largest - before
+
+    def user_cost(self, value):
+        """Return a cost in the user's units, with the sign that it has in the statement."""
+        value = -value if self.problem.maximise else value
+        if self.scaling is None:
+            return value
+        return value * float(self.scaling.cost) + float(self.scaling.constant_cost)
+
+    def user_time(self, value):
+        """Return a time in the user's unit."""
+        return value if self.scaling is None else value * float(self.scaling.time)
 
     def middle(self):
         """Return a control inside the bounds, (k,)."""

@@ -136,8 +136,8 @@ def _bounds(u, low, high):
         return rf"{name} \in \mathbb{{R}}"
     if low == -high:
         return rf"|{name}| \le {sp.latex(high)}"
-    left = "" if low == -sp.oo else rf"{sp.latex(low)} \le "
-    return left + name + ("" if high == sp.oo else rf" \le {sp.latex(high)}")
+    lower_side = "" if low == -sp.oo else rf"{sp.latex(low)} \le "
+    return lower_side + name + ("" if high == sp.oo else rf" \le {sp.latex(high)}")
 
 
 def _end(problem):

@@ -127,13 +127,13 @@ def singular_arc(derived, u: sp.Symbol) -> SingularArc:
     order = len(derivatives) // 2
     highest = sp.expand(sp.simplify(highest), power_exp=False)
     a, b = highest.subs(u, 0), sp.diff(highest, u)
-    known = _eliminated(derivatives, derived, unknowns, surface)
+    eliminated = _eliminated(derivatives, derived, unknowns, surface)
     kelley = sp.factor(
-        sp.trigsimp(_on(surface, (-1) ** order * b.subs(known), derived.problem.state))
+        sp.trigsimp(_on(surface, (-1) ** order * b.subs(eliminated), derived.problem.state))
     )
     control = None
     if kelley != 0:
-        control = _on(surface, sp.simplify((-a / b).subs(known)), derived.problem.state)
+        control = _on(surface, sp.simplify((-a / b).subs(eliminated)), derived.problem.state)
     sign = (
         "zero, so that the control is not determined"
         if kelley == 0
@@ -157,15 +157,15 @@ def singular_arc(derived, u: sp.Symbol) -> SingularArc:
     )
 
 
-def raw_derivatives(derived, u, most=None):
+def raw_derivatives(derived, u, max_terms=None):
     """Return dH/du with its derivatives that do not contain u, and the first that does, or None.
 
-    A derivative of more than `most` terms is the last, whether it contains u or not.
+    A derivative of more than `max_terms` terms is the last, whether it contains u or not.
     """
     derivatives = [derived.switching[u]]
     for _ in range(2 * len(derived.costate)):
         derivative = sp.expand(derived.derivative(derivatives[-1]), power_exp=False)
-        if most and len(sp.Add.make_args(derivative)) > most:
+        if max_terms and len(sp.Add.make_args(derivative)) > max_terms:
             return (*derivatives, derivative), None
         if len(derivatives) % 2 == 0 and not _vanishes(sp.diff(derivative, u)):
             return tuple(derivatives), derivative

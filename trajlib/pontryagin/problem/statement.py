@@ -119,10 +119,10 @@ class Statement:
         values = {s: exact_decimals(read_expression(v, f"subs, {s}")) for s, v in values.items()}
         unknown = set(values) - set(self.parameters)
         if unknown:
-            known = ", ".join(map(str, self.parameters)) or "none"
+            names = ", ".join(map(str, self.parameters)) or "none"
             raise ValueError(
                 f"subs: {', '.join(sorted(map(str, unknown)))} is no parameter here (parameters: "
-                f"{known})"
+                f"{names})"
             )
 
         def substituted(e):

@@ -72,7 +72,7 @@ def to_ball(expression, values=None):
         return sp.prod(parts)
     if e.is_Pow:
         return parts[0] ** parts[1] if e.exp.is_Integer or e.base.is_positive else _unknown(e)
-    known = {
+    methods = {
         sp.sin: "sin",
         sp.cos: "cos",
         sp.tan: "tan",
@@ -83,7 +83,7 @@ def to_ball(expression, values=None):
         sp.tanh: "tanh",
         sp.atan: "atan",
     }
-    return getattr(parts[0], known[type(e)])() if type(e) in known else _unknown(e)
+    return getattr(parts[0], methods[type(e)])() if type(e) in methods else _unknown(e)
 
 
 def _unknown(expression):

@@ -4,7 +4,8 @@ State, costate and control are functions of time here, wherever they come from. 
 differential equations are tested in integral form, y(b) - y(a) against the integral of the
 right-hand side over panels [a, b] by Gaussian quadrature, so that nothing is shared with a solver:
 neither its grid, nor its integrator, nor its derivatives (SymPy and NumPy here). All residuals are
-relative: to 1 + the largest state, costate or Hamiltonian that occurs.
+relative: to 1 + the largest state, costate or Hamiltonian that occurs, in units in which these are
+about 1 in size (`problem.scaling`), so that they do not depend on the user's units.
 """
 
 from collections.abc import Callable, Sequence
@@ -12,13 +13,17 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from trajlib.pontryagin.problem.scaling import units_of_process
 from trajlib.pontryagin.problem.statement import Statement
-from trajlib.pontryagin.verification.residuals import TrajectoryResiduals
+from trajlib.pontryagin.verification.optimality import Optimality
+from trajlib.pontryagin.verification.residuals import TrajectoryResiduals, sampled
 
 # Panels on an arc, more and more until the integrals agree with the trajectory to within
 # INTEGRATED: a rapid turn needs many. A remaining defect is one of the trajectory, not of the
 # quadrature.
 PANELS, INTEGRATED = (12, 48, 192), 1e-11
+# Times at which the sizes of the values are taken.
+SAMPLES = 65
 
 
 @dataclass(frozen=True)
@@ -50,6 +55,8 @@ class Certificate:
         How far the trajectory passes the target before the final time (with first_return), else 0.
     kelley : float or None
         Largest (-1)^q b on the singular arcs, not positive for a minimum; None without such arcs.
+    optimality : Optimality or None
+        What is known beyond these necessary conditions; None where the search is not known.
     """
 
     dynamics: float
@@ -65,11 +72,12 @@ class Certificate:
     multipliers: float
     passage: float
     kelley: float | None
+    optimality: Optimality | None = None
 
     @property
     def worst(self) -> float:
         """The largest of the residuals (Kelley's sign apart)."""
-        return max(getattr(self, f.name) for f in fields(self) if f.name != "kelley")
+        return max(getattr(self, name) for name in _RESIDUALS)
 
     def failures(self, tolerance: float = 1e-9) -> list[str]:
         """Return the names of the conditions that do not hold to within a tolerance.
@@ -84,11 +92,7 @@ class Certificate:
         list of str
             Names of attributes, empty if all conditions hold.
         """
-        names = [
-            f.name
-            for f in fields(self)
-            if f.name != "kelley" and not getattr(self, f.name) <= tolerance
-        ]
+        names = [name for name in _RESIDUALS if not getattr(self, name) <= tolerance]
         return names + ["kelley"] * (self.kelley is not None and not self.kelley <= tolerance)
 
     def holds(self, tolerance: float = 1e-9) -> bool:
@@ -124,7 +128,11 @@ class Certificate:
         rows = "".join(f"| {word} | {getattr(self, name):.1e} |\n" for name, word in words.items())
         if self.kelley is not None:
             rows += f"| Kelley: $(-1)^q b \\le 0$ | {self.kelley:.3g} |\n"
-        return f"| condition | residual |\n|---|---|\n{rows}"
+        statement = f"\n{str(self.optimality).capitalize()}.\n" if self.optimality else ""
+        return f"| condition | residual |\n|---|---|\n{rows}{statement}"
+
+
+_RESIDUALS = [f.name for f in fields(Certificate) if f.name not in ("kelley", "optimality")]
 
 
 def certify(
@@ -184,6 +192,9 @@ def certify(
     >>> certify(fall, lambda t: [2 - t], lambda t: [0*t + 1], lambda t: [0*t - 1], duration=2).failures()
     ['maximum', 'stationarity']
     """
+    problem, (state, costate, control), duration, switching_times = _in_own_units(
+        problem, (state, costate, control), duration, switching_times, multiplier
+    )
     for panels in PANELS if points is None else [points]:
         values = TrajectoryResiduals(
             problem, state, costate, control, duration, switching_times, multiplier, panels
@@ -214,4 +225,35 @@ def certify(
         multipliers=float(max(-multiplier, 0.0) if size > 1e-9 else 1.0),
         passage=values.passage(),
         kelley=values.kelley(arcs),
+    )
+
+
+def _in_own_units(problem, functions, duration, switching_times, multiplier):
+    """Return the same arguments in units in which the values of the process are about 1.
+
+    `functions`: state, costate and control.
+    """
+    if problem.parameters:
+        raise ValueError(f"certify: no value for {', '.join(map(str, problem.parameters))}")
+    times, n = np.linspace(0, float(duration), SAMPLES), len(problem.state)
+    sizes = (n, n, len(problem.control))
+    values = (
+        sampled(function, times, rows, name)
+        for function, rows, name in zip(functions, sizes, ("state", "costate", "control"))
+    )
+    scaling = units_of_process(problem, *values, float(duration), float(multiplier))
+    if scaling is None:
+        return problem, functions, duration, switching_times
+    time = float(scaling.time)
+
+    def scaled(function, units):
+        units = np.array([[float(unit)] for unit in units])
+        return lambda t: np.asarray(function(np.minimum(time * t, duration)), float) / units
+
+    units = (scaling.states, [scaling.cost / s for s in scaling.states], scaling.controls)
+    return (
+        scaling.problem,
+        tuple(map(scaled, functions, units)),
+        duration / time,
+        [t / time for t in switching_times],
     )

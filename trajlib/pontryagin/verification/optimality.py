@@ -38,19 +38,28 @@ class Optimality:
         The theorem, or the sign of the second variation.
     starts : int
         Number of starting guesses of the search.
-    found : int
+    processes : int
         Number of different processes to which they led; this is the best.
     """
 
     kind: str
     reason: str
     starts: int
-    found: int
+    processes: int
 
     @property
     def proved(self) -> bool:
         """Whether no process is better, by a theorem."""
         return self.kind == "proved"
+
+    @property
+    def summary(self) -> str:
+        """In a few words: proved optimal, or the kind and the best of how many starts."""
+        if self.proved:
+            return "proved optimal"
+        if self.starts == 1:
+            return f"{self.kind}, found from the start given"
+        return f"{self.kind}, best of {self.starts} starts"
 
     def __str__(self):
         if self.proved:
@@ -58,7 +67,7 @@ class Optimality:
         if self.starts == 1:
             best = "the one found from the start given"
         else:
-            best = f"the best of {self.found}" if self.found > 1 else "the only one"
+            best = f"the best of {self.processes}" if self.processes > 1 else "the only one"
             best += f" found from {self.starts} starts"
         return f"{self.kind} ({self.reason}), {best}; a better process is not excluded"
 
@@ -89,14 +98,14 @@ def relaxed_sufficiency_theorem(problem: Statement) -> tuple[str, bool] | None:
 
 def _theorem(problem, blocks):
     y, u = sp.Matrix(problem.state), sp.Matrix(problem.control)
-    both = [*y, *u]
-    slopes = sp.Matrix(problem.field).jacobian(both)
+    arguments = [*y, *u]
+    slopes = sp.Matrix(problem.field).jacobian(arguments)
     targets = sp.Matrix(problem.terminal).jacobian(y) if problem.terminal else sp.zeros(0, len(y))
-    if not _constant(slopes, both) or not _constant(targets, both):
+    if not _constant(slopes, arguments) or not _constant(targets, arguments):
         return None
     sign = -1 if problem.maximise else 1
     if not problem.free_time:
-        if _convex(sign * problem.running, both) and _convex(sign * problem.final, list(y)):
+        if _convex(sign * problem.running, arguments) and _convex(sign * problem.final, list(y)):
             return "a linear plant, a convex cost and a given duration", True
         return None
     fastest = (

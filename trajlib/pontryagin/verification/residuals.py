@@ -22,8 +22,6 @@ class TrajectoryResiduals:
     def __init__(
         self, problem, state, costate, control, duration, switching_times, multiplier, panels
     ):
-        if problem.parameters:
-            raise ValueError(f"certify: no value for {', '.join(map(str, problem.parameters))}")
         self.problem, self.multiplier = problem, float(multiplier)
         arc_ends = np.array([0.0, *sorted(float(t) for t in switching_times), float(duration)])
         if not np.all(np.diff(arc_ends) > 0):
@@ -40,7 +38,7 @@ class TrajectoryResiduals:
         self.weights = widths[:, None] / 2 * _GAUSS[1]
         n, k = len(problem.state), len(problem.control)
         self.y, self.psi, self.u = (
-            _values(f, self.times, rows, name)
+            sampled(f, self.times, rows, name)
             for f, rows, name in (
                 (state, n, "state"),
                 (costate, n, "costate"),
@@ -48,8 +46,8 @@ class TrajectoryResiduals:
             )
         )
         self.y_edges, self.psi_edges = (
-            _values(state, self.edges, n, "state"),
-            _values(costate, self.edges, n, "costate"),
+            sampled(state, self.edges, n, "state"),
+            sampled(costate, self.edges, n, "costate"),
         )
         # At the final time the control is that of the last arc.
         self.last_control = self.u[:, -1]
@@ -240,7 +238,7 @@ def _candidates(u, low, high, linear):
     return candidates + list(grid) + near
 
 
-def _values(function, times, rows, name):
+def sampled(function, times, rows, name):
     """Evaluate a function at the times. Raises ValueError if the shape is wrong."""
     values = np.asarray(function(times), dtype=float)
     if values.shape != (rows, len(times)):

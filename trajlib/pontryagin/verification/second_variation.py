@@ -180,12 +180,12 @@ def _intervals(numeric):
     def build():
         h = ca.SX.sym("h")
         end, piece = runge_kutta(numeric)(numeric.x, numeric.u, h)
-        both = ca.vertcat(numeric.x, numeric.u, h)
-        curvature = ca.hessian(numeric.multiplier * piece - ca.dot(numeric.psi, end), both)[0]
+        arguments = ca.vertcat(numeric.x, numeric.u, h)
+        curvature = ca.hessian(numeric.multiplier * piece - ca.dot(numeric.psi, end), arguments)[0]
         return ca.Function(
             "interval",
             [numeric.x, numeric.u, h, numeric.psi, numeric.multiplier],
-            [ca.densify(ca.jacobian(end, both)), ca.densify(curvature)],
+            [ca.densify(ca.jacobian(end, arguments)), ca.densify(curvature)],
         )
 
     function = numeric.cached("second variation of an interval", build)

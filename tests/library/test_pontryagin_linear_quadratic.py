@@ -1,0 +1,128 @@
+"""Linear plants with a quadratic cost, solved by one linear solve, against other routes."""
+
+import itertools
+import time
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from trajlib.pontryagin import Infeasible, Problem
+
+pytestmark = pytest.mark.slow
+R = sp.Rational
+x, y, z, u, v, s = sp.symbols("x y z u v s")
+
+
+def chain(n, start=1, duration=1):
+    """The least energy of a chain of n integrators from x1 = start to rest at zero."""
+    states = sp.symbols(f"x1:{n + 1}")
+    return Problem(
+        {**dict(itertools.pairwise(states)), states[-1]: u},
+        {u: None},
+        {state: start if state == states[0] else 0 for state in states},
+        list(states),
+        running=u**2 / 2,
+        duration=duration,
+    )
+
+
+def chain_energy(n, start=1, duration=1):
+    """x1(0)^2 (W^-1)_11 / 2, W being the Gramian of the states reached from zero."""
+    response = sp.Matrix([s ** (n - 1 - i) / sp.factorial(n - 1 - i) for i in range(n)])
+    gramian = (response * response.T).applyfunc(lambda e: sp.integrate(e, (s, 0, duration)))
+    free = sp.eye(n)[:, 0] * start
+    return (free.T * gramian.LUsolve(free))[0] / 2
+
+
+@pytest.mark.parametrize("start", [1, R(1, 100), 10**6, R(1, 10**9)])
+@pytest.mark.parametrize("n", range(1, 9))
+def test_chain_of_integrators(n, start):
+    begin = time.process_time()
+    extremal = chain(n, start).solve()
+    assert time.process_time() - begin < 5
+    assert extremal.cost == pytest.approx(float(chain_energy(n, start)), rel=1e-15)
+    assert extremal.optimality.proved and extremal.certificate().holds(1e-11)
+    assert extremal.state(0) == pytest.approx([float(start)] + [0] * (n - 1))
+
+
+@pytest.mark.parametrize("duration", [R(1, 1000), 1000])
+def test_chain_in_other_times(duration):
+    extremal = chain(5, 1, duration).solve()
+    assert extremal.cost == pytest.approx(float(chain_energy(5, 1, duration)), rel=1e-15)
+    assert extremal.certificate().holds(1e-11)
+
+
+FAST = {x: y, y: -100 * x + u}
+CASES = {
+    "affine plant, mixed terms": Problem(
+        {x: y + 1, y: -x + u - 2},
+        {u: None},
+        {x: 1, y: 0},
+        [x + y - 1],
+        running=u**2 + x * u / 2 + x**2 + 3 * x - u + 4,
+        final=y**2 - y,
+        duration=2,
+    ),
+    "largest": Problem(
+        {x: u}, {u: None}, {x: 1}, running=-(x**2) - u**2 + 1, duration=1, maximise=True
+    ),
+    "free initial state": Problem(
+        {x: y, y: u + v},
+        {u: None, v: None},
+        {x: None, y: 1},
+        [x - 1],
+        running=u**2 + 2 * v**2 + u * v + x**2,
+        duration=3,
+    ),
+    "unstable, long": Problem(
+        {x: 2 * x + u}, {u: None}, {x: 1}, [x - 3], running=x**2 + u**2, duration=30
+    ),
+    "oscillator": Problem(FAST, {u: None}, {x: 1, y: 0}, [x, y], running=u**2, duration=5),
+    "decimals and roots": Problem(
+        {x: sp.sqrt(2) * y, y: 0.1 * u - sp.pi * x},
+        {u: None},
+        {x: 0.3, y: 0},
+        [x - y],
+        running=u**2 + 0.7 * y**2,
+        duration=1.7,
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_search_finds_the_same(name):
+    """With a structure the problem is solved by transcription and Newton's method."""
+    problem = CASES[name]
+    extremal = problem.solve()
+    searched = problem.solve([("interior",) * len(problem.control)])
+    times = np.linspace(0, extremal.duration, 31)
+    assert extremal.cost == pytest.approx(searched.cost, rel=1e-11)
+    for values, others in (
+        (extremal.state(times), searched.state(times)),
+        (extremal.costate(times), searched.costate(times)),
+        (extremal.control(times), searched.control(times)),
+    ):
+        assert values == pytest.approx(others, rel=1e-8, abs=1e-9 * np.max(np.abs(others)))
+    assert extremal.terminal_multipliers == pytest.approx(searched.terminal_multipliers, rel=1e-8)
+    assert extremal.certificate().holds(1e-11) and extremal.optimality.proved
+
+
+def test_very_long_horizon():
+    """Errors grow by e^2000 along the process; x = e^(-t) up to e^(-2000), and J = 1 + sqrt 2."""
+    extremal = Problem(
+        {x: x + u}, {u: None}, {x: 1}, [x], running=x**2 + u**2, duration=500
+    ).solve()
+    assert extremal.cost == pytest.approx(1 + np.sqrt(2), rel=1e-14)
+    assert extremal.state(1.0) == pytest.approx([np.exp(-np.sqrt(2))], rel=1e-12)
+
+
+def test_uncontrollable_states_on_their_target():
+    """x - y is the same whatever the control, and zero at both ends."""
+    plant = {x: -x + u, y: -y + u}
+    extremal = Problem(plant, {u: None}, {x: 1, y: 1}, [x, y], running=u**2, duration=1).solve()
+    # x(1) = e^-1 + int e^(s-1) u ds: the least norm is e^-2 / int e^(2s-2) ds.
+    assert extremal.cost == pytest.approx(2 / (np.e**2 - 1), rel=1e-14)
+    assert extremal.certificate().holds()
+    with pytest.raises(Infeasible, match="does not depend on the control"):
+        Problem(plant, {u: None}, {x: 1, y: R(1, 2)}, [x, y], running=u**2, duration=1).solve()

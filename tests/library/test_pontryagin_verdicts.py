@@ -1,0 +1,163 @@
+"""What is said of problems without a solution, or with more than one, before and after the search."""
+
+import time
+
+import numpy as np
+import pytest
+import sympy as sp
+
+from trajlib.pontryagin import Infeasible, PontryaginError, Problem, Unbounded
+from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
+from trajlib.pontryagin.problem.numeric import NumericProblem
+
+R = sp.Rational
+x, y, z, u, v = sp.symbols("x y z u v")
+TWINS, FREE, ONE = {x: -x + u, y: -y + u}, {u: None}, {u: (-1, 1)}
+START = {x: 1, y: R(1, 2)}
+
+
+@pytest.mark.parametrize(
+    "problem, message",
+    [
+        (Problem(TWINS, ONE, START, [x, y]), r"x - y = exp\(-t\)/2 whatever .* asks for 0, which it never"),
+        (Problem(TWINS, FREE, START, [x, y], running=1 + u**2), "an uncontrollable mode .* -1"),
+        (Problem(TWINS, FREE, START, [x, y], running=u**2, duration=1), "does not depend on the c"),
+        (Problem(TWINS, ONE, START, [x - y - R(1, 4), y], duration=(1, 2)), "at t = 0.693147 only"),
+        (
+            Problem({**TWINS, z: -2 * z}, ONE, {**START, z: 1}, [x - R(1, 4), y, z - R(1, 2)]),
+            "at the times 0.693147 and 0.346574",
+        ),
+        (Problem({x: y, y: u, z: 2}, ONE, {x: 1, y: 0, z: 0}, [x, y, z + 1]), r"z (= 2\*t|begins)"),
+        # The limit of x' = -x + u with |u| <= 1, for the units of the user as well.
+        (Problem({x: -x + u}, ONE, {x: 0}, [x - 1]), "remains below 1"),
+        (Problem({x: -x + u}, {u: (-R(1, 10**9), R(1, 10**9))}, {x: 0}, [x - R(2, 10**9)]), "below"),
+    ],
+)  # fmt: skip
+def test_uncontrollable_modes_are_infeasible(problem, message):
+    begin = time.process_time()
+    with pytest.raises(Infeasible, match=message):
+        problem.solve()
+    assert time.process_time() - begin < 2
+
+
+def test_modes_that_reach_the_target():
+    """The mode x - y is zero at both ends."""
+    extremal = Problem(TWINS, ONE, {x: 1, y: 1}, [x, y]).solve()
+    assert extremal.duration == pytest.approx(float(sp.log(2)), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        Problem({x: u}, ONE, {x: 1}, [x**2]),
+        Problem({x: u}, FREE, {x: 1}, [x**2], running=u**2, duration=1),
+        Problem({x: u}, ONE, {x: 10**6}, [x**4]),
+        Problem({x: u, y: v}, {**ONE, v: (-1, 1)}, START, [x**2 + y**2], running=1 + u**2 + v**2),
+        # The equation holds to 1e-17 at a distance of 3e-9.
+        Problem({x: u}, ONE, {x: 1}, [sp.cos(x) - 1]),
+    ],
+    ids=lambda problem: str(problem.terminal[0]),
+)
+def test_degenerate_targets_are_named(problem):
+    with pytest.raises(PontryaginError, match="gradient of .* vanishes on the target"):
+        problem.solve()
+
+
+@pytest.mark.parametrize("start", [2, 10**4, 1e-6])
+def test_targets_with_a_normal_are_not_refused(start):
+    """A path along the axis to the unit circle, from near and far."""
+    circle = Problem({x: u, y: v}, {**ONE, v: (-1, 1)}, {x: start, y: 0}, [x**2 + y**2 - 1])
+    path = np.stack([np.linspace(start, 1, 50), np.zeros(50)], axis=1)
+    refuse_degenerate_target(NumericProblem(circle), path)
+
+
+# A shallow well near zero and a deep one far away.
+WELLS = Problem(
+    {x: u},
+    FREE,
+    {x: 0},
+    running=u**2 / 2,
+    final=-sp.exp(-((x + R(1, 2)) ** 2)) / 2 - 20 * sp.exp(-((x - 5) ** 2)),
+    duration=1,
+)
+
+
+def test_more_starts_find_a_better_process():
+    """The cost is s^2/2 + phi(s), s being the end: its least value on a fine grid."""
+    s = np.linspace(-2, 8, 1000001)
+    values = s**2 / 2 + sp.lambdify(x, WELLS.final)(s)
+    few, many = WELLS.solve(), WELLS.solve(starts=30)
+    assert many.cost == pytest.approx(np.min(values), abs=1e-9) and many.cost < few.cost - 7
+    assert many.optimality.starts == 30 and many.optimality.processes > 1
+    assert "locally minimal, best of 30 starts" in repr(many)
+    evidence = many.certificate()
+    assert evidence.holds() and evidence.optimality == many.optimality
+    assert "best of 2 found from 30 starts" in evidence._repr_markdown_()
+
+
+def test_time_limit():
+    begin = time.monotonic()
+    extremal = WELLS.solve(starts=10**9, time_limit=2)
+    assert time.monotonic() - begin < 20 and extremal.optimality.starts < 10**9
+    with pytest.raises(ValueError, match="time_limit: expected a positive"):
+        WELLS.solve(time_limit=0)
+    with pytest.raises(ValueError, match="starts: expected at least one"):
+        WELLS.solve(starts=0)
+
+
+DOUBLE_WELL = 10 * (x**2 - 1) ** 2 + x
+
+
+@pytest.mark.parametrize("unit", [1, 1000, R(1, 1000)])
+@pytest.mark.parametrize("maximise", [False, True])
+def test_polynomial_terminal_cost_is_decided(unit, maximise):
+    """From the shallower well: V(s) = (s - 1)^2/2, and the sum on a fine grid."""
+    s, sign = np.linspace(-3, 3, 600001), -1 if maximise else 1
+    least = np.min((s - 1) ** 2 / 2 + 10 * (s**2 - 1) ** 2 + s)
+    extremal = Problem(
+        {x: u},
+        FREE,
+        {x: unit},
+        running=sign * u**2 / 2,
+        final=sign * unit**2 * DOUBLE_WELL.subs(x, x / unit),
+        duration=1,
+        maximise=maximise,
+    ).solve()
+    assert sign * extremal.cost == pytest.approx(float(least * unit**2), rel=1e-9)
+    assert extremal.optimality.proved and extremal.certificate().holds()
+
+
+def test_polynomial_of_one_of_two_states():
+    """The search finds no better process from a guess beside either well."""
+    problem = Problem(
+        {x: y, y: u},
+        FREE,
+        {x: 1, y: 0},
+        [y],
+        running=u**2 / 2 + x**2,
+        final=DOUBLE_WELL,
+        duration=1,
+    )
+    extremal = problem.solve()
+    costs = [problem.solve(guess={x: [1, end]}).cost for end in (-1, 1)]
+    assert extremal.optimality.proved
+    assert extremal.cost == pytest.approx(min(costs), rel=1e-10)
+
+
+def test_polynomial_that_falls_without_bound():
+    with pytest.raises(Unbounded, match="outweighs any running cost"):
+        Problem({x: u}, FREE, {x: 1}, running=u**2 / 2, final=-(x**4), duration=1).solve()
+
+
+@pytest.mark.parametrize(
+    "problem",
+    [
+        # The cost of u = h^(-1/3) during the time h is h^(1/3).
+        Problem({x: u**3}, FREE, {x: 0}, [x - 1], running=u**2, duration=1),
+        Problem({x: u}, FREE, {x: 1}, [x], running=x**2, duration=1),
+        Problem({x: y, y: u}, FREE, {x: 1, y: 0}, [x, y], running=x**2 + y**2, duration=1),
+    ],
+)
+def test_impulses_are_named(problem):
+    with pytest.raises(Unbounded, match="impulses seem to approach the infimum"):
+        problem.solve()

@@ -1,0 +1,73 @@
+"""Infima that are approached by impulses: v' = u^3 with the cost int u^2, or x' = u with int x^2.
+
+Where the running cost grows no faster with an unbounded control than the right-hand sides do, a
+control u = h^(-1/p) during the time h changes the state by about 1 and costs h^(1 - q/p) at most (p
+and q being the degrees in u): ever shorter and larger controls may cost ever less, and Tonelli's
+condition for the existence of an optimal process fails. Then finer grids show whether it is so.
+"""
+
+from itertools import pairwise
+
+import numpy as np
+import sympy as sp
+
+from trajlib.pontryagin.direct.descent import solution_from_controls
+from trajlib.pontryagin.problem.errors import Unbounded
+
+# Growth of the largest control from one grid to a finer one, and the decrease of the cost as a share
+# of it, that are not errors of the steps.
+GROWS, FALLS = 1.2, 1e-3
+# How many intervals of a finer grid one of the coarser has.
+FINER = 4
+
+
+def refuse_impulses(numeric, solution, side):
+    """Raise `Unbounded` if short large controls cost ever less on finer grids."""
+    degrees = {
+        j: degree
+        for j, u in enumerate(numeric.problem.control)
+        if not np.isfinite([numeric.lower[j], numeric.upper[j]]).all()
+        and (degree := _impulsive_degree(numeric.problem, u))
+    }
+    if not degrees:
+        return
+    solutions = [solution]
+    for _ in range(2):
+        controls = _sharpened(solutions[-1].controls, degrees)
+        finer = solution_from_controls(numeric, solutions[-1], side, controls)
+        if finer is None:
+            return
+        solutions.append(finer)
+    costs = [s.cost for s in solutions]
+    falls = all(b < a - FALLS * abs(a) for a, b in pairwise(costs))
+    for j in degrees:
+        largest = [float(np.max(np.abs(s.controls[:, j]))) for s in solutions]
+        if falls and all(b > GROWS * a for a, b in pairwise(largest)):
+            u = numeric.problem.control[j]
+            values = ", ".join(
+                f"{numeric.user_cost(cost):.6g} with {len(s.controls)} intervals"
+                for s, cost in zip(solutions, costs)
+            )
+            raise Unbounded(
+                f"impulses seem to approach the infimum, which is not attained then: {u} is "
+                "unbounded, and the running cost grows no "
+                f"faster with it than the dynamics do, so that ever shorter impulses of {u} cost ever "
+                f"less ({values}). Bound {u}, or give it a cost that grows faster."
+            )
+
+
+def _impulsive_degree(problem, u):
+    """Return the degree of f in u if that of f_0 is not larger; None elsewhere."""
+    if not all(e.is_polynomial(u) for e in (problem.running, *problem.field)):
+        return None
+    cost, *rates = (sp.degree(e, u) if e.has(u) else 0 for e in (problem.running, *problem.field))
+    return max(rates) if cost <= max(rates) else None
+
+
+def _sharpened(controls, degrees):
+    """Return controls on intervals FINER times as short, with u^p on the first of each FINER."""
+    finer = np.repeat(controls, FINER, axis=0)
+    for j, degree in degrees.items():
+        finer[:, j] = 0.0
+        finer[::FINER, j] = controls[:, j] * FINER ** (1 / degree)
+    return finer

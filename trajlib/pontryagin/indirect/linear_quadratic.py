@@ -1,0 +1,241 @@
+"""Linear plants with a convex quadratic cost: the extremal by one linear solve.
+
+y' = A y + B u + c with f_0 and phi_0 of at most the second degree, R = d2f_0/du2 positive definite,
+no bounds on u, linear terminal equations G y = d and a given duration. Then H_u = 0 gives
+
+    u = R^-1 (B^T psi - S^T y - r),        S = d2f_0/dy du,   r = df_0/du at zero,
+
+and with it a linear system z' = K z for z = (y, psi, 1) with linear conditions at both ends. The cost
+follows from their values, since with the linear terms q y + r u and the constant w of f_0
+
+    2 f_0 = d/dt psi^T y + q^T y + r^T u - c^T psi + 2 w.
+
+The fundamental matrix e^(K T) has entries of very different sizes (T^j/j! with j < 2n for a chain of n
+integrators), and the linear equations for z(0) lose as many digits as these sizes differ: so they
+are solved with as many digits as it takes until the rounded values no longer change.
+"""
+
+from dataclasses import dataclass, replace
+
+import mpmath
+import numpy as np
+import sympy as sp
+
+from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
+from trajlib.pontryagin.indirect.flow import ArcFlow
+from trajlib.pontryagin.indirect.refinement import INTEGRATED, finer_steps, growth
+from trajlib.pontryagin.indirect.scaled_extremal import restore_units
+from trajlib.pontryagin.indirect.shooting import CANCELLING, ShootingSolution
+from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.scaling import units_of_process
+from trajlib.pontryagin.verification.optimality import sufficiency_theorem
+
+# Decimal digits of the first attempt, doubled until two attempts agree, and at most so many.
+DIGITS, MAX_DIGITS = 40, 1280
+# Relative difference of attempts that agree.
+AGREEMENT = 1e-15
+# Largest number of segments, along each of which errors grow by CANCELLING at most.
+MAX_SEGMENTS = 512
+# Points on each segment at which the sizes of the values are taken.
+SAMPLES = 16
+
+
+@dataclass(frozen=True)
+class _BoundaryProblem:
+    """z' = K z for z = (y, psi, 1, s), with `initial` z(0) = 0 and `final` z(T) + `normals` nu = 0.
+
+    SymPy matrices; s is the integral of 2 f_0 - d/dt psi^T y, and the control is `feedback` z.
+    `rows`: the terminal equations to which nu belongs, of which none follows from the others for
+    the states that can be reached. `terminal_cost` is phi_0 at zero, its gradient and its Hessian.
+    """
+
+    K: sp.Matrix
+    initial: sp.Matrix
+    final: sp.Matrix
+    normals: sp.Matrix
+    feedback: sp.Matrix
+    terminal_cost: tuple
+    rows: tuple[int, ...]
+
+
+def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
+    """Return the extremal of a convex linear-quadratic problem.
+
+    None for other problems, and where the linear equations have no unique solution. The target must
+    not be infeasible (`direct.infeasibility`).
+    """
+    problem = numeric.problem
+    unbounded = all(pair == (-sp.oo, sp.oo) for pair in problem.controls.values())
+    duration = numeric.duration
+    if duration is None or not unbounded or sufficiency_theorem(problem) is None:
+        return None
+    boundary = _boundary_problem(problem)
+    count = boundary and _segment_count(boundary.K, duration)
+    solution = count and _solution(boundary, problem.duration, SAMPLES * count)
+    if not solution:
+        return None
+    samples, nu, (cost,) = solution
+    cost = float(-cost if problem.maximise else cost)
+    multipliers = np.zeros(numeric.m)
+    multipliers[list(boundary.rows)] = nu
+    n = numeric.n
+    scaling = units_of_process(
+        problem, samples[:, :n].T, samples[:, n : 2 * n].T, samples[:, 2 * n :].T, duration
+    )
+    if scaling is None:
+        return replace(_extremal(numeric, samples, multipliers), cost=cost)
+    states, terminal = (np.array(v, dtype=float) for v in (scaling.states, scaling.terminal))
+    unit = float(scaling.cost)
+    units = np.concatenate([states, unit / states, np.array(scaling.controls, dtype=float)])
+    inner = NumericProblem(scaling.problem, scaling)
+    extremal = _extremal(inner, samples / units, multipliers * terminal / unit)
+    return replace(restore_units(scaling, extremal), cost=cost)
+
+
+def _extremal(numeric, samples, multipliers):
+    """Return the extremal through (y, psi, u) at equal steps, (N+1, 2n+k)."""
+    flow, every = ArcFlow(numeric, ("interior",) * numeric.k), SAMPLES
+    while every > 1:
+        length = every * numeric.duration / (len(samples) - 1)
+        if growth(flow, samples[:-1:every], 1.0, length) <= CANCELLING:
+            break
+        every //= 2
+    nodes = samples[::every]
+    count = len(nodes) - 1
+    shot = ShootingSolution(
+        [flow] * count,
+        [node.copy() for node in nodes[:-1]],
+        np.full(count, numeric.duration / count),
+        1.0,
+        multipliers,
+        [1] * count,
+        uncertainty=0.0,
+    )
+    while (steps := finer_steps(shot, INTEGRATED)) != shot.steps:
+        shot.steps = steps
+    shot.residual = max(
+        np.max(np.abs(flow.nodes(np.append(start, 0.0), 1.0, length, s)[-1, :-1] - end))
+        for start, length, s, end in zip(shot.starts, shot.lengths, shot.steps, nodes[1:])
+    )
+    return extremal_of_shot(numeric, shot, 1, 1)
+
+
+def _boundary_problem(problem):
+    """Return the `_BoundaryProblem`; None where R is not positive definite."""
+    y, u = list(problem.state), list(problem.control)
+    n, sign = len(y), -1 if problem.maximise else 1
+    zero = dict.fromkeys([*y, *u], 0)
+    field = sp.Matrix(problem.field)
+    A, B, c = field.jacobian(y), field.jacobian(u), field.subs(zero)
+    running, final = sign * problem.running, sign * problem.final
+    R = sp.hessian(running, u)
+    if not R.is_positive_definite:
+        return None
+    gradient = sp.Matrix([running]).jacobian([*y, *u]).T
+    Q, S = gradient[:n, :].jacobian(y), gradient[:n, :].jacobian(u)
+    q, r = gradient[:n, :].subs(zero), gradient[n:, :].subs(zero)
+    constant = sp.Matrix([2 * running.subs(zero)])
+    feedback = R.LUsolve(sp.Matrix.hstack(-S.T, B.T, -r))
+    K = sp.Matrix.vstack(
+        sp.Matrix.hstack(A, sp.zeros(n, n), c) + B * feedback,
+        sp.Matrix.hstack(Q, -A.T, q) + S * feedback,
+        sp.zeros(1, 2 * n + 1),
+        sp.Matrix.hstack(q.T, -c.T, constant) + r.T * feedback,
+    ).row_join(sp.zeros(2 * n + 2, 1))
+    initial = sp.zeros(n, 2 * n + 1)
+    for i, value in enumerate(problem.initial.values()):
+        initial[i, i if value is not None else n + i] = 1
+        initial[i, 2 * n] = 0 if value is None else -value
+    slope = sp.Matrix([final]).jacobian(y).T
+    ends = sp.Matrix.hstack(slope.jacobian(y), sp.eye(n), slope.subs(zero))
+    rows, normals = (), sp.zeros(n, 0)
+    if problem.terminal:
+        target = sp.Matrix(problem.terminal)
+        G = target.jacobian(y)
+        rows = _independent_rows(problem, G, A, B)
+        targets = sp.Matrix.hstack(G, sp.zeros(G.rows, n), target.subs(zero))
+        normals = sp.Matrix.vstack(sp.zeros(len(rows), len(rows)), G.extract(rows, range(n)).T)
+        ends = sp.Matrix.vstack(targets.extract(rows, range(2 * n + 1)), ends)
+    terminal_cost = final.subs(zero), slope.subs(zero), slope.jacobian(y)
+    return _BoundaryProblem(K, initial, ends, normals, feedback, terminal_cost, tuple(rows))
+
+
+def _independent_rows(problem, G, A, B):
+    """Return the rows of G that no other rows imply on the states that can be reached.
+
+    Their differences span the columns of B, A B, ..., and of A^j e_i for free initial states y_i.
+    """
+    n = len(problem.state)
+    free = [i for i, value in enumerate(problem.initial.values()) if value is None]
+    part = sp.Matrix.hstack(B, sp.eye(n).extract(range(n), free))
+    parts = [part]
+    for _ in range(n - 1):
+        part = A * part
+        parts.append(part)
+    return list((G * sp.Matrix.hstack(*parts)).T.rref()[1])
+
+
+def _segment_count(K, duration):
+    """Return the number of segments along which errors grow by CANCELLING at most, or None."""
+    from scipy.linalg import expm
+
+    K, count = np.array(K.evalf(), dtype=float), 1
+    while count <= MAX_SEGMENTS:
+        with np.errstate(all="ignore"):
+            largest = np.max(np.abs(expm(K * duration / count)[:-1, :-1]))
+        if largest <= CANCELLING:
+            return count
+        count *= 2
+    return None
+
+
+def _solution(boundary, duration, count):
+    """Return (y, psi, u) at equal steps, (count+1, 2n+k), nu and the cost; None if not unique."""
+    digits, previous = DIGITS, None
+    while digits <= MAX_DIGITS:
+        solution = _solved(boundary, duration, count, digits)
+        if solution is not None and previous is not None:
+            differences = [np.max(np.abs(a - b), initial=0) for a, b in zip(solution, previous)]
+            sizes = [np.max(np.abs(a), initial=0) for a in solution]
+            if all(d <= AGREEMENT * size for d, size in zip(differences, sizes)):
+                return solution
+        digits, previous = 2 * digits, solution
+    return None
+
+
+def _solved(boundary, duration, count, digits):
+    """Return the solution with so many digits in the arithmetic, rounded; None if it fails."""
+    with mpmath.workdps(digits):
+
+        def number(matrix):
+            return mpmath.matrix(matrix.evalf(digits).tolist())
+
+        m, unknown = boundary.normals.cols, boundary.final.cols - 1
+        step = mpmath.expm(number(boundary.K * duration / count), method="taylor")
+        start = number(boundary.initial)
+        end = number(boundary.final) * (step**count)[: unknown + 1, : unknown + 1]
+        matrix, right = mpmath.zeros(unknown + m), mpmath.zeros(unknown + m, 1)
+        for offset, block in ((0, start), (start.rows, end)):
+            rows = slice(offset, offset + block.rows)
+            matrix[rows, :unknown], right[rows, 0] = block[:, :unknown], -block[:, unknown]
+        if m:
+            matrix[start.rows :, unknown:] = number(boundary.normals)
+        try:
+            solution = mpmath.lu_solve(matrix, right)
+        except ZeroDivisionError:
+            return None
+        path = [mpmath.matrix([*solution[:unknown], 1, 0])]
+        for _ in range(count):
+            path.append(step * path[-1])
+        feedback, n = number(boundary.feedback), unknown // 2
+        rows = [[*z[:unknown], *(feedback * z[: unknown + 1])] for z in path]
+        products = [mpmath.fdot(z[:n], z[n:unknown]) for z in (path[0], path[-1])]
+        value, slope, curvature = boundary.terminal_cost
+        y = path[-1][:n]
+        cost = (products[1] - products[0] + path[-1][unknown + 1]) / 2 + value.evalf(digits)
+        cost += (y.T * (number(slope) + number(curvature) * y / 2))[0]
+        return (
+            np.array(rows, dtype=float),
+            np.array(list(solution[unknown:]), dtype=float),
+            np.array([cost], dtype=float),
+        )

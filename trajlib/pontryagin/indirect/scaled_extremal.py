@@ -1,0 +1,93 @@
+"""Extremals that were found in other units than the user's."""
+
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+
+from trajlib.pontryagin.indirect.extremal import Extremal
+from trajlib.pontryagin.problem.scaling import Scaling
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ScaledExtremal(Extremal):
+    """An extremal in the user's units.
+
+    `inner`: the extremal in those of the `scaling`; `weight`: c in psi = (c/s) Psi, the unit of the
+    cost but for lambda_0 = 0.
+    """
+
+    inner: Extremal | None = None
+    scaling: Scaling | None = None
+    weight: float = 1.0
+
+    def state(self, t):
+        """Return the state at given times, as `Extremal.state`."""
+        return self._scaled(self.inner.state, t, self.scaling.states)
+
+    def costate(self, t):
+        """Return the costate at given times, as `Extremal.costate`."""
+        return self._scaled(self.inner.costate, t, [self.weight / s for s in self.scaling.states])
+
+    def control(self, t):
+        """Return the controls at given times, as `Extremal.control`."""
+        return self._scaled(self.inner.control, t, self.scaling.controls)
+
+    def switching(self, t):
+        """Return dH/du at given times, as `Extremal.switching`."""
+        pace = self.weight / float(self.scaling.time)
+        return self._scaled(self.inner.switching, t, [pace / r for r in self.scaling.controls])
+
+    def hamiltonian(self, t):
+        """Return H at given times, as `Extremal.hamiltonian`."""
+        pace = self.weight / float(self.scaling.time)
+        return pace * self.inner.hamiltonian(self._inner_times(t))
+
+    @property
+    def optimality(self):
+        """What is known of the extremal, as `Extremal.optimality`."""
+        return (
+            replace(self.inner, _proof=self._proof).optimality
+            if self._proof
+            else self.inner.optimality
+        )
+
+    def _scaled(self, function, t, units):
+        values = function(self._inner_times(t))
+        return (values.T * np.array(units, dtype=float)).T
+
+    def _inner_times(self, t):
+        times = np.minimum(self._times(t) / float(self.scaling.time), self.inner.duration)
+        return times[0] if np.ndim(t) == 0 else times
+
+
+def scaled_guess(scaling: Scaling, guess: tuple | None) -> tuple | None:
+    """Return a guess (duration, states, controls) in other units; None for none."""
+    if guess is None:
+        return None
+    duration, states, controls = guess
+    return (
+        duration / float(scaling.time),
+        states / np.array(scaling.states, dtype=float),
+        controls / np.array(scaling.controls, dtype=float),
+    )
+
+
+def restore_units(scaling: Scaling, extremal: Extremal) -> ScaledExtremal:
+    """Return the extremal in the user's units."""
+    time, cost = float(scaling.time), float(scaling.cost)
+    weight = cost
+    if not extremal.normal:
+        units = np.array(scaling.states, dtype=float)
+        weight = 1 / float(np.linalg.norm(extremal.costate(0) / units))
+    values = {f.name: getattr(extremal, f.name) for f in fields(Extremal)}
+    values |= {
+        "problem": scaling.original,
+        "cost": extremal.cost * cost + float(scaling.constant_cost),
+        "duration": extremal.duration * time,
+        "arcs": tuple((kind, begin * time, end * time) for kind, begin, end in extremal.arcs),
+        "terminal_multipliers": tuple(
+            value * weight / float(unit)
+            for value, unit in zip(extremal.terminal_multipliers, scaling.terminal)
+        ),
+    }
+    return ScaledExtremal(**values, inner=extremal, scaling=scaling, weight=weight)
