@@ -32,6 +32,17 @@ def test_no_right_condition_is_refused(case, monkeypatch):
     assert verdict.status in ("right", UNCHECKED), verdict.message
 
 
+@pytest.mark.parametrize(
+    "case",
+    [case for case in CASES if "irrational value left out" in case.note],
+    ids=lambda case: f"{case.check}: {case.note}",
+)
+def test_an_irrational_value_left_out_is_found(case, monkeypatch):
+    monkeypatch.setitem(sys.modules, "z3", None)
+    verdict = check_named(case.check)(case.answer, *case.data, **dict(case.options))
+    assert verdict.status == "wrong", verdict.message
+
+
 def test_a_root_next_to_the_axis_is_decided_exactly(monkeypatch):
     monkeypatch.setitem(sys.modules, "z3", None)
     e = sp.Symbol("epsilon", real=True)

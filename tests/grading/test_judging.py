@@ -308,7 +308,10 @@ def test_any_bytes_are_judged():
 
 
 def _fuzz(count):
-    import z3  # noqa: F401, which is loaded when the first condition is judged
+    # What is loaded when the first condition and the first wrong answer are judged.
+    import z3  # noqa: F401
+
+    from workbook.mistakes import sealing, signature  # noqa: F401
 
     violations = []
     cells = EXERCISE.code("data", "check")

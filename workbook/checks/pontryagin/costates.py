@@ -8,6 +8,10 @@ import numpy as np
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.changes_compared import (
+    jumps_between_formulas,
+    processes_between_changes,
+)
 from workbook.checks.pontryagin.simulation import point_text
 from workbook.checks.pontryagin.time_functions import ENDING, Costates, InTime
 from workbook.checks.references.optima.best_processes import best_processes, free_at_the_start
@@ -29,17 +33,24 @@ def optimal_costate(claims, problem, time, parameters=None):
         where = prefix_text(values)
         units = best.units.cost / (best.units.states * np.ones(len(best.start) - 1))
         largest = np.abs(np.nan_to_num(costate.values(best.times, values)).T / units).max()
-        for k, t in enumerate(best.times):
-            psi, slope = (part(t * (1 - 1e-7), values) for part in (costate.values, costate.rates))
+        for t, jump, allowed in jumps_between_formulas(costate, values, best.duration):
+            for x in np.array(problem.state)[~(np.abs(jump) <= allowed)][:1]:
+                raise Wrong(f"{where}your costate of {x} jumps at t = {t:.4g}")
+        points = [
+            *((t * (1 - 1e-7), y, u) for t, y, u in zip(best.times, best.states.T, best.controls)),
+            *processes_between_changes(costate.changes(values, best.duration), best),
+        ]
+        for t, y, u in points:
+            psi, slope = (part(t, values) for part in (costate.values, costate.rates))
             if not np.all(np.isfinite([*psi, *slope])):
                 raise Wrong(f"{where}at t = {t:.4g} your costates are not real")
             # H is the product of these extended costates with the rates, the last of which is the
             # running cost.
             extended, process_point = (
                 np.append(psi, -sign),
-                (best, best.states[:, k], best.controls[k], costate.rounding),
+                (best, y, u, costate.rounding),
             )
-            psi_uncertainty, slope_uncertainty = costate.uncertainty(t * (1 - 1e-7), values)
+            psi_uncertainty, slope_uncertainty = costate.uncertainty(t, values)
             _require_adjoint_equation(
                 extended,
                 slope,

@@ -11,6 +11,7 @@ import numpy as np
 
 from workbook.checks.contract.direction import directed
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.changes_compared import LOCATED
 from workbook.checks.pontryagin.simulation import (
     AT_OWN_END,
     Path,
@@ -86,6 +87,8 @@ def optimal_control(claim, problem, time, parameters=None):
         )
         _require_jumps(sections, best, steering.rounding, where)
         _require_continuous_changes(sections, steering.perturbed, best, values, where)
+        if steering.decimal_tolerance == INTEGRATED:
+            _require_same_changes(sections, best, where)
     return "it is admissible, keeps to the ends, and no process was found that does better"
 
 
@@ -167,6 +170,25 @@ def _require_jumps(sections, best, rounding, where):
             raise Wrong(
                 f"{where}next to t = {point:.4g} the best control keeps one value; yours takes "
                 "others"
+            )
+
+
+def _require_same_changes(sections, best, where):
+    """Raise `Wrong` for an exact control that jumps a little before or after the best one.
+
+    The cost cannot decide: it changes in the second order only.
+    """
+    times, changes = best.times, [begin for begin, *_ in sections[1:]]
+    slack = CONTROL_ACCURACY * (best.bounds[1] - best.bounds[0])
+    for j, before, after in getattr(best, "changes", list)():
+        if before is None or after is None:
+            continue
+        around = _values(sections, times[[j - 1, j + 1]])
+        if np.all(np.abs(around - [before, after]) <= slack) and not any(
+            abs(t - times[j]) <= LOCATED * best.duration for t in changes
+        ):
+            raise Wrong(
+                f"{where}your control keeps to the ends, but it does not jump when the best one does"
             )
 
 

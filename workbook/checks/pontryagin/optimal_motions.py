@@ -6,6 +6,10 @@ The data are those of `optimal_controls`.
 import numpy as np
 
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.changes_compared import (
+    jumps_between_formulas,
+    processes_between_changes,
+)
 from workbook.checks.pontryagin.simulation import (
     point_text,
     require_end_conditions,
@@ -61,6 +65,9 @@ def optimal_motion(claims, problem, time, parameters=None):
                     <= (motion.uncertainty(t * (1 - 1e-6), values)[0] + slack)[j]
                 ):
                     raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
+        for t, jump, allowed in jumps_between_formulas(motion, values, best.duration):
+            for name in np.array(problem.state)[~(np.abs(jump) <= allowed)][:1]:
+                raise Wrong(f"{where}on your motion {name} jumps at t = {t:.4g}")
         if problem.first_return:
             require_single_meeting([0.0, *best.times], [start, *states], best, where)
         end = np.append(motion.values(ENDING * best.duration, values), 0)
@@ -85,7 +92,35 @@ def optimal_motion(claims, problem, time, parameters=None):
                 f"{where}your motion is one that the system can have, but another one with the "
                 "same ends does better"
             )
+        if not only_time:
+            _require_same_rates(motion, values, best, where)
     return "it starts where it should, obeys the equations, keeps to the ends, and is the best motion found"
+
+
+def _require_same_rates(motion, values, best, where):
+    """Raise `Wrong` where the motion follows another control than the best one, if only briefly."""
+    for t, y, u in processes_between_changes(motion.changes(values, best.duration), best):
+        difference = np.abs(motion.rates(t, values) - best.field(np.append(y, 0), u)[:-1])
+        if not np.all(difference <= _rate_tolerance(motion, t, values, best, y)):
+            raise Wrong(
+                f"{where}at t = {t:.4g} your motion follows another control than the best one: "
+                "it changes too early or too late"
+            )
+
+
+def _rate_tolerance(motion, t, values, best, y):
+    units = best.units.states * np.ones(len(y))
+    largest = (np.abs(best.states).T / units).max()
+    scale = 10 * motion.rounding * (1 + largest * (1 + best.units.time / best.duration))
+    scale = scale * units / best.units.time
+    y_uncertainty, rate_uncertainty = motion.uncertainty(t, values)
+    if y_uncertainty.any():
+        middle = np.mean(np.nan_to_num(best.bounds, posinf=0, neginf=0))
+        total_uncertainty = (
+            rate_uncertainty + np.abs(best.jacobians(y, middle)[0])[:-1, : len(y)] @ y_uncertainty
+        )
+        scale += (total_uncertainty / units).sum() * units
+    return scale
 
 
 def _admissible_state(motion, t, values, best, problem, where):
@@ -98,16 +133,7 @@ def _admissible_state(motion, t, values, best, problem, where):
     if not np.all(np.isfinite([*y, *rate])):
         raise Wrong(f"{where}your motion is not real at t = {t:.4g}")
     units = best.units.states * np.ones(len(y))
-    largest = (np.abs(best.states).T / units).max()
-    scale = 10 * motion.rounding * (1 + largest * (1 + best.units.time / best.duration))
-    scale = scale * units / best.units.time
-    y_uncertainty, rate_uncertainty = motion.uncertainty(instant, values)
-    if y_uncertainty.any():
-        middle = np.mean(np.nan_to_num(best.bounds, posinf=0, neginf=0))
-        total_uncertainty = (
-            rate_uncertainty + np.abs(best.jacobians(y, middle)[0])[:-1, : len(y)] @ y_uncertainty
-        )
-        scale += (total_uncertainty / units).sum() * units
+    scale = _rate_tolerance(motion, instant, values, best, y)
     differences = np.abs(_nearest_rates(best, y, rate / units) * units - rate)
     if not np.all(differences <= scale):
         j = int(np.argmax(differences / units))

@@ -5,6 +5,8 @@ its states. The cost has the multiplier lambda_0 = 1: H = psi^T f - f_0, or + f_
 maximised. Points of singular arcs come from `references.singular_arcs`.
 """
 
+import itertools
+
 import numpy as np
 import sympy as sp
 
@@ -28,6 +30,9 @@ from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import uncertainty_at, value_at
 from workbook.checks.tools.wording import rounded_text
+
+#: An angle is looked for on so many turns on either side of zero.
+TURNS = 2
 
 
 @judged(Integer())
@@ -61,8 +66,12 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
         )
     ]
     surface = ZeroSet(claims, list(problem.state), list(problem.parameters))
+    angles = [x for x in problem.state if _is_angle(x, problem)]
     for values in _points(arcs, domain):
-        if not surface.distance(values) <= surface.uncertainty(values):
+        if not any(
+            surface.distance(same) <= surface.uncertainty(same)
+            for same in _same_states(values, angles)
+        ):
             raise Wrong("there are singular arcs on which your equation does not hold")
     count = 0
     generator = np.random.default_rng(23)
@@ -222,6 +231,19 @@ def _without_control(claim, arcs):
             f"your expression contains {arcs.control} itself, on which nothing depends that is "
             "asked for here"
         )
+
+
+def _is_angle(x, problem):
+    """Return whether a turn more of a state changes nothing in the problem."""
+    parts = [*problem.dynamics.values(), problem.running, problem.final, *problem.terminal]
+    parts = [part for part in map(sp.sympify, parts) if part.has(x)]
+    return bool(parts) and all(part.subs(x, x + 2 * sp.pi) == part for part in parts)
+
+
+def _same_states(values, angles):
+    """Yield a state with each of its angles within a few turns of zero."""
+    for turns in itertools.product(range(-TURNS, TURNS + 1), repeat=len(angles)):
+        yield values | {x: values[x] % (2 * np.pi) + 2 * np.pi * k for x, k in zip(angles, turns)}
 
 
 def _points(arcs, domain):

@@ -18,6 +18,7 @@ from workbook.checks.contract.tolerance import (
     relative_tolerance,
 )
 from workbook.checks.contract.verdict import Invalid, Wrong
+from workbook.checks.pontryagin.formula_changes import FormulaChanges
 from workbook.checks.tools.numeric_functions import real_function
 
 #: Relative tolerance of an answer without decimals: the accuracy of its integration.
@@ -61,7 +62,7 @@ class Costates(Claim):
 class InTime:
     """Expressions in time and parameters, with their derivatives in time."""
 
-    def __init__(self, claims, time, parameters):
+    def __init__(self, claims, time, parameters, with_variants=True):
         symbols = [time, *(parameters or ())]
 
         def compiled(parts):
@@ -71,12 +72,14 @@ class InTime:
             ]
 
         self._values, self._rates = compiled(claims)
+        self._changes = FormulaChanges(claims, symbols)
         # A state that is the derivative of the one before has no decimals of its own.
         slopes = [k > 0 and claims[k] == _slope(claims[k - 1], time) for k in range(len(claims))]
         written = [claim for claim, is_slope in zip(claims, slopes) if not is_slope]
-        variants = perturbed(*written) if in_decimals(*written) else []
-        self._perturbed = [
-            [compiled(_with_slopes(side, slopes, time)) for side in sides]
+        variants = perturbed(*written) if with_variants and in_decimals(*written) else []
+        #: Pairs of the same, in each pair one decimal is changed by its uncertainty.
+        self.variants = [
+            [InTime(_with_slopes(side, slopes, time), time, parameters, False) for side in sides]
             for sides in variants or ()
         ]
         self.rounding = (
@@ -90,20 +93,28 @@ class InTime:
     def rates(self, times, parameters):
         return at_instants(self._rates, times, *map(float, parameters.values()))
 
+    def changes(self, parameters, duration):
+        """Return the instants of (0, duration) at which another formula begins."""
+        return self._changes.instants([*map(float, parameters.values())], 0, duration)
+
     def uncertainty(self, times, parameters):
         """Return the uncertainties, from decimals, of the values and of the rates, a row each."""
-        numbers = [float(value) for value in parameters.values()]
-        uncertainties = [
-            np.zeros_like(part(times, parameters)) for part in (self.values, self.rates)
-        ]
-        for sides in self._perturbed:
-            for k, written in enumerate(
-                (self.values(times, parameters), self.rates(times, parameters))
-            ):
-                changes = [
-                    np.abs(at_instants(side[k], times, *numbers) - written) for side in sides
-                ]
-                uncertainties[k] = uncertainties[k] + np.nan_to_num(np.fmax(*changes))
+        uncertainties = []
+        for part in (InTime.values, InTime.rates):
+            written = part(self, times, parameters)
+            uncertainties.append(
+                sum(
+                    (
+                        np.nan_to_num(
+                            np.fmax(
+                                *(np.abs(part(side, times, parameters) - written) for side in sides)
+                            )
+                        )
+                        for sides in self.variants
+                    ),
+                    np.zeros_like(written),
+                )
+            )
         return uncertainties
 
 

@@ -4,6 +4,7 @@ They come from the largest invariant subspace inside ker H, exactly, and not fro
 of the uncontrollable part are the same for the transposed matrices.
 """
 
+import functools
 import itertools
 
 import numpy as np
@@ -71,6 +72,26 @@ def common_margin(equation):
     return -max(map(sp.re, roots), key=float) if roots else None
 
 
+def unobservable_eigenvalues_at(A, H, values):
+    """Return the eigenvalues at which the columns of s - A above H are dependent, as floats.
+
+    Whether there are any is decided exactly, for parameters that are algebraic numbers: they are the
+    roots of the greatest common divisor of all minors.
+    """
+    s = sp.Dummy("s")
+    pencil = (s * sp.eye(A.rows) - A).col_join(H).subs(values)
+    minors = (
+        sp.Poly(
+            pencil.extract(list(rows), list(range(A.rows))).det(method="berkowitz"),
+            s,
+            extension=True,
+        )
+        for rows in itertools.combinations(range(pencil.rows), A.rows)
+    )
+    common = functools.reduce(sp.gcd, minors)
+    return np.array(common.nroots(), dtype=complex)
+
+
 def margins_with_parameters(A, H, mu, parameters):
     """Return the `ReferenceCondition` that a gain for x' = Ax, z = Hx gives the margin mu.
 
@@ -88,10 +109,13 @@ def margins_with_parameters(A, H, mu, parameters):
     )
 
     def at(values):
-        if not all(value.is_Rational for value in values.values()):
+        if all(value.is_Rational for value in values.values()):
+            best = greatest_margin(pair_of(A.subs(values), H.subs(values)))
+            return best is None or bool(values[mu] <= best)
+        if not all(value.is_algebraic for value in values.values()):
             return None
-        best = greatest_margin(pair_of(A.subs(values), H.subs(values)))
-        return best is None or bool(values[mu] <= best)
+        largest = unobservable_eigenvalues_at(A, H, values).real.max(initial=-np.inf)
+        return bool(largest <= ON_BORDER - float(values[mu]))
 
     return ReferenceCondition(
         (Case(sp.Or(u <= -mu, sp.Not(dependent)), (u, w), every=True),),

@@ -13,7 +13,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 import sympy as sp
 
-from workbook.checks.references.fixed_modes import ON_BORDER, fixed_eigenvalues
+from workbook.checks.references.fixed_modes import (
+    ON_BORDER,
+    fixed_eigenvalues,
+    unobservable_eigenvalues_at,
+)
 from workbook.checks.references.pairs import pair_of
 from workbook.checks.tools.conditions import Case, ReferenceCondition
 from workbook.systems import Coloured, FilterErrors, Process
@@ -226,16 +230,18 @@ def steady_exists(process):
     none_exists = sp.Or(sp.And(size >= 0, unobservable), sp.And(sp.Eq(size, 0), uncontrollable))
 
     def at(values):
-        if not all(value.is_Rational for value in values.values()):
-            return None
-        numeric_process = process.subs(values)
-        unobservable, uncontrollable = (
-            np.concatenate(fixed_eigenvalues(pair_of(matrix, lower_block)))
-            for matrix, lower_block in (
-                (numeric_process.A, numeric_process.H),
-                (numeric_process.A.T, numeric_process.Q),
+        pairs = ((process.A, process.H), (process.A.T, process.Q))
+        if all(value.is_Rational for value in values.values()):
+            unobservable, uncontrollable = (
+                np.concatenate(fixed_eigenvalues(pair_of(*(part.subs(values) for part in pair))))
+                for pair in pairs
             )
-        )
+        elif all(value.is_algebraic for value in values.values()):
+            unobservable, uncontrollable = (
+                unobservable_eigenvalues_at(*pair, values) for pair in pairs
+            )
+        else:
+            return None
         rates = [
             abs(values) - 1 if process.discrete else values.real
             for values in (unobservable, uncontrollable)

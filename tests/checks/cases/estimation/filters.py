@@ -335,6 +335,13 @@ CASES = [
         "wrong",
         "a constant without noise",
     ),
+    Case(
+        "steady_filter_exists",
+        SEEN & sp.Ne(a, sp.sqrt(2)),
+        (ANY, [a, h, Q0]),
+        "wrong",
+        "one irrational value left out",
+    ),
     Case("steady_filter_exists", 3, (ANY, [a, h, Q0]), "invalid", "a number"),
     Case(
         "filter_equation",

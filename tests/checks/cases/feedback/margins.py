@@ -104,6 +104,13 @@ CASES = [
         "wrong",
         "the greatest margin left out",
     ),
+    Case(
+        "possible_margins",
+        sp.Ne(a, 1) & (sp.Ne(a, 0) | (mu <= 2)) & sp.Ne(a**3, 2),
+        OF_A,
+        "wrong",
+        "one irrational value left out",
+    ),
     Case("possible_margins", sp.Ne(a, 0) | (mu <= 2), OF_A, "wrong", "a growing mode overlooked"),
     Case("possible_margins", sp.true, OF_A, "wrong", "all overlooked"),
     Case("possible_margins", ["2"], (GROWTH_MOVED, mu), "invalid", "a word"),

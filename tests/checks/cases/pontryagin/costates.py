@@ -31,7 +31,31 @@ BEAM = Problem(
 )
 
 
+LOW, HIGH = sp.symbols("u_min u_max", positive=True)
+SWING = Problem(
+    {x1: x2, x2: -u * x1}, {u: (LOW, HIGH)}, {x1: 1, x2: 0}, [x2], final=x1, first_return=True
+)
+STIFF = {LOW: sp.Interval(sp.Rational(1, 2), 1), HIGH: sp.Interval(2, 4)}
+
+
+def _swung(factor):
+    """Return the costates of the swing, with the change of their formulas at a factor of its time."""
+    fast, slow, farthest = sp.sqrt(HIGH), sp.sqrt(LOW), sp.sqrt(HIGH / LOW)
+    turn = sp.pi / (2 * fast)
+    early = [farthest * sp.cos(fast * t), -farthest * sp.sin(fast * t) / fast]
+    late = [-sp.sin(slow * (t - turn)), -sp.cos(slow * (t - turn)) / slow]
+    return [Piecewise((a, t < factor * turn), (b, True)) for a, b in zip(early, late)]
+
+
 CASES = [
+    Case("optimal_costate", _swung(1), (SWING, t, STIFF), "right", "two arcs"),
+    Case(
+        "optimal_costate",
+        _swung(sp.Rational(1001, 1000)),
+        (SWING, t, STIFF),
+        "wrong",
+        "they jump where their formula changes, between two samples",
+    ),
     Case(
         "optimal_costate",
         [8 * a / sp.pi * sp.sin(t), 8 * a / sp.pi * sp.cos(t)],

@@ -46,6 +46,13 @@ n = sp.Symbol("n", integer=True)
 CASES = [
     Case(
         "optimal_control",
+        [[high, sp.Rational(1001, 1000) * sp.pi / (2 * sp.sqrt(high))], [low, 10]],
+        (SWING, t, STIFF),
+        "wrong",
+        "it switches a thousandth too late, which costs a millionth",
+    ),
+    Case(
+        "optimal_control",
         [[-1, sp.Rational(1, 2)], [0, 1]],
         (SMALL, t),
         "right",

@@ -79,6 +79,16 @@ CASES = [
         "wrong",
         "one per cent too far",
     ),
+    *(
+        Case(
+            "optimal_motion",
+            SWUNG.func((SWUNG.args[0][0], t < factor * TURN), SWUNG.args[1]),
+            (SWING, t, STIFF),
+            "wrong",
+            f"the change at {factor} of its time, with a jump that is smaller than a sample's step",
+        )
+        for factor in (sp.Rational(101, 100), sp.Rational(1001, 1000), 1.01)
+    ),
     Case(
         "optimal_motion",
         SWUNG.xreplace({TURN: 1.57 / sp.sqrt(high)}),

@@ -16,6 +16,13 @@ TWO, THREE = [psi1, psi2], [psi1, psi2, psi3]
 # robot with two controls.
 SQUARE = Problem({x1: u, x2: x1**2}, {u: (-1, 1)}, {x1: 0, x2: 0}, final=x2, duration=1)
 WORST = Problem({x1: u, x2: -(x1**2)}, {u: (-1, 1)}, {x1: 0, x2: 0}, final=x2, duration=1)
+ESCORT = Problem(
+    {rho: 2 - sp.cos(beta), beta: sp.sin(beta) / rho + u},
+    {u: (-1, 1)},
+    {rho: 3, beta: 1},
+    [rho - 5],
+    maximise=True,
+)
 FULLER = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 1, x2: 0}, [x1, x2], running=x1**2)
 LINES = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 1, x2: 0}, [x1, x2], running=(x1 - x2) ** 2 / 2)
 ROCKET = Problem(
@@ -76,6 +83,13 @@ CASES = [
         (SQUARE, TWO),
         "wrong",
         "one equation too many",
+    ),
+    *(
+        Case("singular_surface", surface, (ESCORT, TWO), verdict, note)
+        for surface, verdict, note in (
+            (sp.Eq(beta, 0) | sp.Eq(beta, sp.pi), "right", "angles of one turn"),
+            (sp.Eq(beta, 0), "wrong", "one of two angles"),
+        )
     ),
     Case("singular_surface", [x1, x2], (FULLER, TWO), "right", "a point"),
     Case(

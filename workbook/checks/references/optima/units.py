@@ -104,6 +104,9 @@ def scaled_problem(problem, parameters, only_cost=False):
     bare, constant = without_constant(problem), constant_of(problem)
     factors = _factors(bare, dict(parameters), only_cost)
     if all(factor == 1 for factor in factors.values()):
+        terminal = [_normalised_gap(gap, problem.state, parameters) for gap in problem.terminal]
+        if terminal != list(problem.terminal):
+            bare = dataclasses.replace(bare, terminal=terminal)
         return bare, Units(), constant
     replacements = {s: s * f for s, f in factors.items() if f != 1 and s not in (TIME, COST)}
 
@@ -130,7 +133,9 @@ def scaled_problem(problem, parameters, only_cost=False):
             for u, bounds in problem.controls.items()
         },
         initial={x: None if v is None else v / states[x] for x, v in problem.initial.items()},
-        terminal=[_normalised_gap(value(gap), dict(parameters)) for gap in problem.terminal],
+        terminal=[
+            _normalised_gap(value(gap), problem.state, parameters) for gap in problem.terminal
+        ],
         running=value(bare.running, cost / time),
         final=value(bare.final, cost),
         duration=tuple(ends) if pair else ends[0],
@@ -165,10 +170,19 @@ def _keep_plain(problem, factors):
             factors[rate] = factors[x] / factors[TIME]
 
 
-def _normalised_gap(gap, parameters):
-    """Return what vanishes on the target times a power of ten, so that its terms have size one."""
-    logs = [log for log, _ in _Sizes(None, parameters).terms(gap)]
-    return gap / _unit(np.mean(logs)) if logs else gap
+def _normalised_gap(gap, state, parameters):
+    """Return what vanishes on the target times a power of ten, so that states have factors of size one.
+
+    Then a tolerance of the states is one of it.
+    """
+    sizes = _Sizes(None, dict(parameters))
+    logs = [
+        log
+        for part in sp.Add.make_args(sp.expand(gap))
+        if part.free_symbols & set(state)
+        for log, _ in sizes.terms(part)
+    ]
+    return gap / sp.Integer(10) ** round(max(logs)) if logs else gap
 
 
 def _unit(log):

@@ -57,6 +57,12 @@ class Condition:
             {root for sign in self._atoms.values() for root in sign.roots(tuple(base), varied)}
         )
 
+    def irrational_borders(self, base, varied):
+        """Return those of these values that are algebraic numbers and irrational, exact."""
+        return {
+            root for sign in self._atoms.values() for root in sign.irrational_roots(base, varied)
+        }
+
     def _truth(self, node, point):
         if node in (sp.true, sp.false):
             return bool(node)
@@ -101,7 +107,7 @@ class _Sign:
 
     def __init__(self, relation, symbols):
         self.symbols, self._numeric, self._parts = symbols, None, None
-        difference = rational(relation.lhs - relation.rhs)
+        difference = self._written = rational(relation.lhs - relation.rhs)
         if difference.is_rational_function(*symbols):
             parts = sp.fraction(sp.together(difference))
             if all(sp.Poly(part, *symbols).domain in (sp.ZZ, sp.QQ) for part in parts):
@@ -180,6 +186,23 @@ class _Sign:
                     for r in np.roots(coefficients)
                     if abs(r.imag) < 1e-5 * (1 + abs(r))
                 )
+
+    def irrational_roots(self, base, varied):
+        """Yield the exact roots that are irrational, of polynomials of small degree."""
+        t = sp.Dummy("t", real=True)
+        point = {s: t if k == varied else x for k, (s, x) in enumerate(zip(self.symbols, base))}
+        numerator, _ = sp.fraction(sp.together(self._written.subs(point, simultaneous=True)))
+        try:
+            line = sp.Poly(numerator, t, extension=True)
+        except sp.PolynomialError:
+            return
+        if line.degree() == 1:
+            roots = [sp.radsimp(-line.nth(0) / line.nth(1))]
+        elif line.domain in (sp.ZZ, sp.QQ) and 1 < line.degree() <= LARGEST_FIELD:
+            roots = [root for root, _ in line.real_roots(multiple=False)]
+        else:
+            return
+        yield from (root for root in roots if root.is_algebraic and not root.is_Rational)
 
     def _crossings(self, base, varied):
         """Yield where the difference goes through zero or infinity between neighbours of a grid."""

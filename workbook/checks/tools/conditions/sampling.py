@@ -131,11 +131,21 @@ def _along(base, varied, parameters, conditions, at):
         for x in {*roots, *changes}
         if abs(x - (rational := _rational_near(x, 5000))) < sp.Rational(1, 10**9)
     ]
+    irrational = set().union(*(c.irrational_borders(base, varied) for c in conditions))
     outer_values = [ordered[0] - 1, ordered[-1] + 1] if ordered and far_values else []
     turns = TURNS if conditions[0].condition.atoms(sp.sin, sp.cos, sp.tan) else []
     return sorted(
         x
-        for x in {*grid, *sides, *between, *at_changes, *outer_values, *turns, sp.Integer(0)}
+        for x in {
+            *grid,
+            *sides,
+            *between,
+            *at_changes,
+            *irrational,
+            *outer_values,
+            *turns,
+            sp.Integer(0),
+        }
         if is_allowed(x)
     )
 
