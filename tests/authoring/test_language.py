@@ -52,7 +52,7 @@ EPONYM = re.compile(
     r"[A-ZŁ][a-zéł]{2,}(?!['’]s)(?![\w'’])"
 )
 EXPECTATION = re.compile(
-    r"(?<![A-Za-z\\_])M(?:\\big|\\Big)?\[\\?(?:mathring|\d?x|\d?u|q|r|e\b|z|\\Delta)"
+    r"(?<![A-Za-z\\_])M(?:\\[bB]ig)?\[\\?(?:mathring|int|\d?x|\d?u|q|r|e\b|z|\\Delta)"
 )
 
 
