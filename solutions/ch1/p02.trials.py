@@ -1,14 +1,14 @@
 # %% wrong
-a_rest = [0, sp.pi]  # Are these all positions of rest, or only those within one turn? (hint 2)
+a_rest = [0, sp.pi]  # Are these all equilibria, or only those within one turn? (hint 2)
 a_rest = [2 * sp.pi * n]  # Can a pendulum be at rest in one kind of position only? (hint 2)
 # Does the sine vanish at all of these values, or were zeros of the cosine taken along? (hint 2)
 a_rest = [sp.pi * n / 2]
-# Is the equation in deviations the same at every position of rest? (hint 1)
+# Is the deviation equation the same at every equilibrium? (hint 1)
 a_matrices = [sp.Matrix([[0, 1], [-(omega**2), -delta]])]
 # Is there no restoring or driving force when the pendulum stands upright? Differentiate first,
 # then put the position in. (hint 1)
 a_matrices = [sp.Matrix([[0, 1], [-(omega**2), -delta]]), sp.Matrix([[0, 1], [0, -delta]])]
-a_stable = [sp.pi * n]  # Does friction make every position of rest stable? (hint 2)
+a_stable = [sp.pi * n]  # Does friction make every equilibrium stable? (hint 2)
 a_stable = [2 * sp.pi * n + sp.pi]  # Have hanging and standing changed places here? (hint 2)
 a_unstable = [sp.pi]  # Are these all such positions, or only the one within a single turn?
 a_growth = omega  # Is this what comes out if friction is forgotten? (hint 1)

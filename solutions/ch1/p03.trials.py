@@ -10,9 +10,9 @@ a_rest = [0, -1 / b, 1 / b]  # Was the root taken at the end? (hint 1)
 a_matrices = [sp.Matrix([[0, 1], [-1, -a]]), sp.Matrix([[0, 1], [0, -a]])]
 # Was a sign lost when the outer stationary values were put in? (hint 2)
 a_matrices = [sp.Matrix([[0, 1], [-1, -a]]), sp.Matrix([[0, 1], [-2, -a]])]
-# Does the cubic term enter the first approximation at zero? (hint 1)
+# Does the cubic term enter the linearisation at zero? (hint 1)
 a_stable = sp.And(a > 0, b > 0)
-# Do imaginary roots make the first approximation asymptotically stable? (hint 1)
+# Do imaginary roots make the linearisation asymptotically stable? (hint 1)
 a_stable = a >= 0
 a_growth = (-a - sp.sqrt(a**2 + 8)) / 2  # Which of the two roots makes a deviation grow? (hint 1)
 a_growth = sp.sqrt(2)  # Is this what comes out without resistance? (hint 1)
@@ -31,7 +31,7 @@ b_rate = -a * x2**2 + b * x1**3 * x2
 b_null = sp.And(sp.Eq(x1, 0), sp.Eq(x2, 0))
 # Does the derivative of V vanish on this axis, or on the other one? (hint 1)
 b_null = sp.Eq(x1, 0)
-b_leave = -x1  # May the first approximation be used far from zero? (hint 1)
+b_leave = -x1  # May the linearisation be used far from zero? (hint 1)
 # Is this the velocity of the motion there, and not its acceleration? (hint 1)
 b_leave = sp.Integer(0)
 b_global = b > 0  # What does V say about a linear spring? (hint 2)

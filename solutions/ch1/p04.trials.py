@@ -3,7 +3,7 @@
 a_matrix = sp.Matrix([[0, 1], [-1, -epsilon]])
 # Is this a damped oscillator? Ask which sign the friction has near zero. (hint 1)
 a_stable = epsilon > 0
-# Do imaginary roots make the first approximation asymptotically stable? (hint 1)
+# Do imaginary roots make the linearisation asymptotically stable? (hint 1)
 a_stable = epsilon <= 0
 a_unstable = epsilon >= 0  # Is everything unstable that is not asymptotically stable? (hint 1)
 # Do the motions come closer to zero, or do they only stay near it? (hint 2)

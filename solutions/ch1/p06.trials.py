@@ -15,7 +15,7 @@ a_stationary = [
 ]
 # Was the inner derivative of the sine of the double angle lost? (hint 1)
 a_deviation = -2 * k * Omega * dpsi + sp.Rational(3, 2) * Omega**2 * sp.cos(2 * phi0) * psi
-# Does a constant moment belong into an equation in deviations? (hint 1)
+# Does a constant moment belong into a deviation equation? (hint 1)
 a_deviation = -2 * k * Omega * dpsi + 3 * Omega**2 * sp.cos(2 * phi0) * psi - 2 * k * Omega**2
 a_saddle = sp.cos(2 * phi0) < 0  # Has the restoring term the sign it has for a pendulum? (hint 1)
 a_saddle = sp.sin(2 * phi0) < 0  # Is every unstable angle a saddle? (hint 1)

@@ -8,7 +8,7 @@ period = 2 * sp.pi / sp.sqrt(u - 2)  # Was the constant part of the angular rate
 period = 2 * sp.pi  # Does the rate of the angle depend on the radius? (hint 1)
 deviation = u - 2  # Was the equation linearised at rest instead of on the cycle? (hint 1)
 deviation = sp.Integer(0)  # Was the cube differentiated with its factor? (hint 1)
-stability = "unstable"  # Is this said of the state of rest instead of the cycle? (hint 1)
+stability = "unstable"  # Is this said of the equilibrium instead of the cycle? (hint 1)
 stability = "stable"  # Does this hold for the phase, and not for the radius? (hint 1)
 
 # %% right

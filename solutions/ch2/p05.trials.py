@@ -7,7 +7,7 @@ a_unseen = [[0, 1, 0], [0, 0, 1]]
 # Is one sign in the equations read as in example 3 of the chapter? Write the derivatives of z out
 # once more. (hint 1)
 b_observable = False
-# Is this the unseen state of example 3? The system here differs from it in a sign. (hint 1)
+# Is this the unobservable state of example 3? The system here differs from it in a sign. (hint 1)
 b_unseen = [[1, 0, -1]]
 # Is it enough that every coordinate acts on another one? Two of them may act in the same way
 # always. (hint 1)

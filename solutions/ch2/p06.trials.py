@@ -17,13 +17,13 @@ c_unseen = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]
 c_lost = set()  # Was the row of the measurement written with its factor $\lambda$? (hint 1)
 # Does a velocity give the height, and this all the rest? Look at the constants. (hint 1)
 d_observable = True
-# Must there be as many unseen states as the theorem finds exceptions? (hint 1)
+# Must there be as many unobservable states as the theorem finds exceptions? (hint 1)
 d_unseen = [[1, 0, 0, 0]]
 # Does the height change without any change of the rate? (hint 2)
 d_unseen = [[1, 0, 0, 0], [0, 1, 0, 0]]
 # Does the higher of two satellites run ahead? (hint 2)
 d_unseen = [[1, 0, 0, 0], [0, 2 * r0, 3 * Omega, 0]]
-d_lost = {0, sp.I * Omega}  # Must every unseen state have a number of its own? (hint 1)
+d_lost = {0, sp.I * Omega}  # Must every unobservable state have a number of its own? (hint 1)
 e_observable = False  # If neither measurement is enough, can their sum not be enough? (hint 1)
 # Does the sum vanish along this motion for ever, or for a moment? (hint 1)
 e_unseen = [[1, -1, 0, 0]]

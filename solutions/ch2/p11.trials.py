@@ -1,6 +1,6 @@
 # %% wrong
 a_observable = True  # Is it enough that z and its derivative contain all states? (hint 1)
-a_unseen = [[1, 0, -1]]  # Is this a row of what is seen instead of an unseen state? (hint 1)
+a_unseen = [[1, 0, -1]]  # Is this a row of what is seen instead of an unobservable state? (hint 1)
 # Are these the states that a single moment does not show? (hint 1)
 a_unseen = [[1, 0, 0], [0, 0, 1]]
 a_split = sp.Matrix([[0, 1, 0], [1, 0, -1], [-1, 0, 1]])  # Has this matrix an inverse? (hint 1)
@@ -21,7 +21,7 @@ d_observable = True  # Can three rows hang on each other although no two do? (hi
 d_unseen = []
 # Does this lead from the new coordinates to the old ones, instead of the other way? (hint 1)
 d_split = sp.Matrix([[0, 0, 1], [0, 1, -1], [1, 0, -1]])
-# Was the last row computed with a slip? Test it with an unseen state. (hint 1)
+# Was the last row computed with a slip? Test it with an unobservable state. (hint 1)
 e_observable = True
 e_unseen = [[1, 1, 1]]  # Were the signs lost? Put the state into z and its derivative. (hint 1)
 # Are the other two coordinates fit to stand beside z as they are? (hint 1)

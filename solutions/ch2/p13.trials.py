@@ -1,6 +1,6 @@
 # %% wrong
 a_observable = True  # Is the coupled motion in the plane the whole motion? (hint 1)
-# Is there another unseen motion beside the oscillation across the plane? (hint 2)
+# Is there another unobservable motion beside the oscillation across the plane? (hint 2)
 a_unseen = [[0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
 # Does the velocity turn with a satellite that is shifted along the orbit? (hint 1)
 a_unseen = [[1, 0, 0, 0, 0, 0], [0, 1, 0, 0, 0, 0], [0, 0, 0, 0, 1, 0]]
@@ -80,7 +80,7 @@ c_similarity = sp.zeros(6, 6)  # Can a change of coordinates take everything to 
 d_first = "distance across the plane of the orbit"
 d_second = "height"  # Which way does the first axis point? (hint 1)
 e_observable = True  # Does the printed coefficient make the hidden part visible? (hint 1)
-# Are these the unseen states of the repaired system? The printed one hides more, or less. (hint 1)
+# Are these the unobservable states of the repaired system? The printed one hides more, or less. (hint 1)
 e_unseen = [[0, 0, 0, 0, 1, 0], [0, 0, 0, 0, 0, 1]]
 e_split = sp.eye(6)  # Can the variables be left as they are, as in item b? (hint 1)
 # Are these the eigenvalues of the satellite? The printed system is another one. (hint 1)

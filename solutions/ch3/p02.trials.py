@@ -24,7 +24,7 @@ d_obstacle = {0: [1, 0, -1]}  # Was a sign lost? Put the state into the equation
 # Were all three coefficients compared, or only two? (hint 1)
 e_gain = sp.Matrix([beta2, beta1 + 2, 0])
 e_margins = sp.true  # Can a correction outrun what it does not see? (hint 1)
-e_obstacle = {0: [2, -1, 1]}  # Is this the state of rest, and is it not seen? (hint 1)
+e_obstacle = {0: [2, -1, 1]}  # Is this the equilibrium, and is it not seen? (hint 1)
 e_obstacle = {}  # Is it enough that the measured coordinate contains both others? (hint 1)
 # Does the third entry of L act on the third coordinate? (hint 1)
 f_gain = sp.Matrix([beta1 + 6, 0, beta2])

@@ -3,7 +3,7 @@
 a_angles = [sp.atan(w / g) + 2 * sp.pi * n, sp.pi + sp.atan(w / g) + 2 * sp.pi * n]
 # Was the acceleration of the suspension forgotten? (hint 1)
 a_angles = [2 * sp.pi * n, sp.pi + 2 * sp.pi * n]
-# Is there another position of rest, opposite to this one? (hint 2)
+# Is there another equilibrium, opposite to this one? (hint 2)
 a_angles = [-sp.atan(w / g) + 2 * sp.pi * n]
 a_unstable = [-sp.atan(w / g) + 2 * sp.pi * n]  # Is this the hanging position? (hint 1)
 b_deviation = -g / l * psi  # Is this the equation of a pendulum on a suspension at rest? (hint 1)

@@ -46,7 +46,7 @@ static_region = k < 2  # What was put into the place of the control, x or z? (hi
 # %% right
 # the measurement and its rate as state variables: x, z, z' - u
 system = [sp.Matrix([[-3, 1, 0], [0, 0, 1], [0, -2, -3]]), [0, 1, 0], [1, 0, 0], [0, 1, 0]]
-# the canonical form by observation
+# the observable canonical form
 system = [
     sp.Matrix([[-6, 1, 0], [-11, 0, 1], [-6, 0, 0]]),
     sp.Matrix([0, 1, 3]),

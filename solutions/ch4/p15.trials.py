@@ -5,7 +5,7 @@ mean = mu0 + Q * t  # Does white noise push to one side on the average? (hint 1)
 variance = P0 * sp.exp(a * t) + Q * (sp.exp(a * t) - 1) / a
 # Does noise from early on stay as large as it was? (hint 1)
 variance = P0 * sp.exp(2 * a * t) + Q * t
-# Which sign has the place of rest? (hint 2)
+# Which sign has the equilibrium? (hint 2)
 variance = (P0 - Q / (2 * a)) * sp.exp(2 * a * t) + Q / (2 * a)
 # Did the process start from a known point? (hint 2)
 variance = Q * (sp.exp(2 * a * t) - 1) / (2 * a)

@@ -2,7 +2,7 @@
 # Which way round does the state turn? (hint 2)
 mean = [mu1 * sp.cos(t) - mu2 * sp.sin(t), mu1 * sp.sin(t) + mu2 * sp.cos(t)]
 mean = [mu1 * sp.cos(t) + mu2 * sp.sin(t), mu2]  # Does the speed stay as it was? (hint 2)
-mean = [mu1, mu2]  # Is the start a state of rest? (hint 1)
+mean = [mu1, mu2]  # Is the start an equilibrium? (hint 1)
 # Does the start stay as it was? (hint 1)
 covariance = P0 + Q / 4 * sp.Matrix(
     [[2 * t - sp.sin(2 * t), 1 - sp.cos(2 * t)], [1 - sp.cos(2 * t), 2 * t + sp.sin(2 * t)]]

@@ -23,7 +23,7 @@ duration = 2 * sp.pi / (sp.sqrt(u_min) + sp.sqrt(u_max))
 cost = -1  # Is the amplitude kept, as with a constant spring? (hint 1)
 cost = sp.sqrt(u_max / u_min)  # On which side does the mass come to rest? (hint 1)
 cost = -u_max / u_min  # Is it the velocity or its square that the energy gives? (hint 1)
-cost = -sp.sqrt(u_min / u_max)  # Is this the nearest place of rest? (hint 1)
+cost = -sp.sqrt(u_min / u_max)  # Is this the nearest equilibrium? (hint 1)
 # Does H grow with u where it should? Look at the sign of the costate at the end. (hint 1)
 costate = [
     -sp.sqrt(u_max / u_min) * sp.cos(sp.sqrt(u_max) * t),

@@ -118,7 +118,7 @@ def least_squares(
 
     Notes
     -----
-    MATLAB: ``lscov``, ``H \ z``. Source: (4.1), (4.2) and the formulas below; the book's M[rr^T] =
+    MATLAB: ``lscov``, ``H \ z``. Source: (4.1), (4.2) and the formulas below; the book's E[rr^T] =
     R.
 
     Examples

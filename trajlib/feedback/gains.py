@@ -1,6 +1,6 @@
 """All gains of an observer or a regulator with a prescribed characteristic polynomial.
 
-In the coordinates (xi; eta) of the decomposition by observation the errors of the observer obey
+In the coordinates (xi; eta) of the observability decomposition the errors of the observer obey
 
     A11 - L1 H1       0
     A21 - L2 H1      A22

@@ -157,7 +157,7 @@ def basin_estimate(
     origin = dict.fromkeys(real_state, 0)
     if not all(vanishes(f.subs(origin)) for f in field):
         raise ValueError(
-            "field: the origin is not an equilibrium; write the equations in deviations first"
+            "field: the origin is not an equilibrium; write the deviation equations first"
         )
     definite = is_positive_definite(V, real_state)
     if definite.condition is not sp.true:

@@ -81,9 +81,7 @@ def small_motions(
     equilibrium = dict.fromkeys([*coordinates, *rates, speed], 0)
     force = [sp.simplify(sp.diff(potential, q).subs(equilibrium)) for q in coordinates]
     if any(force):
-        raise ValueError(
-            f"potential: the position 0 is no position of rest, its slope there is {force}"
-        )
+        raise ValueError(f"potential: the position 0 is no equilibrium, its slope there is {force}")
 
     def second(function, first_variables, second_variables):
         return sp.Matrix(

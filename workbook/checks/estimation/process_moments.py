@@ -179,7 +179,7 @@ def stationary_covariance(claim, process, parameters=(), given=sp.true):
             true,
             lambda claimed, i, j: (
                 f"a process that had your covariance would not keep it{where_text(values)}: by the "
-                f"dispersion equation it changes; {entry_text(claimed, i, j)}"
+                f"covariance equation it changes; {entry_text(claimed, i, j)}"
             ),
             values,
             abs(true).max(),
@@ -296,7 +296,7 @@ def _numeric_cases(process, time, claim, parameters, given, times):
 
 
 #: The equation that each moment of a process satisfies.
-EQUATIONS = {"mean": "equation", "covariance": "dispersion equation"}
+EQUATIONS = {"mean": "equation", "covariance": "covariance equation"}
 
 
 def _moment_message(moment, values):

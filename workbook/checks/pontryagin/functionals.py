@@ -332,7 +332,7 @@ class _Motion:
 
 @functools.lru_cache(maxsize=256)
 def _quadrature(a, b, steps=40, reach=3.2):
-    """Return nodes and weights on (a, b) of the tanh-sinh rule of Takahasi and Mori.
+    """Return nodes and weights on (a, b) of the tanh-sinh rule (Takahasi and Mori).
 
     The integrand may be infinite at the ends.
     """

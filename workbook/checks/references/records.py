@@ -97,7 +97,7 @@ def row_of(system, *quantities, parameters=()):
         .applyfunc(sp.simplify)
     )
     if not rows.free_symbols <= set(parameters):
-        raise ValueError("the equations in deviations are not constant")
+        raise ValueError("the deviation equations are not constant")
     return rows
 
 

@@ -89,7 +89,7 @@ def _wrong_level(number, low, high, directions, rate, equilibria, level):
 def basin_estimate(condition, function, field, state, parameters=(), given=()):
     """Check the largest set {V < c} that V proves to belong to the basin of attraction of zero.
 
-    Judged for values of the parameters with an asymptotically stable first approximation: the
+    Judged for values of the parameters with an asymptotically stable linearisation: the
     boundary is a level line of V, inside V' <= 0 and no other equilibrium, and a slightly
     higher level breaks one of these. The set may contain the parameters; where V < c has parts
     away from zero, it has to leave them out.
@@ -209,7 +209,7 @@ def _part_around_zero(height, level, state, equilibria, border):
 def _stable_systems(function, field, state, parameters, given):
     """Return rows (values, V, other equilibria, V', exact level near an estimate).
 
-    They belong to sampled parameters at which the first approximation is stable.
+    They belong to sampled parameters at which the linearisation is stable.
     """
     return _sampled_systems(
         sp.sympify(function), tuple(field), tuple(state), tuple(parameters), conjunction(given)
@@ -243,7 +243,7 @@ def _sampled_systems(function, field, state, parameters, given):
         if len(systems) == 2:
             return systems
     if not systems:
-        raise RuntimeError("no parameters with a stable first approximation were met")
+        raise RuntimeError("no parameters with a stable linearisation were met")
     return systems
 
 

@@ -152,7 +152,7 @@ def unbounded_motion(answer, field, state, parameters, time, constants=(), progr
             if not np.linalg.norm(x.imag) <= 1e-9 * (1 + np.linalg.norm(x)):
                 raise Wrong(f"this motion is not real{where_text(values)}, {time} = {moment}")
             if np.linalg.norm(x) == 0:
-                raise Wrong("this is the state of rest; it does not grow")
+                raise Wrong("this is the equilibrium; it does not grow")
             residuals = abs(matrix @ x - rate)
             if (
                 not max(residuals)

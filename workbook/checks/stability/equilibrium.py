@@ -51,19 +51,19 @@ def spectra(answer, field, state):
 
 @judged
 def stable_equilibria(answer, field, state):
-    """Check the asymptotically stable equilibria among all, by the first approximation."""
+    """Check the asymptotically stable equilibria among all, by linearisation."""
     flow, reference_points = _field_and_equilibria(tuple(field), tuple(state))
     claimed = _read_points(answer, state)
     stable = []
     for point in reference_points:
         real_part = max(np.linalg.eigvals(flow.jacobian(point)).real)
         if abs(real_part) < 1e-8:
-            raise RuntimeError("the first approximation does not decide here")
+            raise RuntimeError("the linearisation does not decide here")
         if real_part < 0:
             stable.append(point)
         elif any(_is_at(position, point) for position in claimed):
             raise Wrong(
-                f"the point {point_text(point)} is listed as stable, but the first approximation "
+                f"the point {point_text(point)} is listed as stable, but the linearisation "
                 "there has an eigenvalue with a positive real part"
             )
     for position in claimed:
@@ -75,9 +75,9 @@ def stable_equilibria(answer, field, state):
     if missed:
         raise Wrong(
             "not all asymptotically stable equilibria are there: some equilibrium that you leave "
-            "out has a first approximation whose eigenvalues all have negative real parts"
+            "out has a linearisation whose eigenvalues all have negative real parts"
         )
-    return "at these equilibria, and at no others, all eigenvalues of the first approximation have negative real parts"
+    return "at these equilibria, and at no others, all eigenvalues of the linearisation have negative real parts"
 
 
 @functools.lru_cache(maxsize=16)

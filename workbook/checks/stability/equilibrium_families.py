@@ -128,7 +128,7 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
             if not any(_matrices_agree(matrix, reference, floor) for _, reference in references):
                 raise Wrong(
                     f"the matrix {_matrix_text(matrix)}{where_text(values)} is at none of the "
-                    "stationary solutions that of the linear equations in deviations"
+                    "stationary solutions that of the linear deviation equations"
                 )
         for _, reference in references:
             if not any(_matrices_agree(matrix, reference, floor) for matrix in claimed):
@@ -137,7 +137,7 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
                     f"of the stationary solutions{where_text(values)}"
                 )
     return (
-        "they are the matrices of the linear equations in deviations at the stationary solutions "
+        "they are the matrices of the linear deviation equations at the stationary solutions "
         "found, and none is left over"
     )
 
@@ -316,7 +316,7 @@ def _members(family, values, integer):
 def _growth(flow, point):
     rate = max(np.linalg.eigvals(flow.jacobian(point)).real)
     if abs(rate) < 1e-8:
-        raise RuntimeError("the first approximation does not decide here")
+        raise RuntimeError("the linearisation does not decide here")
     return rate
 
 

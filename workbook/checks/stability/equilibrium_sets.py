@@ -2,7 +2,7 @@
 
 That a set of expressions names all stationary values x*, or all that are stable, and no others, is
 a condition on the parameters and one more number: it is a member exactly if the right-hand sides
-vanish there, and the first approximation is as required. Where the equation holds x in sines and
+vanish there, and the linearisation is as required. Where the equation holds x in sines and
 cosines of multiples of m x alone, the number is the angle m x, and members are compared as points
 of the circle. Families that are not periodic with this turn are left to samples. Where two
 equilibria meet, s = 0, either kind is accepted.
@@ -18,7 +18,7 @@ from workbook.checks.contract.tolerance import in_decimals
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.tools.conditions import Case, ReferenceCondition, decide
 
-#: What the first approximation y'' = s y + r y' has to satisfy, by its coefficients s and r.
+#: What the linearisation y'' = s y + r y' has to satisfy, by its coefficients s and r.
 KIND_CONDITIONS = {
     "stationary": lambda slope, friction: sp.true,
     "asymptotically stable": lambda slope, friction: sp.And(slope < 0, friction < 0),

@@ -67,9 +67,9 @@ def zero_solution_stability(claim, field, state):
     if abs(real_part) > 1e-9:
         reference = "unstable" if real_part > 0 else "asymptotically stable"
         reason = (
-            f"the first approximation has an eigenvalue with real part {real_part:.4g}"
+            f"the linearisation has an eigenvalue with real part {real_part:.4g}"
             if real_part > 0
-            else f"all eigenvalues of the first approximation have real parts of at most {real_part:.4g}"
+            else f"all eigenvalues of the linearisation have real parts of at most {real_part:.4g}"
         )
     else:
         reference, reason = stability_from_motions(flow)

@@ -22,7 +22,7 @@ def stability_region(answer, system, parameters, margin=0):
 
     `system` is a characteristic polynomial in one further symbol, a square matrix, a linear
     differential equation `system` = 0 of an unknown x(t), or `Deviations` from a motion of
-    another one, by their first approximation. Parameters where the order of the equation drops
+    another one, by their linearisation. Parameters where the order of the equation drops
     are accepted either way; with a positive margin (Definition 1.5, Re <= -mu) so is the
     boundary.
     """

@@ -138,13 +138,13 @@ def stationary_stability(claim, field, state, parameters, domain=None):
         eigenvalues = np.linalg.eigvals(family.jacobian(equilibrium, numbers))
         largest = max(eigenvalues.real)
         if abs(largest) < 1e-9 * (1 + max(abs(eigenvalues))):
-            raise RuntimeError("the first approximation does not decide here")
+            raise RuntimeError("the linearisation does not decide here")
         if claim != ("unstable" if largest > 0 else "asymptotically stable"):
             raise Wrong(
-                f"{sample_text(values)}this does not agree with the first approximation: look at "
+                f"{sample_text(values)}this does not agree with the linearisation: look at "
                 "the signs of the real parts of its roots"
             )
-    return f"it agrees with the roots of the first approximation{tried_text(parameters)}"
+    return f"it agrees with the roots of the linearisation{tried_text(parameters)}"
 
 
 @judged
@@ -165,9 +165,9 @@ def stationary_type(answer, field, state, parameters, domain=None):
         kind = _kind(matrix)
         if claim != kind:
             raise Wrong(
-                f"{sample_text(values)}the roots of the first approximation are not those of a {claim}"
+                f"{sample_text(values)}the roots of the linearisation are not those of a {claim}"
             )
-    return f"it agrees with the roots of the first approximation{tried_text(parameters)}"
+    return f"it agrees with the roots of the linearisation{tried_text(parameters)}"
 
 
 @judged
@@ -375,10 +375,10 @@ def _scale(expression, values, state, equilibrium):
 
 
 def _kind(matrix):
-    """Return the type of the stationary point whose first approximation is this matrix."""
+    """Return the type of the stationary point whose linearisation is this matrix."""
     trace, determinant, size = np.trace(matrix), np.linalg.det(matrix), np.linalg.norm(matrix)
     if abs(determinant) < 1e-9 * size**2:
-        raise RuntimeError("the first approximation has a root zero: it does not decide the type")
+        raise RuntimeError("the linearisation has a root zero: it does not decide the type")
     if determinant < 0:
         return "saddle"
     if abs(trace) < 1e-9 * size:

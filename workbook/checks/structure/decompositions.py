@@ -1,4 +1,4 @@
-"""Decompositions by observation (2.7) and by control (2.6).
+"""Observability (2.7) and controllability (2.6) decompositions.
 
 A change of variables is judged by the zeros of the new matrices. A system given in new variables is
 judged by the existence of the change: a matrix T with T A = A' T and H = H' T is the solution of
@@ -31,7 +31,7 @@ from workbook.checks.tools.wording import number_text, where_text
 
 @dataclass(frozen=True)
 class _Side:
-    """The wording of one of two dual questions, both judged as decompositions by observation."""
+    """The wording of one of two dual questions, both judged as observability decompositions."""
 
     part: str  # the part that stands first
     complement: str

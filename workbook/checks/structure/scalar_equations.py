@@ -5,7 +5,7 @@ An equation is of order n, between y = c x, the control and their derivatives.
 At one instant x, u, u', ... may have any values, and the system then determines y, y', ..., y^(n).
 An equation is right if it is linear with constant coefficients, of order n, and satisfied by
 all of these values, so neither the arrangement of its sides nor a factor matters. Where y is not
-given as a combination of x it is the first coordinate of the canonical form by control (2.4): the
+given as a combination of x it is the first coordinate of the controllable canonical form (2.4): the
 combination with y' = xi2, y'' = xi3, ..., into whose n-th derivative the control enters with the
 coefficient 1, and not before.
 """
@@ -30,7 +30,7 @@ LARGEST_ORDER = 12
 def scalar_equation(answer, system, motion, control, parameters=()):
     """Check the equation of order n between the control and y.
 
-    Here y is the output or else the first coordinate of the canonical form by control (2.4);
+    Here y is the output or else the first coordinate of the controllable canonical form (2.4);
     `motion` and `control` are functions of time such as y(t), u(t).
     """
     claim, canonical = _LinearEquation(answer, motion, control, parameters), not system.H

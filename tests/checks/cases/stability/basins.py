@@ -123,7 +123,7 @@ CASES = [
 LIMITS = [
     "A basin estimate is followed along 240 rays from zero, so the set has to be star-shaped "
     "around zero.",
-    "The set is judged for two samples of the parameters at which the first approximation is "
+    "The set is judged for two samples of the parameters at which the linearisation is "
     "asymptotically stable; that the level line itself belongs to the set, or does not, is told "
     "apart only at other equilibria.",
 ]

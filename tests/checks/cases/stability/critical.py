@@ -47,7 +47,7 @@ CASES = [
         [[I * w, 1, 1], [-I * w, 1, 1]],
         NONLINEAR,
         "right",
-        "of the first approximation",
+        "of the linearisation",
     ),
     Case(
         "eigenvalue_multiplicities",
@@ -177,7 +177,7 @@ CASES = [
         "a motion that does not grow",
     ),
     Case("unbounded_motion", [t, 2], (*DRIFT, t), "wrong", "not a motion"),
-    Case("unbounded_motion", [0, 0], (*DRIFT, t), "wrong", "the state of rest"),
+    Case("unbounded_motion", [0, 0], (*DRIFT, t), "wrong", "the equilibrium"),
     Case(
         "unbounded_motion",
         [sp.exp(-w * t), -w * sp.exp(-w * t)],

@@ -159,10 +159,10 @@ CASES = [
 ]
 LIMITS = [
     "Equilibria are looked for from 240 random starts, spread over some twenty units around "
-    "zero: one that lies far outside, or where the matrix of the first approximation is "
+    "zero: one that lies far outside, or where the matrix of the linearisation is "
     "singular, may not be found, and a list that leaves it out would pass.",
     "Points and eigenvalues count to three significant digits; a coordinate or part that is "
     "small beside the others is measured by the size of the whole.",
-    "An equilibrium whose first approximation has an eigenvalue on the imaginary axis leaves the "
+    "An equilibrium whose linearisation has an eigenvalue on the imaginary axis leaves the "
     "list of stable ones unchecked.",
 ]

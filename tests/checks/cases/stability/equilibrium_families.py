@@ -209,6 +209,6 @@ LIMITS = [
     "Stationary values are compared between -12 and 12 for three samples of the parameters, "
     "with those that a search from 160 starts finds.",
     "A family is followed in one integer; a family in two integers is not read.",
-    "Stationary solutions at which the first approximation is critical make the checks of "
+    "Stationary solutions at which the linearisation is critical make the checks of "
     "stability give up.",
 ]

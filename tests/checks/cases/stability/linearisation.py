@@ -167,7 +167,7 @@ CASES = [
 LIMITS = [
     "A matrix is compared at six rational values of the parameters: one that differs only at a "
     "single other value passes.",
-    "Where the first approximation is critical, stability is decided by four motions that start "
+    "Where the linearisation is critical, stability is decided by four motions that start "
     "at distance 0.05 and last 200 units of time; where their amplitudes then change by less "
     "than a hundredth of a per cent and yet not by zero, the answer stays unchecked.",
 ]

@@ -124,6 +124,6 @@ CASES = [
 ]
 LIMITS = [
     "A program motion is judged at six random times and sets of parameters.",
-    "What a program leaves open has to be constant along it for the equations in deviations to be "
+    "What a program leaves open has to be constant along it for the deviation equations to be "
     "judged.",
 ]

@@ -136,6 +136,6 @@ CASES = [
 LIMITS = [
     "A multiplier is tried at 300 points of the domain: a divergence whose sign changes in a "
     "small part of it only may pass.",
-    "The region of the test of Dulac has to be simply connected; that it is one is for the data "
+    "The region of the Dulac test has to be simply connected; that it is one is for the data "
     "cell to see to.",
 ]

@@ -35,7 +35,7 @@ CASES = [
         {0: "stable focus", 25: "saddle", -25: "saddle"},
         PORTRAIT,
         "wrong",
-        "no points of rest",
+        "no equilibria",
     ),
     Case(
         "equilibrium_types",

@@ -314,7 +314,7 @@ CASES = [
         "stationary_points", [(sp.Symbol("u") - 2) ** 0.5], RADIAL, "right", "plain symbols, a list"
     ),
     Case("stationary_points", u - 2, RADIAL, "wrong", "the square"),
-    Case("stationary_points", [0, sp.sqrt(u - 2)], RADIAL, "wrong", "the state of rest counted"),
+    Case("stationary_points", [0, sp.sqrt(u - 2)], RADIAL, "wrong", "the equilibrium counted"),
     Case("stationary_points", sp.Eq(r**2, u - 2), RADIAL, "invalid", "an equation"),
     Case("stationary_linearisation", 4 - 2 * u, ON_CYCLE, "right", "a cycle in its radius"),
 ]

@@ -192,7 +192,7 @@ CASES = [
     Case("unobservable_states", "none", SUM, "invalid", "text"),
 ]
 LIMITS = [
-    "The roots and the unseen states (x, x') are asked of systems with invertible M alone.",
+    "The roots and the unobservable states (x, x') are asked of systems with invertible M alone.",
     "Where M is singular for some values of the parameters, these values are left out; where it "
     "is singular for all, only systems without parameters are judged.",
     "Values of lambda that depend on parameters are compared at eight values of them in general "

@@ -26,7 +26,7 @@ class LinearTransfer(TransferSystem):
     def __init__(self, state, control, field, bounds, terminal):
         super().__init__(state, control, field, bounds, terminal)
         if not self.bounds[0] <= 0 <= self.bounds[1]:
-            raise RuntimeError("the origin has to be a state of rest for an admissible control")
+            raise RuntimeError("the origin has to be an equilibrium for an admissible control")
         self._back = Plant([-f for f in field], state, control, bounds)
         # Sums of powers of time grow slowly, exponentials fast.
         self._longest = 4096.0 if not (self._back.A @ self._back.A).any() else 128.0

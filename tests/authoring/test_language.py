@@ -1,0 +1,100 @@
+"""Pages, messages and docstrings use the standard terms of the field, which the glossary lists."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+TEXTS = sorted(
+    path
+    for pattern in (
+        "book/**/*.md",
+        "solutions/ch*/p*.md",
+        "solutions/ch*/p*.py",
+        "workbook/**/*.py",
+        "trajlib/**/*.py",
+        "tests/checks/cases/**/*.py",
+        "README.md",
+    )
+    for path in ROOT.glob(pattern)
+)
+#: A private phrase, and the row of the glossary with the term that stands for it. The phrases are
+#: regular expressions; a space also matches a line break inside a comment.
+PHRASES = {
+    r"programme (motion|trajector(y|ie))s?": "nominal trajectory, desired motion",
+    r"programme controls?": "nominal control, desired control",
+    r"equations? in (the )?deviations?": "deviation equation",
+    r"(position|place|point|state)s? of rest": "equilibrium, position of equilibrium",
+    r"first approximation": "linearisation",
+    r"equations? in variations": "variational equation",
+    r"dispersion equations?": "covariance equation",
+    r"criteri(on|a) of popov|popov's criteri(on|a)": "PBH test",
+    r"kalman's criteri(on|a)": "Kalman rank test",
+    r"cauchy(–| and |-)bunyakovsky": "Cauchy–Schwarz inequality",
+    r"lost (eigenvalue|eigenvector|mode|motion|direction)s?": "uncontrollable (unobservable) eigenvalue",
+    r"unseen (motion|mode|state|direction|subspace)s?": "unobservable motion",
+    r"canonical form by (control|observation)": "controllable canonical form",
+    r"(theorem|test|condition|polynomial|criterion|transversality) is silent": "critical case",
+    r"(lives?|living) alone": "decoupled systems",
+    r"remembers? (itself|its past)": "coloured noise",
+    r"(time|moment) of turning": "switching time",
+}
+#: What may stand before "of" and a name, and names that are no persons.
+KINDS = (
+    r"(criteri(?:on|a)|theorem|lemma|tests?|method|equations?|functions?|filters?|conditions?|"
+    r"formulas?|identity|inequality|phenomenon|bifurcation|rule|principle|observer|synthesis)"
+)
+EPONYM = re.compile(
+    rf"\b{KINDS}\s+(?:#\s+)?of\s+(?:#\s+)?"
+    r"(?!Theorem|Problem|Example|Definition|Section|Chapter|Greek|Python|Canvas|Moodle|Num|Sym|Sci|"
+    r"Cas|Phi|Psi|Unicode|Matplotlib|Dask|La[tT])"
+    r"[A-ZŁ][a-zéł]{2,}(?!['’]s)(?![\w'’])"
+)
+EXPECTATION = re.compile(
+    r"(?<![A-Za-z\\_])M(?:\\[bB]ig)?\[\\?(?:mathring|int|\d?x|\d?u|q|r|e\b|z|\\Delta)"
+)
+
+
+def private(phrase):
+    return re.compile(rf"\b(?:{phrase})\b".replace(" ", r"\s+(?:#:?\s+)?"), re.IGNORECASE)
+
+
+PRIVATE = [private(phrase) for phrase in PHRASES]
+
+
+def private_phrases(text):
+    return [
+        " ".join(match[0].split())
+        for pattern in (*PRIVATE, EPONYM, EXPECTATION)
+        for match in pattern.finditer(text)
+    ]
+
+
+@pytest.mark.parametrize("path", TEXTS, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_texts_use_standard_terms(path):
+    assert private_phrases(path.read_text(encoding="utf-8")) == []
+
+
+def test_the_glossary_lists_the_standard_terms():
+    glossary = (ROOT / "book" / "glossary.md").read_text(encoding="utf-8")
+    terms = re.findall(r"^\| ([^|]+?) \| [^|]*[а-я]", glossary, re.M)
+    assert set(PHRASES.values()) <= set(terms)
+    assert terms == sorted(terms, key=lambda term: term.replace("–", "-").casefold())
+
+
+@pytest.mark.parametrize(
+    "text, phrases",
+    [
+        ("the equations in\ndeviations", ["equations in deviations"]),
+        ("# the first\n    # approximation", ["first # approximation"]),
+        ("by the criterion of Hurwitz", ["criterion of Hurwitz"]),
+        ("the theorem of Cayley and Hamilton", ["theorem of Cayley"]),
+        ("the method of Euler's time", []),
+        ("the conditions of Theorem 1.4", []),
+        ("where $M[q_i] = 0$", ["M[q"]),
+        ("the Hurwitz criterion; $E[q_i] = 0$; the rest of the proof", []),
+    ],
+)
+def test_private_phrases_are_recognised(text, phrases):
+    assert private_phrases(text) == phrases
