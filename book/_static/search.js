@@ -3,7 +3,7 @@
 (() => {
   /* The weight of each kind: what states a thing, then the problems about it, then what mentions it. */
   const WEIGHTS = {
-    Section: 3, Theorem: 2.5, Lemma: 2.2, Definition: 2.5, Problem: 1.5, Example: 1.2, Term: .6, Topic: .6, Function: .8,
+    Section: 3, Theorem: 2, Lemma: 2, Definition: 2, Problem: 1.5, Example: 1.2, Term: .6, Topic: .6, Function: .8,
     Lecture: .8, Equation: .6, Guide: .6, Library: .6, Errata: .4,
   };
   const NAMES = { Term: "Glossary", Library: "Module" };

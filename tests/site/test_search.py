@@ -168,7 +168,7 @@ def hits_of(request, browser, addresses):
     root = addresses[request.param]
     browser.open(f"{root}/book/index.html")
     browser.find(".bd-sidebar-primary .search-button-field").click()
-    assert browser.wait_for("globalThis.bookSearch.search", 60)
+    assert browser.wait_for("bookSearch.search !== undefined", 60)
 
     def hits(query):
         return [
