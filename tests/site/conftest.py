@@ -123,13 +123,12 @@ def addresses(editions):
 
 @pytest.fixture
 def search_for(browser):  # noqa: F811
-    """Return the search of the open page: text -> addresses, best first."""
+    """Return a function that opens the search of the open page, types a query and waits for hits."""
     from selenium.webdriver.common.keys import Keys
 
     def search(text):
-        browser.find(".bd-sidebar-primary .search-button-field").click()
-        browser.find("#pst-search-dialog input[type=search]").send_keys(text, Keys.ENTER)
-        return browser.wait_for("""/^Search Results/.test(document.querySelector('#search-results h2')?.innerText || '')
-            && [...document.querySelectorAll('main #search-results ul.search li > a')].map(link => link.href)""")
+        browser.driver.switch_to.active_element.send_keys(Keys.CONTROL, "k")
+        browser.driver.switch_to.active_element.send_keys(text)
+        assert browser.wait_for("document.querySelectorAll('#search-hits a').length", 60)
 
     return search

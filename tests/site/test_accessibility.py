@@ -21,7 +21,6 @@ PAGES = [
     "solutions/ch4/p18.html",
     "solutions/ch5/p03.html",
     "genindex.html",
-    "search.html",
 ]
 #: In addition to the default rules: the text of a button is in its name. Axe takes a header cell that
 #: holds only MathML for empty.
@@ -114,5 +113,11 @@ def test_a_page_in_the_dark_theme(browser, addresses, faults, page):
     )
 
 
-def test_the_open_search_with_its_results(browser, addresses, faults, search_for):
-    assert faults(f"{addresses['http']}/book/index.html", lambda: search_for("criterion")) == []
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_the_open_search_with_its_hits(browser, addresses, faults, search_for, theme):
+    def search():
+        browser.driver.execute_script(f"document.documentElement.dataset.theme = '{theme}'")
+        search_for("criterion")
+        assert browser.wait_for("document.querySelector('#search-hits mjx-container')")
+
+    assert faults(f"{addresses['http']}/book/index.html", search) == []

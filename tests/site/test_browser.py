@@ -1,7 +1,6 @@
 """The site in a real browser that cannot reach any other host."""
 
 import io
-import itertools
 import json
 import zipfile
 from urllib.parse import urljoin
@@ -64,32 +63,6 @@ def test_a_link_to_a_solution_opens_it(browser, addresses, problem):
     browser.open("about:blank")
     browser.open(f"{addresses['http']}/{problem.page}#{label}")
     assert browser.run("document.querySelector('details.solution').open")
-
-
-@pytest.mark.parametrize("scheme", ["file", "http"])
-def test_the_search_finds_a_problem_by_its_number(browser, addresses, search_for, problem, scheme):
-    browser.open(f"{addresses[scheme]}/book/index.html")
-    assert problem.page in search_for(problem.number)[0]
-    assert browser.errors() == []
-
-
-@pytest.mark.parametrize(
-    "name, page",
-    [
-        ("van der Pol", "ch1/p04"),
-        ("Duffing", "ch1/p03"),
-        ("Riccati", "ch6/p03"),
-        ("Clohessy", "ch2/p14"),
-        ("Zhukovsky", "ch1/p09"),
-        ("Schuler", "ch7/p01"),
-    ],
-)
-def test_the_search_finds_a_problem_by_its_topic(browser, addresses, search_for, name, page):
-    """Problems with the name as a topic come before all other pages that contain it."""
-    for edition, folder in (("http", "solutions"), ("student", "exercises")):
-        browser.open(f"{addresses[edition]}/book/index.html")
-        by_topic = itertools.takewhile(lambda address: "#problem-" in address, search_for(name))
-        assert any(f"{folder}/{page}.html" in address for address in by_topic)
 
 
 def test_the_students_notebook_is_served(browser, addresses, problem):

@@ -29,9 +29,6 @@ problem:
 ---
 # Problem NUMBER
 
-```{index} NUMBER
-```
-
 ```{exercise-start} PLACEHOLDER title of problem NUMBER
 :label: ex-LABEL
 :nonumber:

@@ -14,6 +14,7 @@ library           the pages of the library, by autodoc and numpydoc (`docstrings
 uses              links between the names of the library and the pages that use them
 lectures          blocks that only the notebook of a lecture shows
 check_cases       the page of the checks, from the tables that are their tests
+search_index      the entries of the search, read by book/_static/search.js
 invalidation      what makes a page outdated, beyond its own text
 slim_environment  less of each page is kept from one build to the next
 offline           nothing is loaded from another host
@@ -38,6 +39,7 @@ from workbook_site import (
     offline,
     problem_pages,
     punctuation,
+    search_index,
     slim_environment,
     uses,
 )
@@ -57,6 +59,7 @@ EXTENSIONS = (
     library,
     lectures,
     check_cases,
+    search_index,
     invalidation,
     slim_environment,
     offline,

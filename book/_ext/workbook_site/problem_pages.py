@@ -2,7 +2,7 @@
 
 The front matter of the master is shown as the page is read: the number with the title, a line of
 chips and the notebook under it, the answers asked for and the hints under the statement. The file
-itself is never changed. For the search, the number becomes an index entry.
+itself is never changed. The topics become entries of the index.
 """
 
 import json
@@ -15,7 +15,6 @@ from sphinx.transforms import SphinxTransform
 from sphinx.transforms.post_transforms import SphinxPostTransform
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
-from sphinx.util.index_entries import split_index_msg
 from sphinx_exercise.nodes import exercise_node
 
 from workbook.authoring.contract import item_of, plural_kind
@@ -29,8 +28,6 @@ from workbook_site.folding import details, summary
 logger = logging.getLogger(__name__)
 
 TITLE = re.compile(r"^# .*$", re.M)
-# of a person, in a topic: all other words there begin small
-NAME = re.compile(r"(?:van der )?[A-Z]\w+")
 EXERCISE_END = re.compile(r"^(`{3,}|:{3,})\{exercise-end\}[ \t]*\n(?:.*\n)*?\1[ \t]*$", re.M)
 
 
@@ -101,11 +98,10 @@ class ProblemHead(SphinxDirective):
             link(problem.page, problem.notebook, "Student’s notebook"),
             classes=["problem-notebook"],
         )
-        # Sphinx's search splits "1.15" and drops the digits; an index entry is found whole.
         index = addnodes.index(
             entries=[
                 ("single", entry, f"problem-{problem.number}", "main", None)
-                for entry in self._index_entries(problem)
+                for entry in problem.topics
             ]
         )
         target = nodes.target("", "", ids=[f"problem-{problem.number}"])
@@ -116,18 +112,6 @@ class ProblemHead(SphinxDirective):
             else []
         )
         return [index, target, head, *core]
-
-    def _index_entries(self, problem):
-        # A master has the index entry of its number, the student's notebook has not. The search needs
-        # half of an entry to find it, so the names in a topic are entries of their own.
-        names = [name for topic in problem.topics for name in NAME.findall(topic)]
-        entries = [
-            f"problem {problem.number}",
-            *([] if problem.solved else [problem.number]),
-            *problem.topics,
-            *names,
-        ]
-        return list(dict.fromkeys(entries))
 
 
 class ProblemAnswers(SphinxDirective):
@@ -286,20 +270,7 @@ def _name_labels(app, document):
             labels.labels[name] = page, anchor, f"solution of problem {problem.number}"
 
 
-def _keep_index_entries(app, env):
-    """Add the index entries of pages not written again, which Sphinx's search would lose."""
-    for docname, entries in env.get_domain("index").entries.items():
-        env._search_index_index_entries[docname] = sorted(
-            {
-                (text, target or "", main)
-                for kind, value, target, main, _ in entries
-                for text in split_index_msg(kind, value)
-            }
-        )
-
-
 def setup(app):
-    app.connect("env-updated", _keep_index_entries)
     app.connect("source-read", _complete)
     app.connect("doctree-read", _name_labels, priority=900)
     app.add_directive("problem-head", ProblemHead)
