@@ -50,7 +50,7 @@ class Step:
     kind: str
     formulas: dict
     constants: dict
-    inputs: frozenset  # the parameters on which its result depends
+    inputs: frozenset  # the names of the parameters on which its result depends
 
 
 class Series:
@@ -108,7 +108,7 @@ class Explorer:
         self.question, self.description = question, description
         self.parameters, self.scalars, self.steps = [], [], []
         self.series, self.panels, self.sentences = [], [], []
-        self._inputs = {}  # scalar -> the parameters on which it depends
+        self._inputs = {}  # name of a scalar -> the parameters on which it depends
 
     # Scalars
 
@@ -138,11 +138,11 @@ class Explorer:
             raise ValueError(f"limits: expected (low, high) with low < high, got {limits}")
         if not low <= value <= high:
             raise ValueError(f"value: expected a number from {low:g} to {high:g}, got {value}")
-        self._define(symbol, frozenset([symbol]))
+        self._define(symbol, frozenset([str(symbol)]))
         self.parameters.append(
             Parameter(symbol, float(value), (low, high), label or pretty(symbol))
         )
-        self.steps.append(Step("parameter", {}, {}, frozenset([symbol])))
+        self.steps.append(Step("parameter", {}, {}, frozenset([str(symbol)])))
 
     def quantity(self, symbol, value):
         """Define a scalar by an expression in the scalars so far.
@@ -376,15 +376,15 @@ class Explorer:
         return Formula(argument, value, self.scalars, columns)
 
     def inputs_of(self, formulas, series=()):
-        """Return the parameters on which formulas, given by role, and series depend."""
-        symbols = {symbol for role in formulas.values() for one in role for symbol in one.symbols}
+        """Return the names of the parameters on which formulas, given by role, and series depend."""
+        names = {name for role in formulas.values() for one in role for name in one.scalars}
         return frozenset().union(
-            *(self._inputs[symbol] for symbol in symbols), *(one.inputs for one in series)
+            *(self._inputs[name] for name in names), *(one.inputs for one in series)
         )
 
     def dragged(self):
-        """Return the symbols of the parameters that a point sets, not a slider."""
-        return {symbol for panel in self.panels for symbol in panel.dragged}
+        """Return the names of the parameters that a point sets, not a slider."""
+        return {name for panel in self.panels for name in panel.dragged}
 
     def plot(self, **values):
         """Draw the static picture.
@@ -411,9 +411,9 @@ class Explorer:
     def _define(self, symbol, inputs):
         if not isinstance(symbol, sp.Symbol):
             raise ValueError(f"symbol: expected a symbol of SymPy, got {symbol!r}")
-        if symbol in self._inputs:
+        if str(symbol) in self._inputs:
             raise ValueError(f"symbol: {symbol} has a value already")
-        self._inputs[symbol] = inputs
+        self._inputs[str(symbol)] = inputs
         self.scalars.append(symbol)
 
     def _add(self, kind, formulas, constants, columns=None, series=()):

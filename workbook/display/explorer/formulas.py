@@ -33,6 +33,11 @@ class Formula:
     scalars, columns : sequence of sympy.Symbol
         The symbols that it may contain. A symbol that is both is a column.
 
+    Attributes
+    ----------
+    javascript : str
+        The expression in `v` and `c`, on one line.
+
     Raises
     ------
     ValueError
@@ -41,37 +46,39 @@ class Formula:
 
     def __init__(self, argument, value, scalars, columns=()):
         self.expression = expression(argument, value)
-        self.columns = tuple(columns)
-        self.scalars = tuple(symbol for symbol in scalars if symbol not in self.columns)
-        self._names = {symbol: f"v[{k}]" for k, symbol in enumerate(scalars)}
-        self._names |= {symbol: f"c[{k}]" for k, symbol in enumerate(self.columns)}
-        foreign = self.expression.free_symbols - self._names.keys()
+        self.columns = tuple(map(str, columns))
+        # symbols are known by their names, whatever is assumed of them
+        self._entries = {str(symbol): f"v[{k}]" for k, symbol in enumerate(scalars)}
+        self._entries |= {name: f"c[{k}]" for k, name in enumerate(self.columns)}
+        foreign = {str(symbol) for symbol in self.expression.free_symbols} - self._entries.keys()
         if foreign:
-            names = ", ".join(sorted(map(str, foreign)))
+            names = ", ".join(sorted(foreign))
             raise ValueError(f"{argument}: {names} is neither a parameter nor a quantity so far")
         try:
-            self.javascript = _Printer(self._names).doprint(self.expression)
+            self.javascript = _Printer(self._entries).doprint(self.expression)
         except PrintMethodNotImplementedError as error:
             raise ValueError(
                 f"{argument}: JavaScript has no function for {self.expression}"
             ) from error
 
     @property
-    def symbols(self):
-        """The scalars that the expression contains."""
-        return self.expression.free_symbols.intersection(self.scalars)
+    def scalars(self):
+        """The names of the scalars that the expression contains."""
+        return {str(symbol) for symbol in self.expression.free_symbols}.difference(self.columns)
 
     @cached_property
     def _function(self):
-        arguments = [sp.Dummy() for _ in self._names]
-        swapped = self.expression.xreplace(dict(zip(self._names, arguments)))
-        return sp.lambdify(arguments, swapped, "numpy")
+        arguments = {name: sp.Dummy() for name in self._entries}
+        swapped = self.expression.xreplace(
+            {symbol: arguments[str(symbol)] for symbol in self.expression.free_symbols}
+        )
+        return sp.lambdify(list(arguments.values()), swapped, "numpy")
 
     def __call__(self, v, c=()):
         """Return the value, an array of the shape of the columns."""
-        by_name = {f"v[{k}]": value for k, value in enumerate(v)}
-        by_name |= {f"c[{k}]": np.asarray(value, dtype=float) for k, value in enumerate(c)}
-        values = [by_name.get(name, np.nan) for name in self._names.values()]
+        by_entry = {f"v[{k}]": value for k, value in enumerate(v)}
+        by_entry |= {f"c[{k}]": np.asarray(value, dtype=float) for k, value in enumerate(c)}
+        values = [by_entry.get(entry, np.nan) for entry in self._entries.values()]
         shape = np.broadcast_shapes(*(np.shape(value) for value in c))
         with np.errstate(all="ignore"):
             return np.broadcast_to(self._function(*values), shape)
@@ -110,7 +117,7 @@ class _Printer(JavascriptCodePrinter):
         return " ".join(super().doprint(value).split())
 
     def _print_Symbol(self, symbol):
-        return self._entries[symbol]
+        return self._entries[str(symbol)]
 
     def _print_BooleanTrue(self, _):
         return "true"

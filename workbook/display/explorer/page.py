@@ -35,11 +35,11 @@ def html(explorer):
 
 def data(explorer):
     """Return the declaration as lists, dictionaries, numbers and JavaScript expressions."""
-    order = {parameter.symbol: k for k, parameter in enumerate(explorer.parameters)}
+    order = {str(parameter.symbol): k for k, parameter in enumerate(explorer.parameters)}
     dragged = explorer.dragged()
 
     def uses(inputs):
-        return sorted(order[symbol] for symbol in inputs)
+        return sorted(order[name] for name in inputs)
 
     def written(formulas):
         return {
@@ -48,7 +48,7 @@ def data(explorer):
         }
 
     def part(one):
-        moved = [None if symbol is None else order[symbol] for symbol in one.dragged]
+        moved = [None if name is None else order[name] for name in one.dragged]
         more = {"series": one.series} if one.series is not None else {}
         more |= {"moved": moved} if any(k is not None for k in moved) else {}
         common = {"kind": one.kind, "style": one.style, "label": one.label}
@@ -62,7 +62,7 @@ def data(explorer):
                 "label": parameter.label,
                 "value": parameter.value,
                 "limits": parameter.limits,
-                "slider": parameter.symbol not in dragged,
+                "slider": str(parameter.symbol) not in dragged,
             }
             for parameter in explorer.parameters
         ],

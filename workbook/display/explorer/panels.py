@@ -23,7 +23,7 @@ class Part:
     label: str
     inputs: frozenset
     series: int | None = None
-    dragged: tuple = ()  # the parameters that dragging sets, None for a coordinate it leaves
+    dragged: tuple = ()  # the names of the parameters that dragging sets, None for a coordinate it leaves
 
 
 class Panel:
@@ -45,8 +45,8 @@ class Panel:
 
     @property
     def dragged(self):
-        """The parameters that are set by a point of this panel."""
-        return {symbol for part in self.parts for symbol in part.dragged if symbol is not None}
+        """The names of the parameters that are set by a point of this panel."""
+        return {name for part in self.parts for name in part.dragged if name is not None}
 
     def line(self, series, x, y, style="solid", label=""):
         """Draw a line through the rows of a series.
@@ -100,8 +100,8 @@ class Panel:
         label : str
             What the point is, in the legend and for screen readers.
         """
-        parameters = {parameter.symbol for parameter in self._explorer.parameters}
-        dragged = tuple(value if value in parameters else None for value in (x, y))
+        parameters = {str(parameter.symbol) for parameter in self._explorer.parameters}
+        dragged = tuple(str(value) if str(value) in parameters else None for value in (x, y))
         self._add("point", {"x": [x], "y": [y]}, "point", label, dragged=dragged)
 
     def segments(self, points, style="solid", label=""):

@@ -122,7 +122,7 @@
       const wide = WIDTH - LEFT - RIGHT, high = Math.round(wide * height);
       Object.assign(this, {x, y, wide, high});
       this.svg = shape("svg", {viewBox: `0 0 ${WIDTH} ${high + TOP + BOTTOM}`});
-      const plane = shape("g", {transform: `translate(${LEFT} ${TOP})`}, this.svg);
+      const plane = this.plane = shape("g", {transform: `translate(${LEFT} ${TOP})`}, this.svg);
       for (const value of ticks(x, 6)) {
         const at = this.across(value);
         shape("line", {class: value ? "grid" : "axis", x1: at, x2: at, y1: 0, y2: high}, plane);
@@ -149,9 +149,8 @@
       return [near(this.across(x)), near(this.up(y))];
     }
     values(event) {
-      const box = this.content.getBoundingClientRect();
-      return [this.x[0] + (event.clientX - box.left) / box.width * (this.x[1] - this.x[0]),
-              this.y[1] - (event.clientY - box.top) / box.height * (this.y[1] - this.y[0])];
+      const {x, y} = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.plane.getScreenCTM().inverse());
+      return [this.x[0] + x / this.wide * (this.x[1] - this.x[0]), this.y[1] - y / this.high * (this.y[1] - this.y[0])];
     }
     path(points) {
       let text = "", open = false;
@@ -284,7 +283,9 @@
       handle.focus({preventScroll: true});
       event.preventDefault();
     });
-    handle.addEventListener("pointermove", (event) => { if (handle.hasPointerCapture(event.pointerId)) move(axes.values(event)); });
+    for (const kind of ["pointermove", "pointerup"]) {
+      handle.addEventListener(kind, (event) => { if (handle.hasPointerCapture(event.pointerId)) move(axes.values(event)); });
+    }
     axes.content.addEventListener("click", (event) => { if (axes.handles.childElementCount === 1) move(axes.values(event)); });
     handle.addEventListener("keydown", (event) => {
       const [i, sign] = {ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1]}[event.key] || [];
