@@ -138,7 +138,7 @@
       shape("text", {class: "name", x: 0, y: -8}, plane, names[1]);
       // an SVG of its own clips what leaves the panel
       this.content = shape("svg", {width: wide, height: high}, plane);
-      shape("rect", {class: "frame", width: wide, height: high}, plane);
+      this.frame = shape("rect", {class: "frame", width: wide, height: high}, plane);
       this.handles = shape("g", {}, plane);
     }
     across(value) { return (value - this.x[0]) / (this.x[1] - this.x[0]) * this.wide; }
@@ -286,7 +286,7 @@
     for (const kind of ["pointermove", "pointerup"]) {
       handle.addEventListener(kind, (event) => { if (handle.hasPointerCapture(event.pointerId)) move(axes.values(event)); });
     }
-    axes.content.addEventListener("click", (event) => { if (axes.handles.childElementCount === 1) move(axes.values(event)); });
+    axes.frame.addEventListener("click", (event) => { if (axes.handles.childElementCount === 1) move(axes.values(event)); });
     handle.addEventListener("keydown", (event) => {
       const [i, sign] = {ArrowLeft: [0, -1], ArrowRight: [0, 1], ArrowDown: [1, -1], ArrowUp: [1, 1]}[event.key] || [];
       if (i === undefined || part.moved[i] === null) return;
