@@ -85,6 +85,7 @@ def test_a_static_picture_has_every_panel():
         (sp.Piecewise((X, X > 1), (sp.Abs(K) ** sp.Rational(1, 3), True)), 2),
         (sp.And(X > 0, sp.Or(K < 1, sp.Not(X > K))), True),
         (sp.Max(X, K, 0) + sp.sign(X) * sp.atan2(K, X) + sp.pi, 8 + np.arctan(8) + np.pi),
+        (3 - 2 * sp.Mod(X - K, 3), -1),
         (sp.true, True),
     ],
 )
@@ -111,6 +112,7 @@ def panel():
         (lambda: explorer().parameter("k", 0, (-1, 1)), "symbol: expected a symbol"),
         (lambda: explorer().parameter(K, 2, (-1, 1)), "value: expected a number from -1 to 1"),
         (lambda: explorer().parameter(K, 1, (1, 1)), "limits: expected"),
+        (lambda: explorer().parameter(K, 1, (0, 1), step=0), "step: expected a positive number"),
         (lambda: explorer().quantity(C, X + K), "value: k is neither a parameter nor a quantity"),
         (lambda: explorer().quantity(C, sp.erf(X)), "value: JavaScript has no function"),
         (lambda: explorer().quantity(C, "x"), "value: expected an expression of SymPy"),
@@ -136,3 +138,7 @@ def panel():
 def test_bad_input_is_refused(make, message):
     with pytest.raises(ValueError, match=message):
         make()
+
+
+def test_a_remainder_stands_in_brackets():
+    assert Formula("value", 1 - 2 * sp.Mod(X, 2), [X]).javascript == "1 - 2*(((v[0] % 2) + 2) % 2)"

@@ -52,7 +52,7 @@ def figures(request):
     needed, run = set(), []
     for code, used, assigned in reversed(others):
         if FIGURE.search(code) or needed & assigned:
-            needed = (needed - assigned) | used
+            needed = (needed | used) - assigned
             run.append(code)
     namespace = {}
     for code in [first[0], *reversed(run)]:
@@ -109,9 +109,13 @@ def settings(figure):
     generator = np.random.default_rng(5)
     yield [parameter.value for parameter in figure.parameters]
     for _ in range(3):
+        shares = generator.uniform(0.1, 0.9, len(figure.parameters))
         yield [
-            float(f"{low + (high - low) * generator.uniform(0.1, 0.9):.5g}")
-            for low, high in (parameter.limits for parameter in figure.parameters)
+            low + step * round(share * (high - low) / step)
+            for share, (low, high), step in (
+                (share, parameter.limits, parameter.step)
+                for share, parameter in zip(shares, figure.parameters)
+            )
         ]
 
 

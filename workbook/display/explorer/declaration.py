@@ -41,6 +41,7 @@ class Parameter:
     value: float
     limits: tuple
     label: str
+    step: float
 
 
 @dataclass(frozen=True)
@@ -112,7 +113,7 @@ class Explorer:
 
     # Scalars
 
-    def parameter(self, symbol, value, limits, label=None):
+    def parameter(self, symbol, value, limits, label=None, step=None):
         """Add a scalar that the reader sets.
 
         It has a slider, unless a point of a panel is dragged to set it.
@@ -127,20 +128,26 @@ class Explorer:
             Its least and largest value.
         label : str, optional
             Text beside the slider; without it the symbol.
+        step : float, optional
+            Step of the slider; without it a two-hundredth of its range.
 
         Raises
         ------
         ValueError
-            If the symbol has a value already, the limits are empty or the value is not between.
+            If the symbol has a value already, the limits are empty, the value is not between or the
+            step is not positive.
         """
         low, high = (float(limit) for limit in limits)
         if not low < high:
             raise ValueError(f"limits: expected (low, high) with low < high, got {limits}")
         if not low <= value <= high:
             raise ValueError(f"value: expected a number from {low:g} to {high:g}, got {value}")
+        step = (high - low) / 200 if step is None else float(step)
+        if not step > 0:
+            raise ValueError(f"step: expected a positive number, got {step:g}")
         self._define(symbol, frozenset([str(symbol)]))
         self.parameters.append(
-            Parameter(symbol, float(value), (low, high), label or pretty(symbol))
+            Parameter(symbol, float(value), (low, high), label or pretty(symbol), step)
         )
         self.steps.append(Step("parameter", {}, {}, frozenset([str(symbol)])))
 

@@ -119,6 +119,10 @@ class _Printer(JavascriptCodePrinter):
     def _print_Symbol(self, symbol):
         return self._entries[str(symbol)]
 
+    def _print_Mod(self, value):
+        # SymPy leaves out the outer brackets, also where the remainder is a factor
+        return f"({super()._print_Mod(value)})"
+
     def _print_BooleanTrue(self, _):
         return "true"
 

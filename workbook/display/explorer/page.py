@@ -62,6 +62,7 @@ def data(explorer):
                 "label": parameter.label,
                 "value": parameter.value,
                 "limits": parameter.limits,
+                "step": parameter.step,
                 "slider": str(parameter.symbol) not in dragged,
             }
             for parameter in explorer.parameters

@@ -331,9 +331,9 @@
       box.classList.add("ready");
     }
 
-    slider({label, limits: [min, max], value}, k) {
+    slider({label, limits: [min, max], step, value}, k) {
       const output = tag("output"), input = tag("input", {type: "range"});
-      Object.assign(input, {min, max, step: (max - min) / 200, value});
+      Object.assign(input, {min, max, step, value});
       input.addEventListener("input", () => this.move(new Map([[k, Number(input.value)]])));
       this.controls.append(tag("label", {}, tag("span", {textContent: label}), input, output));
       return {input, output};
