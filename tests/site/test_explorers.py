@@ -4,9 +4,10 @@ The figures of the book are made from its cells: those that declare one, and tho
 No site is built but for the last tests.
 """
 
-import ast
 import gzip
+import json
 import re
+import symtable
 from pathlib import Path
 
 import numpy as np
@@ -27,7 +28,8 @@ PAGES = sorted(
     if FIGURE.search(path.read_text(encoding="utf-8"))
 )
 #: A call of formulas in the browser: [[code, v, c], ...] -> their values.
-CALL = """arguments[0].map(([code, v, c]) => new Function("v", "c", "return " + code)(v, c))"""
+CALL = """JSON.stringify(JSON.parse(arguments[0]).map(
+    ([code, v, c]) => new Function("v", "c", "return " + code)(v, c)))"""
 
 
 def cells_of(page):
@@ -35,14 +37,24 @@ def cells_of(page):
     notebook = read_myst_markdown_notebook((ROOT / page).read_text(encoding="utf-8"))
     cells = []
     for code in (cell.source for cell in notebook.cells if cell.cell_type == "code"):
-        nodes = list(ast.walk(ast.parse(code)))
-        names = [node for node in nodes if isinstance(node, ast.Name)]
-        used = {node.id for node in names if isinstance(node.ctx, ast.Load)}
-        assigned = {node.id for node in names if not isinstance(node.ctx, ast.Load)}
-        assigned |= {node.name for node in nodes if isinstance(node, ast.FunctionDef)}
-        assigned |= {node.asname or node.name for node in nodes if isinstance(node, ast.alias)}
-        cells.append((code, used, assigned))
+        table = symtable.symtable(code, page, "exec")
+        assigned = {
+            symbol.get_name()
+            for symbol in table.get_symbols()
+            if symbol.is_assigned() or symbol.is_imported()
+        }
+        cells.append((code, names_used(table), assigned))
     return cells
+
+
+def names_used(table):
+    """Return the names of the module that its code, or a function in it, reads."""
+    used = {
+        symbol.get_name()
+        for symbol in table.get_symbols()
+        if symbol.is_referenced() and (table.get_type() == "module" or symbol.is_global())
+    }
+    return used.union(*(names_used(inner) for inner in table.get_children()))
 
 
 @pytest.fixture(scope="module", params=PAGES)
@@ -161,7 +173,9 @@ def test_every_formula_has_the_value_of_sympy(browser, figures, show):
                 rows = rows[:: max(1, len(rows) // 25)] if len(columns) else [[]]
                 calls += [[formula.javascript, values.scalars, list(row)] for row in rows]
                 expected += [float(formula(values.scalars, row)) for row in rows]
-            computed = browser.driver.execute_script(f"return {CALL}", calls)
+            computed = json.loads(
+                browser.driver.execute_script(f"return {CALL}", json.dumps(calls))
+            )
             for call, value, other in zip(calls, expected, computed, strict=True):
                 if np.isfinite(value):
                     assert other == pytest.approx(value, rel=1e-9, abs=1e-9), call
@@ -174,13 +188,14 @@ def test_series_and_scalars_agree_with_scipy(browser, figures, show):
     for k, figure in enumerate(figures):
         for inputs in settings(figure):
             values = evaluated(figure, inputs)
-            scalars, series = browser.driver.execute_script(
+            state = browser.driver.execute_script(
                 """const figure = document.querySelectorAll(".explorer")[arguments[0]].explorer;
                 figure.move(new Map(arguments[1].map((value, k) => [k, value])));
-                return [figure.v, figure.rows];""",
+                return JSON.stringify([figure.v, figure.rows]);""",
                 k,
                 inputs,
             )
+            scalars, series = json.loads(state)
             integrated = any(step.kind == "trajectory" for step in figure.steps)
             tolerance = 1e-4 if integrated else 1e-9
             assert scalars == pytest.approx(values.scalars, rel=tolerance, abs=tolerance)
