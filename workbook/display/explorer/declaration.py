@@ -18,74 +18,17 @@ named columns, such as the states of a trajectory at its times.
 Explorer of 1 panel: A damped oscillator and its phase plane.
 """
 
-from dataclasses import dataclass
-
-import numpy as np
 import sympy as sp
 
 from workbook.display.explorer.formulas import Formula, pretty
 from workbook.display.explorer.panels import Panel
 from workbook.display.explorer.sentences import Sentence
+from workbook.display.explorer.steps import Parameter, Series, Step, numbers
 
-__all__ = ["Explorer", "Parameter", "Series", "Step"]
+__all__ = ["Explorer"]
 
 #: Points of a series, unless its declaration says otherwise.
 TRAJECTORY_POINTS, CURVE_POINTS = 400, 200
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """A scalar that the reader sets: by a slider, or by a point that is dragged."""
-
-    symbol: sp.Symbol
-    value: float
-    limits: tuple
-    label: str
-    step: float
-
-
-@dataclass(frozen=True)
-class Step:
-    """A computation: its kind, its formulas by role, the constants that it needs."""
-
-    kind: str
-    formulas: dict
-    constants: dict
-    inputs: frozenset  # the names of the parameters on which its result depends
-
-
-class Series:
-    """Rows of named columns that a step computes; made by the methods of `Explorer`.
-
-    Attributes
-    ----------
-    columns : tuple of sympy.Symbol
-        The symbols that expressions of a row may contain.
-    """
-
-    def __init__(self, explorer, index, columns, inputs):
-        self._explorer, self.index, self.columns, self.inputs = explorer, index, columns, inputs
-
-    def last(self, symbol, value):
-        """Define a scalar: the value of an expression at the last row.
-
-        Parameters
-        ----------
-        symbol : sympy.Symbol
-            The scalar.
-        value : sympy.Expr
-            An expression in the columns and the scalars so far.
-
-        Raises
-        ------
-        ValueError
-            If the symbol has a value already or the expression contains an unknown symbol.
-        """
-        self._explorer._reduce(self, "last", symbol, value)
-
-    def largest(self, symbol, value):
-        """Define a scalar: the largest value of an expression over all rows; see `last`."""
-        self._explorer._reduce(self, "largest", symbol, value)
 
 
 class Explorer:
@@ -166,8 +109,8 @@ class Explorer:
         ValueError
             If the symbol has a value already or the expression contains an unknown symbol.
         """
-        formulas = {"value": [self.formula("value", value)]}
-        self._define(symbol, self.inputs_of(formulas))
+        formulas = {"value": [self._formula("value", value)]}
+        self._define(symbol, self._inputs_of(formulas))
         self._add("quantity", formulas, {})
 
     # Series
@@ -208,9 +151,9 @@ class Explorer:
                 f"got {len(rates)} and {len(initial)}"
             )
         formulas = {
-            "rates": [self.formula("rates", rate, columns) for rate in rates],
-            "initial": [self.formula("initial", value) for value in initial],
-            "end": [self.formula("end", end)],
+            "rates": [self._formula("rates", rate, columns) for rate in rates],
+            "initial": [self._formula("initial", value) for value in initial],
+            "end": [self._formula("end", end)],
         }
         return self._add("trajectory", formulas, {"points": points}, columns)
 
@@ -243,15 +186,15 @@ class Explorer:
         ValueError
             If lengths differ or an expression contains an unknown symbol.
         """
-        data = {symbol: _numbers("data", values) for symbol, values in (data or {}).items()}
+        data = {symbol: numbers("data", values) for symbol, values in (data or {}).items()}
         columns = (index or sp.Symbol("n"), *states, *data)
         if not len(states) == len(updates) == len(initial):
             raise ValueError(f"updates, initial: expected one for each of the {len(states)} states")
         if any(len(values) != steps + 1 for values in data.values()):
             raise ValueError(f"data: expected {steps + 1} numbers for each symbol")
         formulas = {
-            "updates": [self.formula("updates", value, columns) for value in updates],
-            "initial": [self.formula("initial", value) for value in initial],
+            "updates": [self._formula("updates", value, columns) for value in updates],
+            "initial": [self._formula("initial", value) for value in initial],
         }
         constants = {"steps": steps, "data": list(data.values())}
         return self._add("recursion", formulas, constants, columns)
@@ -278,7 +221,7 @@ class Explorer:
         ValueError
             If an expression contains an unknown symbol.
         """
-        formulas = {"low": [self.formula("low", low)], "high": [self.formula("high", high)]}
+        formulas = {"low": [self._formula("low", low)], "high": [self._formula("high", high)]}
         return self._add("curve", formulas, {"points": points}, (symbol,))
 
     def table(self, data):
@@ -299,7 +242,7 @@ class Explorer:
         ValueError
             If the columns differ in length or are not finite.
         """
-        columns = [_numbers("data", values) for values in data.values()]
+        columns = [numbers("data", values) for values in data.values()]
         if len({len(column) for column in columns}) != 1:
             raise ValueError("data: expected columns of one length")
         return self._add("table", {}, {"data": columns}, tuple(data))
@@ -329,7 +272,7 @@ class Explorer:
             coefficients = sp.Poly(polynomial, variable).all_coeffs()
         except sp.PolynomialError as error:
             raise ValueError(f"polynomial: expected one in {variable}, got {polynomial}") from error
-        formulas = {"coefficients": [self.formula("polynomial", value) for value in coefficients]}
+        formulas = {"coefficients": [self._formula("polynomial", value) for value in coefficients]}
         return self._add("roots", formulas, {}, sp.symbols("Re Im", real=True))
 
     # What is shown
@@ -378,18 +321,18 @@ class Explorer:
         """
         self.sentences.append(Sentence(self, cases))
 
-    def formula(self, argument, value, columns=()):
+    def _formula(self, argument, value, columns=()):
         """Return an expression of the figure as a `Formula`."""
         return Formula(argument, value, self.scalars, columns)
 
-    def inputs_of(self, formulas, series=()):
+    def _inputs_of(self, formulas, series=()):
         """Return the names of the parameters on which formulas, given by role, and series depend."""
         names = {name for role in formulas.values() for one in role for name in one.scalars}
         return frozenset().union(
             *(self._inputs[name] for name in names), *(one.inputs for one in series)
         )
 
-    def dragged(self):
+    def _dragged(self):
         """Return the names of the parameters that a point sets, not a slider."""
         return {name for panel in self.panels for name in panel.dragged}
 
@@ -424,7 +367,7 @@ class Explorer:
         self.scalars.append(symbol)
 
     def _add(self, kind, formulas, constants, columns=None, series=()):
-        step = Step(kind, formulas, constants, self.inputs_of(formulas, series))
+        step = Step(kind, formulas, constants, self._inputs_of(formulas, series))
         self.steps.append(step)
         if columns is None:
             return None
@@ -432,8 +375,8 @@ class Explorer:
         return self.series[-1]
 
     def _reduce(self, series, how, symbol, value):
-        formulas = {"value": [self.formula("value", value, series.columns)]}
-        self._define(symbol, self.inputs_of(formulas, [series]))
+        formulas = {"value": [self._formula("value", value, series.columns)]}
+        self._define(symbol, self._inputs_of(formulas, [series]))
         self._add(how, formulas, {"series": series.index}, series=[series])
 
     def __repr__(self):
@@ -444,10 +387,3 @@ class Explorer:
         from workbook.display.explorer.page import html
 
         return html(self)
-
-
-def _numbers(argument, values):
-    numbers = np.asarray(values, dtype=float)
-    if numbers.ndim != 1 or not np.isfinite(numbers).all():
-        raise ValueError(f"{argument}: expected a list of finite numbers")
-    return numbers

@@ -36,7 +36,7 @@ def html(explorer):
 def data(explorer):
     """Return the declaration as lists, dictionaries, numbers and JavaScript expressions."""
     order = {str(parameter.symbol): k for k, parameter in enumerate(explorer.parameters)}
-    dragged = explorer.dragged()
+    dragged = explorer._dragged()
 
     def uses(inputs):
         return sorted(order[name] for name in inputs)

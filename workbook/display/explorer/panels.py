@@ -23,7 +23,7 @@ class Part:
     label: str
     inputs: frozenset
     series: int | None = None
-    dragged: tuple = ()  # the names of the parameters that dragging sets, None for a coordinate it leaves
+    dragged: tuple = ()  # names of the parameters that dragging sets, None for fixed coordinates
 
 
 class Panel:
@@ -152,10 +152,10 @@ class Panel:
     def _add(self, kind, formulas, style, label, columns=(), series=None, dragged=()):
         explorer = self._explorer
         formulas = {
-            role: [explorer.formula(role, value, columns) for value in values]
+            role: [explorer._formula(role, value, columns) for value in values]
             for role, values in formulas.items()
         }
-        inputs = explorer.inputs_of(formulas, [] if series is None else [series])
+        inputs = explorer._inputs_of(formulas, [] if series is None else [series])
         index = None if series is None else series.index
         self.parts.append(Part(kind, formulas, style, label, inputs, index, dragged))
 

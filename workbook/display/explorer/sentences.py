@@ -23,7 +23,7 @@ class Sentence:
             raise ValueError("cases: expected the condition True in the last one")
         self._indices = {str(symbol): k for k, symbol in enumerate(explorer.scalars)}
         self.cases = [
-            (explorer.formula("cases", condition), self._pieces(text)) for condition, text in cases
+            (explorer._formula("cases", condition), self._pieces(text)) for condition, text in cases
         ]
 
     def text(self, scalars):
