@@ -18,8 +18,8 @@ MARKS = {
     "dot": {"marker": "o", "color": GREY, "markersize": 3.5},
     "ring": {"marker": "o", "color": PURPLE, "markersize": 8, "markerfacecolor": "none"},
 }
-#: Width of a panel, and height of its legend, in inches.
-WIDTH, LEGEND = 3.6, 0.5
+#: Width of a panel, and height of the names of its axis, in inches.
+WIDTH, MARGIN = 3.6, 0.5
 #: Points of a region, and arrows of a field, along an axis.
 GRID, ARROWS = 201, 15
 
@@ -32,20 +32,21 @@ def draw(explorer, values):
     for panel in explorer.panels:
         columns[-1].append(panel) if panel.below else columns.append([panel])
     heights = [sum(panel.height for panel in column) for column in columns]
-    figure = Figure(figsize=(WIDTH * len(columns), WIDTH * max(heights) + LEGEND))
+    size = WIDTH * len(columns), WIDTH * max(heights) + MARGIN
+    figure = Figure(figsize=size, layout="constrained")
     parts = figure.subfigures(1, len(columns), squeeze=False)[0]
     computed = evaluate(explorer, values)
     for part, column in zip(parts, columns):
         ratios = [panel.height for panel in column]
         axes = part.subplots(len(column), 1, squeeze=False, height_ratios=ratios)[:, 0]
-        part.subplots_adjust(left=0.15, right=0.96, top=0.95, bottom=0.12, hspace=0.32)
         for ax, panel in zip(axes, column):
             _panel(ax, panel, computed)
     return figure
 
 
 def _panel(ax, panel, computed):
-    ax.set(xlim=panel.x_range, ylim=panel.y_range, xlabel=panel.names[0], ylabel=panel.names[1])
+    ax.set(xlim=panel.x_range, ylim=panel.y_range, xlabel=panel.names[0])
+    ax.set_title(panel.names[1], loc="left", fontsize="medium")
     ax.grid(color="0.9")
     ax.set_axisbelow(True)
     for part in panel.parts:
