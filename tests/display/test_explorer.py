@@ -113,6 +113,7 @@ def panel():
         (lambda: explorer().parameter(K, 2, (-1, 1)), "value: expected a number from -1 to 1"),
         (lambda: explorer().parameter(K, 1, (1, 1)), "limits: expected"),
         (lambda: explorer().parameter(K, 1, (0, 1), step=0), "step: expected a positive number"),
+        (lambda: explorer().parameter(K, 1, (0, 1), play=-1), "play: expected a positive number"),
         (lambda: explorer().quantity(C, X + K), "value: k is neither a parameter nor a quantity"),
         (lambda: explorer().quantity(C, sp.erf(X)), "value: JavaScript has no function"),
         (lambda: explorer().quantity(C, "x"), "value: expected an expression of SymPy"),

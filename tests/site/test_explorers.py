@@ -252,8 +252,43 @@ def test_a_slider_is_a_native_input_with_its_value(browser, show):
     assert browser.find(".explorer-sentence").get_attribute("aria-live") == "polite"
 
 
+def moving():
+    now = sp.Symbol("now", real=True)
+    figure = Explorer("When does it turn?", "A body on a track.")
+    figure.parameter(now, 0, (0, 3), "time t", play=1)
+    figure.panel("x", "", (-2, 2), (-1, 1), 0.3).point(sp.sin(now), 0)
+    figure.sentence((True, "t = {now}"))
+    return figure
+
+
+def test_a_motion_plays_to_its_end(moving_browser, tmp_path):
+    page = tmp_path / "page.html"
+    page.write_text(f"<!doctype html>{moving()._repr_html_()}", encoding="utf-8")
+    moving_browser.open(page.as_uri())
+    now = "document.querySelector('.explorer').explorer.inputs[0]"
+    button = moving_browser.find(".explorer-controls button")
+    assert button.accessible_name == "Play" and moving_browser.run(now) == 0
+    button.click()
+    assert moving_browser.wait_for(f"{now} == 3") and button.accessible_name == "Play"
+
+
+def test_with_reduced_motion_it_goes_on_by_steps(browser, show):
+    emulate = "Emulation.setEmulatedMedia"
+    browser.driver.execute_cdp_cmd(
+        emulate, {"features": [{"name": "prefers-reduced-motion", "value": "reduce"}]}
+    )
+    try:
+        show(moving())
+        button = browser.find(".explorer-controls button")
+        assert button.accessible_name == "Next step"
+        button.click()
+        assert browser.find(".explorer output").text == "0.25"
+    finally:
+        browser.driver.execute_cdp_cmd(emulate, {"features": []})
+
+
 def test_axe_finds_no_fault(browser, show):
-    show(oscillator())
+    show(oscillator(), moving())
     axe = Axe(browser.driver)
     axe.inject()
     assert axe.run("document", "{resultTypes: ['violations']}")["violations"] == []

@@ -56,7 +56,7 @@ class Explorer:
 
     # Scalars
 
-    def parameter(self, symbol, value, limits, label=None, step=None):
+    def parameter(self, symbol, value, limits, label=None, step=None, play=None):
         """Add a scalar that the reader sets.
 
         It has a slider, unless a point of a panel is dragged to set it.
@@ -73,12 +73,15 @@ class Explorer:
             Text beside the slider; without it the symbol.
         step : float, optional
             Step of the slider; without it a two-hundredth of its range.
+        play : float, optional
+            Seconds in which a button moves the slider over its range, for a time of motion. Where
+            the system is set to reduced motion, the button goes on by a step.
 
         Raises
         ------
         ValueError
-            If the symbol has a value already, the limits are empty, the value is not between or the
-            step is not positive.
+            If the symbol has a value already, the limits are empty, the value is not between, or
+            the step or the seconds are not positive.
         """
         low, high = (float(limit) for limit in limits)
         if not low < high:
@@ -88,9 +91,11 @@ class Explorer:
         step = (high - low) / 200 if step is None else float(step)
         if not step > 0:
             raise ValueError(f"step: expected a positive number, got {step:g}")
+        if play is not None and not play > 0:
+            raise ValueError(f"play: expected a positive number of seconds, got {play}")
         self._define(symbol, frozenset([str(symbol)]))
         self.parameters.append(
-            Parameter(symbol, float(value), (low, high), label or pretty(symbol), step)
+            Parameter(symbol, float(value), (low, high), label or pretty(symbol), step, play)
         )
         self.steps.append(Step("parameter", {}, {}, frozenset([str(symbol)])))
 
@@ -283,7 +288,8 @@ class Explorer:
         Parameters
         ----------
         x, y : sympy.Symbol or str
-            The coordinates; regions and fields are expressions in these symbols.
+            The coordinates; regions and fields are expressions in these symbols. A y axis with
+            the name "" has no numbers.
         x_range, y_range : (float, float)
             Ranges (low, high) of the axes.
         height : float

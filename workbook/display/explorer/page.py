@@ -63,6 +63,7 @@ def data(explorer):
                 "value": parameter.value,
                 "limits": parameter.limits,
                 "step": parameter.step,
+                "play": parameter.play,
                 "slider": str(parameter.symbol) not in dragged,
             }
             for parameter in explorer.parameters

@@ -17,6 +17,7 @@ class Parameter:
     limits: tuple
     label: str
     step: float
+    play: float | None
 
 
 @dataclass(frozen=True)

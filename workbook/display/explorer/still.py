@@ -18,8 +18,8 @@ MARKS = {
     "dot": {"marker": "o", "color": GREY, "markersize": 3.5},
     "ring": {"marker": "o", "color": PURPLE, "markersize": 8, "markerfacecolor": "none"},
 }
-#: Width of a panel, and height of the names of its axis, in inches.
-WIDTH, MARGIN = 3.6, 0.5
+#: Width of a panel, and height of what stands below its axis, in inches.
+WIDTH, MARGIN = 3.6, 0.6
 #: Points of a region, and arrows of a field, along an axis.
 GRID, ARROWS = 201, 15
 
@@ -31,8 +31,8 @@ def draw(explorer, values):
     columns = []
     for panel in explorer.panels:
         columns[-1].append(panel) if panel.below else columns.append([panel])
-    heights = [sum(panel.height for panel in column) for column in columns]
-    size = WIDTH * len(columns), WIDTH * max(heights) + MARGIN
+    heights = [sum(WIDTH * panel.height + MARGIN for panel in column) for column in columns]
+    size = WIDTH * len(columns), max(heights)
     figure = Figure(figsize=size, layout="constrained")
     parts = figure.subfigures(1, len(columns), squeeze=False)[0]
     computed = evaluate(explorer, values)
@@ -47,12 +47,24 @@ def draw(explorer, values):
 def _panel(ax, panel, computed):
     ax.set(xlim=panel.x_range, ylim=panel.y_range, xlabel=panel.names[0])
     ax.set_title(panel.names[1], loc="left", fontsize="medium")
+    if not panel.names[1]:  # a track, a body
+        ax.set_yticks([])
     ax.grid(color="0.9")
     ax.set_axisbelow(True)
     for part in panel.parts:
         DRAWN[part.kind](ax, panel, part, computed)
-    if any(part.label for part in panel.parts):
-        ax.legend(fontsize=8, loc="best")
+    labels = [part.label for part in panel.parts if part.label]
+    if labels:
+        _legend(ax, 2 if max(map(len, labels)) <= 20 else 1)
+
+
+def _legend(ax, columns):
+    """Place the legend below the name of the axis, where it covers no curve."""
+    from matplotlib.transforms import ScaledTranslation
+
+    below = ax.transAxes + ScaledTranslation(-0.25, -0.48, ax.figure.dpi_scale_trans)
+    style = {"fontsize": 8, "frameon": False, "borderaxespad": 0, "borderpad": 0}
+    ax.legend(ncols=columns, loc="upper left", bbox_to_anchor=(0, 0), bbox_transform=below, **style)
 
 
 def _line(ax, panel, part, computed):

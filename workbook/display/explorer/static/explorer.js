@@ -127,12 +127,13 @@
         const at = this.across(value);
         shape("line", {class: value ? "grid" : "axis", x1: at, x2: at, y1: 0, y2: high}, plane);
         // the name of the axis stands at its right end
-        if (at < wide - 12 - 8 * names[0].length) shape("text", {x: at, y: high + 15, "text-anchor": "middle"}, plane, short(value));
+        if (at < wide - 12 - 8 * names[0].length) shape("text", {x: at, y: high + 15, "text-anchor": "middle", "aria-hidden": "true"}, plane, short(value));
       }
-      for (const value of ticks(y, height > 0.6 ? 6 : 4)) {
+      // an axis without a name has no numbers: a track, a body
+      for (const value of names[1] ? ticks(y, height > 0.6 ? 6 : 4) : []) {
         const at = this.up(value);
         shape("line", {class: value ? "grid" : "axis", y1: at, y2: at, x1: 0, x2: wide}, plane);
-        shape("text", {x: -6, y: at + 4, "text-anchor": "end"}, plane, short(value));
+        shape("text", {x: -6, y: at + 4, "text-anchor": "end", "aria-hidden": "true"}, plane, short(value));
       }
       shape("text", {class: "name", x: wide, y: high + 17, "text-anchor": "end"}, plane, names[0]);
       shape("text", {class: "name", x: 0, y: -8}, plane, names[1]);
@@ -322,8 +323,8 @@
         return {axes, parts};
       });
       this.controls = tag("div", {className: "explorer-controls"});
-      this.sliders = parameters.map((parameter, k) => parameter.slider && this.slider(parameter, k));
       this.reset = tag("button", {type: "button", textContent: "Reset"});
+      this.sliders = parameters.map((parameter, k) => parameter.slider && this.slider(parameter, k));
       this.reset.addEventListener("click", () => this.move(new Map(parameters.map(({value}, k) => [k, value]))));
       this.words = tag("p", {className: "explorer-sentence", ariaLive: "polite"});
       box.append(columns, this.controls, tag("div", {className: "explorer-foot"}, this.words, this.reset));
@@ -331,12 +332,44 @@
       box.classList.add("ready");
     }
 
-    slider({label, limits: [min, max], step, value}, k) {
+    slider({label, limits: [min, max], step, value, play}, k) {
       const output = tag("output"), input = tag("input", {type: "range"});
       Object.assign(input, {min, max, step, value});
       input.addEventListener("input", () => this.move(new Map([[k, Number(input.value)]])));
       this.controls.append(tag("label", {}, tag("span", {textContent: label}), input, output));
+      if (play) this.controls.append(this.player(k, input));
       return {input, output};
+    }
+
+    /* A button that moves a slider to its end; with reduced motion it goes on by a twelfth. */
+    player(k, input) {
+      const {limits: [low, high], play} = this.parameters[k], still = matchMedia("(prefers-reduced-motion: reduce)");
+      const button = tag("button", {type: "button"});
+      let last = null;
+      const stop = () => { last = null; name(); };
+      const name = () => { button.textContent = still.matches ? "Next step" : last === null ? "Play" : "Pause"; };
+      const advance = (share) => this.move(new Map([[k, this.inputs[k] >= high ? low : this.inputs[k] + share * (high - low)]]));
+      const frame = (now) => {
+        if (last === null) return;
+        advance((now - last) / 1000 / play);
+        last = now;
+        if (this.inputs[k] < high) requestAnimationFrame(frame); else stop();
+      };
+      button.addEventListener("click", () => {
+        if (still.matches) advance(1 / 12);
+        else if (last !== null) stop();
+        else {
+          if (this.inputs[k] >= high) this.move(new Map([[k, low]]));
+          last = performance.now();
+          name();
+          requestAnimationFrame(frame);
+        }
+      });
+      input.addEventListener("input", stop);
+      still.addEventListener("change", stop);
+      this.reset.addEventListener("click", stop);
+      name();
+      return button;
     }
 
     entry(part) {
