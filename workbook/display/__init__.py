@@ -8,6 +8,6 @@ __getattr__, __dir__, __all__ = lazy_names(
         "results": ["show", "table"],
         "drawings": ["Drawing", "along"],
         "animations": ["Animation"],
-        "explorer": ["Explorer"],
+        "explorer.declaration": ["Explorer"],
     },
 )

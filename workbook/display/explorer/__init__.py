@@ -9,7 +9,3 @@ evaluation    the values of a figure, computed in Python
 still         the static picture, drawn by Matplotlib
 page          the HTML; static/explorer.js and .css draw and move it in the browser
 """
-
-from trajlib._lazy import lazy_names
-
-__getattr__, __dir__, __all__ = lazy_names(__name__, {"declaration": ["Explorer"]})
