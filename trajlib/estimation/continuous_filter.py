@@ -247,8 +247,8 @@ def _closed_form(A, S, Q, P, t):
     to_real, from_real = as_real(M, P)
     M, P = M.xreplace(to_real), P.xreplace(to_real)
     modes = Modes(lambda v: M * v, exact_spectrum(M), sp.eye(n).col_join(P))
-    both = modes.at(*continuous_basis(t))
-    X, Y = both[:n, :], both[n:, :]
+    solution = modes.at(*continuous_basis(t))
+    X, Y = solution[:n, :], solution[n:, :]
     covariance = (Y * X.adjugate() / X.det()).applyfunc(
         lambda e: sp.factor(sp.together(e)) if n == 1 else sp.together(e)
     )
@@ -286,9 +286,11 @@ def _filter_record(filter, z, times, x, P):
         gain = filter.gain(middle)
         # x~' = (A - KH) x~ + K z with a constant z, as one exponential
         m = gain.shape[1]
-        both = expm(np.block([[filter.A - gain @ filter.H, gain], [np.zeros((m, n + m))]]) * step)
+        exponential = expm(
+            np.block([[filter.A - gain @ filter.H, gain], [np.zeros((m, n + m))]]) * step
+        )
         x, P = (
-            x @ both[:n, :n].T + z[..., k, :] @ both[:n, n:].T,
+            x @ exponential[:n, :n].T + z[..., k, :] @ exponential[:n, n:].T,
             _propagated(middle, *halves[step]),
         )
         estimates.append(x)

@@ -109,8 +109,8 @@ def _settled(model, P, K, change):
     F = model.Phi @ (np.eye(len(P)) - K @ model.H)
     if np.abs(np.linalg.eigvals(F)).max() >= 1 - 1e-10:
         return False
-    rest = solve_discrete_lyapunov(F, change)
-    return np.abs(rest / np.outer(units, units)).max() <= SETTLED
+    remaining = solve_discrete_lyapunov(F, change)
+    return np.abs(remaining / np.outer(units, units)).max() <= SETTLED
 
 
 def check_definiteness(covariances):

@@ -319,9 +319,15 @@ def lqg(
         read_covariance(Q, "Q", A.shape[0], floats),
     )
     K, P = regulator.gain, filter.covariance
-    known, unknown = (_trace(product) for product in (regulator.cost @ Q, P @ K.T @ N @ K))
+    control_cost, estimation_cost = (
+        _trace(product) for product in (regulator.cost @ Q, P @ K.T @ N @ K)
+    )
     return StochasticRegulator(
-        regulator, filter, tidy(regulator.loop - filter.gain @ H), known + unknown, known
+        regulator,
+        filter,
+        tidy(regulator.loop - filter.gain @ H),
+        control_cost + estimation_cost,
+        control_cost,
     )
 
 
