@@ -20,6 +20,7 @@ import sympy as sp
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
 from trajlib._arguments.numbers import read_times
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals
 from trajlib._real_symbols import as_real
 from trajlib._typing import ArrayLike, Matrix, MatrixLike, ScalarLike
@@ -30,6 +31,7 @@ from trajlib.estimation.simulation import Paths, equal_steps, simulate_continuou
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 
 
+@accepts_state_space("A", "H", time="continuous", instead="use KalmanFilter", C="H", QN="Q", RN="R")
 @dataclass(frozen=True)
 class ContinuousFilter:
     """Kalman-Bucy filter of x' = Ax + q, z = Hx + r with white noises.
@@ -39,7 +41,7 @@ class ContinuousFilter:
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system.
+        Matrix of the system. A StateSpace stands for A and H: `ContinuousFilter(sys, Q, R)`.
     H : matrix_like, shape (m, n)
         Measurement matrix.
     Q : matrix_like, shape (n, n)
@@ -54,6 +56,8 @@ class ContinuousFilter:
 
     Notes
     -----
+    Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`. With a system python-control takes
+    QN for the noise of the inputs; here that is Q = B QN B^T.
     Source: Theorem 4.3, example 4, problems 4.33 - 4.42.
 
     Examples

@@ -10,6 +10,7 @@ import numpy as np
 
 from trajlib._arguments.covariances import read_covariance
 from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.filter_covariances import at_steps, check_definiteness, filter_covariances
@@ -89,6 +90,17 @@ class FilterRun:
         )
 
 
+@accepts_state_space(
+    "Phi",
+    "H",
+    time="discrete",
+    instead="discretise it first",
+    A="Phi",
+    F="Phi",
+    C="H",
+    QN="Q",
+    RN="R",
+)
 @dataclass(frozen=True)
 class KalmanFilter:
     """Kalman filter of x_{k+1} = Phi x_k + q_k, z_k = H x_k + r_k.
@@ -99,7 +111,7 @@ class KalmanFilter:
     Parameters
     ----------
     Phi : array_like, shape (n, n)
-        Transition matrix.
+        Transition matrix. A StateSpace stands for Phi and H: `KalmanFilter(sys, Q, R)`.
     H : array_like, shape (m, n)
         Measurement matrix.
     Q : array_like, shape (n, n)
@@ -114,6 +126,9 @@ class KalmanFilter:
 
     Notes
     -----
+    Keywords of python-control: `A`, `C`, `QN`, `RN` for `Phi`, `H`, `Q`, `R`; of filterpy: `F` for
+    `Phi`. With a system python-control takes QN for the noise of the inputs; here that is
+    Q = B QN B^T.
     All is computed in floats. MATLAB: ``kalman``; filterpy: ``KalmanFilter``. Source: Theorem 4.1.
 
     Examples

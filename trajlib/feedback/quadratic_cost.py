@@ -1,4 +1,4 @@
-"""Linear regulators with a quadratic cost: infinite and finite horizon, and with noise.
+"""Linear regulators with a quadratic cost: infinite and finite horizon.
 
 For x' = Ax + Bu the cost is J = integral of (x^T G x + u^T N u) dt, with a final time T plus x(T)^T
 F x(T). Its least value from x is x^T S x, the law u = Kx has K = -N^-1 B^T S, and S obeys the
@@ -23,7 +23,7 @@ from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
 from trajlib.estimation.exact_or_float import latex, symmetric, tidy
 from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
-from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
+from trajlib.estimation.stationary_filters import stationary_filter
 from trajlib.stability.regions import latex_condition
 from trajlib.structure.decomposition import observability_decomposition
 from trajlib.typesetting import escape_markdown
@@ -218,119 +218,6 @@ def finite_lqr(
     )
 
 
-@dataclass(frozen=True)
-class StochasticRegulator:
-    """The optimal feedback by a measurement with noise; false in an `if` if there is none.
-
-    It is u = Ke, e' = (A + BK - LH) e + Lz.
-
-    Attributes
-    ----------
-    regulator : QuadraticRegulator
-        The regulator for a known state.
-    filter : StationaryFilter
-        The filter without control, with the gain L and the covariance P of x - e (separation theorem).
-    controller : matrix, shape (n, n)
-        A + BK - LH.
-    cost : sympy.Expr or float
-        lim E[x^T G x + u^T N u] = tr(SQ) + tr(P K^T N K); None if there is no feedback.
-    cost_of_known_state : sympy.Expr or float
-        The first term, tr(SQ): the cost with noise if the state is known.
-    """
-
-    regulator: QuadraticRegulator
-    filter: StationaryFilter
-    controller: Matrix
-    cost: sp.Expr | float | None
-    cost_of_known_state: sp.Expr | float | None
-
-    def __bool__(self):
-        return self.cost is not None
-
-
-@accepts_state_space(
-    "A",
-    "B",
-    "H",
-    time="continuous",
-    instead="join discrete_lqr and discrete_stationary_filter",
-    C="H",
-)
-def lqg(
-    A: MatrixLike,
-    B: MatrixLike,
-    H: MatrixLike,
-    G: MatrixLike,
-    N: MatrixLike,
-    Q: MatrixLike,
-    R: MatrixLike,
-) -> StochasticRegulator:
-    """Return the optimal feedback for x' = Ax + Bu + q, z = Hx + r and a quadratic cost.
-
-    The cost is lim E[x^T G x + u^T N u].
-
-    Parameters
-    ----------
-    A : matrix_like, shape (n, n)
-        Matrix of the system; exact or floats. A StateSpace stands for A, B and H:
-        `lqg(sys, G, N, Q, R)`.
-    B : matrix_like, shape (n, s)
-        Matrix of the control.
-    H : matrix_like, shape (m, n)
-        Matrix of the measurement.
-    G : matrix_like, shape (n, n)
-        Weight of the state, positive semidefinite.
-    N : matrix_like, shape (s, s)
-        Weight of the control, positive definite.
-    Q : matrix_like, shape (n, n)
-        Intensity of the white noise q.
-    R : matrix_like, shape (m, m)
-        Intensity of the white noise r.
-
-    Returns
-    -------
-    StochasticRegulator
-        Regulator, filter, controller and cost.
-
-    Raises
-    ------
-    ValueError, numpy.linalg.LinAlgError, NotImplementedError
-        As `lqr`.
-
-    Notes
-    -----
-    Keywords of python-control: `C` for `H`.
-    MATLAB: ``lqg``. Source: section 5.4 of the problem book, with Theorem 4.4.
-
-    Examples
-    --------
-    >>> found = lqg([[0, 1], [-1, 0]], [0, 1], [[0, 1]], sp.diag(0, 1), 1, sp.diag(0, 4), 1)    # problem 5.70
-    >>> found.regulator.gain, found.filter.gain.T, found.cost
-    (Matrix([[0, -1]]), Matrix([[0, 2]]), 6)
-    """
-    filter = stationary_filter(A, H, Q, R)
-    A, B, G, N = read_regulator(A, B, G, N)
-    regulator = lqr(A, B, G, N)
-    if not (regulator and filter):
-        return StochasticRegulator(regulator, filter, None, None, None)
-    floats = isinstance(filter.covariance, np.ndarray) or isinstance(A, np.ndarray)
-    H, Q = (
-        read_matrix(H, "H", None, A.shape[0], floats),
-        read_covariance(Q, "Q", A.shape[0], floats),
-    )
-    K, P = regulator.gain, filter.covariance
-    control_cost, estimation_cost = (
-        _trace(product) for product in (regulator.cost @ Q, P @ K.T @ N @ K)
-    )
-    return StochasticRegulator(
-        regulator,
-        filter,
-        tidy(regulator.loop - filter.gain @ H),
-        control_cost + estimation_cost,
-        control_cost,
-    )
-
-
 def read_regulator(A, B, G, N, floats=None):
     """Return the matrices of a regulator; a flat B is a column."""
     floats = any_floats(A, B, G, N) if floats is None else floats
@@ -375,10 +262,4 @@ def _without_unobserved_states(A, B, G, N):
         part.reason.replace("stabilising ", ""),
         part.residual,
         part.error,
-    )
-
-
-def _trace(matrix):
-    return (
-        float(np.trace(matrix)) if isinstance(matrix, np.ndarray) else sp.simplify(matrix.trace())
     )
