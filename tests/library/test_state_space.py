@@ -26,6 +26,7 @@ CONTINUOUS = [
     (estimation.error_covariance, (TWO, ONE, [[1.0], [1.0]]), (A, C)),
     (estimation.continuous_moments, (TWO, START, 1.0), (A,)),
     (estimation.discretise, (TWO, 0.1), (A,)),
+    (estimation.discretise_with_input, (TWO, 0.1), (A, B)),
     (estimation.simulate_continuous, (TWO, START, TIMES, 2, 1), (A,)),
     (structure.controllability_gramian, (1.0,), (A, B)),
     (stability.linear_stability, (), (A,)),

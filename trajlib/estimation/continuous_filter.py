@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.covariances import read_covariance, read_noise
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
 from trajlib._arguments.numbers import read_times
 from trajlib._arguments.state_space import accepts_state_space
@@ -79,7 +79,7 @@ class ContinuousFilter:
         A = read_square(self.A, "A", floats)
         H = read_matrix(self.H, "H", None, A.shape[0], floats)
         Q = read_covariance(self.Q, "Q", A.shape[0], floats)
-        R = read_covariance(self.R, "R", H.shape[0], floats, definite=True)
+        R = read_noise(self.R, H.shape[0], floats)
         for name, matrix in zip("AHQR", (A, H, Q, R)):
             object.__setattr__(self, name, matrix)
 

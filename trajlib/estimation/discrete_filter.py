@@ -4,90 +4,22 @@ While the gain is constant, the estimates obey x_{k+1} = F x_k + Phi K z_k with 
 which runs in blocks.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib._arguments.covariances import read_covariance
-from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
+from trajlib._arguments.covariances import read_covariance, read_covariance_stack
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
+from trajlib._arguments.numbers import read_times
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.filter_covariances import at_steps, check_definiteness, filter_covariances
+from trajlib.estimation.filter_run import FilterRun, finished_run
 from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
-
-
-@dataclass(frozen=True, repr=False)
-class FilterRun:
-    """Result of a Kalman filter: N steps, n states, m outputs.
-
-    With S series each array of data has S as its first dimension.
-
-    Attributes
-    ----------
-    predicted : ndarray, shape (N, n)
-        Estimates x~_k^- before the measurement z_k.
-    estimates : ndarray, shape (N, n)
-        Estimates x~_k^+ after it.
-    innovations : ndarray, shape (N, m)
-        z_k - H x~_k^-, nan where a measurement is missing.
-    matrix_index : ndarray, shape (N,)
-        For each step the index of its matrices among those that differ.
-    log_likelihood : float or ndarray
-        Log-likelihood of the measurements under the model for normal errors, one number a series.
-    """
-
-    predicted: np.ndarray
-    estimates: np.ndarray
-    innovations: np.ndarray
-    matrix_index: np.ndarray
-    log_likelihood: float | np.ndarray | None
-    _steps: tuple[np.ndarray, ...]
-
-    @property
-    def covariances(self) -> np.ndarray:
-        """Covariances P_k^+ after the measurements, shape (N, n, n)."""
-        return self._steps[1][self.matrix_index]
-
-    @property
-    def predicted_covariances(self) -> np.ndarray:
-        """Covariances P_k^- before the measurements, shape (N, n, n)."""
-        return self._steps[0][self.matrix_index]
-
-    @property
-    def gains(self) -> np.ndarray:
-        """Gains K_k, shape (N, n, m); zero in the columns of missing measurements."""
-        return self._steps[2][self.matrix_index]
-
-    @property
-    def innovation_covariances(self) -> np.ndarray:
-        """Covariances H P_k^- H^T + R, shape (N, m, m), those of missing measurements included."""
-        return self._steps[3][self.matrix_index]
-
-    @property
-    def normalised_innovations(self) -> np.ndarray:
-        """Normalised squares nu^T S^-1 nu of the innovations, shape (N,).
-
-        Notes
-        -----
-        For the right model each is chi-squared with `measured` degrees of freedom.
-        """
-        innovations = np.nan_to_num(self.innovations)
-        return np.einsum(
-            "...ki,...kij,...kj->...k", innovations, self._steps[4][self.matrix_index], innovations
-        )
-
-    @property
-    def measured(self) -> np.ndarray:
-        """Number of components measured at each step, shape (N,)."""
-        return (~np.isnan(self.innovations)).sum(axis=-1)
-
-    def __repr__(self):
-        return (
-            f"FilterRun of {self.estimates.shape[-2]} steps, {self.estimates.shape[-1]} states, "
-            f"{self.innovations.shape[-1]} outputs, log-likelihood "
-            f"{np.round(self.log_likelihood, 3)}"
-        )
+from trajlib.estimation.van_loan import discretise_steps
 
 
 @accepts_state_space(
@@ -117,7 +49,10 @@ class KalmanFilter:
     Q : array_like, shape (n, n)
         Covariance of q_k, positive semidefinite.
     R : array_like, shape (m, m)
-        Covariance of r_k, positive definite.
+        Covariance of r_k, positive semidefinite; a variance zero is an exact measurement, which gives
+        an error where it repeats what is known exactly already.
+    times : array_like, shape (N,), optional
+        Times of the steps, for pictures; `sampled` sets them.
 
     Raises
     ------
@@ -144,19 +79,74 @@ class KalmanFilter:
     H: np.ndarray
     Q: np.ndarray
     R: np.ndarray
+    times: np.ndarray | None = None
 
     def __post_init__(self):
-        Phi = _stack(self.Phi, lambda matrix: read_matrix(matrix, "Phi", None, None, True))
+        Phi = _stack(self.Phi, "Phi", None, None)
         n = Phi.shape[-1]
         if Phi.shape[-2] != n:
             raise ValueError(f"Phi: expected a square matrix, got the shape {Phi.shape[-2:]}")
-        H = _stack(self.H, lambda matrix: read_matrix(matrix, "H", None, n, True))
-        Q = _stack(self.Q, lambda matrix: read_covariance(matrix, "Q", n, True))
-        R = _stack(
-            self.R, lambda matrix: read_covariance(matrix, "R", H.shape[-2], True, definite=True)
-        )
+        H = _stack(self.H, "H", None, n)
+        Q = _stack(self.Q, "Q", n, n, read_covariance_stack)
+        R = _stack(self.R, "R", H.shape[-2], H.shape[-2], read_covariance_stack)
         for name, matrix in zip(["Phi", "H", "Q", "R"], (Phi, H, Q, R)):
             object.__setattr__(self, name, matrix)
+
+    @staticmethod
+    @accepts_state_space(
+        "A", "H", time="continuous", instead="use KalmanFilter(sys, Q, R)", C="H", QN="Q", RN="R"
+    )
+    def sampled(
+        A: ArrayLike, H: ArrayLike, Q: ArrayLike, R: ArrayLike, times: ArrayLike
+    ) -> KalmanFilter:
+        """Return the filter of x' = Ax + q for measurements z_k = H x(t_k) + r_k at given times.
+
+        Parameters
+        ----------
+        A : array_like, shape (n, n)
+            Matrix of the system. A StateSpace in continuous time stands for A and H:
+            `KalmanFilter.sampled(sys, Q, R, times)`.
+        H : array_like, shape (m, n)
+            Measurement matrix.
+        Q : array_like, shape (n, n)
+            Intensity of q, positive semidefinite.
+        R : array_like, shape (m, m)
+            Covariance of r_k.
+        times : array_like, shape (N,)
+            Times of the measurements, at any distances, not decreasing; or dates.
+
+        Returns
+        -------
+        KalmanFilter
+            With matrices of each step, exact for steps of any length; `run` takes N rows.
+
+        Raises
+        ------
+        ValueError
+            If shapes do not fit, times decrease, or Q or R is no covariance.
+
+        Notes
+        -----
+        Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`. Source: (4.6), (4.7) with Theorem
+        4.1.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from trajlib.estimation import Moments
+        >>> filter = KalmanFilter.sampled(0, 1, 1, 1, [0, 1, 4])    # a random walk
+        >>> filter.run(np.zeros(3), Moments(0, 1)).predicted_covariances.ravel().tolist()
+        [1.0, 1.5, 3.6]
+        """
+        times = read_times(times, repeated=None)
+        A = read_square(A, "A", True)
+        Q = read_covariance(Q, "Q", len(A), True)
+        filter = KalmanFilter(A, H, Q, R, times)
+        # The last step leads nowhere.
+        Phi, noise = discretise_steps(A, Q, np.append(np.diff(times), 0.0))
+        object.__setattr__(filter, "Phi", Phi)
+        object.__setattr__(filter, "Q", noise)
+        return filter
 
     def run(
         self,
@@ -223,13 +213,10 @@ class KalmanFilter:
         check_definiteness(steps[0])
         check_definiteness(steps[1])
         innovations = np.where(missing, np.nan, z - _times(self.H, predicted))
-        run = FilterRun(predicted, estimates, innovations, index, None, steps)
-        likelihood = -(run.normalised_innovations + steps[5][index]).sum(axis=1) / 2
-        if single:
-            return FilterRun(
-                predicted[0], estimates[0], innovations[0], index[0], float(likelihood[0]), steps
-            )
-        return FilterRun(predicted, estimates, innovations, index, likelihood, steps)
+        times = np.arange(count, dtype=float) if self.times is None else self.times
+        return finished_run(
+            predicted, estimates, innovations, index, times, steps, (self.Phi, self.Q), single
+        )
 
     def _measurements(self, z, missing):
         if isinstance(z, np.ma.MaskedArray):
@@ -267,13 +254,25 @@ class KalmanFilter:
                 raise ValueError(
                     f"{name}: expected {z.shape[-2]} matrices, one for each step, got {len(matrix)}"
                 )
+        if self.times is not None and len(self.times) != z.shape[-2]:
+            raise ValueError(
+                f"z: expected a row for each of {len(self.times)} times, got {z.shape[-2]}"
+            )
         return z.reshape((-1, *z.shape[-2:])), gaps.reshape((-1, *z.shape[-2:])), z.ndim == 2
 
 
-def _stack(matrices, read):
-    if any_floats(matrices) and np.ndim(matrices) == 3:
-        return np.stack([read(matrix) for matrix in matrices])
-    return read(matrices)
+def _stack(matrices, name, rows, columns, read_stack=None):
+    """Return one matrix, or a stack with a matrix for each step."""
+    if not (any_floats(matrices) and np.ndim(matrices) == 3):
+        if read_stack is None:
+            return read_matrix(matrices, name, rows, columns, True)
+        return read_covariance(matrices, name, rows, True)
+    array = np.asarray(matrices, dtype=float)
+    # The first tells in the words of all other functions what does not fit.
+    read_matrix(array[0], name, rows, columns, True)
+    if not np.isfinite(array).all():
+        raise ValueError(f"{name}: expected finite entries")
+    return array if read_stack is None else read_stack(array, name)
 
 
 def _means(model, mean, z, inputs, index, matrices):

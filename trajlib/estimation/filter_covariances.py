@@ -24,6 +24,12 @@ def at_steps(matrix, count):
     return np.broadcast_to(matrix, (count, *matrix.shape[-2:]))
 
 
+REPEATED = (
+    "R: an exact measurement (R is singular) repeats what is known exactly already, so that its gain is "
+    "not determined (measurement {}); leave it out, or give it a variance"
+)
+
+
 def filter_covariances(model, P, missing):
     """Return for each step the index of its matrices, and these.
 
@@ -42,15 +48,19 @@ def filter_covariances(model, P, missing):
     identity, no_gain = np.eye(len(P)), np.zeros((len(P), Hs.shape[1]))
     while k < count:
         Phi = Phis[k]
-        if all_missing[k]:
-            after, K = P, no_gain
-        elif complete[k]:
-            after, K = _corrected(P, Hs[k], Rs[k], identity)
-        else:
-            rows = np.flatnonzero(~missing[k])
-            after, gain = _corrected(P, Hs[k][rows], Rs[k][np.ix_(rows, rows)], identity)
-            K = no_gain.copy()
-            K[:, rows] = gain
+        try:
+            if all_missing[k]:
+                after, K = P, no_gain
+            elif complete[k]:
+                after, K = _corrected(P, Hs[k], Rs[k], identity)
+            else:
+                rows = np.flatnonzero(~missing[k])
+                after, gain = _corrected(P, Hs[k][rows], Rs[k][np.ix_(rows, rows)], identity)
+                K = no_gain.copy()
+                K[:, rows] = gain
+        except np.linalg.LinAlgError:
+            lost = LOST if not has_exact_measurements(Rs[k]) else REPEATED.format(k)
+            raise ValueError(lost) from None
         index[k] = len(steps)
         steps.append((P, after, K))
         first.append(k)
@@ -66,6 +76,8 @@ def filter_covariances(model, P, missing):
     first = np.array(first)
     H, R = Hs[first], Rs[first]
     spread = H @ before @ H.transpose(0, 2, 1) + R
+    if has_exact_measurements(model.R):
+        _check_new(spread, missing[first], first)
     return index, (before, after, gains, spread, *_inverses(spread, missing[first]))
 
 
@@ -76,7 +88,7 @@ def _corrected(P, H, R, identity):
     HP = H @ P
     _, solved, failed = dposv(HP @ H.T + R, HP)
     if failed:
-        raise ValueError(LOST)
+        raise np.linalg.LinAlgError
     gain = solved.T
     reduction = identity - gain @ H
     after = reduction @ P @ reduction.T + gain @ R @ gain.T
@@ -85,15 +97,23 @@ def _corrected(P, H, R, identity):
 
 def _inverses(spread, missing):
     """Return S^-1 of the measured components, zero elsewhere, and their log det S + m log 2 pi."""
-    m = spread.shape[-1]
-    # Identity rows for missing components: they do not change the rest, and their determinant is
-    # one.
-    measured = ~missing[:, :, None] & ~missing[:, None, :]
-    block = np.where(measured, spread, np.eye(m) * missing[:, :, None])
+    block = _measured_block(spread, missing)
     if not np.isfinite(block).all():
         raise ValueError(LOST)
-    logarithm = np.linalg.slogdet(block)[1] + (m - missing.sum(axis=1)) * np.log(2 * np.pi)
-    return np.where(measured, np.linalg.inv(block), 0.0), logarithm
+    logarithm = np.linalg.slogdet(block)[1] + (~missing).sum(axis=1) * np.log(2 * np.pi)
+    return np.where(_both_measured(missing), np.linalg.inv(block), 0.0), logarithm
+
+
+def _measured_block(spread, missing):
+    """Return the covariances with rows of the unit matrix for missing components.
+
+    These do not change the others, and their determinant is one.
+    """
+    return np.where(_both_measured(missing), spread, np.eye(spread.shape[-1]) * missing[:, :, None])
+
+
+def _both_measured(missing):
+    return ~missing[:, :, None] & ~missing[:, None, :]
 
 
 def _settled(model, P, K, change):
@@ -111,6 +131,30 @@ def _settled(model, P, K, change):
         return False
     remaining = solve_discrete_lyapunov(F, change)
     return np.abs(remaining / np.outer(units, units)).max() <= SETTLED
+
+
+def has_exact_measurements(R):
+    """Whether a covariance R, or one of a stack, is singular within rounding."""
+    variances = np.einsum("...ii->...i", R)
+    units = np.sqrt(np.where(variances > 0, variances, 1))
+    return bool(
+        np.linalg.eigvalsh(R / (units[..., :, None] * units[..., None, :])).min() < ROUNDING
+    )
+
+
+def _check_new(spread, missing, numbers):
+    """Raise ValueError if the covariance of an innovation is singular but for rounding.
+
+    That is judged beside the greatest variances of the innovations up to then: what an exact
+    measurement leaves is rounding of these.
+    """
+    variances = np.where(missing, 0.0, np.einsum("kii->ki", spread))
+    units = np.sqrt(np.maximum.accumulate(variances, axis=0))
+    units = np.where(missing | (units == 0), 1.0, units)
+    block = _measured_block(spread, missing) / (units[:, :, None] * units[:, None, :])
+    repeated = np.linalg.eigvalsh(block)[:, 0] < SETTLED
+    if repeated.any():
+        raise ValueError(REPEATED.format(numbers[np.argmax(repeated)]))
 
 
 def check_definiteness(covariances):
