@@ -36,6 +36,7 @@ _EXPORTS = {
     "correction": ["Correction", "corrected"],
     "discrete_filter": ["KalmanFilter"],
     "filter_run": ["FilterRun"],
+    "nonlinear_filters": ["ExtendedKalmanFilter", "UnscentedKalmanFilter"],
     "smoother": ["SmoothedRun"],
     "continuous_filter": ["ContinuousFilter", "ContinuousRun"],
     "continuous_discrete": ["ContinuousDiscreteRun", "Measurement", "filter_measurements"],

@@ -27,6 +27,8 @@ from trajlib.estimation.markov import continuous_moments as continuous_moments
 from trajlib.estimation.markov import discrete_moments as discrete_moments
 from trajlib.estimation.markov import discretise as discretise
 from trajlib.estimation.markov import discretise_with_input as discretise_with_input
+from trajlib.estimation.nonlinear_filters import ExtendedKalmanFilter as ExtendedKalmanFilter
+from trajlib.estimation.nonlinear_filters import UnscentedKalmanFilter as UnscentedKalmanFilter
 from trajlib.estimation.nonlinear_fit import GaussNewton as GaussNewton
 from trajlib.estimation.nonlinear_fit import gauss_newton as gauss_newton
 from trajlib.estimation.satellite_fixes import SatelliteFix as SatelliteFix

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from trajlib._arguments.covariances import read_covariance, read_covariance_stack
-from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
+from trajlib._arguments.matrices import read_square, read_vector
 from trajlib._arguments.numbers import read_times
+from trajlib._arguments.records import read_record, read_stack
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
 from trajlib.estimation.covariances import Moments
@@ -82,13 +83,13 @@ class KalmanFilter:
     times: np.ndarray | None = None
 
     def __post_init__(self):
-        Phi = _stack(self.Phi, "Phi", None, None)
+        Phi = read_stack(self.Phi, "Phi", None, None)
         n = Phi.shape[-1]
         if Phi.shape[-2] != n:
             raise ValueError(f"Phi: expected a square matrix, got the shape {Phi.shape[-2:]}")
-        H = _stack(self.H, "H", None, n)
-        Q = _stack(self.Q, "Q", n, n, read_covariance_stack)
-        R = _stack(self.R, "R", H.shape[-2], H.shape[-2], read_covariance_stack)
+        H = read_stack(self.H, "H", None, n)
+        Q = read_stack(self.Q, "Q", n, n, read_covariance_stack)
+        R = read_stack(self.R, "R", H.shape[-2], H.shape[-2], read_covariance_stack)
         for name, matrix in zip(["Phi", "H", "Q", "R"], (Phi, H, Q, R)):
             object.__setattr__(self, name, matrix)
 
@@ -219,60 +220,17 @@ class KalmanFilter:
         )
 
     def _measurements(self, z, missing):
-        if isinstance(z, np.ma.MaskedArray):
-            if missing is not None:
-                raise ValueError(
-                    "missing: z is a masked array, which marks missing measurements itself"
-                )
-            z, missing = np.ma.getdata(z), np.ma.getmaskarray(z)
-        z = np.asarray(z, dtype=float)
-        m = self.H.shape[-2]
-        shape = z.shape
-        if z.ndim == 1 and m == 1:
-            z = z[:, None]
-        if z.ndim not in (2, 3) or z.shape[-1] != m or 0 in z.shape:
-            raise ValueError(f"z: expected the shape (N, {m}) or (series, N, {m}), got {shape}")
-        if missing is None:
-            gaps = np.zeros(z.shape, dtype=bool)
-        else:
-            gaps = np.asarray(missing)
-            if gaps.dtype != bool or gaps.shape not in (z.shape, z.shape[:-1], shape):
-                raise ValueError(
-                    f"missing: expected booleans of the shape {shape} or {z.shape[:-1]}, got "
-                    f"{gaps.dtype} of the shape {gaps.shape}"
-                )
-            gaps = np.broadcast_to(gaps if gaps.ndim == z.ndim else gaps[..., None], z.shape)
-        if not np.isfinite(z[~gaps]).all():
-            entry = tuple(int(i) for i in np.argwhere(~np.isfinite(z) & ~gaps)[0])
-            raise ValueError(
-                f"z: the measurement {entry} is {z[entry]}; mark it in `missing` if there is none"
-            )
-        z = np.where(gaps, 0.0, z)
+        z, missing, single = read_record(z, missing, self.H.shape[-2])
+        count = z.shape[1]
         for name in ("Phi", "H", "Q", "R"):
             matrix = getattr(self, name)
-            if matrix.ndim == 3 and len(matrix) != z.shape[-2]:
+            if matrix.ndim == 3 and len(matrix) != count:
                 raise ValueError(
-                    f"{name}: expected {z.shape[-2]} matrices, one for each step, got {len(matrix)}"
+                    f"{name}: expected {count} matrices, one for each step, got {len(matrix)}"
                 )
-        if self.times is not None and len(self.times) != z.shape[-2]:
-            raise ValueError(
-                f"z: expected a row for each of {len(self.times)} times, got {z.shape[-2]}"
-            )
-        return z.reshape((-1, *z.shape[-2:])), gaps.reshape((-1, *z.shape[-2:])), z.ndim == 2
-
-
-def _stack(matrices, name, rows, columns, read_stack=None):
-    """Return one matrix, or a stack with a matrix for each step."""
-    if not (any_floats(matrices) and np.ndim(matrices) == 3):
-        if read_stack is None:
-            return read_matrix(matrices, name, rows, columns, True)
-        return read_covariance(matrices, name, rows, True)
-    array = np.asarray(matrices, dtype=float)
-    # The first tells in the words of all other functions what does not fit.
-    read_matrix(array[0], name, rows, columns, True)
-    if not np.isfinite(array).all():
-        raise ValueError(f"{name}: expected finite entries")
-    return array if read_stack is None else read_stack(array, name)
+        if self.times is not None and len(self.times) != count:
+            raise ValueError(f"z: expected a row for each of {len(self.times)} times, got {count}")
+        return z, missing, single
 
 
 def _means(model, mean, z, inputs, index, matrices):

@@ -78,7 +78,7 @@ def filter_covariances(model, P, missing):
     spread = H @ before @ H.transpose(0, 2, 1) + R
     if has_exact_measurements(model.R):
         _check_new(spread, missing[first], first)
-    return index, (before, after, gains, spread, *_inverses(spread, missing[first]))
+    return index, (before, after, gains, spread, *innovation_inverses(spread, missing[first]))
 
 
 def _corrected(P, H, R, identity):
@@ -95,7 +95,7 @@ def _corrected(P, H, R, identity):
     return (after + after.T) / 2, gain
 
 
-def _inverses(spread, missing):
+def innovation_inverses(spread, missing):
     """Return S^-1 of the measured components, zero elsewhere, and their log det S + m log 2 pi."""
     block = _measured_block(spread, missing)
     if not np.isfinite(block).all():

@@ -112,13 +112,13 @@ def _gains(steps, index, Phi, Q):
 def _gains_of_steps(P, Phi, Q):
     transported = Phi @ P
     predicted = transported @ np.swapaxes(np.broadcast_to(Phi, P.shape), 1, 2) + Q
-    gains = np.swapaxes(_pseudo_solve(predicted, transported), 1, 2)
+    gains = np.swapaxes(pseudo_solve(predicted, transported), 1, 2)
     reduction = np.eye(P.shape[-1]) - gains @ Phi
     noises = reduction @ P @ np.swapaxes(reduction, 1, 2) + gains @ Q @ np.swapaxes(gains, 1, 2)
     return gains, (noises + np.swapaxes(noises, 1, 2)) / 2
 
 
-def _pseudo_solve(covariances, right):
+def pseudo_solve(covariances, right):
     """Return P^-1 B for stacks of covariances, P^+ B where P is singular within rounding."""
     n = covariances.shape[-1]
     units = np.sqrt(np.einsum("kii->ki", covariances))
