@@ -20,6 +20,7 @@ CONTINUOUS = [
     (feedback.lqr, (TWO, ONE), (A, B)),
     (feedback.finite_lqr, (TWO, ONE, TWO, 0.5), (A, B)),
     (feedback.lqg, (TWO, ONE, TWO, ONE), (A, B, C)),
+    (feedback.fixed_ends_lqr, (TWO, ONE, [0.0, 1], [1.0, 0], 2.0), (A, B)),
     (estimation.ContinuousFilter, (TWO, ONE), (A, C)),
     (estimation.stationary_filter, (TWO, ONE), (A, C)),
     (estimation.stationary_covariance, (TWO,), (A,)),

@@ -32,41 +32,68 @@ def read_noise(R, order, floats):
         raise ValueError(f"{error}{EXACT}") from None
 
 
-def read_covariance(matrix, name, order, floats, definite=False):
-    """Return a symmetric positive semidefinite (or `definite`) matrix of a given order or any."""
+def read_symmetric(matrix, name, order, floats):
+    """Return a symmetric matrix of a given order or any."""
     matrix = read_matrix(matrix, name, order, order, floats)
     require_square(matrix, name)
-    kind = "positive definite" if definite else "positive semidefinite"
     if floats:
-        return _read_floats(matrix[None], name, kind, definite)[0]
+        return _read_symmetric_floats(matrix[None], name)[0]
     if not all(vanishes(matrix[i, j] - matrix[j, i]) for i in range(matrix.rows) for j in range(i)):
         raise ValueError(f"{name}: expected a symmetric matrix")
-    if _known_not_positive(matrix, definite):
+    return matrix
+
+
+def read_covariance(matrix, name, order, floats, definite=False):
+    """Return a symmetric positive semidefinite (or `definite`) matrix of a given order or any."""
+    matrix = read_symmetric(matrix, name, order, floats)
+    kind = "positive definite" if definite else "positive semidefinite"
+    if floats:
+        _require_positive(matrix[None], name, kind, definite)
+    elif _known_not_positive(matrix, definite):
         raise ValueError(f"{name}: expected a {kind} matrix, got {matrix.tolist()}")
     return matrix
 
 
+def is_semidefinite(matrix):
+    """Whether a symmetric matrix is positive semidefinite, for symbols unless it is known not to be."""
+    if isinstance(matrix, np.ndarray):
+        return bool(_least_eigenvalues(matrix[None])[0] >= -ROUNDING)
+    return not _known_not_positive(matrix, False)
+
+
 def read_covariance_stack(matrices, name):
     """Return a stack of symmetric positive semidefinite arrays, of shape (N, n, n)."""
-    return _read_floats(matrices, name, "positive semidefinite", False)
+    matrices = _read_symmetric_floats(matrices, name)
+    _require_positive(matrices, name, "positive semidefinite", False)
+    return matrices
 
 
-def _read_floats(matrices, name, kind, definite):
+def _read_symmetric_floats(matrices, name):
     transposed = np.swapaxes(matrices, 1, 2)
     size = np.abs(matrices).max(axis=(1, 2))
     if (np.abs(matrices - transposed).max(axis=(1, 2)) > ROUNDING * size).any():
         raise ValueError(f"{name}: expected a symmetric matrix")
-    matrices = (matrices + transposed) / 2
-    # Each variable in units of its own, so that metres beside radians are judged alike.
-    units = np.sqrt(np.maximum(np.einsum("kii->ki", matrices), 0))
-    scale = np.where(units > 0, units, np.where(size > 0, np.sqrt(size), 1.0)[:, None])
-    least = np.linalg.eigvalsh(matrices / (scale[:, :, None] * scale[:, None, :])).min()
+    return (matrices + transposed) / 2
+
+
+def _require_positive(matrices, name, kind, definite):
+    least = _least_eigenvalues(matrices).min()
     if least < -ROUNDING or (definite and not least > 0):
         raise ValueError(
             f"{name}: expected a {kind} matrix, its least eigenvalue "
             f"(after scaling to unit variances) is {least:.3g}"
         )
-    return matrices
+
+
+def _least_eigenvalues(matrices):
+    """Return the least eigenvalues with each variable in units of its own.
+
+    So metres beside radians are judged alike.
+    """
+    size = np.abs(matrices).max(axis=(1, 2))
+    units = np.sqrt(np.maximum(np.einsum("kii->ki", matrices), 0))
+    scale = np.where(units > 0, units, np.where(size > 0, np.sqrt(size), 1.0)[:, None])
+    return np.linalg.eigvalsh(matrices / (scale[:, :, None] * scale[:, None, :]))[:, 0]
 
 
 def read_measurement(H, z, R, order, floats, definite=True):

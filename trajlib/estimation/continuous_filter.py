@@ -143,7 +143,7 @@ class ContinuousFilter:
             )
         S = self.H.T @ solve(self.R, self.H)
         return (
-            _propagated(P, *_flow(self.A, S, self.Q, float(t)))
+            _propagated(P, *riccati_flow(self.A, S, self.Q, float(t)))
             if floats
             else _closed_form(self.A, S, self.Q, P, t)
         )
@@ -282,7 +282,7 @@ def _filter_record(filter, z, times, x, P):
 
     S, n = filter.H.T @ solve(filter.R, filter.H), len(x)
     steps = equal_steps(times)
-    halves = {step: _flow(filter.A, S, filter.Q, step / 2) for step in np.unique(steps)}
+    halves = {step: riccati_flow(filter.A, S, filter.Q, step / 2) for step in np.unique(steps)}
     x = np.broadcast_to(x, (*z.shape[:-2], n))
     estimates, covariances = [x], [P]
     for k, step in enumerate(steps):
@@ -302,7 +302,7 @@ def _filter_record(filter, z, times, x, P):
     return ContinuousRun(times, np.stack(estimates, axis=-2), np.array(covariances))
 
 
-def _flow(A, S, Q, t):
+def riccati_flow(A, S, Q, t):
     """Return (F, G, Q~) of P(t) = Q~ + F P (E + G P)^-1 F^T."""
     import scipy.linalg
 

@@ -233,7 +233,7 @@ def discretise(A: MatrixLike, Q: MatrixLike, step: ScalarLike) -> DiscreteModel:
         return DiscreteModel(Phi[0], noise[0])
     n = A.rows
     moments = continuous_moments(A, Q, trusted_moments(sp.zeros(n, 1), sp.zeros(n)), step)
-    return DiscreteModel(_transition(A, exact_decimals(sp.sympify(step))), moments.covariance)
+    return DiscreteModel(transition(A, exact_decimals(sp.sympify(step))), moments.covariance)
 
 
 @accepts_state_space("A", "B", time="continuous", instead="it is discretised already")
@@ -340,7 +340,7 @@ def _closed_form(A, Q, mean, P, operator, factor, pair_eigenvalues, basis):
     )
 
 
-def _transition(A, t):
+def transition(A, t):
     """Return e^{At}, exact."""
     to_real, from_real = as_real(A)
     A = A.xreplace(to_real)

@@ -27,6 +27,7 @@ _EXPORTS = {
     "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],
     "reduced_order": ["ReducedObserver", "reduced_observer"],
     "discrete_cost": ["discrete_finite_lqr", "discrete_lqr"],
+    "fixed_ends": ["FixedEndsControl", "StateAndControl", "fixed_ends_lqr"],
     "quadratic_cost": ["QuadraticRegulator", "finite_lqr", "lqr"],
     "stochastic_regulator": ["StochasticRegulator", "discrete_lqg", "lqg"],
 }

@@ -3,6 +3,9 @@ from trajlib.feedback.discrete_cost import discrete_finite_lqr as discrete_finit
 from trajlib.feedback.discrete_cost import discrete_lqr as discrete_lqr
 from trajlib.feedback.estimate_loop import EstimateLoop as EstimateLoop
 from trajlib.feedback.estimate_loop import feedback_by_estimate as feedback_by_estimate
+from trajlib.feedback.fixed_ends import FixedEndsControl as FixedEndsControl
+from trajlib.feedback.fixed_ends import StateAndControl as StateAndControl
+from trajlib.feedback.fixed_ends import fixed_ends_lqr as fixed_ends_lqr
 from trajlib.feedback.gain_regions import convergent_gains as convergent_gains
 from trajlib.feedback.gain_regions import stabilising_gains as stabilising_gains
 from trajlib.feedback.gains import GainFamily as GainFamily
