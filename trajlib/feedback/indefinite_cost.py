@@ -7,8 +7,8 @@ of least cost if (A, B) is stabilisable and
 
 (V. M. Popov; J. C. Willems, 1971): then, and only then, the Hamiltonian matrix has no eigenvalue on the
 imaginary axis, and S is the stabilising solution of the Riccati equation, indefinite in general. If
-v* Pi(w) v < 0 for some v, the control Re(v e^{iwt}) lowers the cost in each period, and with enough
-periods, steered to zero at last, the cost has no lower bound from any initial state.
+v* Pi(w) v < 0 for some v, the control Re(v e^{iwt}) has a negative mean cost, and with enough periods,
+steered to zero at last, the cost has no lower bound from any initial state.
 """
 
 import numpy as np
@@ -59,7 +59,7 @@ def _verdict(A, B, G, N):
     if frequency is not None:
         return (
             "the cost has no lower bound, since the weights are indefinite and a control of the "
-            f"frequency {frequency} lowers it in each period"
+            f"frequency {frequency} makes its mean over time negative"
         )
     if isinstance(A, np.ndarray):
         raise np.linalg.LinAlgError(
