@@ -7,7 +7,7 @@ import scipy.stats
 import sympy as sp
 
 from trajlib import estimation
-from trajlib.estimation import KalmanFilter, Moments
+from trajlib.estimation import KalmanFilter, Moments, discrete_filter, filter_covariances
 
 
 def model_of(seed, n=3, m=2, radius=0.95):
@@ -279,3 +279,36 @@ def test_overflowing_covariance_is_rejected():
     model = KalmanFilter([[3, 0], [0, 1]], [[0, 1]], np.eye(2), 1)
     with pytest.raises(ValueError, match="definiteness"), np.errstate(all="ignore"):
         model.run(np.zeros(800), Moments([0, 0], sp.eye(2)))
+
+
+@pytest.mark.parametrize("n, m", [(1, 1), (2, 3), (4, 2), (8, 1)])
+@pytest.mark.parametrize("varying, series", [(False, None), (True, None), (False, 3), (False, 6)])
+def test_compiled_steps_agree_with_those_of_numpy(n, m, varying, series, monkeypatch):
+    count, rng = 1300, np.random.default_rng(n + m)
+    Phi, H, Q, R = model_of(n, n, m)
+    if varying:
+        Phi = Phi * rng.uniform(0.5, 1, (count, 1, 1))
+        Q, R = Q * rng.uniform(0.5, 2, (count, 1, 1)), R * rng.uniform(0.5, 2, (count, 1, 1))
+    shape = (count,) if series is None else (series, count)
+    z, inputs = rng.normal(size=(*shape, m)), rng.normal(size=(*shape, n))
+    missing = np.broadcast_to(rng.random((count, m)) < 0.2, z.shape)
+    model, start = KalmanFilter(Phi, H, Q, R), Moments(rng.normal(size=n), np.eye(n))
+    compiled = model.run(z, start, missing, inputs)
+    for module in (filter_covariances, discrete_filter):
+        monkeypatch.setattr(module, "LEAST_STEPS", np.inf)
+    stepped = model.run(z, start, missing, inputs)
+    assert len(np.unique(compiled.matrix_index)) == count
+    for name in ("predicted", "estimates", "innovations", "log_likelihood"):
+        np.testing.assert_allclose(
+            getattr(compiled, name), getattr(stepped, name), atol=1e-10, rtol=1e-11
+        )
+    for compiled_part, stepped_part in zip(compiled._steps, stepped._steps):
+        stepped_part = stepped_part[stepped.matrix_index.reshape(-1, count)[0]]
+        np.testing.assert_allclose(compiled_part, stepped_part, atol=1e-11)
+
+
+def test_compiled_steps_refuse_an_overflowing_covariance():
+    missing = np.ones(2000, dtype=bool)
+    missing[:3] = False
+    with pytest.raises(ValueError, match="lost its definiteness"):
+        KalmanFilter(2, 1, 1, 1).run(np.zeros(2000), Moments(0, 1), missing)

@@ -16,11 +16,15 @@ from trajlib._arguments.numbers import read_times
 from trajlib._arguments.records import read_record, read_stack
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
+from trajlib.estimation.compiled_recursion import LEAST_STEPS, MOST_STATES, mean_steps
 from trajlib.estimation.covariances import Moments
-from trajlib.estimation.filter_covariances import at_steps, check_definiteness, filter_covariances
+from trajlib.estimation.filter_covariances import at_steps, filter_covariances
 from trajlib.estimation.filter_run import FilterRun, finished_run
 from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
 from trajlib.estimation.van_loan import discretise_steps
+
+#: So few series are faster one by one than beside each other.
+FEW = 4
 
 
 @accepts_state_space(
@@ -211,8 +215,6 @@ class KalmanFilter:
                 matrices,
             )
         steps = tuple(np.concatenate(part) for part in zip(*parts))
-        check_definiteness(steps[0])
-        check_definiteness(steps[1])
         innovations = np.where(missing, np.nan, z - _times(self.H, predicted))
         times = np.arange(count, dtype=float) if self.times is None else self.times
         return finished_run(
@@ -239,31 +241,53 @@ def _means(model, mean, z, inputs, index, matrices):
     Stretches of constant gain use one recursion, the steps between them another.
     """
     series, count, n = len(z), z.shape[1], len(mean)
-    Phis, Hs = at_steps(model.Phi, count), at_steps(model.H, count)
-    predicted = np.empty((series, count, n))
-    x, k = np.broadcast_to(mean, (series, n)), 0
     changes = np.append(np.flatnonzero(np.diff(index)) + 1, count)
     # Stretches of constant gain that are long enough for a recursion of their own.
     long = np.flatnonzero(np.diff(np.append(0, changes)) > BLOCK)
+    if not long.size and series <= FEW and n <= MOST_STATES and count >= LEAST_STEPS:
+        runs = [
+            mean_steps(model, mean, matrices[2][index], z[i], None if inputs is None else inputs[i])
+            for i in range(series)
+        ]
+        return np.array([run[0] for run in runs]), np.array([run[1] for run in runs])
+    Phis, Hs = at_steps(model.Phi, count), at_steps(model.H, count)
     ends = [(int(changes[i - 1]) if i else 0, int(changes[i])) for i in long]
+    predicted = np.empty((series, count, n))
+    x, k = np.broadcast_to(mean, (series, n)), 0
     for first, last in [*ends, (count, count)]:
         for start, stop, constant in ((k, first, False), (first, last, True)):
             if start == stop:
                 continue
             part = slice(start, stop)
-            K = matrices[2][index[start] if constant else index[part]]
-            Phi, H = (Phis[start], Hs[start]) if constant else (Phis[part], Hs[part])
-            forcing = _times(Phi @ K, z[:, part])
-            if inputs is not None:
-                forcing = forcing + inputs[:, part]
-            states = (recursion if constant else varying_recursion)(
-                Phi @ (np.eye(n) - K @ H), forcing, x
-            )
+            gains = matrices[2][index[part]]
+            stretch_inputs = None if inputs is None else inputs[:, part]
+            if constant:
+                Phi, K = Phis[start], gains[0]
+                forcing = z[:, part] @ (Phi @ K).T
+                forcing = forcing if stretch_inputs is None else forcing + stretch_inputs
+                states = recursion(Phi @ (np.eye(n) - K @ Hs[start]), forcing, x)
+            else:
+                states = _stepped(Phis[part], Hs[part], gains, z[:, part], stretch_inputs, x)
             predicted[:, part], x = states[:, :-1], states[:, -1]
         k = last
     gains = matrices[2][index] if len(matrices[2]) > 1 else matrices[2][0]
     H = model.H
     return predicted, predicted + _times(gains, z - _times(H, predicted))
+
+
+def _stepped(Phis, Hs, gains, z, inputs, x):
+    """Return the predictions for gains that differ: in chunks for few states, else step by step."""
+    if len(x[0]) <= MOST_STATES:
+        forcing = _times(Phis @ gains, z)
+        forcing = forcing if inputs is None else forcing + inputs
+        return varying_recursion(Phis @ (np.eye(len(x[0])) - gains @ Hs), forcing, x)
+    states = np.empty((len(x), len(gains) + 1, len(x[0])))
+    states[:, 0] = x
+    for k in range(len(gains)):
+        x = (x + (z[:, k] - x @ Hs[k].T) @ gains[k].T) @ Phis[k].T
+        x = x if inputs is None else x + inputs[:, k]
+        states[:, k + 1] = x
+    return states
 
 
 def _times(matrix, vectors):

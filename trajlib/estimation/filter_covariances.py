@@ -9,9 +9,15 @@ kept. A missing measurement ends that, and the covariances are stepped again.
 import numpy as np
 
 from trajlib._arguments.covariances import ROUNDING
+from trajlib.estimation.compiled_recursion import LEAST_STEPS, MOST_STATES, covariance_steps
 
 #: The gain is kept once the rest of the convergence is below this share of the variances.
 SETTLED = 1e-13
+#: With fewer gaps among the steps than this, most steps keep the gain of the one before.
+GAPS = 1 / 300
+
+#: Covariances that are checked together.
+BLOCK = 64
 
 LOST = (
     "the covariance has lost its definiteness to rounding: the variances differ by too many "
@@ -37,6 +43,8 @@ def filter_covariances(model, P, missing):
     """
     constant = all(getattr(model, name).ndim == 2 for name in ("Phi", "H", "Q", "R"))
     count = len(missing)
+    if _is_worth_compiling(constant, P, missing) and not has_exact_measurements(model.R):
+        return _compiled(model, P, missing)
     Phis, Hs, Qs, Rs = (
         at_steps(matrix, count) for matrix in (model.Phi, model.H, model.Q, model.R)
     )
@@ -45,25 +53,26 @@ def filter_covariances(model, P, missing):
     gaps = np.append(np.flatnonzero(~complete), count)
     following = gaps[np.searchsorted(gaps, np.arange(count))]
     index, steps, first, k = np.empty(count, dtype=np.int64), [], [], 0
-    identity, no_gain = np.eye(len(P)), np.zeros((len(P), Hs.shape[1]))
+    no_gain, failed = np.zeros((len(P), Hs.shape[1])), False
     while k < count:
         Phi = Phis[k]
         try:
             if all_missing[k]:
                 after, K = P, no_gain
             elif complete[k]:
-                after, K = _corrected(P, Hs[k], Rs[k], identity)
+                after, K = _corrected(P, Hs[k], Rs[k])
             else:
                 rows = np.flatnonzero(~missing[k])
-                after, gain = _corrected(P, Hs[k][rows], Rs[k][np.ix_(rows, rows)], identity)
+                after, gain = _corrected(P, Hs[k][rows], Rs[k][np.ix_(rows, rows)])
                 K = no_gain.copy()
                 K[:, rows] = gain
         except np.linalg.LinAlgError:
-            lost = LOST if not has_exact_measurements(Rs[k]) else REPEATED.format(k)
-            raise ValueError(lost) from None
+            after, K, failed = P, no_gain, True
         index[k] = len(steps)
         steps.append((P, after, K))
         first.append(k)
+        if failed:
+            break
         predicted = Phi @ after @ Phi.T + Qs[k]
         predicted = (predicted + predicted.T) / 2
         if constant and following[k] > k + 1 and _settled(model, P, K, predicted - P):
@@ -73,26 +82,44 @@ def filter_covariances(model, P, missing):
             k += 1
         P = predicted
     before, after, gains = (np.array(part) for part in zip(*steps))
+    after = (after + after.transpose(0, 2, 1)) / 2
     first = np.array(first)
-    H, R = Hs[first], Rs[first]
-    spread = H @ before @ H.transpose(0, 2, 1) + R
+    spread = Hs[first] @ before @ Hs[first].transpose(0, 2, 1) + Rs[first]
     if has_exact_measurements(model.R):
         _check_new(spread, missing[first], first)
+    if failed:
+        raise ValueError(LOST)
+    check_definiteness(after)
     return index, (before, after, gains, spread, *innovation_inverses(spread, missing[first]))
 
 
-def _corrected(P, H, R, identity):
-    """Return P+ and K in as few calls as possible, since each step may need them."""
+def _is_worth_compiling(constant, P, missing):
+    """Whether there are few states and many steps, of which most differ."""
+    gaps = missing.any(axis=1).sum()
+    differing = len(missing) if not constant or gaps > GAPS * len(missing) else 0
+    return len(P) <= MOST_STATES and differing >= LEAST_STEPS
+
+
+def _compiled(model, P, missing):
+    before, after, gains, spread, inverse, logarithm, definite = covariance_steps(model, P, missing)
+    if not (np.isfinite(definite).all() and np.isfinite(before).all()):
+        raise ValueError(LOST)
+    logarithm = logarithm + (~missing).sum(axis=1) * np.log(2 * np.pi)
+    return np.arange(len(missing)), (before, after, gains, spread, inverse, logarithm)
+
+
+def _corrected(P, H, R):
+    """Return P+ and K in as few operations as possible, since each step may need them."""
     from scipy.linalg.lapack import dposv
 
     HP = H @ P
-    _, solved, failed = dposv(HP @ H.T + R, HP)
+    _, solution, failed = dposv(HP @ H.T + R, HP)
     if failed:
         raise np.linalg.LinAlgError
-    gain = solved.T
-    reduction = identity - gain @ H
-    after = reduction @ P @ reduction.T + gain @ R @ gain.T
-    return (after + after.T) / 2, gain
+    gain = solution.T
+    # Joseph's form by two changes of rank m.
+    once = P - gain @ HP
+    return once + (gain @ R - once @ H.T) @ solution, gain
 
 
 def innovation_inverses(spread, missing):
@@ -159,8 +186,15 @@ def _check_new(spread, missing, numbers):
 
 def check_definiteness(covariances):
     """Raise ValueError if a covariance has lost its definiteness to rounding."""
-    variances = np.einsum("kii->ki", covariances)
-    units = np.sqrt(np.where(variances > 0, variances, 1))
-    least = np.linalg.eigvalsh(covariances / (units[:, :, None] * units[:, None, :])).min()
-    if not (least > -ROUNDING and (variances >= 0).all()):
-        raise ValueError(LOST)
+    for first in range(0, len(covariances), BLOCK):  # what stays in the processor's cache
+        block = covariances[first : first + BLOCK]
+        variances = np.einsum("kii->ki", block)
+        units = 1 / np.sqrt(np.where(variances > 0, variances, 1))
+        scaled = block * units[:, :, None] * units[:, None, :]
+        np.einsum("kii->ki", scaled)[:] += ROUNDING
+        try:
+            roots = np.linalg.cholesky(scaled)
+        except np.linalg.LinAlgError:
+            raise ValueError(LOST) from None
+        if not ((variances >= 0).all() and np.isfinite(roots).all()):
+            raise ValueError(LOST)
