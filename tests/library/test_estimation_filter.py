@@ -7,7 +7,13 @@ import scipy.stats
 import sympy as sp
 
 from trajlib import estimation
-from trajlib.estimation import KalmanFilter, Moments, discrete_filter, filter_covariances
+from trajlib.estimation import (
+    KalmanFilter,
+    Moments,
+    discrete_filter,
+    filter_covariances,
+    lane_recursion,
+)
 
 
 def model_of(seed, n=3, m=2, radius=0.95):
@@ -281,9 +287,9 @@ def test_overflowing_covariance_is_rejected():
         model.run(np.zeros(800), Moments([0, 0], sp.eye(2)))
 
 
-@pytest.mark.parametrize("n, m", [(1, 1), (2, 3), (4, 2), (8, 1)])
+@pytest.mark.parametrize("n, m", [(1, 1), (2, 3), (4, 2), (8, 1), (9, 1), (13, 2)])
 @pytest.mark.parametrize("varying, series", [(False, None), (True, None), (False, 3), (False, 6)])
-def test_compiled_steps_agree_with_those_of_numpy(n, m, varying, series, monkeypatch):
+def test_fast_steps_agree_with_single_ones(n, m, varying, series, monkeypatch):
     count, rng = 1300, np.random.default_rng(n + m)
     Phi, H, Q, R = model_of(n, n, m)
     if varying:
@@ -295,7 +301,8 @@ def test_compiled_steps_agree_with_those_of_numpy(n, m, varying, series, monkeyp
     model, start = KalmanFilter(Phi, H, Q, R), Moments(rng.normal(size=n), np.eye(n))
     compiled = model.run(z, start, missing, inputs)
     for module in (filter_covariances, discrete_filter):
-        monkeypatch.setattr(module, "LEAST_STEPS", np.inf)
+        monkeypatch.setattr(module, "COMPILED_FROM", np.inf)
+        monkeypatch.setattr(module, "LANES_FROM", np.inf)
     stepped = model.run(z, start, missing, inputs)
     assert len(np.unique(compiled.matrix_index)) == count
     for name in ("predicted", "estimates", "innovations", "log_likelihood"):
@@ -305,6 +312,30 @@ def test_compiled_steps_agree_with_those_of_numpy(n, m, varying, series, monkeyp
     for compiled_part, stepped_part in zip(compiled._steps, stepped._steps):
         stepped_part = stepped_part[stepped.matrix_index.reshape(-1, count)[0]]
         np.testing.assert_allclose(compiled_part, stepped_part, atol=1e-11)
+
+
+def test_a_filter_that_forgets_slowly_takes_single_steps():
+    n, count = 9, 900
+    Phi, Q, H = 0.9999 * np.eye(n), 1e-6 * np.eye(n), np.ones((1, n))
+    missing = np.random.default_rng(1).random((count, 1)) < 0.2
+    model, start = KalmanFilter(Phi, H, Q, 1.0), Moments(np.zeros(n), np.eye(n))
+    assert lane_recursion.covariance_lanes(model, np.eye(n), missing) is None
+    z = np.random.default_rng(2).normal(size=(count, 1))
+    run = model.run(z, start, missing)
+    estimates = plain_loop(Phi, H, Q, np.eye(1), z, start, missing[:, 0])[2]
+    np.testing.assert_allclose(run.estimates, estimates, atol=1e-11)
+
+
+def test_lanes_meet_what_single_steps_give():
+    Phi, H, Q, R = model_of(4, 12, 2)
+    missing = np.random.default_rng(3).random((2000, 2)) < 0.2
+    lanes = lane_recursion.covariance_lanes(KalmanFilter(Phi, H, Q, R), np.eye(12), missing)
+    P = np.eye(12)
+    for k in range(2000):
+        np.testing.assert_allclose(lanes[0][k], P, atol=1e-11)
+        rows = ~missing[k]
+        gain = np.linalg.solve(H[rows] @ P @ H[rows].T + R[np.ix_(rows, rows)], H[rows] @ P).T
+        P = Phi @ (P - gain @ H[rows] @ P) @ Phi.T + Q
 
 
 def test_compiled_steps_refuse_an_overflowing_covariance():

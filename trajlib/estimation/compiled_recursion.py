@@ -59,8 +59,8 @@ def _covariance_step(n, m):
     following = Phi.T @ after @ Phi + Q
     following = (following + following.T) / 2
     variances = ca.diag(after)
-    units = ca.diag(1 / ca.sqrt(ca.if_else(variances > 0, variances, 1)))
-    definite = ca.sum1(ca.diag(ca.chol(units @ after @ units + ROUNDING * ca.SX.eye(n))))
+    margin = ROUNDING * ca.diag(ca.if_else(variances > 0, variances, 1))
+    definite = ca.sum1(ca.diag(ca.chol(after + margin)))
     logarithm = 2 * ca.sum1(ca.log(ca.diag(root)))
     outputs = [following, after, gain.T, spread, inverse, logarithm, definite]
     return _many(ca.Function("step", [P, Phi, H, Q, R, measured], outputs))

@@ -16,10 +16,13 @@ from trajlib._arguments.numbers import read_times
 from trajlib._arguments.records import read_record, read_stack
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
-from trajlib.estimation.compiled_recursion import LEAST_STEPS, MOST_STATES, mean_steps
+from trajlib.estimation.compiled_recursion import LEAST_STEPS as COMPILED_FROM
+from trajlib.estimation.compiled_recursion import MOST_STATES, mean_steps
 from trajlib.estimation.covariances import Moments
 from trajlib.estimation.filter_covariances import at_steps, filter_covariances
 from trajlib.estimation.filter_run import FilterRun, finished_run
+from trajlib.estimation.lane_recursion import LEAST_STEPS as LANES_FROM
+from trajlib.estimation.lane_recursion import mean_lanes
 from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
 from trajlib.estimation.van_loan import discretise_steps
 
@@ -214,7 +217,7 @@ class KalmanFilter:
                 own_index,
                 matrices,
             )
-        steps = tuple(np.concatenate(part) for part in zip(*parts))
+        steps = tuple(part[0] if len(part) == 1 else np.concatenate(part) for part in zip(*parts))
         innovations = np.where(missing, np.nan, z - _times(self.H, predicted))
         times = np.arange(count, dtype=float) if self.times is None else self.times
         return finished_run(
@@ -244,12 +247,17 @@ def _means(model, mean, z, inputs, index, matrices):
     changes = np.append(np.flatnonzero(np.diff(index)) + 1, count)
     # Stretches of constant gain that are long enough for a recursion of their own.
     long = np.flatnonzero(np.diff(np.append(0, changes)) > BLOCK)
-    if not long.size and series <= FEW and n <= MOST_STATES and count >= LEAST_STEPS:
+    if not long.size and series <= FEW and n <= MOST_STATES and count >= COMPILED_FROM:
         runs = [
             mean_steps(model, mean, matrices[2][index], z[i], None if inputs is None else inputs[i])
             for i in range(series)
         ]
         return np.array([run[0] for run in runs]), np.array([run[1] for run in runs])
+    if not long.size and n > MOST_STATES and count >= LANES_FROM:
+        deviations = np.sqrt(np.maximum(np.einsum("kii->ki", matrices[0]), 0))[index]
+        predicted = mean_lanes(model, mean, matrices[2][index], z, inputs, deviations)
+        if predicted is not None:
+            return predicted, _corrected(model, predicted, matrices[2][index], z)
     Phis, Hs = at_steps(model.Phi, count), at_steps(model.H, count)
     ends = [(int(changes[i - 1]) if i else 0, int(changes[i])) for i in long]
     predicted = np.empty((series, count, n))
@@ -271,8 +279,11 @@ def _means(model, mean, z, inputs, index, matrices):
             predicted[:, part], x = states[:, :-1], states[:, -1]
         k = last
     gains = matrices[2][index] if len(matrices[2]) > 1 else matrices[2][0]
-    H = model.H
-    return predicted, predicted + _times(gains, z - _times(H, predicted))
+    return predicted, _corrected(model, predicted, gains, z)
+
+
+def _corrected(model, predicted, gains, z):
+    return predicted + _times(gains, z - _times(model.H, predicted))
 
 
 def _stepped(Phis, Hs, gains, z, inputs, x):

@@ -9,15 +9,18 @@ kept. A missing measurement ends that, and the covariances are stepped again.
 import numpy as np
 
 from trajlib._arguments.covariances import ROUNDING
-from trajlib.estimation.compiled_recursion import LEAST_STEPS, MOST_STATES, covariance_steps
+from trajlib.estimation.compiled_recursion import LEAST_STEPS as COMPILED_FROM
+from trajlib.estimation.compiled_recursion import MOST_STATES, covariance_steps
+from trajlib.estimation.lane_recursion import LEAST_STEPS as LANES_FROM
+from trajlib.estimation.lane_recursion import covariance_lanes
 
 #: The gain is kept once the rest of the convergence is below this share of the variances.
 SETTLED = 1e-13
 #: With fewer gaps among the steps than this, most steps keep the gain of the one before.
 GAPS = 1 / 300
 
-#: Covariances that are checked together.
-BLOCK = 64
+#: Entries of the covariances that are checked together: what stays in the processor's cache.
+BLOCK = 8192
 
 LOST = (
     "the covariance has lost its definiteness to rounding: the variances differ by too many "
@@ -43,8 +46,13 @@ def filter_covariances(model, P, missing):
     """
     constant = all(getattr(model, name).ndim == 2 for name in ("Phi", "H", "Q", "R"))
     count = len(missing)
-    if _is_worth_compiling(constant, P, missing) and not has_exact_measurements(model.R):
-        return _compiled(model, P, missing)
+    gaps = missing.any(axis=1).sum()
+    differing = count if not constant or gaps > GAPS * count else 0
+    if differing and not has_exact_measurements(model.R):
+        if len(P) <= MOST_STATES and differing >= COMPILED_FROM:
+            return _compiled(model, P, missing)
+        if differing >= LANES_FROM and (lanes := covariance_lanes(model, P, missing)) is not None:
+            return np.arange(count), _finished(model.H, model.R, missing, *lanes)
     Phis, Hs, Qs, Rs = (
         at_steps(matrix, count) for matrix in (model.Phi, model.H, model.Q, model.R)
     )
@@ -84,20 +92,23 @@ def filter_covariances(model, P, missing):
     before, after, gains = (np.array(part) for part in zip(*steps))
     after = (after + after.transpose(0, 2, 1)) / 2
     first = np.array(first)
-    spread = Hs[first] @ before @ Hs[first].transpose(0, 2, 1) + Rs[first]
     if has_exact_measurements(model.R):
-        _check_new(spread, missing[first], first)
+        _check_new(_spread(Hs[first], Rs[first], before), missing[first], first)
     if failed:
         raise ValueError(LOST)
+    matrices = Hs[first], Rs[first]
+    return index, _finished(*matrices, missing[first], before, after, gains)
+
+
+def _spread(H, R, before):
+    return H @ before @ np.swapaxes(H, -1, -2) + R
+
+
+def _finished(H, R, missing, before, after, gains):
+    """Return the matrices of steps with the covariances of their innovations."""
     check_definiteness(after)
-    return index, (before, after, gains, spread, *innovation_inverses(spread, missing[first]))
-
-
-def _is_worth_compiling(constant, P, missing):
-    """Whether there are few states and many steps, of which most differ."""
-    gaps = missing.any(axis=1).sum()
-    differing = len(missing) if not constant or gaps > GAPS * len(missing) else 0
-    return len(P) <= MOST_STATES and differing >= LEAST_STEPS
+    spread = _spread(H, R, before)
+    return before, after, gains, spread, *innovation_inverses(spread, missing)
 
 
 def _compiled(model, P, missing):
@@ -186,14 +197,15 @@ def _check_new(spread, missing, numbers):
 
 def check_definiteness(covariances):
     """Raise ValueError if a covariance has lost its definiteness to rounding."""
-    for first in range(0, len(covariances), BLOCK):  # what stays in the processor's cache
-        block = covariances[first : first + BLOCK]
+    size = max(1, BLOCK // covariances.shape[-1] ** 2)
+    for first in range(0, len(covariances), size):
+        block = covariances[first : first + size]
         variances = np.einsum("kii->ki", block)
-        units = 1 / np.sqrt(np.where(variances > 0, variances, 1))
-        scaled = block * units[:, :, None] * units[:, None, :]
-        np.einsum("kii->ki", scaled)[:] += ROUNDING
+        shifted = block.copy()
+        # As much more as would make a difference of ROUNDING in units of their own.
+        np.einsum("kii->ki", shifted)[:] += ROUNDING * np.where(variances > 0, variances, 1)
         try:
-            roots = np.linalg.cholesky(scaled)
+            roots = np.linalg.cholesky(shifted)
         except np.linalg.LinAlgError:
             raise ValueError(LOST) from None
         if not ((variances >= 0).all() and np.isfinite(roots).all()):
