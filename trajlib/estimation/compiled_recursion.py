@@ -24,8 +24,8 @@ def covariance_steps(model, P, missing):
     n, m = len(P), missing.shape[1]
     arguments = ((model.Phi, 2), (model.H, 2), (model.Q, 2), (model.R, 2), (~missing * 1.0, 1))
     shapes = ((n, n), (n, n), (n, m), (m, m), (m, m), (), ())
-    following, *others = _accumulated(_covariance_step(n, m), P, arguments, shapes, len(missing))
-    return np.concatenate([P[None], following[:-1]]), *others
+    following, *outputs = _accumulated(_covariance_step(n, m), P, arguments, shapes, len(missing))
+    return np.concatenate([P[None], following[:-1]]), *outputs
 
 
 def mean_steps(model, x, gains, z, inputs):

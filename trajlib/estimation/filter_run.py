@@ -121,8 +121,12 @@ class FilterRun:
             the right model 19 of 20 lie between -2 and 2.
         """
         estimates, innovations, index = (
-            part.reshape(-1, *part.shape[part.ndim - kept :])[series]
-            for part, kept in ((self.estimates, 2), (self.innovations, 2), (self.matrix_index, 1))
+            part.reshape(-1, *part.shape[part.ndim - dimensions :])[series]
+            for part, dimensions in (
+                (self.estimates, 2),
+                (self.innovations, 2),
+                (self.matrix_index, 1),
+            )
         )
         axes = plot_states(
             self.times, estimates, self._steps[1][index], truth, "from measurements so far", rows=1

@@ -73,10 +73,10 @@ def mean_lanes(model, x, gains, z, inputs, deviations):
         innovations = z[:, k] - states @ _transposed(H, k)
         return (states + innovations @ _transposed(gains, k)) @ _transposed(Phi, k) + _at(inputs, k)
 
-    def near(k, states, others):
-        size = np.abs(others).max(axis=(0, 1), initial=0)
+    def near(k, states, earlier):
+        size = np.abs(earlier).max(axis=(0, 1), initial=0)
         limit = SETTLED * deviations[:, k, None] + 4 * np.finfo(float).eps * size
-        return (np.abs(states - others) <= limit).all()
+        return (np.abs(states - earlier) <= limit).all()
 
     x = np.broadcast_to(x, (series, n))
     ends = _take_steps(step, np.broadcast_to(x, (lanes, series, n)), predicted)
@@ -116,10 +116,10 @@ def _covariance_step(matrices, measured, after, gains):
     return step
 
 
-def _near_covariances(_k, covariances, others):
-    units = np.sqrt(np.maximum(np.einsum("kii->ki", others), 0))
+def _near_covariances(_k, covariances, earlier):
+    units = np.sqrt(np.maximum(np.einsum("kii->ki", earlier), 0))
     limit = SETTLED * units[:, :, None] * units[:, None, :]
-    return (np.abs(covariances - others) <= limit).all()
+    return (np.abs(covariances - earlier) <= limit).all()
 
 
 def _take_steps(step, state, states):

@@ -88,9 +88,9 @@ class ExtendedKalmanFilter:
         h = tuple(self.h) if not isinstance(self.h, sp.Expr) else (self.h,)
         h = read_expressions(h, len(h), "h")
         for name, expressions, allowed in (("f", f, {*states, *inputs}), ("h", h, {*states})):
-            if others := set().union(*(e.free_symbols for e in expressions)) - allowed:
+            if foreign := set().union(*(e.free_symbols for e in expressions)) - allowed:
                 raise ValueError(
-                    f"{name}: {join_names(others)} is neither a state nor an input; substitute a number"
+                    f"{name}: {join_names(foreign)} is neither a state nor an input; substitute a number"
                 )
         values = {
             "f": f,

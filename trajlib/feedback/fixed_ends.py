@@ -95,10 +95,10 @@ class FixedEndsControl:
         if t.is_number and not 0 <= t <= duration:
             raise ValueError(f"t: expected a time from 0 to {duration}, got {t}")
         if not isinstance(A, np.ndarray):
-            both = transition(_hamiltonian(A, B, G, N), t) * sp.Matrix([start, self.costates[0]])
-            control = -solve(N, B.T * both[A.rows :, :])
+            flow = transition(_hamiltonian(A, B, G, N), t) * sp.Matrix([start, self.costates[0]])
+            control = -solve(N, B.T * flow[A.rows :, :])
             return StateAndControl(
-                *(part.applyfunc(sp.simplify) for part in (both[: A.rows, :], control))
+                *(part.applyfunc(sp.simplify) for part in (flow[: A.rows, :], control))
             )
         S = B @ np.linalg.solve(N, B.T)
         (F, W, _), (onward, _, V) = (
