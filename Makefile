@@ -68,7 +68,7 @@ test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of al
 clean:  ## remove everything built, but not the environment
 	rm -rf _build conf.py
 
-_build/wheels: $(INSTALLED) pyproject.toml $(shell find trajlib workbook exercises -name '*.py' -o -name '*.ipynb')
+_build/wheels: $(INSTALLED) pyproject.toml $(shell find trajlib workbook exercises -name '*.py' -o -name '*.ipynb' -o -path '*explorer/static/*')
 	@rm -rf $@
 	$(BIN)/pip wheel --quiet --no-deps --wheel-dir $@ .
 

@@ -6,6 +6,7 @@ listings          the list of all problems and the index by topic, made from the
 downloads         the students' notebooks and the wheel
 folding           statements; solutions, hints and code folded with the browser's own <details>
 figures           pictures with their number, their caption and alternative text
+explorers         interactive figures: their script, once, on the pages that have one
 cell_output       formulas typeset in what cells print
 punctuation       a comma stays with the formula before it
 numbering         numbers of equations and theorems follow their labels
@@ -26,6 +27,7 @@ from workbook_site import (
     cell_output,
     check_cases,
     downloads,
+    explorers,
     figures,
     folding,
     invalidation,
@@ -47,6 +49,7 @@ EXTENSIONS = (
     downloads,
     folding,
     figures,
+    explorers,
     cell_output,
     punctuation,
     numbering,
