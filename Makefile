@@ -80,7 +80,7 @@ test-units: $(INSTALLED)  ## all problems of optimal control in other units and 
 clean:  ## remove everything built, but not the environment
 	rm -rf _build conf.py
 
-_build/wheels: $(INSTALLED) pyproject.toml $(shell find trajlib workbook exercises -name '*.py' -o -name '*.ipynb')
+_build/wheels: $(INSTALLED) pyproject.toml $(shell find trajlib workbook exercises -name '*.py' -o -name '*.ipynb' -o -path '*explorer/static/*')
 	@rm -rf $@
 	$(BIN)/pip wheel --quiet --no-deps --wheel-dir $@ .
 

@@ -5,11 +5,12 @@ One series: 100,000 steps of 4 states and 2 outputs, time-invariant, against fil
 update, a call each a step. Many series: 1,000 of 1,000 steps at once, against simdkalman. Further,
 what they have no shortcut for: a tenth of the measurements missing at random, and matrices of each
 step's own. Last, measurements at irregular moments side by side with cd-dynamax, in
-estimation_irregular.py; `--part irregular` runs this alone. The peers live in an environment of
-their own, made on the first run in _build/filter-peers or where `--environment` says; numbers are
-handed over in files. The clock is the processor's, inside the process that computes, the least of
-several runs. One thread for linear algebra: more only get in one another's way on matrices of this
-size.
+estimation_irregular.py; `--part irregular` runs this alone. `--part gaps` compares with loops in
+plain NumPy, for 2 to 32 states, with gaps and at irregular times (estimation_gaps.py), and needs no
+peer. The peers live in an environment of their own, made on the first run in _build/filter-peers or
+where `--environment` says; numbers are handed over in files. The clock is the processor's, inside
+the process that computes, the least of several runs. One thread for linear algebra: more only get
+in one another's way on matrices of this size.
 
     OPENBLAS_NUM_THREADS=1 .venv/bin/python benchmarks/estimation.py
 """
@@ -22,6 +23,7 @@ import tempfile
 import time
 from pathlib import Path
 
+import estimation_gaps
 import estimation_irregular as irregular
 import numpy as np
 
@@ -208,13 +210,16 @@ def told(title, own, other, steps, name, pairs):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("--environment", type=Path, default=HERE.parent / "_build" / "filter-peers")
-    parser.add_argument("--part", choices=["all", "irregular"], default="all")
+    parser.add_argument("--part", choices=["all", "gaps", "irregular"], default="all")
     parser.add_argument("--peer")
     parser.add_argument("--folder", type=Path)
     arguments = parser.parse_args()
     if arguments.peer:
         peer(arguments.peer, arguments.folder)
-    else:
+        sys.exit()
+    if arguments.part != "irregular":
+        estimation_gaps.side_by_side(seconds)
+    if arguments.part != "gaps":
         with tempfile.TemporaryDirectory() as folder:
             folder, python = Path(folder), environment(arguments.environment)
             if arguments.part == "all":

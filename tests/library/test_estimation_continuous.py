@@ -266,7 +266,7 @@ def test_irregular_measurements_give_the_conditional_distribution(seed):
         (Measurement(-1, 1, 1, 1), "before 0, the initial time"),
         (Measurement(0, sp.nan, 1, 1), "finite"),
         (Measurement(0, float("nan"), 1, 1), "finite"),
-        (Measurement(0, 1, 1, 0), "positive definite"),
+        (Measurement(0, 1, 1, -1), "positive semidefinite"),
         (Measurement(0, [1, 2], 1, 1), "2 components|got 2"),
         (Measurement(0, 1, [[1, 0]], 1), "any x 1"),
     ],

@@ -7,7 +7,13 @@ import scipy.stats
 import sympy as sp
 
 from trajlib import estimation
-from trajlib.estimation import KalmanFilter, Moments
+from trajlib.estimation import (
+    KalmanFilter,
+    Moments,
+    discrete_filter,
+    filter_covariances,
+    lane_recursion,
+)
 
 
 def model_of(seed, n=3, m=2, radius=0.95):
@@ -245,8 +251,8 @@ def test_example_5_and_problem_4_43():
         ({"z": [1.0, np.nan]}, r"\(1, 0\) is nan; mark it"),
         ({"z": [1.0, np.inf]}, "mark it"),
         ({"z": np.zeros((2, 2))}, "expected the shape"),
-        ({"R": 0}, "positive definite"),
-        ({"R": -1}, "positive definite"),
+        ({"R": 0, "Q": np.zeros((2, 2))}, "repeats what is known exactly"),
+        ({"R": -1}, "positive semidefinite"),
         ({"Q": [[1, 1], [0, 1]]}, "symmetric"),
         ({"Q": np.diag([1.0, -1.0])}, "semidefinite"),
         ({"Phi": [[1, 0]]}, "square"),
@@ -279,3 +285,61 @@ def test_overflowing_covariance_is_rejected():
     model = KalmanFilter([[3, 0], [0, 1]], [[0, 1]], np.eye(2), 1)
     with pytest.raises(ValueError, match="definiteness"), np.errstate(all="ignore"):
         model.run(np.zeros(800), Moments([0, 0], sp.eye(2)))
+
+
+@pytest.mark.parametrize("n, m", [(1, 1), (2, 3), (4, 2), (8, 1), (9, 1), (13, 2)])
+@pytest.mark.parametrize("varying, series", [(False, None), (True, None), (False, 3), (False, 6)])
+def test_fast_steps_agree_with_single_ones(n, m, varying, series, monkeypatch):
+    count, rng = 1300, np.random.default_rng(n + m)
+    Phi, H, Q, R = model_of(n, n, m)
+    if varying:
+        Phi = Phi * rng.uniform(0.5, 1, (count, 1, 1))
+        Q, R = Q * rng.uniform(0.5, 2, (count, 1, 1)), R * rng.uniform(0.5, 2, (count, 1, 1))
+    shape = (count,) if series is None else (series, count)
+    z, inputs = rng.normal(size=(*shape, m)), rng.normal(size=(*shape, n))
+    missing = np.broadcast_to(rng.random((count, m)) < 0.2, z.shape)
+    model, start = KalmanFilter(Phi, H, Q, R), Moments(rng.normal(size=n), np.eye(n))
+    compiled = model.run(z, start, missing, inputs)
+    for module in (filter_covariances, discrete_filter):
+        monkeypatch.setattr(module, "COMPILED_FROM", np.inf)
+        monkeypatch.setattr(module, "LANES_FROM", np.inf)
+    stepped = model.run(z, start, missing, inputs)
+    assert len(np.unique(compiled.matrix_index)) == count
+    for name in ("predicted", "estimates", "innovations", "log_likelihood"):
+        np.testing.assert_allclose(
+            getattr(compiled, name), getattr(stepped, name), atol=1e-10, rtol=1e-11
+        )
+    for compiled_part, stepped_part in zip(compiled._steps, stepped._steps):
+        stepped_part = stepped_part[stepped.matrix_index.reshape(-1, count)[0]]
+        np.testing.assert_allclose(compiled_part, stepped_part, atol=1e-11)
+
+
+def test_a_filter_that_forgets_slowly_takes_single_steps():
+    n, count = 9, 900
+    Phi, Q, H = 0.9999 * np.eye(n), 1e-6 * np.eye(n), np.ones((1, n))
+    missing = np.random.default_rng(1).random((count, 1)) < 0.2
+    model, start = KalmanFilter(Phi, H, Q, 1.0), Moments(np.zeros(n), np.eye(n))
+    assert lane_recursion.covariance_lanes(model, np.eye(n), missing) is None
+    z = np.random.default_rng(2).normal(size=(count, 1))
+    run = model.run(z, start, missing)
+    estimates = plain_loop(Phi, H, Q, np.eye(1), z, start, missing[:, 0])[2]
+    np.testing.assert_allclose(run.estimates, estimates, atol=1e-11)
+
+
+def test_lanes_meet_what_single_steps_give():
+    Phi, H, Q, R = model_of(4, 12, 2)
+    missing = np.random.default_rng(3).random((2000, 2)) < 0.2
+    lanes = lane_recursion.covariance_lanes(KalmanFilter(Phi, H, Q, R), np.eye(12), missing)
+    P = np.eye(12)
+    for k in range(2000):
+        np.testing.assert_allclose(lanes[0][k], P, atol=1e-11)
+        rows = ~missing[k]
+        gain = np.linalg.solve(H[rows] @ P @ H[rows].T + R[np.ix_(rows, rows)], H[rows] @ P).T
+        P = Phi @ (P - gain @ H[rows] @ P) @ Phi.T + Q
+
+
+def test_compiled_steps_refuse_an_overflowing_covariance():
+    missing = np.ones(2000, dtype=bool)
+    missing[:3] = False
+    with pytest.raises(ValueError, match="lost its definiteness"):
+        KalmanFilter(2, 1, 1, 1).run(np.zeros(2000), Moments(0, 1), missing)

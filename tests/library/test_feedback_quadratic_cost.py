@@ -69,7 +69,7 @@ def test_unsolvable_problems_have_a_reason():
     assert "not stabilisable" in feedback.lqr(sp.diag(1, 2), [0, 1], sp.eye(2), 1).reason
     assert "imaginary axis" in feedback.lqr([[0, 1], [0, 0]], [0, 1], sp.diag(0, 1), 1).reason
     assert not feedback.lqg([[1]], [[1]], [[0]], 1, 1, 1, 1)
-    for bad in [(A, B, G, sp.zeros(2)), (A, B, -G, N), (A, B[:2, :], G, N), (A[:2, :], B, G, N)]:
+    for bad in [(A, B, G, sp.zeros(2)), (A, B[:2, :], G, N), (A[:2, :], B, G, N)]:
         with pytest.raises(ValueError):
             feedback.lqr(*bad)
 

@@ -20,11 +20,14 @@ CONTINUOUS = [
     (feedback.lqr, (TWO, ONE), (A, B)),
     (feedback.finite_lqr, (TWO, ONE, TWO, 0.5), (A, B)),
     (feedback.lqg, (TWO, ONE, TWO, ONE), (A, B, C)),
+    (feedback.fixed_ends_lqr, (TWO, ONE, [0.0, 1], [1.0, 0], 2.0), (A, B)),
+    (estimation.ContinuousFilter, (TWO, ONE), (A, C)),
     (estimation.stationary_filter, (TWO, ONE), (A, C)),
     (estimation.stationary_covariance, (TWO,), (A,)),
     (estimation.error_covariance, (TWO, ONE, [[1.0], [1.0]]), (A, C)),
     (estimation.continuous_moments, (TWO, START, 1.0), (A,)),
     (estimation.discretise, (TWO, 0.1), (A,)),
+    (estimation.discretise_with_input, (TWO, 0.1), (A, B)),
     (estimation.simulate_continuous, (TWO, START, TIMES, 2, 1), (A,)),
     (structure.controllability_gramian, (1.0,), (A, B)),
     (stability.linear_stability, (), (A,)),
@@ -34,6 +37,8 @@ CONTINUOUS = [
 DISCRETE = [
     (feedback.discrete_lqr, (TWO, ONE), (A / 4, B)),
     (feedback.discrete_finite_lqr, (TWO, ONE, TWO, 3), (A / 4, B)),
+    (feedback.discrete_lqg, (TWO, ONE, TWO, ONE), (A / 4, B, C)),
+    (estimation.KalmanFilter, (TWO, ONE), (A / 4, C)),
     (estimation.discrete_stationary_filter, (TWO, ONE), (A / 4, C)),
     (estimation.discrete_stationary_covariance, (TWO,), (A / 4,)),
     (estimation.discrete_moments, (TWO, START, 3), (A / 4,)),
@@ -93,6 +98,7 @@ def test_system_in_the_other_time_is_refused(function, rest, system):
         (feedback.stabilising_gains, ([[1, 1]],), "place"),
         (feedback.convergent_gains, ([1, 1],), "place"),
         (feedback.feedback_by_estimate, ([[1, 1]], [1, 1]), "numpy.block"),
+        (estimation.with_shaping, (None,), "numpy.block"),
     ],
 )
 def test_exact_functions_name_what_is_for_floats(function, rest, sister):
@@ -144,6 +150,9 @@ KEYWORDS = [
     (feedback.lqr, (A, B), {"Q": TWO, "R": ONE}, {"G": TWO, "N": ONE}),
     (estimation.stationary_filter, (A,), {"C": C, "QN": TWO, "RN": ONE}, {"H": C, "Q": TWO, "R": ONE}),
     (feedback.place, (A, B), {"p": [-1, -2]}, {"eigenvalues": [-1, -2]}),
+    (estimation.KalmanFilter, (A,), {"C": C, "QN": TWO, "RN": ONE}, {"H": C, "Q": TWO, "R": ONE}),
+    (estimation.KalmanFilter, (), {"F": A, "H": C, "Q": TWO, "R": ONE}, {"Phi": A, "H": C, "Q": TWO, "R": ONE}),
+    (feedback.lqg, (A, B, C, TWO, ONE), {"QN": TWO, "RN": ONE}, {"Q": TWO, "R": ONE}),
     (structure.observability, (A,), {"C": C}, {"H": C}),
     (structure.observer_canonical_form, (A,), {"C": C}, {"h": C}),
 ]  # fmt: skip
@@ -153,7 +162,7 @@ KEYWORDS = [
 def test_keywords_of_python_control_are_accepted(function, matrices, theirs, ours):
     assert shown(function(*matrices, **theirs)) == shown(function(*matrices, **ours))
     with pytest.raises(TypeError, match="are one argument"):
-        function(*matrices, **theirs, **ours)
+        function(*matrices, **(theirs | ours))
 
 
 def test_lqr_is_written_as_python_control_users_write_it():

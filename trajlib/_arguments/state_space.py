@@ -39,37 +39,51 @@ _REQUIRE = {"continuous": require_continuous, "discrete": _require_discrete}
 def accepts_state_space(
     *names: str, time: str | None = None, instead: str = "", **keywords: str
 ) -> Callable[[Function], Function]:
-    """Let a StateSpace stand for the first arguments of a function, called `names`.
+    """Let a StateSpace stand for the first arguments of a function or a class, called `names`.
 
     `time` is "continuous" or "discrete" where the function is for one of them only, `instead` the
     advice for a system in the other. `keywords` maps python-control's names of arguments to those here.
     A matrix that is given beside the system as a keyword takes the place of the system's own.
     """
 
+    def translated(function, args, named):
+        """Return the arguments with our names, and with the matrices of the system in its place."""
+        for theirs, ours in keywords.items():
+            if theirs in named:
+                if ours in named:
+                    raise TypeError(f"{function.__name__}: {theirs} and {ours} are one argument")
+                named[ours] = named.pop(theirs)
+        system = args[0] if args else named.get(names[0]) if names else None
+        if not names or not is_state_space(system):
+            return args, named
+        if time is not None:
+            _REQUIRE[time](system, instead)
+        named.pop(names[0], None)
+        others = list(args[1:])
+        matrices = [system.A]
+        for name in names[1:]:
+            if others and others[0] is None:
+                del others[0]
+            own = named.pop(name, None)
+            matrices.append(getattr(system, _OF_SYSTEM[name]) if own is None else own)
+        return [*matrices, *others], named
+
     def decorate(function):
+        if isinstance(function, type):
+            initialise = function.__init__
+
+            @functools.wraps(initialise)
+            def initialising(self, *args, **named):
+                args, named = translated(function, args, named)
+                initialise(self, *args, **named)
+
+            function.__init__ = initialising
+            return function
+
         @functools.wraps(function)
-        def accepting(*args, **arguments):
-            for alias, name in keywords.items():
-                if alias in arguments:
-                    if name in arguments:
-                        raise TypeError(f"{function.__name__}: {alias} and {name} are one argument")
-                    arguments[name] = arguments.pop(alias)
-            system = args[0] if args else arguments.get(names[0]) if names else None
-            if not names or not is_state_space(system):
-                return function(*args, **arguments)
-            if time is not None:
-                _REQUIRE[time](system, instead)
-            arguments.pop(names[0], None)
-            further = list(args[1:])
-            matrices = [system.A]
-            for name in names[1:]:
-                if further and further[0] is None:
-                    del further[0]
-                keyword_matrix = arguments.pop(name, None)
-                matrices.append(
-                    getattr(system, _OF_SYSTEM[name]) if keyword_matrix is None else keyword_matrix
-                )
-            return function(*matrices, *further, **arguments)
+        def accepting(*args, **named):
+            args, named = translated(function, args, named)
+            return function(*args, **named)
 
         return accepting
 

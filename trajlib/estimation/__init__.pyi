@@ -9,8 +9,8 @@ from trajlib.estimation.continuous_filter import ContinuousRun as ContinuousRun
 from trajlib.estimation.correction import Correction as Correction
 from trajlib.estimation.correction import corrected as corrected
 from trajlib.estimation.covariances import Moments as Moments
-from trajlib.estimation.discrete_filter import FilterRun as FilterRun
 from trajlib.estimation.discrete_filter import KalmanFilter as KalmanFilter
+from trajlib.estimation.filter_run import FilterRun as FilterRun
 from trajlib.estimation.fix_observability import FixTest as FixTest
 from trajlib.estimation.fix_observability import bearing_observability as bearing_observability
 from trajlib.estimation.fix_observability import satellite_observability as satellite_observability
@@ -22,9 +22,13 @@ from trajlib.estimation.interpolation import optimal_weights as optimal_weights
 from trajlib.estimation.linear_fit import LeastSquares as LeastSquares
 from trajlib.estimation.linear_fit import least_squares as least_squares
 from trajlib.estimation.markov import DiscreteModel as DiscreteModel
+from trajlib.estimation.markov import DrivenModel as DrivenModel
 from trajlib.estimation.markov import continuous_moments as continuous_moments
 from trajlib.estimation.markov import discrete_moments as discrete_moments
 from trajlib.estimation.markov import discretise as discretise
+from trajlib.estimation.markov import discretise_with_input as discretise_with_input
+from trajlib.estimation.nonlinear_filters import ExtendedKalmanFilter as ExtendedKalmanFilter
+from trajlib.estimation.nonlinear_filters import UnscentedKalmanFilter as UnscentedKalmanFilter
 from trajlib.estimation.nonlinear_fit import GaussNewton as GaussNewton
 from trajlib.estimation.nonlinear_fit import gauss_newton as gauss_newton
 from trajlib.estimation.satellite_fixes import SatelliteFix as SatelliteFix
@@ -39,6 +43,7 @@ from trajlib.estimation.simulation import covariance_consistency as covariance_c
 from trajlib.estimation.simulation import innovation_consistency as innovation_consistency
 from trajlib.estimation.simulation import simulate_continuous as simulate_continuous
 from trajlib.estimation.simulation import simulate_discrete as simulate_discrete
+from trajlib.estimation.smoother import SmoothedRun as SmoothedRun
 from trajlib.estimation.stationary_covariances import StationaryCovariance as StationaryCovariance
 from trajlib.estimation.stationary_covariances import (
     discrete_stationary_covariance as discrete_stationary_covariance,

@@ -31,9 +31,9 @@ def negative(matrix):
 def total(*pairs):
     """Return the sum of pairs."""
     high, low = pairs[0]
-    for other, rest in pairs[1:]:
-        high, error = _two_sum(high, other)
-        low = low + error + rest
+    for next_high, next_low in pairs[1:]:
+        high, error = _two_sum(high, next_high)
+        low = low + error + next_low
     return _two_sum(high, low)
 
 
@@ -60,18 +60,18 @@ def _product(left, right):
 
 def _slices(matrix, bits, count):
     """Return matrices of so many bits each, beside the greatest entry of a row, with this sum."""
-    rest, low = matrix
-    greatest = np.abs(rest).max(axis=1, keepdims=True)
+    remainder, low = matrix
+    greatest = np.abs(remainder).max(axis=1, keepdims=True)
     exponents = np.where(greatest > 0, np.frexp(greatest)[1], 0)
     slices = []
     for k in range(count):
         if k == 2:  # what is left of the high part is now of the size of the low part
-            rest = rest + low
-        if not rest.any():
+            remainder = remainder + low
+        if not remainder.any():
             break
         cut = np.ldexp(0.75, exponents + 53 - bits * (k + 1))
-        slices.append((rest + cut) - cut)
-        rest = rest - slices[-1]
+        slices.append((remainder + cut) - cut)
+        remainder = remainder - slices[-1]
     if len(slices) < 2 and low.any():
         slices.append(low)
     return slices

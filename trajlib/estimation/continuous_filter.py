@@ -17,9 +17,10 @@ from typing import NamedTuple
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.covariances import read_covariance, read_noise
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
 from trajlib._arguments.numbers import read_times
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals
 from trajlib._real_symbols import as_real
 from trajlib._typing import ArrayLike, Matrix, MatrixLike, ScalarLike
@@ -30,6 +31,7 @@ from trajlib.estimation.simulation import Paths, equal_steps, simulate_continuou
 from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
 
 
+@accepts_state_space("A", "H", time="continuous", instead="use KalmanFilter", C="H", QN="Q", RN="R")
 @dataclass(frozen=True)
 class ContinuousFilter:
     """Kalman-Bucy filter of x' = Ax + q, z = Hx + r with white noises.
@@ -39,7 +41,7 @@ class ContinuousFilter:
     Parameters
     ----------
     A : matrix_like, shape (n, n)
-        Matrix of the system.
+        Matrix of the system. A StateSpace stands for A and H: `ContinuousFilter(sys, Q, R)`.
     H : matrix_like, shape (m, n)
         Measurement matrix.
     Q : matrix_like, shape (n, n)
@@ -54,6 +56,8 @@ class ContinuousFilter:
 
     Notes
     -----
+    Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`. With a system python-control takes
+    QN for the noise of the inputs; here that is Q = B QN B^T.
     Source: Theorem 4.3, example 4, problems 4.33 - 4.42.
 
     Examples
@@ -75,7 +79,7 @@ class ContinuousFilter:
         A = read_square(self.A, "A", floats)
         H = read_matrix(self.H, "H", None, A.shape[0], floats)
         Q = read_covariance(self.Q, "Q", A.shape[0], floats)
-        R = read_covariance(self.R, "R", H.shape[0], floats, definite=True)
+        R = read_noise(self.R, H.shape[0], floats)
         for name, matrix in zip("AHQR", (A, H, Q, R)):
             object.__setattr__(self, name, matrix)
 
@@ -139,7 +143,7 @@ class ContinuousFilter:
             )
         S = self.H.T @ solve(self.R, self.H)
         return (
-            _propagated(P, *_flow(self.A, S, self.Q, float(t)))
+            _propagated(P, *riccati_flow(self.A, S, self.Q, float(t)))
             if floats
             else _closed_form(self.A, S, self.Q, P, t)
         )
@@ -247,8 +251,8 @@ def _closed_form(A, S, Q, P, t):
     to_real, from_real = as_real(M, P)
     M, P = M.xreplace(to_real), P.xreplace(to_real)
     modes = Modes(lambda v: M * v, exact_spectrum(M), sp.eye(n).col_join(P))
-    both = modes.at(*continuous_basis(t))
-    X, Y = both[:n, :], both[n:, :]
+    solution = modes.at(*continuous_basis(t))
+    X, Y = solution[:n, :], solution[n:, :]
     covariance = (Y * X.adjugate() / X.det()).applyfunc(
         lambda e: sp.factor(sp.together(e)) if n == 1 else sp.together(e)
     )
@@ -278,7 +282,7 @@ def _filter_record(filter, z, times, x, P):
 
     S, n = filter.H.T @ solve(filter.R, filter.H), len(x)
     steps = equal_steps(times)
-    halves = {step: _flow(filter.A, S, filter.Q, step / 2) for step in np.unique(steps)}
+    halves = {step: riccati_flow(filter.A, S, filter.Q, step / 2) for step in np.unique(steps)}
     x = np.broadcast_to(x, (*z.shape[:-2], n))
     estimates, covariances = [x], [P]
     for k, step in enumerate(steps):
@@ -286,9 +290,11 @@ def _filter_record(filter, z, times, x, P):
         gain = filter.gain(middle)
         # x~' = (A - KH) x~ + K z with a constant z, as one exponential
         m = gain.shape[1]
-        both = expm(np.block([[filter.A - gain @ filter.H, gain], [np.zeros((m, n + m))]]) * step)
+        exponential = expm(
+            np.block([[filter.A - gain @ filter.H, gain], [np.zeros((m, n + m))]]) * step
+        )
         x, P = (
-            x @ both[:n, :n].T + z[..., k, :] @ both[:n, n:].T,
+            x @ exponential[:n, :n].T + z[..., k, :] @ exponential[:n, n:].T,
             _propagated(middle, *halves[step]),
         )
         estimates.append(x)
@@ -296,7 +302,7 @@ def _filter_record(filter, z, times, x, P):
     return ContinuousRun(times, np.stack(estimates, axis=-2), np.array(covariances))
 
 
-def _flow(A, S, Q, t):
+def riccati_flow(A, S, Q, t):
     """Return (F, G, Q~) of P(t) = Q~ + F P (E + G P)^-1 F^T."""
     import scipy.linalg
 

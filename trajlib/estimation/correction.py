@@ -70,7 +70,8 @@ def corrected(prior: Moments, z: MatrixLike, H: MatrixLike, R: MatrixLike) -> Co
     H : matrix_like, shape (m, n)
         Measurement matrix.
     R : matrix_like, shape (m, m)
-        Covariance of r, positive definite; None for the unit matrix.
+        Covariance of r, positive semidefinite (a variance zero is an exact measurement); None for the
+        unit matrix.
 
     Returns
     -------
@@ -80,7 +81,7 @@ def corrected(prior: Moments, z: MatrixLike, H: MatrixLike, R: MatrixLike) -> Co
     Raises
     ------
     ValueError
-        If shapes do not fit or R is not positive definite.
+        If shapes do not fit, R is no covariance, or an exact measurement repeats what is known exactly.
 
     Notes
     -----
@@ -98,13 +99,19 @@ def corrected(prior: Moments, z: MatrixLike, H: MatrixLike, R: MatrixLike) -> Co
     """
     floats = any_floats(prior.mean, prior.covariance, z, H, R)
     n = prior.covariance.shape[0]
-    H, z, R = read_measurement(H, z, R, n, floats)
+    H, z, R = read_measurement(H, z, R, n, floats, definite=False)
     x, P = (
         read_vector(prior.mean, "mean", n, floats),
         read_covariance(prior.covariance, "covariance", n, floats),
     )
     innovation, innovation_covariance = tidy(z - H @ x), symmetric(H @ P @ H.T + R)
-    gain = solve(innovation_covariance, H @ P).T
+    try:
+        gain = solve(innovation_covariance, H @ P).T
+    except np.linalg.LinAlgError:
+        raise ValueError(
+            "R: an exact measurement (R is singular) repeats what is known exactly already; leave it "
+            "out, or give it a variance"
+        ) from None
     reduction = identity_like(P) - gain @ H
     covariance = reduction @ P @ reduction.T + gain @ R @ gain.T if floats else reduction * P
     return Correction(

@@ -4,91 +4,43 @@ While the gain is constant, the estimates obey x_{k+1} = F x_k + Phi K z_k with 
 which runs in blocks.
 """
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np
 
-from trajlib._arguments.covariances import read_covariance
-from trajlib._arguments.matrices import any_floats, read_matrix, read_vector
+from trajlib._arguments.covariances import read_covariance, read_covariance_stack
+from trajlib._arguments.matrices import read_square, read_vector
+from trajlib._arguments.numbers import read_times
+from trajlib._arguments.records import read_record, read_stack
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
+from trajlib.estimation.compiled_recursion import LEAST_STEPS as COMPILED_FROM
+from trajlib.estimation.compiled_recursion import MOST_STATES, mean_steps
 from trajlib.estimation.covariances import Moments
-from trajlib.estimation.filter_covariances import at_steps, check_definiteness, filter_covariances
+from trajlib.estimation.filter_covariances import at_steps, filter_covariances
+from trajlib.estimation.filter_run import FilterRun, finished_run
+from trajlib.estimation.lane_recursion import LEAST_STEPS as LANES_FROM
+from trajlib.estimation.lane_recursion import mean_lanes
 from trajlib.estimation.recursion import BLOCK, recursion, varying_recursion
+from trajlib.estimation.van_loan import discretise_steps
+
+#: So few series are faster one by one than beside each other.
+FEW = 4
 
 
-@dataclass(frozen=True, repr=False)
-class FilterRun:
-    """Result of a Kalman filter: N steps, n states, m outputs.
-
-    With S series each array of data has S as its first dimension.
-
-    Attributes
-    ----------
-    predicted : ndarray, shape (N, n)
-        Estimates x~_k^- before the measurement z_k.
-    estimates : ndarray, shape (N, n)
-        Estimates x~_k^+ after it.
-    innovations : ndarray, shape (N, m)
-        z_k - H x~_k^-, nan where a measurement is missing.
-    matrix_index : ndarray, shape (N,)
-        For each step the index of its matrices among those that differ.
-    log_likelihood : float or ndarray
-        Log-likelihood of the measurements under the model for normal errors, one number a series.
-    """
-
-    predicted: np.ndarray
-    estimates: np.ndarray
-    innovations: np.ndarray
-    matrix_index: np.ndarray
-    log_likelihood: float | np.ndarray | None
-    _steps: tuple[np.ndarray, ...]
-
-    @property
-    def covariances(self) -> np.ndarray:
-        """Covariances P_k^+ after the measurements, shape (N, n, n)."""
-        return self._steps[1][self.matrix_index]
-
-    @property
-    def predicted_covariances(self) -> np.ndarray:
-        """Covariances P_k^- before the measurements, shape (N, n, n)."""
-        return self._steps[0][self.matrix_index]
-
-    @property
-    def gains(self) -> np.ndarray:
-        """Gains K_k, shape (N, n, m); zero in the columns of missing measurements."""
-        return self._steps[2][self.matrix_index]
-
-    @property
-    def innovation_covariances(self) -> np.ndarray:
-        """Covariances H P_k^- H^T + R, shape (N, m, m), those of missing measurements included."""
-        return self._steps[3][self.matrix_index]
-
-    @property
-    def normalised_innovations(self) -> np.ndarray:
-        """Normalised squares nu^T S^-1 nu of the innovations, shape (N,).
-
-        Notes
-        -----
-        For the right model each is chi-squared with `measured` degrees of freedom.
-        """
-        innovations = np.nan_to_num(self.innovations)
-        return np.einsum(
-            "...ki,...kij,...kj->...k", innovations, self._steps[4][self.matrix_index], innovations
-        )
-
-    @property
-    def measured(self) -> np.ndarray:
-        """Number of components measured at each step, shape (N,)."""
-        return (~np.isnan(self.innovations)).sum(axis=-1)
-
-    def __repr__(self):
-        return (
-            f"FilterRun of {self.estimates.shape[-2]} steps, {self.estimates.shape[-1]} states, "
-            f"{self.innovations.shape[-1]} outputs, log-likelihood "
-            f"{np.round(self.log_likelihood, 3)}"
-        )
-
-
+@accepts_state_space(
+    "Phi",
+    "H",
+    time="discrete",
+    instead="discretise it first",
+    A="Phi",
+    F="Phi",
+    C="H",
+    QN="Q",
+    RN="R",
+)
 @dataclass(frozen=True)
 class KalmanFilter:
     """Kalman filter of x_{k+1} = Phi x_k + q_k, z_k = H x_k + r_k.
@@ -99,13 +51,16 @@ class KalmanFilter:
     Parameters
     ----------
     Phi : array_like, shape (n, n)
-        Transition matrix.
+        Transition matrix. A StateSpace stands for Phi and H: `KalmanFilter(sys, Q, R)`.
     H : array_like, shape (m, n)
         Measurement matrix.
     Q : array_like, shape (n, n)
         Covariance of q_k, positive semidefinite.
     R : array_like, shape (m, m)
-        Covariance of r_k, positive definite.
+        Covariance of r_k, positive semidefinite; a variance zero is an exact measurement, which gives
+        an error where it repeats what is known exactly already.
+    times : array_like, shape (N,), optional
+        Times of the steps, for pictures; `sampled` sets them.
 
     Raises
     ------
@@ -114,6 +69,9 @@ class KalmanFilter:
 
     Notes
     -----
+    Keywords of python-control: `A`, `C`, `QN`, `RN` for `Phi`, `H`, `Q`, `R`; of filterpy: `F` for
+    `Phi`. With a system python-control takes QN for the noise of the inputs; here that is
+    Q = B QN B^T.
     All is computed in floats. MATLAB: ``kalman``; filterpy: ``KalmanFilter``. Source: Theorem 4.1.
 
     Examples
@@ -129,19 +87,74 @@ class KalmanFilter:
     H: np.ndarray
     Q: np.ndarray
     R: np.ndarray
+    times: np.ndarray | None = None
 
     def __post_init__(self):
-        Phi = _stack(self.Phi, lambda matrix: read_matrix(matrix, "Phi", None, None, True))
+        Phi = read_stack(self.Phi, "Phi", None, None)
         n = Phi.shape[-1]
         if Phi.shape[-2] != n:
             raise ValueError(f"Phi: expected a square matrix, got the shape {Phi.shape[-2:]}")
-        H = _stack(self.H, lambda matrix: read_matrix(matrix, "H", None, n, True))
-        Q = _stack(self.Q, lambda matrix: read_covariance(matrix, "Q", n, True))
-        R = _stack(
-            self.R, lambda matrix: read_covariance(matrix, "R", H.shape[-2], True, definite=True)
-        )
+        H = read_stack(self.H, "H", None, n)
+        Q = read_stack(self.Q, "Q", n, n, read_covariance_stack)
+        R = read_stack(self.R, "R", H.shape[-2], H.shape[-2], read_covariance_stack)
         for name, matrix in zip(["Phi", "H", "Q", "R"], (Phi, H, Q, R)):
             object.__setattr__(self, name, matrix)
+
+    @staticmethod
+    @accepts_state_space(
+        "A", "H", time="continuous", instead="use KalmanFilter(sys, Q, R)", C="H", QN="Q", RN="R"
+    )
+    def sampled(
+        A: ArrayLike, H: ArrayLike, Q: ArrayLike, R: ArrayLike, times: ArrayLike
+    ) -> KalmanFilter:
+        """Return the filter of x' = Ax + q for measurements z_k = H x(t_k) + r_k at given times.
+
+        Parameters
+        ----------
+        A : array_like, shape (n, n)
+            Matrix of the system. A StateSpace in continuous time stands for A and H:
+            `KalmanFilter.sampled(sys, Q, R, times)`.
+        H : array_like, shape (m, n)
+            Measurement matrix.
+        Q : array_like, shape (n, n)
+            Intensity of q, positive semidefinite.
+        R : array_like, shape (m, m)
+            Covariance of r_k.
+        times : array_like, shape (N,)
+            Times of the measurements, at any distances, not decreasing; or dates.
+
+        Returns
+        -------
+        KalmanFilter
+            With matrices of each step, exact for steps of any length; `run` takes N rows.
+
+        Raises
+        ------
+        ValueError
+            If shapes do not fit, times decrease, or Q or R is no covariance.
+
+        Notes
+        -----
+        Keywords of python-control: `C`, `QN`, `RN` for `H`, `Q`, `R`. Source: (4.6), (4.7) with Theorem
+        4.1.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from trajlib.estimation import Moments
+        >>> filter = KalmanFilter.sampled(0, 1, 1, 1, [0, 1, 4])    # a random walk
+        >>> filter.run(np.zeros(3), Moments(0, 1)).predicted_covariances.ravel().tolist()
+        [1.0, 1.5, 3.6]
+        """
+        times = read_times(times, repeated=None)
+        A = read_square(A, "A", True)
+        Q = read_covariance(Q, "Q", len(A), True)
+        filter = KalmanFilter(A, H, Q, R, times)
+        # The last step leads nowhere.
+        Phi, noise = discretise_steps(A, Q, np.append(np.diff(times), 0.0))
+        object.__setattr__(filter, "Phi", Phi)
+        object.__setattr__(filter, "Q", noise)
+        return filter
 
     def run(
         self,
@@ -204,61 +217,25 @@ class KalmanFilter:
                 own_index,
                 matrices,
             )
-        steps = tuple(np.concatenate(part) for part in zip(*parts))
-        check_definiteness(steps[0])
-        check_definiteness(steps[1])
+        steps = tuple(part[0] if len(part) == 1 else np.concatenate(part) for part in zip(*parts))
         innovations = np.where(missing, np.nan, z - _times(self.H, predicted))
-        run = FilterRun(predicted, estimates, innovations, index, None, steps)
-        likelihood = -(run.normalised_innovations + steps[5][index]).sum(axis=1) / 2
-        if single:
-            return FilterRun(
-                predicted[0], estimates[0], innovations[0], index[0], float(likelihood[0]), steps
-            )
-        return FilterRun(predicted, estimates, innovations, index, likelihood, steps)
+        times = np.arange(count, dtype=float) if self.times is None else self.times
+        return finished_run(
+            predicted, estimates, innovations, index, times, steps, (self.Phi, self.Q), single
+        )
 
     def _measurements(self, z, missing):
-        if isinstance(z, np.ma.MaskedArray):
-            if missing is not None:
-                raise ValueError(
-                    "missing: z is a masked array, which marks missing measurements itself"
-                )
-            z, missing = np.ma.getdata(z), np.ma.getmaskarray(z)
-        z = np.asarray(z, dtype=float)
-        m = self.H.shape[-2]
-        shape = z.shape
-        if z.ndim == 1 and m == 1:
-            z = z[:, None]
-        if z.ndim not in (2, 3) or z.shape[-1] != m or 0 in z.shape:
-            raise ValueError(f"z: expected the shape (N, {m}) or (series, N, {m}), got {shape}")
-        if missing is None:
-            gaps = np.zeros(z.shape, dtype=bool)
-        else:
-            gaps = np.asarray(missing)
-            if gaps.dtype != bool or gaps.shape not in (z.shape, z.shape[:-1], shape):
-                raise ValueError(
-                    f"missing: expected booleans of the shape {shape} or {z.shape[:-1]}, got "
-                    f"{gaps.dtype} of the shape {gaps.shape}"
-                )
-            gaps = np.broadcast_to(gaps if gaps.ndim == z.ndim else gaps[..., None], z.shape)
-        if not np.isfinite(z[~gaps]).all():
-            entry = tuple(int(i) for i in np.argwhere(~np.isfinite(z) & ~gaps)[0])
-            raise ValueError(
-                f"z: the measurement {entry} is {z[entry]}; mark it in `missing` if there is none"
-            )
-        z = np.where(gaps, 0.0, z)
+        z, missing, single = read_record(z, missing, self.H.shape[-2])
+        count = z.shape[1]
         for name in ("Phi", "H", "Q", "R"):
             matrix = getattr(self, name)
-            if matrix.ndim == 3 and len(matrix) != z.shape[-2]:
+            if matrix.ndim == 3 and len(matrix) != count:
                 raise ValueError(
-                    f"{name}: expected {z.shape[-2]} matrices, one for each step, got {len(matrix)}"
+                    f"{name}: expected {count} matrices, one for each step, got {len(matrix)}"
                 )
-        return z.reshape((-1, *z.shape[-2:])), gaps.reshape((-1, *z.shape[-2:])), z.ndim == 2
-
-
-def _stack(matrices, read):
-    if any_floats(matrices) and np.ndim(matrices) == 3:
-        return np.stack([read(matrix) for matrix in matrices])
-    return read(matrices)
+        if self.times is not None and len(self.times) != count:
+            raise ValueError(f"z: expected a row for each of {len(self.times)} times, got {count}")
+        return z, missing, single
 
 
 def _means(model, mean, z, inputs, index, matrices):
@@ -267,31 +244,61 @@ def _means(model, mean, z, inputs, index, matrices):
     Stretches of constant gain use one recursion, the steps between them another.
     """
     series, count, n = len(z), z.shape[1], len(mean)
-    Phis, Hs = at_steps(model.Phi, count), at_steps(model.H, count)
-    predicted = np.empty((series, count, n))
-    x, k = np.broadcast_to(mean, (series, n)), 0
     changes = np.append(np.flatnonzero(np.diff(index)) + 1, count)
     # Stretches of constant gain that are long enough for a recursion of their own.
     long = np.flatnonzero(np.diff(np.append(0, changes)) > BLOCK)
+    if not long.size and series <= FEW and n <= MOST_STATES and count >= COMPILED_FROM:
+        runs = [
+            mean_steps(model, mean, matrices[2][index], z[i], None if inputs is None else inputs[i])
+            for i in range(series)
+        ]
+        return np.array([run[0] for run in runs]), np.array([run[1] for run in runs])
+    if not long.size and n > MOST_STATES and count >= LANES_FROM:
+        deviations = np.sqrt(np.maximum(np.einsum("kii->ki", matrices[0]), 0))[index]
+        predicted = mean_lanes(model, mean, matrices[2][index], z, inputs, deviations)
+        if predicted is not None:
+            return predicted, _corrected(model, predicted, matrices[2][index], z)
+    Phis, Hs = at_steps(model.Phi, count), at_steps(model.H, count)
     ends = [(int(changes[i - 1]) if i else 0, int(changes[i])) for i in long]
+    predicted = np.empty((series, count, n))
+    x, k = np.broadcast_to(mean, (series, n)), 0
     for first, last in [*ends, (count, count)]:
         for start, stop, constant in ((k, first, False), (first, last, True)):
             if start == stop:
                 continue
             part = slice(start, stop)
-            K = matrices[2][index[start] if constant else index[part]]
-            Phi, H = (Phis[start], Hs[start]) if constant else (Phis[part], Hs[part])
-            forcing = _times(Phi @ K, z[:, part])
-            if inputs is not None:
-                forcing = forcing + inputs[:, part]
-            states = (recursion if constant else varying_recursion)(
-                Phi @ (np.eye(n) - K @ H), forcing, x
-            )
+            gains = matrices[2][index[part]]
+            stretch_inputs = None if inputs is None else inputs[:, part]
+            if constant:
+                Phi, K = Phis[start], gains[0]
+                forcing = z[:, part] @ (Phi @ K).T
+                forcing = forcing if stretch_inputs is None else forcing + stretch_inputs
+                states = recursion(Phi @ (np.eye(n) - K @ Hs[start]), forcing, x)
+            else:
+                states = _stepped(Phis[part], Hs[part], gains, z[:, part], stretch_inputs, x)
             predicted[:, part], x = states[:, :-1], states[:, -1]
         k = last
     gains = matrices[2][index] if len(matrices[2]) > 1 else matrices[2][0]
-    H = model.H
-    return predicted, predicted + _times(gains, z - _times(H, predicted))
+    return predicted, _corrected(model, predicted, gains, z)
+
+
+def _corrected(model, predicted, gains, z):
+    return predicted + _times(gains, z - _times(model.H, predicted))
+
+
+def _stepped(Phis, Hs, gains, z, inputs, x):
+    """Return the predictions for gains that differ: in chunks for few states, else step by step."""
+    if len(x[0]) <= MOST_STATES:
+        forcing = _times(Phis @ gains, z)
+        forcing = forcing if inputs is None else forcing + inputs
+        return varying_recursion(Phis @ (np.eye(len(x[0])) - gains @ Hs), forcing, x)
+    states = np.empty((len(x), len(gains) + 1, len(x[0])))
+    states[:, 0] = x
+    for k in range(len(gains)):
+        x = (x + (z[:, k] - x @ Hs[k].T) @ gains[k].T) @ Phis[k].T
+        x = x if inputs is None else x + inputs[:, k]
+        states[:, k + 1] = x
+    return states
 
 
 def _times(matrix, vectors):

@@ -13,7 +13,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.covariances import read_covariance
-from trajlib._arguments.matrices import any_floats, read_square, read_vector
+from trajlib._arguments.matrices import any_floats, read_matrix, read_square, read_vector
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals
 from trajlib._real_symbols import as_real
@@ -28,6 +28,7 @@ from trajlib.estimation.modes import (
     products,
     sums,
 )
+from trajlib.estimation.van_loan import discretise_steps
 
 
 class DiscreteModel(NamedTuple):
@@ -42,6 +43,24 @@ class DiscreteModel(NamedTuple):
     """
 
     Phi: Matrix
+    Q: Matrix
+
+
+class DrivenModel(NamedTuple):
+    """Discrete process x_{i+1} = Phi x_i + B u_i + q_i.
+
+    Attributes
+    ----------
+    Phi : matrix, shape (n, n)
+        Transition matrix.
+    B : matrix, shape (n, s)
+        Matrix of the control.
+    Q : matrix, shape (n, n)
+        Covariance of q_i.
+    """
+
+    Phi: Matrix
+    B: Matrix
     Q: Matrix
 
 
@@ -161,7 +180,7 @@ def continuous_moments(A: MatrixLike, Q: MatrixLike, start: Moments, t: ScalarLi
             f"t: expected a time that is not negative{' or a symbol' * (not floats)}, got {t}"
         )
     if floats:
-        transition, noise = _discretise_floats(A, Q, float(t))
+        (transition,), (noise,) = discretise_steps(A, Q, [float(t)])
         return trusted_moments(transition @ mean, symmetric(transition @ P @ transition.T + noise))
     return _closed_form(A, Q, mean, P, lambda X: A * X + X * A.T, 0, sums, continuous_basis(t))
 
@@ -193,7 +212,7 @@ def discretise(A: MatrixLike, Q: MatrixLike, step: ScalarLike) -> DiscreteModel:
     -----
     Exact for long steps, too. In floats a step for which the series converges at once is doubled
     repeatedly, so that Q stays positive semidefinite also for long steps of fast decaying
-    processes. MATLAB: ``c2d``, ``lqrd``. Source: (4.4), (4.6), (4.7).
+    processes. With an input: `discretise_with_input`. MATLAB: ``c2d``, ``lqrd``. Source: (4.4), (4.6), (4.7).
 
     Examples
     --------
@@ -210,10 +229,65 @@ def discretise(A: MatrixLike, Q: MatrixLike, step: ScalarLike) -> DiscreteModel:
         Q = read_covariance(Q, "Q", A.shape[0], True)
         if not (np.isfinite(float(step)) and float(step) >= 0):
             raise ValueError(f"step: expected a time that is not negative, got {step}")
-        return DiscreteModel(*_discretise_floats(A, Q, float(step)))
+        Phi, noise = discretise_steps(A, Q, [float(step)])
+        return DiscreteModel(Phi[0], noise[0])
     n = A.rows
     moments = continuous_moments(A, Q, trusted_moments(sp.zeros(n, 1), sp.zeros(n)), step)
-    return DiscreteModel(_transition(A, exact_decimals(sp.sympify(step))), moments.covariance)
+    return DiscreteModel(transition(A, exact_decimals(sp.sympify(step))), moments.covariance)
+
+
+@accepts_state_space("A", "B", time="continuous", instead="it is discretised already")
+def discretise_with_input(
+    A: MatrixLike, B: MatrixLike, Q: MatrixLike, step: ScalarLike
+) -> DrivenModel:
+    """Return the exact discrete process of x' = Ax + Bu + q for a u constant in each step.
+
+    Parameters
+    ----------
+    A : matrix_like, shape (n, n)
+        Matrix of the system. A StateSpace stands for A and B: `discretise_with_input(sys, Q, step)`.
+    B : matrix_like, shape (n, s)
+        Matrix of the control.
+    Q : matrix_like, shape (n, n)
+        Intensity of q, positive semidefinite.
+    step : scalar_like
+        Length of the step, not negative; for exact matrices also a symbol.
+
+    Returns
+    -------
+    DrivenModel
+        Phi = e^{A step}, B, the integral of e^{As} B from 0 to step, and Q, that of e^{As} Q e^{A^T s}.
+
+    Raises
+    ------
+    ValueError, NotImplementedError
+        As for `continuous_moments`.
+
+    Notes
+    -----
+    B is a block of the exponential of the system augmented by u' = 0 (C. F. van Loan, 1978). MATLAB:
+    ``c2d`` with ``zoh``; python-control: ``sample_system``. Source: added to the problem book; (4.4),
+    (4.6), (4.7).
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> h = sp.Symbol("h")
+    >>> discretise_with_input([[0, 1], [0, 0]], [[0], [1]], [[0, 0], [0, 1]], h).B.T
+    Matrix([[h**2/2, h]])
+    """
+    floats = any_floats(A, B, Q)
+    A = read_square(A, "A", floats)
+    n = A.shape[0]
+    B = read_matrix(B, "B", n, None, floats)
+    Q = read_covariance(Q, "Q", n, floats)
+    order = n + B.shape[1]
+    # The input in units in which it is as fast as the system, so that it makes no step a long one.
+    scale = (np.abs(A).max() or 1.0) / (np.abs(B).max() or 1.0) if floats else 1
+    augmented, noise = np.zeros((2, order, order)) if floats else (sp.zeros(order), sp.zeros(order))
+    augmented[:n, :n], augmented[:n, n:], noise[:n, :n] = A, scale * B, Q
+    Phi, covariance = discretise(augmented, noise, step)
+    return DrivenModel(Phi[:n, :n], Phi[:n, n:] / scale, covariance[:n, :n])
 
 
 def _read(A, Q, start, name):
@@ -266,7 +340,7 @@ def _closed_form(A, Q, mean, P, operator, factor, pair_eigenvalues, basis):
     )
 
 
-def _transition(A, t):
+def transition(A, t):
     """Return e^{At}, exact."""
     to_real, from_real = as_real(A)
     A = A.xreplace(to_real)
@@ -275,16 +349,3 @@ def _transition(A, t):
         .at(*continuous_basis(t))
         .xreplace(from_real)
     )
-
-
-def _discretise_floats(A, Q, step):
-    import scipy.linalg
-
-    n = len(A)
-    doublings = max(0, int(np.ceil(np.log2(max(np.abs(A).sum(axis=1).max() * step, 1)))))
-    short = step / 2**doublings
-    # Van Loan: both integrals from one exponential, without growth since the step is short.
-    exponential = scipy.linalg.expm(np.block([[-A, Q], [np.zeros((n, n)), A.T]]) * short)
-    Phi = exponential[n:, n:].T
-    noise = Phi @ exponential[:n, n:]
-    return _repeated(Phi, (noise + noise.T) / 2, 2**doublings)

@@ -75,15 +75,17 @@ class Modes:
         self.values, order = _distinct(eigenvalues)
         self.terms: dict = {}
         self._denominators: set = set()
-        fraction, rest = None, start
+        fraction, remainder = None, start
         for i in order:
             fraction = self._divided(fraction, i)
             for key, coefficient in fraction.items():
-                self.terms[key] = self.terms.get(key, sp.zeros(*start.shape)) + coefficient * rest
-            rest = (apply(rest) - self.values[i] * rest).applyfunc(
+                self.terms[key] = (
+                    self.terms.get(key, sp.zeros(*start.shape)) + coefficient * remainder
+                )
+            remainder = (apply(remainder) - self.values[i] * remainder).applyfunc(
                 lambda e: sp.radsimp(sp.expand(e))
             )
-            if rest.is_zero_matrix:
+            if remainder.is_zero_matrix:
                 break
         self.terms = {
             key: tidy(matrix) for key, matrix in self.terms.items() if not matrix.is_zero_matrix
@@ -120,8 +122,8 @@ class Modes:
             if value.has(sp.I) and not vanishes(sp.im(value)):
                 partner = next(
                     k
-                    for k, other in enumerate(self.values)
-                    if vanishes(other - sp.conjugate(value))
+                    for k, candidate in enumerate(self.values)
+                    if vanishes(candidate - sp.conjugate(value))
                 )
                 paired.add((partner, j))
                 real, imaginary = complex_basis(value, j)
@@ -144,10 +146,12 @@ def _distinct(eigenvalues):
     """Return the distinct values, and for each eigenvalue the index of its value."""
     values, order = [], []
     for value in eigenvalues:
-        known = next((k for k, other in enumerate(values) if vanishes(value - other)), None)
-        if known is None:
+        position = next(
+            (k for k, distinct in enumerate(values) if vanishes(value - distinct)), None
+        )
+        if position is None:
             values.append(value)
-        order.append(len(values) - 1 if known is None else known)
+        order.append(len(values) - 1 if position is None else position)
     # Repeated eigenvalues are adjacent, so that partial fractions stay short.
     return values, sorted(order)
 

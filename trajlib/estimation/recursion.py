@@ -80,3 +80,35 @@ def varying_recursion(F, u, start):
         initial.append(initial[-1] @ transitions[c, -1].T + forced[:, c, -1])
     states = forced + np.einsum("ckij,scj->scki", transitions, np.stack(initial, axis=1))
     return np.concatenate([start[:, None], states.reshape(series, -1, n)[:, :count]], axis=1)
+
+
+def congruence_recursion(matrices, noises, start):
+    """Return P_0, ..., P_N of P_{k+1} = C_k P_k C_k^T + M_k.
+
+    `matrices` and `noises`, of shape (N, n, n), are C_k and M_k; the chunks are those of
+    `varying_recursion`.
+    """
+    count, n = len(matrices), len(start)
+    width = int(np.ceil(np.sqrt(count)))
+    chunks = -(-count // width) if count else 0
+    factors = np.broadcast_to(np.eye(n), (chunks * width, n, n)).copy()
+    added = np.zeros_like(factors)
+    factors[:count], added[:count] = matrices, noises
+    factors, added = (part.reshape(chunks, width, n, n) for part in (factors, added))
+    transitions, forced = np.empty_like(factors), np.empty_like(added)
+    product, covariance = np.broadcast_to(np.eye(n), (chunks, n, n)), np.zeros((chunks, n, n))
+    for k in range(width):
+        C = factors[:, k]
+        product = C @ product
+        covariance = C @ covariance @ C.transpose(0, 2, 1) + added[:, k]
+        transitions[:, k], forced[:, k] = product, covariance
+    covariances = np.empty((count + 1, n, n))
+    covariances[0] = start
+    for c in range(chunks):
+        first, last = c * width, min((c + 1) * width, count)
+        transition = transitions[c, : last - first]
+        covariances[first + 1 : last + 1] = (
+            transition @ covariances[first] @ transition.transpose(0, 2, 1)
+            + forced[c, : last - first]
+        )
+    return (covariances + covariances.transpose(0, 2, 1)) / 2

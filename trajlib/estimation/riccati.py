@@ -240,9 +240,9 @@ def _independent_rows(matrix, digits):
     for i in range(matrix.rows):
         row = list(matrix.row(i))
         size = max(map(abs, row))
-        for pivot, known in reduced:
-            factor = row[pivot] / known[pivot]
-            row = [entry - factor * other for entry, other in zip(row, known)]
+        for pivot, pivot_row in reduced:
+            factor = row[pivot] / pivot_row[pivot]
+            row = [entry - factor * pivot_entry for entry, pivot_entry in zip(row, pivot_row)]
         pivot = max(range(len(row)), key=lambda j: abs(row[j]))
         if abs(row[pivot]) > size * sp.Float(10) ** -digits:
             reduced.append((pivot, row))

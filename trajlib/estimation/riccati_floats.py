@@ -94,8 +94,8 @@ class _Equation:
         factor = cho_factor(spread[0])
         gain = pair(cho_solve(factor, shown[0]))
         for _ in range(2):
-            rest = total(shown, negative(product(spread, gain)))
-            gain = total(gain, pair(cho_solve(factor, rest[0])))
+            remainder = total(shown, negative(product(spread, gain)))
+            gain = total(gain, pair(cho_solve(factor, remainder[0])))
         return transpose(gain)
 
     def loop(self, gain):
@@ -103,7 +103,7 @@ class _Equation:
         gain = product(pair(self.A), gain) if self.discrete else gain
         return gain, total(pair(self.A), negative(product(gain, pair(self.H))))
 
-    def rest(self, gain, loop, P):
+    def remainder(self, gain, loop, P):
         """Return S(P), and the sum of the norms of its terms: for a product those of its factors."""
         noise = product(gain, pair(self.R), transpose(gain))
         term = product(loop, P)
@@ -120,13 +120,13 @@ class _Equation:
         """Return F D + D F^T or F D F^T - D."""
         return loop @ D @ loop.T - D if self.discrete else loop @ D + D @ loop.T
 
-    def correction(self, loop, rest):
+    def correction(self, loop, remainder):
         """Return the D for which `applied` is -S."""
         from scipy.linalg import solve_continuous_lyapunov, solve_discrete_lyapunov
 
         if self.discrete:
-            return solve_discrete_lyapunov(loop, rest)
-        return solve_continuous_lyapunov(loop, -rest)
+            return solve_discrete_lyapunov(loop, remainder)
+        return solve_continuous_lyapunov(loop, -remainder)
 
     def decay(self, loop):
         """Return how fast the slowest mode decays, beside the fastest; not positive if it does not."""
@@ -144,20 +144,20 @@ def _refined(equation, P, units):
     for _ in range(STEPS):
         gain = equation.gain(P)
         pushed, loop = equation.loop(gain)
-        rest, terms = equation.rest(pushed, loop, P)
+        remainder, terms = equation.remainder(pushed, loop, P)
         axes = _axes(P[0])
         back = np.linalg.inv(axes)
         inner = back @ loop[0] @ axes
         if not np.isfinite(inner).all() or not (decay := equation.decay(inner)) > 0:
             return None
-        D = axes @ equation.correction(inner, back @ rest @ back.T) @ axes.T
+        D = axes @ equation.correction(inner, back @ remainder @ back.T) @ axes.T
         change, wrong = _beside(D, P[0], units), _beside(P[1] + D, P[0], units)
         if change < EPS / 16 or last / 2 <= change < 1e-3:
             break
         P, last = total(P, pair((D + D.T) / 2)), change
     if not wrong * SAFETY < 0.1:
         return None
-    residual = np.linalg.norm(rest - equation.applied(loop[0], P[1])) / (terms or 1)
+    residual = np.linalg.norm(remainder - equation.applied(loop[0], P[1])) / (terms or 1)
     error = float(SAFETY * wrong + EPS)
     doubtful = decay < SLOW or error > ROUGH or np.linalg.norm(P[0]) > LARGE
     return RiccatiSolution(P[0], gain[0], loop[0], float(residual), error, bool(doubtful))
@@ -203,11 +203,11 @@ def _by_doubling(equation):
     if not equation.discrete:  # the Cayley transformation has the same solution
         rate = np.linalg.norm(np.block([[A, G], [Q, A]]), 2)
         back = np.linalg.inv(A - rate * identity)
-        other = np.linalg.inv((A - rate * identity).T + Q @ back @ G)
+        schur_inverse = np.linalg.inv((A - rate * identity).T + Q @ back @ G)
         A, G, Q = (
-            identity + 2 * rate * other.T,
-            2 * rate * back @ G @ other,
-            2 * rate * other @ Q @ back,
+            identity + 2 * rate * schur_inverse.T,
+            2 * rate * back @ G @ schur_inverse,
+            2 * rate * schur_inverse @ Q @ back,
         )
     for _ in range(2 * STEPS):
         step = np.linalg.solve(identity + G @ Q, np.hstack([A, G]))

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from trajlib._arguments.matrices import any_floats, read_matrix, read_square
+from trajlib._arguments.matrices import read_matrix, read_square, require_exact
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import MatrixLike, ScalarLike
 from trajlib.estimation.exact_or_float import stack
@@ -144,6 +145,7 @@ class ShapedProcess:
     noise_covariance: sp.Matrix
 
 
+@accepts_state_space("A", time="continuous", instead="join the blocks with numpy.block")
 def with_shaping(
     A: MatrixLike,
     shaping: ShapingFilter,
@@ -188,8 +190,7 @@ def with_shaping(
     [0,  1],
     [0, -1]]), Matrix([[1, 0]]))
     """
-    if any_floats(A, B, Q, H, C):
-        raise ValueError("A: expected exact matrices (SymPy)")
+    require_exact("join the blocks with numpy.block", A=A, B=B, Q=Q, H=H, C=C)
     A = read_square(A, "A", False)
     n, k = A.rows, shaping.A.rows
     B = sp.zeros(n, 1) if B is None else _column(B, "B", n)

@@ -16,7 +16,7 @@ from trajlib._arguments.numbers import read_times
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ArrayLike
 from trajlib.estimation.covariances import Moments
-from trajlib.estimation.discrete_filter import FilterRun
+from trajlib.estimation.filter_run import FilterRun
 from trajlib.estimation.markov import discretise
 
 

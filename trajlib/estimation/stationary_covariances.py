@@ -147,8 +147,8 @@ def _solved(operator, Q):
         unit = sp.zeros(n)
         unit[i, j] = unit[j, i] = 1
         image = operator(unit)
-        columns.append(sp.Matrix([image[place] for place in lower]))
-    solution = solve(sp.Matrix.hstack(*columns), -sp.Matrix([Q[place] for place in lower]))
+        columns.append(sp.Matrix([image[position] for position in lower]))
+    solution = solve(sp.Matrix.hstack(*columns), -sp.Matrix([Q[position] for position in lower]))
     P = sp.zeros(n)
     for (i, j), entry in zip(lower, solution):
         P[i, j] = P[j, i] = entry

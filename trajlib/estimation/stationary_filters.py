@@ -18,7 +18,7 @@ from functools import cached_property, partial
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.covariances import read_covariance, read_noise
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import Matrix, MatrixLike
@@ -200,7 +200,7 @@ def _stationary(A, H, Q, R, name, time):
     n = A.shape[0]
     H = read_matrix(H, "H", None, n, floats)
     Q = read_covariance(Q, "Q", n, floats)
-    R = read_covariance(R, "R", H.shape[0], floats, definite=True)
+    R = read_noise(R, H.shape[0], floats)
     solved = _floats(A, H, Q, R, time) if floats else _exact(A, H, Q, R, time)
     if isinstance(solved, str):
         reason = f"no stationary filter: {solved}"

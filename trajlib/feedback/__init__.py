@@ -27,6 +27,8 @@ _EXPORTS = {
     "estimate_loop": ["EstimateLoop", "feedback_by_estimate"],
     "reduced_order": ["ReducedObserver", "reduced_observer"],
     "discrete_cost": ["discrete_finite_lqr", "discrete_lqr"],
-    "quadratic_cost": ["QuadraticRegulator", "StochasticRegulator", "finite_lqr", "lqg", "lqr"],
+    "fixed_ends": ["FixedEndsControl", "StateAndControl", "fixed_ends_lqr"],
+    "quadratic_cost": ["QuadraticRegulator", "finite_lqr", "lqr"],
+    "stochastic_regulator": ["StochasticRegulator", "discrete_lqg", "lqg"],
 }
 __getattr__, __dir__, __all__ = lazy_names(__name__, _EXPORTS)

@@ -3,6 +3,9 @@ from trajlib.feedback.discrete_cost import discrete_finite_lqr as discrete_finit
 from trajlib.feedback.discrete_cost import discrete_lqr as discrete_lqr
 from trajlib.feedback.estimate_loop import EstimateLoop as EstimateLoop
 from trajlib.feedback.estimate_loop import feedback_by_estimate as feedback_by_estimate
+from trajlib.feedback.fixed_ends import FixedEndsControl as FixedEndsControl
+from trajlib.feedback.fixed_ends import StateAndControl as StateAndControl
+from trajlib.feedback.fixed_ends import fixed_ends_lqr as fixed_ends_lqr
 from trajlib.feedback.gain_regions import convergent_gains as convergent_gains
 from trajlib.feedback.gain_regions import stabilising_gains as stabilising_gains
 from trajlib.feedback.gains import GainFamily as GainFamily
@@ -11,12 +14,13 @@ from trajlib.feedback.gains import regulator as regulator
 from trajlib.feedback.pole_placement import Placement as Placement
 from trajlib.feedback.pole_placement import place as place
 from trajlib.feedback.quadratic_cost import QuadraticRegulator as QuadraticRegulator
-from trajlib.feedback.quadratic_cost import StochasticRegulator as StochasticRegulator
 from trajlib.feedback.quadratic_cost import finite_lqr as finite_lqr
-from trajlib.feedback.quadratic_cost import lqg as lqg
 from trajlib.feedback.quadratic_cost import lqr as lqr
 from trajlib.feedback.reduced_order import ReducedObserver as ReducedObserver
 from trajlib.feedback.reduced_order import reduced_observer as reduced_observer
+from trajlib.feedback.stochastic_regulator import StochasticRegulator as StochasticRegulator
+from trajlib.feedback.stochastic_regulator import discrete_lqg as discrete_lqg
+from trajlib.feedback.stochastic_regulator import lqg as lqg
 from trajlib.structure.fixed_spectrum import FixedSpectrum as FixedSpectrum
 from trajlib.structure.fixed_spectrum import best_margin as best_margin
 from trajlib.structure.fixed_spectrum import detectability as detectability

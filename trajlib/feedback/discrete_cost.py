@@ -20,7 +20,12 @@ from trajlib._typing import MatrixLike
 from trajlib.estimation.exact_or_float import solve, symmetric, tidy
 from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
 from trajlib.estimation.stationary_filters import discrete_stationary_filter
-from trajlib.feedback.quadratic_cost import QuadraticRegulator, read_regulator
+from trajlib.feedback.quadratic_cost import (
+    QuadraticRegulator,
+    read_regulator,
+    shifted,
+    without_cross_term,
+)
 
 #: A hypothesis on a filter, in the words of the regulator that is dual to it.
 _DUAL = {
@@ -34,7 +39,13 @@ _DUAL = {
 
 
 @accepts_state_space("A", "B", time="discrete", instead="use lqr", Q="G", R="N")
-def discrete_lqr(A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike) -> QuadraticRegulator:
+def discrete_lqr(
+    A: MatrixLike,
+    B: MatrixLike,
+    G: MatrixLike,
+    N: MatrixLike,
+    cross: MatrixLike | None = None,
+) -> QuadraticRegulator:
     """Return the linear law u = Kx of least quadratic cost for all steps of a discrete system.
 
     Parameters
@@ -48,6 +59,8 @@ def discrete_lqr(A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike) -> 
         Weight of the state, positive semidefinite.
     N : matrix_like, shape (s, s)
         Weight of the control, positive definite.
+    cross : matrix_like, shape (n, s), optional
+        Weight C of a further term 2 x^T C u of the cost, with which it stays semidefinite.
 
     Returns
     -------
@@ -67,8 +80,8 @@ def discrete_lqr(A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike) -> 
 
     Notes
     -----
-    Keywords of python-control: `Q`, `R` for `G`, `N`.
-    The sign is u = Kx. MATLAB: ``-dlqr(A, B, G, N)``; python-control: ``-dlqr(A, B, G, N)[0]``. Source:
+    Keywords of python-control: `Q`, `R` for `G`, `N`; what it calls `N` is `cross` here.
+    The sign is u = Kx. MATLAB: ``-dlqr(A, B, G, N, C)``; python-control: ``-dlqr(A, B, G, N, C)[0]``. Source:
     added to the problem book; dual to Theorem 4.2.
 
     Examples
@@ -77,6 +90,9 @@ def discrete_lqr(A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike) -> 
     >>> law.cost[0], law.gain[0]
     (1/2 + sqrt(5)/2, 1/2 - sqrt(5)/2)
     """
+    if cross is not None:
+        A, B, G, N, shift = without_cross_term(A, B, G, N, cross)
+        return shifted(discrete_lqr(A, B, G, N), shift)
     A, B, G, N = read_regulator(A, B, G, N)
     filter = discrete_stationary_filter(A.T, B.T, G, N)
     if not filter:
@@ -96,7 +112,13 @@ def discrete_lqr(A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike) -> 
 
 @accepts_state_space("A", "B", time="discrete", instead="use finite_lqr", Q="G", R="N")
 def discrete_finite_lqr(
-    A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike, F: MatrixLike, steps: int
+    A: MatrixLike,
+    B: MatrixLike,
+    G: MatrixLike,
+    N: MatrixLike,
+    F: MatrixLike,
+    steps: int,
+    cross: MatrixLike | None = None,
 ) -> tuple[QuadraticRegulator, ...]:
     """Return the laws u_i = K_i x_i of least cost for a given number of steps.
 
@@ -115,6 +137,8 @@ def discrete_finite_lqr(
         Weight of the state after the last step; positive semidefinite.
     steps : int
         Number of steps T, at least 1.
+    cross : matrix_like, shape (n, s), optional
+        Weight C of a further term 2 x^T C u of the cost.
 
     Returns
     -------
@@ -136,6 +160,9 @@ def discrete_finite_lqr(
     >>> [law.gain[0] for law in discrete_finite_lqr(1, 1, 1, 1, 0, 3)]
     [-3/5, -1/2, 0]
     """
+    if cross is not None:
+        A, B, G, N, shift = without_cross_term(A, B, G, N, cross)
+        return tuple(shifted(law, shift) for law in discrete_finite_lqr(A, B, G, N, F, steps))
     floats = any_floats(A, B, G, N, F)
     A, B, G, N = read_regulator(A, B, G, N, floats)
     cost, laws = read_covariance(F, "F", A.shape[0], floats), []

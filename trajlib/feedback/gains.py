@@ -218,10 +218,12 @@ def _family(A, H, prescription, test, kalman):
     for i, row in enumerate(unbound):
         gain[row, :] = free[i, :]
     if observable:
-        rest = (
+        remainder = (
             _unique_gain(A11, H1, movable) - rows.extract(list(range(observable)), unbound) * free
         )
-        gain_rows = exact.product(exact.inverse(rows.extract(list(range(observable)), bound)), rest)
+        gain_rows = exact.product(
+            exact.inverse(rows.extract(list(range(observable)), bound)), remainder
+        )
         for i, row in enumerate(bound):
             gain[row, :] = gain_rows[i, :].applyfunc(_readable)
     polynomial = sp.expand(movable.as_expr() * fixed)
@@ -305,18 +307,18 @@ class _Prescription:
                 raise ValueError(f"margin: {self.margin} cannot be had; {fixed_spectrum.reason}")
             return sp.Poly((symbol + self.margin) ** degree, symbol)
         if self.eigenvalues is not None:
-            wanted = sp.Poly(
+            prescribed = sp.Poly(
                 sp.expand(
                     sp.prod([symbol - exact_decimals(sp.sympify(e)) for e in self.eigenvalues])
                 ),
                 symbol,
             )
-            if wanted.has(sp.I):
+            if prescribed.has(sp.I):
                 raise ValueError("eigenvalues: expected conjugate ones in pairs")
         else:
-            wanted = sp.Poly(self.polynomial, symbol)
+            prescribed = sp.Poly(self.polynomial, symbol)
         order = degree + sp.degree(fixed, symbol)
-        if wanted.degree() not in (degree, order):
+        if prescribed.degree() not in (degree, order):
             raise ValueError(
                 f"polynomial: expected the degree {order}"
                 + (
@@ -324,13 +326,13 @@ class _Prescription:
                     if degree < order
                     else ""
                 )
-                + f", got {wanted.degree()}"
+                + f", got {prescribed.degree()}"
             )
-        wanted = wanted.monic()
-        if wanted.degree() == degree:
-            return wanted
-        quotient, rest = sp.div(wanted, sp.Poly(fixed, symbol))
-        if any(sp.simplify(c) != 0 for c in rest.all_coeffs()):
+        prescribed = prescribed.monic()
+        if prescribed.degree() == degree:
+            return prescribed
+        quotient, remainder = sp.div(prescribed, sp.Poly(fixed, symbol))
+        if any(sp.simplify(c) != 0 for c in remainder.all_coeffs()):
             raise ValueError(
                 f"polynomial: the factor {sp.factor(fixed)} is fixed and has to divide it; "
                 f"{test().reason}"

@@ -107,7 +107,7 @@ def place(A: MatrixLike, B: MatrixLike, eigenvalues: Sequence[complex]) -> Place
     ------
     ValueError
         If the pair is not controllable (the message names the mode that cannot be moved), if the
-        eigenvalues are not n finite numbers or not in pairs, or if no gain was found.
+        eigenvalues are not n finite numbers or not in pairs, or if no gain was placement.
 
     Notes
     -----
@@ -118,31 +118,31 @@ def place(A: MatrixLike, B: MatrixLike, eigenvalues: Sequence[complex]) -> Place
     Examples
     --------
     >>> import numpy as np
-    >>> found = place(np.array([[0.0, 1.0], [1.0, 0.0]]), np.array([[0.0], [1.0]]), [-1, -1])
-    >>> print(found.gain)
+    >>> placement = place(np.array([[0.0, 1.0], [1.0, 0.0]]), np.array([[0.0], [1.0]]), [-1, -1])
+    >>> print(placement.gain)
     [[-2. -2.]]
-    >>> found.residual < 1e-15, found.condition > 1e7
+    >>> placement.residual < 1e-15, placement.condition > 1e7
     (True, True)
     """
-    dual, shown = read_controlled(A, B)
-    A, B = np.array(dual.tolist(), dtype=float).T, np.array(shown.tolist(), dtype=float).T
-    wanted = _read(eigenvalues, len(A))
+    dual, dual_inputs = read_controlled(A, B)
+    A, B = np.array(dual.tolist(), dtype=float).T, np.array(dual_inputs.tolist(), dtype=float).T
+    prescribed = _read(eigenvalues, len(A))
     test = controllability(A, B)
     if not test:
         raise ValueError(
             f"A, B: {test.reason}; only what is controllable can be placed "
             "(controllability_decomposition splits it off)"
         )
-    gains = [_scipy(A, B, wanted)]
+    gains = [_scipy(A, B, prescribed)]
     if B.shape[1] == 1:
-        gains.insert(0, _single(A, B[:, 0], wanted)[None, :])
+        gains.insert(0, _single(A, B[:, 0], prescribed)[None, :])
     elif gains[0] is None:
-        gains.append(_in_good_units(_by_chains, A, B, wanted))
+        gains.append(_in_good_units(_by_chains, A, B, prescribed))
     else:
         if _uneven(A, B):
-            gains.append(_in_good_units(_scipy, A, B, wanted))
-        gains += [_again(A, B, gain, wanted) for gain in gains if gain is not None]
-    placed = [_judged(A, B, gain, wanted) for gain in gains if gain is not None]
+            gains.append(_in_good_units(_scipy, A, B, prescribed))
+        gains += [_again(A, B, gain, prescribed) for gain in gains if gain is not None]
+    placed = [_judged(A, B, gain, prescribed) for gain in gains if gain is not None]
     if not placed:
         raise ValueError("eigenvalues: no gain was found that gives them")
     best = min(placed, key=lambda placement: placement.distance)
@@ -156,19 +156,19 @@ def place(A: MatrixLike, B: MatrixLike, eigenvalues: Sequence[complex]) -> Place
 
 
 def _read(eigenvalues, n):
-    wanted = np.array([complex(value) for value in eigenvalues])
-    if len(wanted) != n or not np.isfinite(wanted).all():
-        raise ValueError(f"eigenvalues: expected {n} finite numbers, got {len(wanted)}")
-    if Counter(wanted) != Counter(wanted.conj()):
+    prescribed = np.array([complex(value) for value in eigenvalues])
+    if len(prescribed) != n or not np.isfinite(prescribed).all():
+        raise ValueError(f"eigenvalues: expected {n} finite numbers, got {len(prescribed)}")
+    if Counter(prescribed) != Counter(prescribed.conj()):
         raise ValueError("eigenvalues: expected conjugate ones in pairs")
-    return wanted if wanted.imag.any() else wanted.real
+    return prescribed if prescribed.imag.any() else prescribed.real
 
 
-def _single(A, b, wanted):
+def _single(A, b, prescribed):
     """Return the gain for one control, correct in all digits of its floats."""
     digits, last = FIRST, None
     while digits <= LAST:
-        gain = _ackermann(A, b, wanted, digits)
+        gain = _ackermann(A, b, prescribed, digits)
         if gain is not None and last is not None:
             # zero, but for its rounding
             small = [abs(new) <= 1e-10 * abs(old) for new, old in zip(gain, last)]
@@ -181,7 +181,7 @@ def _single(A, b, wanted):
     raise ValueError(f"A, B: {LAST} digits do not tell this pair from one that is not controllable")
 
 
-def _ackermann(A, b, wanted, digits):
+def _ackermann(A, b, prescribed, digits):
     """Return -e^T W^-1 psi(A) with so many digits, or None if W is singular for them."""
     import mpmath
 
@@ -201,7 +201,7 @@ def _ackermann(A, b, wanted, digits):
         def times(vector):
             return [mpmath.fdot(vector, column) for column in columns]
 
-        for value in wanted:
+        for value in prescribed:
             if value.imag > 0:  # with its conjugate: A^2 - 2 Re A + |lambda|^2
                 real, imaginary = mpmath.mpf(value.real), mpmath.mpf(value.imag)
                 once = [x - real * y for x, y in zip(times(row), row)]
@@ -211,33 +211,33 @@ def _ackermann(A, b, wanted, digits):
         return [-x for x in row]
 
 
-def _scipy(A, B, wanted):
+def _scipy(A, B, prescribed):
     """Return SciPy's gain, or None for an eigenvalue repeated more often than it allows."""
     from scipy.signal import place_poles
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # that it has not converged; the loop is judged anyway
         try:
-            gain = -place_poles(A, B, wanted).gain_matrix
+            gain = -place_poles(A, B, prescribed).gain_matrix
         except (ValueError, np.linalg.LinAlgError):
             return None
     return gain if np.isfinite(gain).all() else None
 
 
-def _again(A, B, gain, wanted):
+def _again(A, B, gain, prescribed):
     """Return the gain from eigenvectors corrected once: SciPy's search leaves them a little off.
 
     With g = K v for the vectors v of the loop, (lambda I - A) v' = B g gives vectors close to them,
     and K' v' = g.
     """
     values, vectors = np.linalg.eig(A + B @ gain)
-    order = _matched(wanted, values)
+    order = _matched(prescribed, values)
     pushes = gain @ vectors[:, order]
     try:
         ahead = np.column_stack(
             [
                 np.linalg.solve(value * np.eye(len(A)) - A, B @ push)
-                for value, push in zip(wanted, pushes.T)
+                for value, push in zip(prescribed, pushes.T)
             ]
         )
         corrected = np.linalg.solve(ahead.T, pushes.T).T.real
@@ -252,9 +252,9 @@ def _uneven(A, B):
     return max(sizes.max() / sizes.min() for sizes in (units, pushes)) > UNEVEN
 
 
-def _in_good_units(method, A, B, wanted):
+def _in_good_units(method, A, B, prescribed):
     scaled, inputs, units, pushes, rate = _in_units(A, B)
-    gain = method(scaled, inputs, wanted / rate)
+    gain = method(scaled, inputs, prescribed / rate)
     return None if gain is None else pushes[:, None] * gain / units
 
 
@@ -268,7 +268,7 @@ def _in_units(A, B):
     return scaled, inputs * pushes, units, pushes, balance.rate
 
 
-def _by_chains(A, B, wanted):
+def _by_chains(A, B, prescribed):
     """Return the best conditioned gain that gives the loop Jordan chains, or None.
 
     Each eigenvalue has as many chains as there are controls, or as are needed.
@@ -276,7 +276,7 @@ def _by_chains(A, B, wanted):
     from scipy.linalg import solve_sylvester
 
     n, s = B.shape
-    jordan = _jordan(wanted, np.linalg.matrix_rank(B, rtol=zero_level(*B.shape)))
+    jordan = _jordan(prescribed, np.linalg.matrix_rank(B, rtol=zero_level(*B.shape)))
     random, best = np.random.default_rng(3), (np.inf, None)
     for _ in range(TRIED):
         # A first gain parts the spectra, without which the equation may have no solution.
@@ -292,11 +292,11 @@ def _by_chains(A, B, wanted):
     return best[1]
 
 
-def _jordan(wanted, most):
-    """Return a real matrix with these eigenvalues, each in at most `most` Jordan chains."""
+def _jordan(prescribed, max_chains):
+    """Return a real matrix with these eigenvalues, each in at most `max_chains` Jordan chains."""
     blocks = []
-    for value, times in Counter(value for value in wanted.tolist() if value.imag >= 0).items():
-        chains = min(times, most)
+    for value, times in Counter(value for value in prescribed.tolist() if value.imag >= 0).items():
+        chains = min(times, max_chains)
         lengths = [times // chains + (k < times % chains) for k in range(chains)]
         small = (
             np.array([[value.real]])
@@ -317,33 +317,33 @@ def _jordan(wanted, most):
     return matrix
 
 
-def _judged(A, B, gain, wanted):
+def _judged(A, B, gain, prescribed):
     """Return the `Placement` of a gain."""
     loop = A + B @ gain
     # Units in which the loop is judged: they change no eigenvalue.
-    found = balanced(loop, np.zeros((1, len(loop))))
-    matrix, rate = found.A, found.rate
+    balance = balanced(loop, np.zeros((1, len(loop))))
+    matrix, rate = balance.A, balance.rate
     residual = max(
         np.linalg.svd(matrix - value / rate * np.eye(len(matrix)), compute_uv=False)[-1]
-        for value in set(wanted.tolist())
+        for value in set(prescribed.tolist())
     )
-    found, vectors = np.linalg.eigvals(loop), np.linalg.eig(matrix)[1]
+    reached, vectors = np.linalg.eigvals(loop), np.linalg.eig(matrix)[1]
     with np.errstate(all="ignore"):
         condition = float(np.linalg.cond(vectors))
-    found = found[_matched(wanted, found)]
+    reached = reached[_matched(prescribed, reached)]
     return Placement(
         gain,
-        wanted,
-        found,
-        float(abs(wanted - found).max()),
+        prescribed,
+        reached,
+        float(abs(prescribed - reached).max()),
         float(residual),
         condition,
         float(EPS * condition * rate * np.linalg.norm(matrix, 2)),
     )
 
 
-def _matched(wanted, values):
-    """Return the order in which `values` are closest to `wanted`, all together."""
+def _matched(prescribed, values):
+    """Return the order in which `values` are closest to `prescribed`, all together."""
     from scipy.optimize import linear_sum_assignment
 
-    return linear_sum_assignment(abs(np.subtract.outer(wanted, values)))[1]
+    return linear_sum_assignment(abs(np.subtract.outer(prescribed, values)))[1]

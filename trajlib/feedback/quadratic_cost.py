@@ -1,4 +1,4 @@
-"""Linear regulators with a quadratic cost: infinite and finite horizon, and with noise.
+"""Linear regulators with a quadratic cost: infinite and finite horizon.
 
 For x' = Ax + Bu the cost is J = integral of (x^T G x + u^T N u) dt, with a final time T plus x(T)^T
 F x(T). Its least value from x is x^T S x, the law u = Kx has K = -N^-1 B^T S, and S obeys the
@@ -11,19 +11,20 @@ time reversed, and is solved there. A factor before the whole cost, as 1/2, chan
 then J = x^T S x / 2.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import sympy as sp
 
-from trajlib._arguments.covariances import read_covariance
+from trajlib._arguments.covariances import is_semidefinite, read_covariance, read_symmetric
 from trajlib._arguments.matrices import any_floats, read_matrix, read_square
 from trajlib._arguments.state_space import accepts_state_space
 from trajlib._typing import ExprLike, Matrix, MatrixLike
 from trajlib.estimation.continuous_filter import ContinuousFilter
-from trajlib.estimation.exact_or_float import latex, symmetric, tidy
+from trajlib.estimation.exact_or_float import latex, solve, symmetric, tidy
 from trajlib.estimation.hypotheses import DETECTABLE, DRIVEN, GENERAL, failed_hypothesis
-from trajlib.estimation.stationary_filters import StationaryFilter, stationary_filter
+from trajlib.estimation.stationary_filters import stationary_filter
+from trajlib.feedback.indefinite_cost import solve_indefinite
 from trajlib.stability.regions import latex_condition
 from trajlib.structure.decomposition import observability_decomposition
 from trajlib.typesetting import escape_markdown
@@ -84,7 +85,12 @@ class QuadraticRegulator:
 
 @accepts_state_space("A", "B", time="continuous", instead="use discrete_lqr", Q="G", R="N")
 def lqr(
-    A: MatrixLike, B: MatrixLike, G: MatrixLike, N: MatrixLike, stable: bool = True
+    A: MatrixLike,
+    B: MatrixLike,
+    G: MatrixLike,
+    N: MatrixLike,
+    stable: bool = True,
+    cross: MatrixLike | None = None,
 ) -> QuadraticRegulator:
     """Return the linear law u = Kx of least quadratic cost for all time.
 
@@ -96,14 +102,18 @@ def lqr(
     B : matrix_like, shape (n, s)
         Matrix of the control.
     G : matrix_like, shape (n, n)
-        Weight of the state, positive semidefinite.
+        Weight of the state, symmetric. If it is indefinite, or the whole form with `cross` is, the
+        verdict is a law, or that the cost has no lower bound, with a frequency at which it falls.
     N : matrix_like, shape (s, s)
         Weight of the control, positive definite.
     stable : bool, default True
         If true, the best of the laws that bring every state to zero, from the stabilising solution of
         the Riccati equation; it exists if and only if (A, B) is stabilisable and every mode on the
         imaginary axis is observable in the cost. If false, the best of all laws, also where states that
-        are unobservable in the cost do not decay: the least S >= 0 that solves the equation.
+        are unobservable in the cost do not decay: the least S >= 0 that solves the equation; for
+        semidefinite weights.
+    cross : matrix_like, shape (n, s), optional
+        Weight C of a further term 2 x^T C u of the cost.
 
     Returns
     -------
@@ -113,7 +123,7 @@ def lqr(
     Raises
     ------
     ValueError
-        If shapes do not fit, or a weight is not symmetric or not positive (semi)definite.
+        If shapes do not fit, a weight is not symmetric, or N is not positive definite.
     numpy.linalg.LinAlgError
         If there is such a law, but the digits of floats did not suffice to find it.
     NotImplementedError
@@ -121,9 +131,9 @@ def lqr(
 
     Notes
     -----
-    Keywords of python-control: `Q`, `R` for `G`, `N`.
-    The sign is u = Kx. MATLAB: ``-lqr(A, B, G, N)``; python-control: ``-lqr(A, B, G, N)[0]``. Source:
-    section 5.4 of the problem book.
+    Keywords of python-control: `Q`, `R` for `G`, `N`; what it calls `N` is `cross` here.
+    The sign is u = Kx. MATLAB: ``-lqr(A, B, G, N, C)``; python-control: ``-lqr(A, B, G, N, C)[0]``.
+    Source: section 5.4 of the problem book; added are cross terms and indefinite weights.
 
     Examples
     --------
@@ -133,8 +143,17 @@ def lqr(
     (-2, 0)
     >>> print(lqr([[0, 1], [0, 1]], [0, 1], [[0, 0], [0, 1]], 1).reason)    # problem 5.67b
     no stabilising law of least cost: a mode on the imaginary axis is unobservable in the cost
+    >>> lqr(-1, 1, -sp.Rational(3, 4), 1).cost[0], "no lower bound" in lqr(-1, 1, -2, 1).reason
+    (-1/2, True)
     """
-    A, B, G, N = read_regulator(A, B, G, N)
+    if cross is not None:
+        A, B, G, N, shift = without_cross_term(A, B, G, N, cross)
+        return shifted(lqr(A, B, G, N, stable), shift)
+    A, B, G, N = read_regulator(A, B, G, N, weight=read_symmetric)
+    if not is_semidefinite(G):
+        if not stable:
+            raise ValueError("stable: the least cost without stability is for semidefinite weights")
+        return QuadraticRegulator(*solve_indefinite(A, B, G, N))
     if not stable:
         return _without_unobserved_states(A, B, G, N)
     filter = stationary_filter(A.T, B.T, G, N)
@@ -161,6 +180,7 @@ def finite_lqr(
     N: MatrixLike,
     F: MatrixLike,
     time_to_go: ExprLike,
+    cross: MatrixLike | None = None,
 ) -> QuadraticRegulator:
     """Return the law u = K(t) x of least cost up to a final time T, at one instant before it.
 
@@ -179,6 +199,8 @@ def finite_lqr(
         Weight of the final state, x(T)^T F x(T); positive semidefinite.
     time_to_go : float or sympy.Expr
         T - t >= 0: a number or, for exact matrices, a symbol.
+    cross : matrix_like, shape (n, s), optional
+        Weight C of a further term 2 x^T C u of the cost, with which it stays semidefinite.
 
     Returns
     -------
@@ -201,6 +223,9 @@ def finite_lqr(
     >>> finite_lqr(0, 1, 0, 1, 1, left).gain[0]
     -1/(left + 1)
     """
+    if cross is not None:
+        A, B, G, N, shift = without_cross_term(A, B, G, N, cross)
+        return shifted(finite_lqr(A, B, G, N, F, time_to_go), shift)
     A, B, G, N = read_regulator(A, B, G, N)
     dual = ContinuousFilter(A.T, B.T, G, N)
     F = read_covariance(
@@ -218,115 +243,27 @@ def finite_lqr(
     )
 
 
-@dataclass(frozen=True)
-class StochasticRegulator:
-    """The optimal feedback by a measurement with noise; false in an `if` if there is none.
+def without_cross_term(A, B, G, N, cross):
+    """Return the matrices of a cost without 2 x^T C u, and the gain N^-1 C^T that its laws are short of.
 
-    It is u = Ke, e' = (A + BK - LH) e + Lz.
-
-    Attributes
-    ----------
-    regulator : QuadraticRegulator
-        The regulator for a known state.
-    filter : StationaryFilter
-        The filter without control, with the gain L and the covariance P of x - e (separation theorem).
-    controller : matrix, shape (n, n)
-        A + BK - LH.
-    cost : sympy.Expr or float
-        lim E[x^T G x + u^T N u] = tr(SQ) + tr(P K^T N K); None if there is no feedback.
-    cost_of_known_state : sympy.Expr or float
-        The first term, tr(SQ): the cost with noise if the state is known.
+    With u = v - N^-1 C^T x the cost is x^T (G - C N^-1 C^T) x + v^T N v, and the system A - B N^-1 C^T.
     """
-
-    regulator: QuadraticRegulator
-    filter: StationaryFilter
-    controller: Matrix
-    cost: sp.Expr | float | None
-    cost_of_known_state: sp.Expr | float | None
-
-    def __bool__(self):
-        return self.cost is not None
+    floats = any_floats(A, B, G, N, cross)
+    A, B, G, N = read_regulator(A, B, G, N, floats, read_symmetric)
+    flat = np.ndim(cross if isinstance(cross, sp.MatrixBase) else np.array(cross, dtype=object)) < 2
+    C = read_matrix(cross, "cross", None, None, floats)
+    C = read_matrix(C.T if flat and A.shape[0] > 1 else C, "cross", A.shape[0], B.shape[1], floats)
+    shift = solve(N, C.T)
+    return tidy(A - B @ shift), B, symmetric(G - C @ shift), N, shift
 
 
-@accepts_state_space(
-    "A",
-    "B",
-    "H",
-    time="continuous",
-    instead="join discrete_lqr and discrete_stationary_filter",
-    C="H",
-)
-def lqg(
-    A: MatrixLike,
-    B: MatrixLike,
-    H: MatrixLike,
-    G: MatrixLike,
-    N: MatrixLike,
-    Q: MatrixLike,
-    R: MatrixLike,
-) -> StochasticRegulator:
-    """Return the optimal feedback for x' = Ax + Bu + q, z = Hx + r and a quadratic cost.
-
-    The cost is lim E[x^T G x + u^T N u].
-
-    Parameters
-    ----------
-    A : matrix_like, shape (n, n)
-        Matrix of the system; exact or floats. A StateSpace stands for A, B and H:
-        `lqg(sys, G, N, Q, R)`.
-    B : matrix_like, shape (n, s)
-        Matrix of the control.
-    H : matrix_like, shape (m, n)
-        Matrix of the measurement.
-    G : matrix_like, shape (n, n)
-        Weight of the state, positive semidefinite.
-    N : matrix_like, shape (s, s)
-        Weight of the control, positive definite.
-    Q : matrix_like, shape (n, n)
-        Intensity of the white noise q.
-    R : matrix_like, shape (m, m)
-        Intensity of the white noise r.
-
-    Returns
-    -------
-    StochasticRegulator
-        Regulator, filter, controller and cost.
-
-    Raises
-    ------
-    ValueError, numpy.linalg.LinAlgError, NotImplementedError
-        As `lqr`.
-
-    Notes
-    -----
-    Keywords of python-control: `C` for `H`.
-    MATLAB: ``lqg``. Source: section 5.4 of the problem book, with Theorem 4.4.
-
-    Examples
-    --------
-    >>> found = lqg([[0, 1], [-1, 0]], [0, 1], [[0, 1]], sp.diag(0, 1), 1, sp.diag(0, 4), 1)    # problem 5.70
-    >>> found.regulator.gain, found.filter.gain.T, found.cost
-    (Matrix([[0, -1]]), Matrix([[0, 2]]), 6)
-    """
-    filter = stationary_filter(A, H, Q, R)
-    A, B, G, N = read_regulator(A, B, G, N)
-    regulator = lqr(A, B, G, N)
-    if not (regulator and filter):
-        return StochasticRegulator(regulator, filter, None, None, None)
-    floats = isinstance(filter.covariance, np.ndarray) or isinstance(A, np.ndarray)
-    H, Q = (
-        read_matrix(H, "H", None, A.shape[0], floats),
-        read_covariance(Q, "Q", A.shape[0], floats),
-    )
-    K, P = regulator.gain, filter.covariance
-    known, unknown = (_trace(product) for product in (regulator.cost @ Q, P @ K.T @ N @ K))
-    return StochasticRegulator(
-        regulator, filter, tidy(regulator.loop - filter.gain @ H), known + unknown, known
-    )
+def shifted(regulator, shift):
+    """Return the regulator with u = v - `shift` x in place of v."""
+    return replace(regulator, gain=tidy(regulator.gain - shift)) if regulator else regulator
 
 
-def read_regulator(A, B, G, N, floats=None):
-    """Return the matrices of a regulator; a flat B is a column."""
+def read_regulator(A, B, G, N, floats=None, weight=read_covariance):
+    """Return the matrices of a regulator; a flat B is a column, and `weight` reads G."""
     floats = any_floats(A, B, G, N) if floats is None else floats
     A = read_square(A, "A", floats)
     n = A.shape[0]
@@ -336,7 +273,7 @@ def read_regulator(A, B, G, N, floats=None):
     return (
         A,
         B,
-        read_covariance(G, "G", n, floats),
+        weight(G, "G", n, floats),
         read_covariance(N, "N", B.shape[1], floats, definite=True),
     )
 
@@ -369,10 +306,4 @@ def _without_unobserved_states(A, B, G, N):
         part.reason.replace("stabilising ", ""),
         part.residual,
         part.error,
-    )
-
-
-def _trace(matrix):
-    return (
-        float(np.trace(matrix)) if isinstance(matrix, np.ndarray) else sp.simplify(matrix.trace())
     )

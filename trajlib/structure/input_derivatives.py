@@ -17,6 +17,7 @@ import numpy as np
 import sympy as sp
 
 from trajlib._arguments.matrices import read_exact_matrix, read_observed
+from trajlib._arguments.state_space import accepts_state_space
 from trajlib._arguments.symbols import exact_decimals, read_expression, read_symbols
 from trajlib._typing import MatrixLike, PolynomialLike
 from trajlib.stability.hurwitz import characteristic_polynomial
@@ -117,6 +118,7 @@ class ScalarEquation:
         return f"$\\displaystyle {sides[0]} = {sides[1]}$"
 
 
+@accepts_state_space("A", "b", "h", C="h")
 def scalar_equation(A: MatrixLike, b: MatrixLike, h: MatrixLike | None = None) -> ScalarEquation:
     """Return the scalar equation between the output z = hx and the control of x' = Ax + bu.
 

@@ -1,4 +1,4 @@
-"""What pages show: results with texts, tables, drawings of bodies, and animations."""
+"""What pages show: results, tables, drawings of bodies, animations, interactive figures."""
 
 from trajlib._lazy import lazy_names
 
@@ -8,5 +8,6 @@ __getattr__, __dir__, __all__ = lazy_names(
         "results": ["show", "table"],
         "drawings": ["Drawing", "along"],
         "animations": ["Animation"],
+        "explorer.declaration": ["Explorer"],
     },
 )

@@ -7,6 +7,7 @@ downloads         the students' notebooks and the wheel
 answer_boxes      boxes for answers that are checked in the page
 folding           statements; solutions, hints and code folded with the browser's own <details>
 figures           pictures with their number, their caption and alternative text
+explorers         interactive figures: their script, once, on the pages that have one
 cell_output       formulas typeset in what cells print
 punctuation       a comma stays with the formula before it
 numbering         numbers of equations and theorems follow their labels
@@ -29,6 +30,7 @@ from workbook_site import (
     cell_output,
     check_cases,
     downloads,
+    explorers,
     figures,
     folding,
     invalidation,
@@ -52,6 +54,7 @@ EXTENSIONS = (
     answer_boxes,
     folding,
     figures,
+    explorers,
     cell_output,
     punctuation,
     numbering,
