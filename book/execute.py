@@ -57,6 +57,8 @@ LIBRARIES = (
     "z3",
     *SYMPY,
 )
+#: The picture that an interactive figure has on paper.
+STILL = '<img class="explorer-still"'
 #: The largest size of a picture, in characters.
 LARGEST = 600_000
 CURVE = re.compile(r'(?<= d=")[^"]*')
@@ -293,9 +295,9 @@ def missing_picture(notebook):
     for number, cell in enumerate(notebook.cells):
         for role in {"figure", "drawing"}.intersection(cell.metadata.get("tags", [])):
             if not any(
-                form.startswith("image/")
+                form.startswith("image/") or (form == "text/html" and STILL in "".join(content))
                 for output in cell.outputs
-                for form in output.get("data", ())
+                for form, content in output.get("data", {}).items()
             ):
                 return f"{describe_cell(notebook, number)}: this {role} cell shows no picture"
     return None

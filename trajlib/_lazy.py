@@ -65,6 +65,10 @@ class _OnFirstUse(ModuleType):
         setattr(self, name, value)
         return value
 
+    @property
+    def __dict__(self):  # sympy.lambdify takes the functions from here
+        return vars(importlib.import_module(self.__name__))
+
 
 #: CasADi, which takes long to load and which pages of the site do not have. Modules take it from here:
 #: importing them does not need it.

@@ -129,3 +129,12 @@ def test_carriage_from_rest_to_rest(distance):
     extremal = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 0, v: 0}, [x - distance, v]).solve()
     assert extremal.duration == pytest.approx(2 * float(distance) ** 0.5, rel=1e-13)
     assert extremal.optimality.proved and extremal.certificate().holds(1e-11)
+
+
+def test_a_cost_that_is_positive_is_not_the_time():
+    """An integrand of real symbols may be positive without being a number."""
+    x_real, u_real = sp.symbols("x u", real=True)
+    extremal = Problem(
+        {x_real: u_real}, {u_real: (-1, 1)}, {x_real: 1}, [x_real], running=1 + x_real**2
+    ).solve()
+    assert extremal.cost == pytest.approx(4 / 3, rel=1e-12)

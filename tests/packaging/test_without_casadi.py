@@ -38,3 +38,13 @@ def test_all_modules_load():
 
 def test_a_check_that_needs_it_says_where_it_runs():
     assert "status='unchecked', message='this check runs in the notebook" in shown(JUDGE)
+
+
+def test_lambdify_finds_the_functions_before_anything_else_was_used():
+    code = (
+        "import sympy as sp\n"
+        "from trajlib._lazy import casadi\n"
+        "x = sp.Symbol('x')\n"
+        "print(sp.lambdify(x, sp.exp(x), casadi)(casadi.SX.sym('x')))"
+    )
+    assert shown(code) == "exp(x)\n"

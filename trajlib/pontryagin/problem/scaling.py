@@ -110,7 +110,7 @@ def _natural_units(problem):
         units[i] = _angle_unit(problem, u) or units[i]
     running, final = _without_constant(problem)
     # The time itself, up to a factor.
-    if problem.free_time and final == 0 and running.is_positive:
+    if problem.free_time and final == 0 and running.is_number and running.is_positive:
         units[-1] = running * units[-2]
     if all(unit == 1 for unit in units) and _constant_cost(problem) == 0:
         return None
