@@ -24,7 +24,7 @@ ROOT = Path(__file__).resolve().parents[2]
 FIGURE = re.compile(r"\bExplorer\(")
 PAGES = sorted(
     path.relative_to(ROOT).as_posix()
-    for path in [*ROOT.glob("book/*.md"), *ROOT.glob("solutions/*/*.md")]
+    for path in [*ROOT.glob("book/**/*.md"), *ROOT.glob("solutions/*/*.md")]
     if FIGURE.search(path.read_text(encoding="utf-8"))
 )
 #: A call of formulas in the browser: [[code, v, c], ...] -> their values.
@@ -313,7 +313,7 @@ def test_without_javascript_and_on_paper_the_picture_stands(browser, show):
 
 
 def test_pages_load_the_script_only_for_a_figure(editions):
-    for page in ("book/ch1.md", "book/index.md", "book/bibliography.md"):
+    for page in ("book/ch1/lyapunov.md", "book/index.md", "book/bibliography.md"):
         text = (editions.full / page).with_suffix(".html").read_text(encoding="utf-8")
         assert text.count("explorer.js") == (page in PAGES)
         assert "explorer-asset" not in text

@@ -24,7 +24,7 @@ OPTION = re.compile(r"^:[\w-]+:.*$", re.M)
 PAGES = "book/library/"
 #: Pages of the library about modules of `workbook`; all others are about those of `trajlib`.
 OF_WORKBOOK = ("display", "systems")
-CHAPTER = re.compile(r"book/(?:errata/)?ch(\d+)")
+THEORY = re.compile(r"book/(?:errata/ch\d+|ch\d+/\w+)")
 
 
 class LibraryUsed(SphinxDirective):
@@ -128,9 +128,7 @@ def _code_of(path):
 def _find_uses(app, env, added, changed, removed):
     """Find all uses before any page is read; return the library pages whose uses changed."""
     modules = [module_of(page) for page in sorted(env.found_docs) if page.startswith(PAGES)]
-    pages = [
-        page for page in env.found_docs if CHAPTER.fullmatch(page) or page in catalogue.of(env)
-    ]
+    pages = [page for page in env.found_docs if THEORY.fullmatch(page) or page in catalogue.of(env)]
     found = {(module, name): [] for module in modules for name in public_names(module)}
     for page in sorted(pages, key=_order):
         for used in uses(_code_of(Path(env.doc2path(page)))) & found.keys():
@@ -144,11 +142,12 @@ def _find_uses(app, env, added, changed, removed):
 
 
 def _order(page):
-    """Order chapters, then problems by number, then errata."""
+    """Order sections of chapters, then problems by number, then errata."""
     return (
         "errata" in page,
         not page.startswith("book/"),
         [int(n) for n in re.findall(r"\d+", page)],
+        page,
     )
 
 
@@ -156,9 +155,9 @@ def _short_title(page):
     numbers = re.findall(r"\d+", page)
     if "errata" in page:
         return f"the errata of chapter {numbers[0]}"
-    return (
-        f"chapter {numbers[0]}" if page.startswith("book/") else f"{numbers[0]}.{int(numbers[1])}"
-    )
+    if page.startswith("book/"):
+        return f"chapter {numbers[0]}, {page.rpartition('/')[2].replace('_', ' ')}"
+    return f"{numbers[0]}.{int(numbers[1])}"
 
 
 def _append_uses(app, page, source):
