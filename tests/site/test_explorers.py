@@ -24,7 +24,11 @@ ROOT = Path(__file__).resolve().parents[2]
 FIGURE = re.compile(r"\bExplorer\(")
 PAGES = sorted(
     path.relative_to(ROOT).as_posix()
-    for path in [*ROOT.glob("book/**/*.md"), *ROOT.glob("solutions/*/*.md")]
+    for path in [
+        *ROOT.glob("book/*.md"),
+        *ROOT.glob("book/ch*/*.md"),
+        *ROOT.glob("solutions/*/*.md"),
+    ]
     if FIGURE.search(path.read_text(encoding="utf-8"))
 )
 #: A call of formulas in the browser: [[code, v, c], ...] -> their values.
