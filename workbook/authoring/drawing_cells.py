@@ -55,9 +55,12 @@ class DrawingCells:
 
 
 def fingerprint(source):
-    """Return a hash of the code that makes a drawing: its cell and the module of shapes."""
-    shapes = _without_docstrings(module_path("workbook.display.drawings").read_text("utf-8"))
-    return hashlib.sha256((source + "\0" + shapes).encode()).hexdigest()[:16]
+    """Return a hash of the code that makes a drawing: its cell and the modules of shapes."""
+    shapes = [
+        _without_docstrings(module_path(f"workbook.display.{name}").read_text("utf-8"))
+        for name in ("sheet", "drawings")
+    ]
+    return hashlib.sha256("\0".join([source, *shapes]).encode()).hexdigest()[:16]
 
 
 def _without_docstrings(source):

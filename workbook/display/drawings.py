@@ -14,47 +14,15 @@ cell is displayed.
 >>> d.angle((0, 0), -90, -60, 0.7, r"$\\varphi$")
 """
 
-import io
-
 import numpy as np
 
 from trajlib.plotting import BLACK, BLUE, GREY, RED
+from workbook.display.sheet import LINE, THICK, THIN, Sheet, along, arc_points, direction_to
 
-#: Font sizes of formulas and of words, in points.
-FORMULA_SIZE, TEXT_SIZE = 13, 11
-#: Line widths in points.
-THIN, LINE, THICK = 0.9, 1.5, 2.6
 BODY = "#DCE6EE"
 
 
-def along(start, length, direction):
-    """Return the point at a distance from another one, in a direction.
-
-    Parameters
-    ----------
-    start : (float, float)
-        The other point, in inches.
-    length : float
-        The distance, in inches.
-    direction : float
-        The direction, in degrees counterclockwise from the x axis.
-
-    Returns
-    -------
-    (float, float)
-        The point, in inches.
-
-    Examples
-    --------
-    >>> x, y = along((1, 2), 3, 0)
-    >>> print(x, y)
-    4.0 2.0
-    """
-    angle = np.deg2rad(direction)
-    return start[0] + length * np.cos(angle), start[1] + length * np.sin(angle)
-
-
-class Drawing:
+class Drawing(Sheet):
     """A sheet to draw bodies on, with axes, angles and symbols.
 
     Parameters
@@ -62,110 +30,6 @@ class Drawing:
     x_range, y_range : (float, float)
         Ranges (low, high) of the coordinates, in inches.
     """
-
-    def __init__(self, x_range, y_range):
-        from matplotlib.figure import Figure
-
-        size = x_range[1] - x_range[0], y_range[1] - y_range[0]
-        self._figure = Figure(figsize=size, facecolor="white")
-        self._ax = self._figure.add_axes((0, 0, 1, 1), xlim=x_range, ylim=y_range)
-        self._ax.set_axis_off()
-        self._layer = 1
-
-    def _repr_svg_(self):
-        return self._save("svg", metadata={"Date": None, "Creator": None}).decode()
-
-    def png(self, dpi=120):
-        """Return the drawing as the bytes of a PNG file.
-
-        Parameters
-        ----------
-        dpi : float
-            Pixels per inch.
-        """
-        return self._save("png", dpi=dpi, metadata={"Software": None})
-
-    def _save(self, form, **options):
-        import matplotlib
-
-        file = io.BytesIO()
-        # reproducible bytes
-        with matplotlib.rc_context({"svg.hashsalt": "workbook"}):
-            self._figure.savefig(file, format=form, **options)
-        return file.getvalue()
-
-    # Lines and letters
-
-    def line(self, *points, dashed=False, width=LINE, colour=BLACK):
-        """Draw straight lines from point to point.
-
-        Parameters
-        ----------
-        *points : (float, float)
-            The points, in inches.
-        dashed : bool
-            Whether the lines are dashed.
-        width : float
-            Line width, in points.
-        colour : str
-            A colour of Matplotlib.
-        """
-        self._ax.plot(
-            *zip(*points),
-            color=colour,
-            linewidth=width,
-            linestyle=(0, (5, 3)) if dashed else "-",
-            solid_capstyle="round",
-            solid_joinstyle="round",
-            zorder=self._above(),
-        )
-
-    def reference(self, start, end):
-        """Draw a thin dashed line between two points, from which angles or lengths are measured."""
-        self.line(start, end, dashed=True, width=THIN)
-
-    def arc(self, centre, radius, start=0, end=360, dashed=False, width=THIN):
-        """Draw an arc of a circle.
-
-        Parameters
-        ----------
-        centre : (float, float)
-            Centre, in inches.
-        radius : float
-            Radius, in inches.
-        start, end : float
-            Directions of its ends, in degrees.
-        dashed : bool
-            Whether it is dashed.
-        width : float
-            Line width, in points.
-        """
-        self.line(*_arc(centre, radius, start, end), dashed=dashed, width=width)
-
-    def label(self, point, text, side=90, gap=0.1):
-        """Write a text beside a point.
-
-        Parameters
-        ----------
-        point : (float, float)
-            The point, in inches.
-        text : str
-            The text; formulas stand between dollars.
-        side : float
-            Direction from the point to the text, in degrees: 90 above it, 0 to its right.
-        gap : float
-            Distance from the point, in inches.
-        """
-        direction = along((0, 0), 1, side)
-        self._ax.text(
-            *along(point, gap, side),
-            text,
-            fontsize=FORMULA_SIZE if "$" in text else TEXT_SIZE,
-            math_fontfamily="cm",
-            ha=_aligned(direction[0], "right", "center", "left"),
-            va=_aligned(direction[1], "top", "center", "bottom"),
-            zorder=self._above() + 1000,
-        )
 
     # Bodies
 
@@ -179,15 +43,15 @@ class Drawing:
 
     def mass(self, centre, radius=0.11):
         """Draw a black disc; centre and radius in inches."""
-        self._patch(_arc(centre, radius, 0, 360), BLACK)
+        self._patch(arc_points(centre, radius, 0, 360), BLACK)
 
     def disc(self, centre, radius):
         """Draw a disc in the colour of bodies; centre and radius in inches."""
-        self._patch(_arc(centre, radius, 0, 360), BODY)
+        self._patch(arc_points(centre, radius, 0, 360), BODY)
 
     def hinge(self, centre):
         """Draw a hinge, a small white circle, at a point in inches."""
-        self._patch(_arc(centre, 0.055, 0, 360), "white")
+        self._patch(arc_points(centre, 0.055, 0, 360), "white")
 
     def shape(self, points, position=(0, 0), turn=0, size=1):
         """Draw a body by its outline, which is scaled, rotated and translated.
@@ -250,7 +114,7 @@ class Drawing:
         radius = 0.12
         self.box((x, floor + 2 * radius + height / 2), width, height)
         for wheel in (x - 0.3 * width, x + 0.3 * width):
-            self._patch(_arc((wheel, floor + radius), radius, 0, 360), "white")
+            self._patch(arc_points((wheel, floor + radius), radius, 0, 360), "white")
             self.point((wheel, floor + radius))
         return x, floor + 2 * radius + height
 
@@ -264,7 +128,7 @@ class Drawing:
         above : bool
             Whether it is hatched on the left of the direction from start to end, else on the right.
         """
-        direction = _direction(start, end)
+        direction = direction_to(start, end)
         for k in np.arange(0.12, np.hypot(*np.subtract(end, start)) + 1e-9, 0.12):
             root = along(start, k, direction)
             self.line(root, along(root, 0.14, direction + (135 if above else -135)), width=THIN)
@@ -322,7 +186,7 @@ class Drawing:
         side : float
             Direction from the point to the text, in degrees.
         """
-        self._patch(_arc(point, 0.09, 0, 360), "white")
+        self._patch(arc_points(point, 0.09, 0, 360), "white")
         self.point(point)
         self.label(point, name, side, 0.13)
 
@@ -354,9 +218,9 @@ class Drawing:
         """
         self._arrow(start, end, "", None, "-|>", LINE, RED, 14)
         self._arrow(
-            start, along(end, -0.12, _direction(start, end)), "", None, "-|>", LINE, RED, 14
+            start, along(end, -0.12, direction_to(start, end)), "", None, "-|>", LINE, RED, 14
         )
-        self.label(end, name, _direction(start, end) if side is None else side, 0.06)
+        self.label(end, name, direction_to(start, end) if side is None else side, 0.06)
 
     def force(self, start, end, name="", side=None):
         """Draw a force, a thick arrow.
@@ -388,7 +252,7 @@ class Drawing:
         side : float, optional
             Direction from the middle of the arc to the text, in degrees; without it outwards.
         """
-        arc = _arc(vertex, radius, start, end)
+        arc = arc_points(vertex, radius, start, end)
         self.line(*arc[:-4], width=THIN)
         self._arrow(arc[-5], arc[-1], "", None, "-|>", THIN, BLACK, 10)
         middle = (start + end) / 2
@@ -409,7 +273,7 @@ class Drawing:
             Distance of the line from the points, to the left of the direction from start to end,
             in inches.
         """
-        across = _direction(start, end) + 90
+        across = direction_to(start, end) + 90
         ends = [along(point, offset, across) for point in (start, end)]
         if offset:
             for point, reached in zip((start, end), ends):
@@ -418,65 +282,3 @@ class Drawing:
                 )
         self._arrow(*ends, "", None, "<|-|>", THIN, BLACK, 9)
         self.label(np.mean(ends, axis=0), name, side, 0.07)
-
-    def _arrow(self, start, end, name, side, head, width, colour, size):
-        self._ax.annotate(
-            "",
-            end,
-            start,
-            zorder=self._above(),
-            arrowprops={
-                "arrowstyle": head,
-                "linewidth": width,
-                "color": colour,
-                "shrinkA": 0,
-                "shrinkB": 0,
-                "mutation_scale": size,
-                "joinstyle": "miter",
-            },
-        )
-        self.label(end, name, _direction(start, end) if side is None else side, 0.06)
-
-    def _between(self, start, end, points):
-        """Draw a line through points (fraction of the way from start to end, inches to its left)."""
-        (x, y), chord = start, np.subtract(end, start)
-        normal = np.array([-chord[1], chord[0]]) / np.hypot(*chord)
-        self.line(
-            *[
-                (x + s * chord[0] + d * normal[0], y + s * chord[1] + d * normal[1])
-                for s, d in points
-            ],
-            width=LINE,
-        )
-
-    def _patch(self, points, colour):
-        from matplotlib.patches import Polygon
-
-        self._ax.add_patch(
-            Polygon(
-                points,
-                closed=True,
-                facecolor=colour,
-                edgecolor=BLACK,
-                linewidth=LINE,
-                joinstyle="round",
-                zorder=self._above(),
-            )
-        )
-
-    def _above(self):
-        self._layer += 1
-        return self._layer
-
-
-def _arc(centre, radius, start, end):
-    angles = np.linspace(start, end, max(12, int(abs(end - start) / 4)) + 1)
-    return [along(centre, radius, angle) for angle in angles]
-
-
-def _direction(start, end):
-    return np.degrees(np.arctan2(end[1] - start[1], end[0] - start[0]))
-
-
-def _aligned(component, negative, neutral, positive):
-    return neutral if abs(component) < 0.4 else positive if component > 0 else negative
