@@ -19,7 +19,7 @@ from workbook.live.explorers import (
 from workbook.live.explorers.by_name import NAMES
 from workbook.live.explorers.circle import STEP, trajectories
 from workbook.live.explorers.fastest import _extremal, _synthesis
-from workbook.live.explorers.phase import PORTRAITS
+from workbook.live.explorers.portraits import PORTRAITS
 from workbook.live.worked_problem import WorkedProblem
 
 

@@ -6,7 +6,8 @@ __getattr__, __dir__, __all__ = lazy_names(
     __name__,
     {
         "results": ["show", "table"],
-        "drawings": ["Drawing", "along"],
+        "drawings": ["Drawing"],
+        "sheet": ["Sheet", "along"],
         "animations": ["Animation"],
         "explorer.declaration": ["Explorer"],
     },
