@@ -120,8 +120,8 @@ def _judge_no_gain(flow, state, equilibrium):
         return
     if slowest < -ON_BORDER:
         raise Wrong(
-            f"some gain makes the equilibrium {point_text(equilibrium)} asymptotically stable: no mode "
-            "that stays the same forbids it"
+            f"some gain makes the equilibrium {point_text(equilibrium)} asymptotically stable: every "
+            "mode that no gain changes decays"
         )
     verdicts = {
         _stability_from_motions(flow, tuple(state), tuple(equilibrium), gain)[0]
