@@ -71,7 +71,7 @@ def correlation(claim, first, second, vector, law, parameters=()):
             "the covariance divided by the product of the standard deviations",
             values,
         )
-    return "it is the covariance as a share of what it could be at most"
+    return "it is the covariance divided by the product of the standard deviations"
 
 
 @judged(Values(expected="a list of angles"))

@@ -138,7 +138,7 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
             values,
             constant=constant,
         )
-    return "it is the covariance as a share of what it could be at most"
+    return "it is the covariance divided by the product of the standard deviations"
 
 
 @judged(Expressions("parameters", length=3))

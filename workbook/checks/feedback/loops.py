@@ -146,8 +146,11 @@ class Requirement:
         def message(values, holds):
             if undefined(values):
                 return f"an entry of {answer_name} has no value{where_text(values)}"
+            stability = (
+                "stable with the required margin" if self.margin else "asymptotically stable"
+            )
             return (
-                f"with {answer_name} {matrix_name} is not as required{where_text(values)}: "
+                f"with {answer_name} {matrix_name} is not {stability}{where_text(values)}: "
                 f"{spectrum.describe(values)}"
             )
 

@@ -272,7 +272,7 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
         yield SameValue(
             claim,
             factor * np.trace(weight @ covariance),
-            "the mean cost of the loop with the best gains",
+            "the mean cost, from the stationary covariance of the loop with the best gains,",
             values,
         )
     return "the covariance of the whole loop with the best gains has this cost"
