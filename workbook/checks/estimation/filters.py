@@ -19,6 +19,7 @@ from workbook.checks.contract.verdict import judged
 from workbook.checks.references import processes
 from workbook.checks.tools.comparisons import SameEntries, SameMembers
 from workbook.checks.tools.conditions import compare
+from workbook.checks.tools.riccati_terms import innovation_text, wrong_degree_text
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import numbers_at, uncertainty_at
 from workbook.checks.tools.wording import (
@@ -30,6 +31,8 @@ from workbook.checks.tools.wording import (
 )
 
 COUNT = 6
+#: Relative size below which a number is zero up to rounding.
+ROUNDED = 1e-9
 BEFORE, AFTER = "before", "after"
 
 
@@ -47,8 +50,8 @@ def estimate(claim, process, measured, at, parameters=(), given=sp.true):
             claim,
             true,
             lambda claimed, i, j: (
-                f"{part_text('estimate', claimed, i)}{where_text(values)}; this is not the mean of "
-                "the state under the condition of what was measured"
+                f"{part_text('estimate', claimed, i)}{where_text(values)}; this is not the "
+                "conditional mean of the state, given the measurements"
             ),
             values,
             abs(true).max() + _size(measurements),
@@ -70,7 +73,7 @@ def estimate_covariance(claim, process, measured, at, parameters=(), given=sp.tr
             claim,
             true,
             _covariance_message(
-                "is not that of the state under the condition of what was measured", values
+                "is not the conditional covariance of the state, given the measurements", values
             ),
             values,
             abs(processes.moments(model, time)[1]).max(),
@@ -118,9 +121,7 @@ def steady_covariance(claim, process, parameters=(), given=sp.true, moment=BEFOR
         yield SameEntries(
             claim,
             true,
-            _covariance_message(
-                "is not the solution of the Riccati equation with which errors decay", values
-            ),
+            _steady_message(model, moment, values),
             values,
             abs(true).max(),
         )
@@ -207,8 +208,10 @@ def filter_equation(claim, process, estimates, outputs, covariance, parameters=(
             sum(terms),
             lambda claimed, i, j: (
                 f"your rate of change of {estimates[i]} is "
-                f"{number_text(claimed[i, 0])}{where_text(values)}; the motion and "
-                "the best use of the innovation together change it at another rate"
+                f"{number_text(claimed[i, 0])}{where_text(values)}; "
+                + innovation_text(
+                    claim, values, outputs, model.H @ y, terms[0], sum(map(abs, terms))
+                )
             ),
             values,
             sum(map(abs, terms)),
@@ -236,7 +239,6 @@ def riccati_equation(claim, process, covariance, parameters=()):
                 -model.A @ processes.filter_gain(model, P) @ model.H @ P @ model.A.T,
                 model.Q,
             )
-            subject, predicate = "your next entry ({}, {})", "give another number"
         else:
             terms = (
                 model.A @ P,
@@ -244,16 +246,25 @@ def riccati_equation(claim, process, covariance, parameters=()):
                 model.Q,
                 -P @ model.H.T @ processes.filter_gain(model, P).T,
             )
-            subject, predicate = (
-                "your rate of change of the entry ({}, {})",
-                "change it at another rate",
-            )
         yield SameEntries(
             claim,
             sum(terms),
             lambda claimed, i, j: (
-                f"{subject.format(i + 1, j + 1)} is {number_text(claimed[i, j])}{where_text(values)}; "
-                f"the motion, the noise and the measurement together {predicate}"
+                f"{'your' if model.discrete else 'your rate of change of the'} entry "
+                f"({i + 1}, {j + 1}) is {number_text(claimed[i, j])}{where_text(values)}; "
+                + (
+                    "it is not that of the covariance of the error before the next measurement"
+                    if model.discrete
+                    else wrong_degree_text(
+                        claim,
+                        values,
+                        sorted(covariance.free_symbols, key=str),
+                        terms[2],
+                        terms[0] + terms[1],
+                        sum(map(abs, terms)),
+                        "the covariance",
+                    )
+                )
             ),
             values,
             sum(map(abs, terms)),
@@ -335,6 +346,30 @@ def _times(instant):
 
 def _size(measurements):
     return max((abs(z) for _, row in measurements for z in row), default=0)
+
+
+def _steady_message(model, moment, values):
+    """Return a message builder on the covariance of a steady filter: the property that fails."""
+
+    def message(claimed, i, j):
+        P = claimed.real
+        if claimed.imag.any() or not abs(P - P.T).max() <= ROUNDED * abs(P).max():
+            failure = "is not real and symmetric, as a covariance is"
+        elif np.linalg.eigvalsh(P).min() < -ROUNDED * abs(P).max():
+            failure = "gives some combination of the states a negative variance"
+        else:
+            try:
+                changes = processes.changes_covariance(model, P, moment == AFTER)
+            except np.linalg.LinAlgError:
+                changes = True  # no gain: the equation has no meaning there
+            failure = (
+                "does not satisfy the Riccati equation"
+                if changes
+                else "satisfies the Riccati equation, but the errors do not decay with its gain"
+            )
+        return _covariance_message(failure, values)(claimed, i, j)
+
+    return message
 
 
 def _covariance_message(failure, values):

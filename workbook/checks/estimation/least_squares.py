@@ -70,13 +70,17 @@ def error_covariance(claim, measured, unknowns, deviations=None, parameters=()):
             pseudoinverse @ pseudoinverse.T,
             lambda claimed, i, j: (
                 f"the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(claimed[i, j])}{where_text(values)}; the errors "
-                "of the measurements, taken through the estimate, give another one"
+                f"{number_text(claimed[i, j])}{where_text(values)}; it is not "
+                + (
+                    f"the variance of the error of {unknowns[i]}"
+                    if i == j
+                    else f"the mean of the product of the errors of {unknowns[i]} and {unknowns[j]}"
+                )
             ),
             values,
             abs(pseudoinverse) @ abs(pseudoinverse).T,
         )
-    return "so the errors of the measurements pass into the estimate"
+    return "these are the variances and covariances of the errors of the estimate"
 
 
 def _weighted(measured, unknowns, deviations, values):

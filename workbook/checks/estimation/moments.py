@@ -51,7 +51,9 @@ def covariance(claim, first, second, vector, law, parameters=()):
             yield SameValue(
                 claim[i, j],
                 covariances[i, j],
-                f"the mean of the product of the deviations of {rows[i]} and {columns[j]}",
+                f"the variance of {rows[i]}, the mean square of its deviation,"
+                if rows[i] == columns[j]
+                else f"the covariance of {rows[i]} and {columns[j]}, the mean product of their deviations,",
                 values,
                 size[i, j],
             )
@@ -66,10 +68,10 @@ def correlation(claim, first, second, vector, law, parameters=()):
         yield SameValue(
             claim,
             covariances[0, 1] / np.sqrt(covariances[0, 0] * covariances[1, 1]),
-            "the covariance over the product of the standard deviations",
+            "the covariance divided by the product of the standard deviations",
             values,
         )
-    return "it is the covariance as a share of what it could be at most"
+    return "it is the covariance divided by the product of the standard deviations"
 
 
 @judged(Values(expected="a list of angles"))

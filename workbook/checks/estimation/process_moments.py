@@ -19,7 +19,13 @@ from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValu
 from workbook.checks.tools.conditions import compare, contradiction_message, exactly
 from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
 from workbook.checks.tools.values import numbers_at, uncertainty_at
-from workbook.checks.tools.wording import entry_text, number_text, tried_text, where_text
+from workbook.checks.tools.wording import (
+    entry_text,
+    number_text,
+    part_text,
+    tried_text,
+    where_text,
+)
 
 #: The times at which answers are compared, each with other values of the parameters.
 TIMES = (0, sp.Rational(1, 2), 1, sp.Rational(7, 5), 2, 3)
@@ -56,9 +62,8 @@ def state_after_steps(claim, process, start, noises, parameters=(), given=sp.tru
             claim,
             true,
             lambda claimed, i, j: (
-                f"with the start and the noises{where_text(values)} the steps, one after the "
-                "other, lead to another state: "
-                f"look at component {i + 1}, where yours is {number_text(claimed[i, 0])}"
+                f"{part_text('state', claimed, i)}{where_text(values)}; it does not satisfy the "
+                "equation of the process, applied step by step from the initial state"
             ),
             values,
             size,
@@ -129,11 +134,11 @@ def correlation_at_time(claim, process, time, of, parameters=(), given=sp.true, 
         yield SameValue(
             claim,
             true,
-            "the covariance over the product of the standard deviations",
+            "the covariance divided by the product of the standard deviations",
             values,
             constant=constant,
         )
-    return "it is the covariance as a share of what it could be at most"
+    return "it is the covariance divided by the product of the standard deviations"
 
 
 @judged(Expressions("parameters", length=3))
@@ -149,7 +154,7 @@ def shaping_filter(claims, process, parameters=(), given=sp.true):
         for claim, true, quantity in zip(
             claims,
             (-a, 2 * a * D, D),
-            ("the coefficient", "the intensity", "the variance at the start"),
+            ("the coefficient", "the intensity", "the initial variance"),
         ):
             yield SameValue(
                 claim,
@@ -243,7 +248,7 @@ def stationary_covariance_exists(answer, process, parameters, given=sp.true):
         exactly(decays(process.A, process.discrete), given),
         contradiction_message(message),
     )
-    return f"there and nowhere else what is known of the start is forgotten: {agreement}"
+    return f"there and nowhere else all initial covariances lead to the same limit: {agreement}"
 
 
 @judged
@@ -302,7 +307,10 @@ EQUATIONS = {"mean": "equation", "covariance": "covariance equation"}
 def _moment_message(moment, values):
     def message(claimed, i, j):
         if list(values.values())[-1] == 0:
-            return f"at the start your {moment} is not the one given: {entry_text(claimed, i, j)}"
+            return (
+                f"your {moment} does not satisfy the initial condition: "
+                f"{entry_text(claimed, i, j)} at {list(values)[-1]} = 0"
+            )
         return (
             f"your {moment} does not satisfy the {EQUATIONS[moment]} of the process"
             f"{where_text(values)}: {entry_text(claimed, i, j)}"

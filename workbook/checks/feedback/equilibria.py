@@ -85,7 +85,9 @@ def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
         else:
             _judge_gain(flow, state, equilibrium, matrix_at(gain, {}))
     if unmatched:
-        raise Wrong("there is an equilibrium for which your answer gives no gain, not even []")
+        raise Wrong(
+            "there is an equilibrium for which your answer gives neither a gain nor an empty list"
+        )
     return "each gain draws the motions near its equilibrium to it, and where there is none no gain does"
 
 
@@ -109,7 +111,7 @@ def _judge_gain(flow, state, equilibrium, gain):
         stable = verdict == "asymptotically stable"
     if not stable:
         raise Wrong(
-            f"with your gain the equilibrium {point_text(equilibrium)} is not as required: {reason}"
+            f"with your gain the equilibrium {point_text(equilibrium)} is not asymptotically stable: {reason}"
         )
 
 
@@ -120,8 +122,8 @@ def _judge_no_gain(flow, state, equilibrium):
         return
     if slowest < -ON_BORDER:
         raise Wrong(
-            f"some gain makes the equilibrium {point_text(equilibrium)} asymptotically stable: no mode "
-            "that stays the same forbids it"
+            f"some gain makes the equilibrium {point_text(equilibrium)} asymptotically stable: every "
+            "mode that no gain changes decays"
         )
     verdicts = {
         _stability_from_motions(flow, tuple(state), tuple(equilibrium), gain)[0]

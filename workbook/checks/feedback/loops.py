@@ -146,8 +146,11 @@ class Requirement:
         def message(values, holds):
             if undefined(values):
                 return f"an entry of {answer_name} has no value{where_text(values)}"
+            stability = (
+                "stable with the required margin" if self.margin else "asymptotically stable"
+            )
             return (
-                f"with {answer_name} {matrix_name} is not as required{where_text(values)}: "
+                f"with {answer_name} {matrix_name} is not {stability}{where_text(values)}: "
                 f"{spectrum.describe(values)}"
             )
 
@@ -220,9 +223,9 @@ def _judge(gain, loop, matrix_name, requirement, pair):
     if gain is None:
         if not requirement.impossible(pair):
             raise Wrong(
-                "some gain makes the spectrum as required: no mode that stays the same forbids it"
+                "some gain makes the spectrum as required: the modes that no gain changes allow it"
             )
-        return "there is no such gain: a mode that no gain changes forbids it"
+        return "there is no such gain: a mode that no gain changes does not allow it"
     # That no gain exists would be the answer, so the message does not say it.
     message = requirement.judge(loop, gain, matrix_name)
     if requirement.polynomial is not None:
@@ -342,8 +345,8 @@ def observer_feedback_gains(gains, system, parameters=(), given=sp.true, margin=
     ]
     if gains is None:
         if not any(requirement.impossible(pair) for *_, pair in parts):
-            raise Wrong("there are such gains: no mode that stays the same forbids it")
-        return "there are no such gains: a mode that no gain changes forbids it"
+            raise Wrong("there are such gains: the modes that no gain changes allow it")
+        return "there are no such gains: a mode that no gain changes does not allow them"
     _, message = [_judge(gain, *part) for gain, part in zip(gains, parts)]
     return f"{message}, and so do those of A + BK"
 

@@ -156,8 +156,10 @@ def _judge_mode(value, vector, A, H, values, where):
     if not (abs(output @ column) <= EXACT * output_size + abs(output) @ vector_uncertainty).all():
         k = int(abs(output @ column).argmax())
         raise Wrong(
-            "the output shows it: H v has the component "
+            "the mode is not unobservable: H v has the component "
             f"{number_text((output @ column)[k, 0])}{where}, not 0"
         )
     if not root.real > -ON_BORDER:
-        raise Wrong(f"a mode with lambda = {number_text(root)} decays{where}, and forbids nothing")
+        raise Wrong(
+            f"a mode with lambda = {number_text(root)} decays{where}, so that it does not prevent detectability"
+        )

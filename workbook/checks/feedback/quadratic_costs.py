@@ -16,6 +16,7 @@ from workbook.checks.feedback.loops import Gain
 from workbook.checks.references import processes, regulators
 from workbook.checks.references.fixed_modes import ON_BORDER
 from workbook.checks.tools.comparisons import SameEntries, SameMembers, SameValue
+from workbook.checks.tools.riccati_terms import innovation_text, wrong_degree_text
 from workbook.checks.tools.samples import allowed_values, in_every_case
 from workbook.checks.tools.values import matrix_at, numbers_at, uncertainty_at
 from workbook.checks.tools.wording import entry_text, number_text, where_text
@@ -45,11 +46,14 @@ def optimal_gain(claim, problem, time=None, parameters=(), given=sp.true):
     if claim is None:
         if problem.anywhere or problem.duration != sp.oo or regulators.exists(problem):
             raise Wrong(
-                "there is a best law: what could forbid it is a mode that does not decay and is "
-                "not controlled or, if all states are to come to zero, one on the imaginary axis "
-                "that the cost does not see"
+                "there is a best law: none exists only if a mode that does not decay is "
+                "uncontrollable or, where all states have to come to zero, if one on the imaginary "
+                "axis is unobservable in the cost"
             )
-        return "no law is the best one: a mode stands in the way that the control or the cost does not reach"
+        return (
+            "no law is the best one: a mode that does not decay is uncontrollable, or one on the "
+            "imaginary axis is unobservable in the cost"
+        )
     for values, regulator, instant in _regulators_in_time(problem, time, claim, parameters, given):
         if np.isfinite(regulator.duration) or regulator.anywhere:
             true, message = regulator.gain_for(regulator.least(instant)), _control_message
@@ -87,8 +91,8 @@ def _improved_gain(claim, regulator, values):
 def _control_message(values):
     def message(claimed, i, j):
         return (
-            "from some states another control than yours leads to the least "
-            f"cost{where_text(values)}: look at the "
+            "with your gain the cost from some states is greater than the least "
+            f"one{where_text(values)}: look at the "
             f"entry ({i + 1}, {j + 1}) of K, where yours is {number_text(claimed[i, j])}"
         )
 
@@ -234,8 +238,17 @@ def cost_riccati_equation(claim, problem, cost, parameters=()):
             claim,
             sum(terms),
             lambda claimed, i, j: (
-                f"with S of these values{where_text(values)} the least cost changes at another "
-                f"rate: your entry ({i + 1}, {j + 1}) is {number_text(claimed[i, j])}"
+                f"your entry ({i + 1}, {j + 1}) is {number_text(claimed[i, j])}{where_text(values)}; it "
+                "is not that of the Riccati equation of the cost: "
+                + wrong_degree_text(
+                    claim,
+                    values,
+                    sorted(cost.free_symbols, key=str),
+                    terms[2],
+                    terms[0] + terms[1],
+                    sum(map(abs, terms)),
+                    "S",
+                )
             ),
             values,
             sum(map(abs, terms)),
@@ -259,7 +272,7 @@ def steady_cost(claim, problem, process, parameters=(), given=sp.true):
         yield SameValue(
             claim,
             factor * np.trace(weight @ covariance),
-            "the mean cost of the loop with the best gains",
+            "the mean cost, from the stationary covariance of the loop with the best gains,",
             values,
         )
     return "the covariance of the whole loop with the best gains has this cost"
@@ -296,8 +309,16 @@ def controller_equations(claim, problem, process, estimates, outputs, parameters
             sum(terms),
             lambda claimed, i, j: (
                 f"your rate of change of {estimates[i]} is "
-                f"{number_text(claimed[i, 0])}{where_text(values)}; the system with "
-                "its control and the best use of the innovation together change it at another rate"
+                f"{number_text(claimed[i, 0])}{where_text(values)}; "
+                + innovation_text(
+                    claim,
+                    values,
+                    outputs,
+                    model.H @ e,
+                    terms[0] + terms[1],
+                    sum(map(abs, terms)),
+                    controlled=True,
+                )
             ),
             values,
             sum(map(abs, terms)),

@@ -83,8 +83,8 @@ def optimal_costate(claims, problem, time, parameters=None):
             <= (10 * costate.rounding * largest * units + costate.uncertainty(0.0, values)[0])[free]
         ):
             raise Wrong(
-                f"{where}at the beginning your costates are {point_text(initial)}; what is free "
-                "there has none"
+                f"{where}at the beginning your costates are {point_text(initial)}; that of a state "
+                "whose initial value is free does not vanish there, against transversality"
             )
     return (
         "adjoint equations, maximum condition and transversality hold along the best process found"
@@ -107,8 +107,8 @@ def optimal_switching(claim, problem, time):
             <= 4 * function.rounding * size + function.uncertainty(t, {})[0][0]
         ):
             raise Wrong(
-                f"at t = {t:.4g} your function is {claimed:.4g}; dH/du has another "
-                f"{'sign' if claimed * true < 0 else 'value'} there, if the costate that "
+                f"at t = {t:.4g} your function is {claimed:.4g}; it does not have the "
+                f"{'sign' if claimed * true < 0 else 'value'} of dH/du there, if the costate that "
                 "transversality and H = 0 "
                 f"determine at the end is followed back along the best process"
             )
@@ -129,8 +129,8 @@ def _require_adjoint_equation(
     if not np.all(np.abs(slope - expected) <= allowed):
         j = int(np.argmax(np.abs(slope - expected) / units))
         raise Wrong(
-            f"{location} the adjoint equation for {state[j]} does not hold: with your costates it "
-            "demands another derivative than theirs"
+            f"{location} the adjoint equation for {state[j]} does not hold: your costate does not "
+            f"change at the rate -dH/d{state[j]}"
         )
 
 
@@ -157,7 +157,7 @@ def _require_maximum(extended, best, y, u, rounding, duration, location, uncerta
     if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (
         size + best.units.cost / best.units.time
     ) + H_uncertainty:
-        raise Wrong(f"{location} H with your costates is not what a free duration demands")
+        raise Wrong(f"{location} H with your costates is not zero, as a free duration requires")
 
 
 def _require_equal_at_jumps(costate, best, values, sign, where):

@@ -97,7 +97,7 @@ def extremum_value(claim, functional, parameters=()):
                     "no motion with the given ends attains it"
                     if unattainable
                     else "there is a motion with the given ends that does better",
-                    f"it is not the {_word(functional)} one",
+                    f"it is not the {_word(functional)} value on motions with the given ends",
                 )
             )
     return f"direct optimisation finds this {_word(functional)} value"
@@ -220,8 +220,8 @@ class _Motion:
                     claimed, lambda motion: motion._value(k, point)
                 ):
                     raise Wrong(
-                        f"{self.where}{self._name(k)} is {claimed:.4g} at t = {point:.4g} for your "
-                        "motion, and another value is given"
+                        f"{self.where}your motion does not satisfy a condition that is given at an end: "
+                        f"{self._name(k)} is {claimed:.4g} at t = {point:.4g}"
                     )
 
     def require_stationary(self):

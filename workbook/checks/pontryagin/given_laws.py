@@ -53,9 +53,12 @@ def motion_under_law(claims, problem, law, time, parameters, by=None):
                 claimed = value_at(claim, point, str(name))
                 if not agree(claimed, true, claim, scale, COMPUTED, uncertainty_at(claim, point)):
                     raise Wrong(
-                        f"for {rounded_text(point)} your {name} is {claimed:.4g}; under the law given "
-                        "the motion that starts as it should "
-                        + ("has another value there" if k else "begins otherwise")
+                        f"for {rounded_text(point)} your {name} is {claimed:.4g}; this "
+                        + (
+                            "is not reached under the given law, if the initial conditions hold"
+                            if k
+                            else "does not satisfy the initial condition"
+                        )
                     )
     return f"it is the motion under the law{tried_text(parameters, 'times')}"
 
@@ -83,8 +86,8 @@ def final_value_under_law(claim, quantity, problem, law, time, unknown, paramete
         if not agree(claimed, true, claim, size, 10 * COMPUTED, uncertainty_at(claim, values)):
             # The true number would be the answer itself where there are no parameters.
             raise Wrong(
-                f"{prefix_text(values)}your {quantity} is {claimed:.4g}; if the constants of the law are "
-                "chosen so that the conditions at the end hold, it is another number"
+                f"{prefix_text(values)}your {quantity} is {claimed:.4g}; this is not its value where the "
+                "constants of the law satisfy the conditions at the end"
             )
     return f"it is what the conditions at the end make it{tried_text(parameters)}"
 

@@ -178,8 +178,8 @@ def maximising_control(answer, problem, costates, domain=None):
             rival_values
         ) - 0.01 * np.ptp(claimed_values):
             raise Wrong(
-                f"for {rounded_text(values)} your control gives H = {H(*numbers, *claimed)[0]:.4g}, "
-                "and another admissible one more"
+                f"for {rounded_text(values)} your control does not maximise H: it gives H = "
+                f"{H(*numbers, *claimed)[0]:.4g}, and another admissible control gives more"
             )
     return f"no admissible control gives a greater H, tried at {SAMPLES} places"
 
@@ -261,7 +261,7 @@ def _require_sign(claim, slope, control, costate_values, domain):
             values, holds = point
             raise Wrong(
                 f"for {values_text(values)}, H {verb if holds else negated_verb} with {control}, and your "
-                "function has another sign"
+                "function does not have the sign of dH/du"
             )
 
 

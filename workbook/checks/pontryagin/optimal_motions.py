@@ -53,7 +53,10 @@ def optimal_motion(claims, problem, time, parameters=None):
                 has_initial_value
             ]
         ):
-            raise Wrong(f"{where}your motion starts at {point_text(start)}, not where it should")
+            raise Wrong(
+                f"{where}your motion does not satisfy the initial conditions: it starts at "
+                f"{point_text(start)}"
+            )
         states = [_admissible_state(motion, t, values, best, problem, where) for t in best.times]
         for j, name in enumerate(problem.dynamics):
             for t in jumps(lambda times, j=j: motion.values(times, values)[j], best.duration):

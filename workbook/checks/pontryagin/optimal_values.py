@@ -40,6 +40,8 @@ ABSENT, GROWN = 1e-13, (1e-2, 1e-6)
 #: Tolerance within which two points lie on both sides of a kink, and the largest ratio of the change
 #: of an expression between them to that of the reference.
 BESIDE, LEAPS = 1e-5, 4
+#: The name in messages of what a process is compared by; a cost may be a speed.
+NOUNS = {"cost": "value", "duration": "duration"}
 #: Relative accuracy of the range of a quantity along the best process.
 RANGE_ACCURACY = 5e-4
 
@@ -68,7 +70,7 @@ def optimal_cost(claim, problem, parameters=None):
         else None
     )
     processes = best_processes(problem, parameters, 2 * SAMPLES)
-    for (values, best), claimed, uncertain in _evaluated(varying, processes, "the cost"):
+    for (values, best), claimed, uncertain in _evaluated(varying, processes, "the value"):
         where = prefix_text(values)
         removed_constant = float(constant.subs(values))
         kept_constant = best.units.constant - removed_constant
@@ -80,7 +82,7 @@ def optimal_cost(claim, problem, parameters=None):
             computed=COSTS,
             uncertain=uncertain,
         )
-        if not (agrees(claimed) or agrees(claimed := value_at(varying, values, "the cost"))):
+        if not (agrees(claimed) or agrees(claimed := value_at(varying, values, "the value"))):
             claimed += removed_constant
             unattainable = (claimed < best.cost + best.units.constant) != problem.maximise
             raise Wrong(
@@ -129,14 +131,16 @@ def _require_cost_at_kinks(claim, problem, parameters, processes, quantity):
     )
     compared = []
     for (values, best), claimed, uncertain in (
-        _evaluated(claim, processes_at_kinks, f"the {quantity}") if processes_at_kinks else ()
+        _evaluated(claim, processes_at_kinks, f"the {NOUNS[quantity]}")
+        if processes_at_kinks
+        else ()
     ):
         true = getattr(best, quantity)
         if not agree(claimed, true, claim, size, max(INTEGRATED, best.MISSED), uncertain):
             raise Wrong(
                 f"{prefix_text(values)}your expression goes over from one form to another, and gives "
-                f"{claimed:.4g} next to that; the {quantity} of the best process found is "
-                + directed("less" if claimed > true else "greater", "another one")
+                f"{claimed:.4g} next to that; the {NOUNS[quantity]} of the best process found is "
+                + directed("less" if claimed > true else "greater", "not this")
             )
         compared.append((values, claimed, true))
     for first, second in itertools.pairwise(compared):
@@ -151,7 +155,7 @@ def _require_cost_at_kinks(claim, problem, parameters, processes, quantity):
         ):
             raise Wrong(
                 f"{prefix_text(values)}your expression jumps, from one form to another; next to that "
-                f"the {quantity} of the best process found hardly changes"
+                f"the {NOUNS[quantity]} of the best process found hardly changes"
             )
 
 
@@ -177,7 +181,7 @@ def _require_remaining_cost(claim, cost_of, values, best, starts, parameters, ke
             f"from the start {point_text(states[:, k])} your value is {value_text}; for the best "
             "process found it is "
             + (
-                directed("greater" if true[k] > claimed[k] else "less", "another one")
+                directed("greater" if true[k] > claimed[k] else "less", "not this number")
                 if np.isfinite(claimed[k])
                 else "a real number"
             )
@@ -240,7 +244,7 @@ def initial_arc_duration(claim, problem, control, value, parameters):
                     else "for a shorter time"
                     if true
                     else "at no time in the beginning",
-                    "for another time",
+                    "not just so long",
                 )
             )
     _require_corner(claim, true_durations)

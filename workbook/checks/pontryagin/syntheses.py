@@ -85,7 +85,7 @@ def _time_optimal(claim, data, curve):
             continue
         raise Wrong(
             f"{reference.start_text(subset, 0)} your law gives {control} = {law(subset.x, subset.case)[0]:.4g}, and "
-            "the fastest motion from there begins with another value"
+            "the fastest motion from there does not begin with it"
         )
     _judge_next_to_curves(readings_of_law, reference, control)
     _judge_change(law, reference, batch, control)
@@ -112,7 +112,7 @@ def _judge_next_to_curves(laws, reference, control):
     for k in differ[:1]:
         raise Wrong(
             f"{reference.start_text(batch, k)} your law gives {control} = {claimed[0][k]:.4g}, and the fastest "
-            "motion from there begins with another value"
+            "motion from there does not begin with it"
         )
 
 
@@ -133,7 +133,7 @@ def _judge_on_extremals(laws, reference, control):
         )
         raise Wrong(
             f"{reference.start_text(batch, k)} your law gives {value_text}, and the fastest motion from there "
-            "begins with another value"
+            "does not begin with it"
         )
 
 
@@ -162,7 +162,7 @@ def _judge_change(law, reference, batch, control):
     for k in np.flatnonzero(np.isfinite(optima.time)):
         raise Wrong(
             f"{reference.start_text(optima, k)} your law gives {control} = {law(optima.x, optima.case)[k]:.4g}, "
-            "and the fastest motion from there begins with another value"
+            "and the fastest motion from there does not begin with it"
         )
 
 

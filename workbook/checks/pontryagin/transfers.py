@@ -42,8 +42,8 @@ def meeting_time(claim, problem, count):
         ):
             if number == 0:
                 raise Wrong(
-                    f"the start lies on the target already; for {count} = 0 your expression gives "
-                    "another time than that of the start"
+                    f"the initial state lies on the target already; for {count} = 0 your expression "
+                    "does not give the initial time"
                 )
             message = (
                 "no real number"
@@ -186,8 +186,8 @@ def switching_count(answer, problem, parameters=()):
         if claimed is None or not abs(claimed - count) <= 1e-9:
             message = "no real number" if claimed is None else f"{claimed:.4g}"
             raise Wrong(
-                f"for {values_text(values)} your expression gives {message}; the fastest control "
-                "switches another number of times"
+                f"for {values_text(values)} your expression gives {message}; this is not how "
+                "often the fastest control switches"
             )
     return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
 

@@ -74,7 +74,7 @@ def judge_everywhere(matrix, parameters, domain, undefined, dependent=None):
                 parameters,
                 exactly(sp.true, domain()),
                 lambda values, holds: (
-                    f"{failure} for {values_text(values)}, where the answer is to serve too"
+                    f"{failure} for {values_text(values)}, where the answer has to hold too"
                 ),
             )
 
@@ -107,7 +107,7 @@ def judge_factors(expressions, variables, domain, failure):
             _, point = decide(sp.Ne(factor, 0), symbols, exactly(sp.true, condition))
             if point:
                 raise Wrong(
-                    f"{failure} for {values_text(point[0])}, where the answer is to serve too"
+                    f"{failure} for {values_text(point[0])}, where the answer has to hold too"
                 )
 
 

@@ -202,6 +202,25 @@ def filter_gain(process, covariance):
     return np.linalg.solve(innovation_covariance.T, process.H @ covariance.T).T
 
 
+def changes_covariance(process, covariance, after):
+    """Return whether the Riccati equation changes an error covariance, in discrete time in one step.
+
+    With `after`, in discrete time, the covariance is that after a measurement. Raises
+    `numpy.linalg.LinAlgError` where exact measurements leave no gain.
+    """
+    A, H, Q = process.A, process.H, process.Q
+
+    def updated(P):
+        return P - filter_gain(process, P) @ H @ P
+
+    if not process.discrete:
+        terms = A @ covariance, covariance @ A.T, Q, updated(covariance) - covariance
+    else:
+        new = updated(A @ covariance @ A.T + Q) if after else A @ updated(covariance) @ A.T + Q
+        terms = new, -covariance
+    return abs(sum(terms)).max() > 1e-9 * sum(map(abs, terms)).max()
+
+
 def error_covariance(process, gain):
     """Return the stationary covariance of the errors x - y of y' = A y + L (z - H y).
 

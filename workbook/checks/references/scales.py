@@ -124,8 +124,8 @@ def judge_at_every_scale(claim, problem, parameters, points, weight, quantity):
         ):
             raise Wrong(
                 f"{prefix_text(dict(zip(symbols, at[k])))}your {quantity} is {numbers[k]:.6g}. In other "
-                "units the problem is the same, but there your expression is another "
-                f"{quantity}: {prefix_text(dict(zip(symbols, scaled_points[k])))}it is "
+                "units the problem is the same, but there your expression does not give "
+                f"the same {quantity}: {prefix_text(dict(zip(symbols, scaled_points[k])))}it is "
                 + (f"{scaled_values[k]:.6g}" if np.isfinite(scaled_values[k]) else "no real number")
             )
 

@@ -282,7 +282,7 @@ class Spectrum:
                 self.margin
             )
         except OverflowError:
-            return "so says Routh's scheme, with coefficients beyond 1e308"
+            return "by Routh's scheme, with coefficients beyond 1e308"
         # Roots computed in floating point: below this the point lies on the imaginary axis, which
         # without a margin Routh has decided.
         on_axis = abs(largest) < 1e-7 and (

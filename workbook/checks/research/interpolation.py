@@ -41,7 +41,7 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
         yield SameValue(
             claim,
             true.real if abs(true.imag) < 1e-12 else math.nan,
-            "the quantity that was asked for",
+            "the quantity, computed from the polynomial through the table,",
             values,
             abs(true) + max(map(abs, interpolant_values.values())),
         )

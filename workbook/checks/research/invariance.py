@@ -60,4 +60,4 @@ def invariant_weights(claims, signal, nuisance, functional):
         yield SameEntries(
             claim, true[:, None], message, values, np.full((true.size, 1), np.abs(true).max())
         )
-    return "unbiased, blind to the nuisance and of least variance, for random values of the symbols"
+    return "unbiased, unaffected by the nuisance and of least variance, for random values of the symbols"

@@ -90,8 +90,8 @@ def digits_lost(number, transition, kappa, value):
     if not agree(claim, math.log10(greatest), number):
         factor = 10**claim if abs(claim) < 300 else math.inf
         raise Wrong(
-            f"an error would grow by the factor {factor:.4g} with every sample; multiplying a "
-            "vector many times by the transition matrix shows another factor"
+            f"by your answer an error grows by the factor {factor:.4g} with every sample; a vector "
+            "multiplied many times by the transition matrix does not"
         )
     return "powers of the transition matrix grow by this many digits a sample"
 
@@ -144,8 +144,8 @@ def weight_for_bound(claim, times, samples, rho, D):
             abs(acceleration - greatest) for acceleration in accelerations
         ):
             raise Wrong(
-                f"for {rounded_text(values)} the motion of least cost with your M = {weight:.4g} "
-                "has another greatest acceleration than D"
+                f"for {rounded_text(values)} the greatest acceleration of the motion of least cost "
+                f"with your M = {weight:.4g} is not D"
             )
     return "the motion of least cost with this weight has the greatest acceleration D, for random samples and bounds"
 
@@ -250,8 +250,8 @@ def weight_of_harmonic(claim, amplitude, omega, rho, D):
         size = values[rho] * values[amplitude] / (weight * values[omega] ** 4 + values[rho])
         if not abs(size * values[omega] ** 2 - values[D]) <= 1e-9 * values[D]:
             raise Wrong(
-                f"for {rounded_text(values)} your M = {weight:.4g} gives another greatest "
-                "acceleration than D"
+                f"for {rounded_text(values)} the greatest acceleration with your M = {weight:.4g} "
+                "is not D"
             )
     return "with this weight the greatest acceleration is D, for random measurements and bounds"
 

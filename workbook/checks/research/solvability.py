@@ -185,7 +185,7 @@ def range_modes(claims, matrix, sight, initial, rate, t):
             if not abs(claimed - true) <= ZERO * (abs(true) + np.abs(start).max() * (1 + time)):
                 raise Wrong(
                     f"for {rounded_text(values)} your four terms sum up to {claimed:.5g} at {t} = "
-                    f"{time:.3g}, and the range deviates by another number"
+                    f"{time:.3g}, which is not the deviation of the range"
                 )
     return "the four terms sum up to the deviation of the range at all times, for random directions and motions"
 
@@ -203,8 +203,8 @@ def observability_ranks(claims, matrix, sights):
         )
         if claim != int(np.sum(values_of > 1e-9 * values_of[0])):
             raise Wrong(
-                f"direction number {number}: the stacked matrix of many ranges has another rank "
-                f"than {claim}"
+                f"direction number {number}: the rank of the stacked matrix of many ranges is not "
+                f"{claim}"
             )
     return "the stacked matrices of many ranges have these ranks"
 
@@ -227,7 +227,7 @@ def stations_insufficient(answer, matrix, first, second):
 
     def message(values, holds):
         return f"for {values_text(values)} the ranges determine " + (
-            "not everything, yet your condition fails"
+            "not all unknowns, yet your condition fails"
             if holds
             else "everything, yet your condition holds"
         )

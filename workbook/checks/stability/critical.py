@@ -161,9 +161,9 @@ def unbounded_motion(answer, field, state, parameters, time, constants=(), progr
             ):
                 k = int(np.argmax(residuals))
                 raise Wrong(
-                    f"the equations are not satisfied: along your motion {part[k]}' is "
-                    f"{rate[k].real:.4g}, and the right-hand side is another number"
-                    f"{where_text(values)}, {time} = {moment}"
+                    f"the equation for {part[k]}' does not hold{where_text(values)} at {time} = "
+                    f"{moment}: the derivative of your {part[k]} is {rate[k].real:.4g}, and the "
+                    "right-hand side is not"
                 )
         early, late = (
             max(_logarithm(motion, values | {time: sp.Integer(moment)}) for moment in moments)

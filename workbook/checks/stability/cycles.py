@@ -77,8 +77,8 @@ def radial_motion(claim, field, state, time, start):
             )
             if not abs(stated - true) <= 1e-9 * (abs(true) + r) < math.inf:
                 raise Wrong(
-                    f"for r0 = {r0:g} your motion is at r = {r:.4g} when t = {t:.3g} and changes "
-                    f"at the rate {stated:.4g} there; the system demands another rate at this r"
+                    f"for r0 = {r0:g} your motion does not satisfy the equation for r': at t = {t:.3g} "
+                    f"its r is {r:.4g} and the derivative of its r is {stated:.4g}"
                 )
     return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
 

@@ -21,7 +21,10 @@ def equilibria(answer, field, state):
     claimed = [_equilibrium_at(flow, position) for position in _read_points(answer, state)]
     missed = [point for point in reference_points if not _is_member(point, claimed)]
     if missed:
-        raise Wrong("your list does not hold all of them: a search finds another")
+        raise Wrong(
+            "an equilibrium is missing: the right-hand sides vanish also at a point that is not in "
+            "your list"
+        )
     return "the right-hand sides vanish at all of them, and a search from 240 starts finds no other"
 
 
@@ -139,8 +142,7 @@ def _judge_spectrum(written, matrix, point):
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
             raise Wrong(
                 f"at {point_text(point)} your number {number_text(number)} is no eigenvalue of the "
-                "first "
-                f"approximation: det(lambda E - A) has the modulus {residual:.4g} there, not zero"
+                f"linearisation: det(lambda E - A) has the modulus {residual:.4g} there, not zero"
             )
         unmatched = [value for value in matching if value in remaining]
         if not unmatched:

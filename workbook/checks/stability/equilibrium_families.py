@@ -127,14 +127,14 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
         for matrix in claimed:
             if not any(_matrices_agree(matrix, reference, floor) for _, reference in references):
                 raise Wrong(
-                    f"the matrix {_matrix_text(matrix)}{where_text(values)} is at none of the "
-                    "stationary solutions that of the linear deviation equations"
+                    f"the matrix {_matrix_text(matrix)}{where_text(values)} does not consist of the "
+                    "partial derivatives of the right-hand sides at any stationary solution"
                 )
         for _, reference in references:
             if not any(_matrices_agree(matrix, reference, floor) for matrix in claimed):
                 raise Wrong(
-                    "a matrix is missing: your list does not hold that of the linear equations at one "
-                    f"of the stationary solutions{where_text(values)}"
+                    "a matrix is missing: at one of the stationary solutions the partial derivatives "
+                    f"of the right-hand sides form a matrix that is not in your list{where_text(values)}"
                 )
     return (
         "they are the matrices of the linear deviation equations at the stationary solutions "

@@ -52,8 +52,8 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
             prescribed = complex(sp.sympify(expression).subs(at).evalf(20))
             if not abs(position[symbol] - prescribed) <= 1e-9 * (1 + abs(prescribed)):
                 raise Wrong(
-                    f"this is not the program: {where} your {symbol} is "
-                    f"{position[symbol].real:.4g}, and another value is prescribed"
+                    f"your motion does not follow the given program of {symbol}: {where} your "
+                    f"{symbol} is {position[symbol].real:.4g}, and that of the program is not"
                 )
         for symbol, rate, right_side in zip(state, rates, field):
             rate_value = number_at(rate, at, f"the derivative of your {symbol}")
@@ -68,7 +68,7 @@ def nominal_motion(answer, field, state, parameters, program, controls, time):
             ):
                 raise Wrong(
                     f"the equation for {symbol}' does not hold: {where} the derivative of your "
-                    f"{symbol} is {rate_value.real:.4g}, and the right-hand side is another number"
+                    f"{symbol} is {rate_value.real:.4g}, and the right-hand side is not"
                 )
     return "it is the program, and all equations hold at random times and parameters"
 

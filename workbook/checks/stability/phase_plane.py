@@ -175,8 +175,12 @@ def phase_curve(answer, field, state, parameters, through, domain=None):
             if not abs(dy * velocity[0] - velocity[1]) <= allowed < math.inf:
                 steep = abs(velocity[0]) <= 1e-9 * abs(velocity[1])
                 raise Wrong(
-                    f"{where} your curve has the slope {dy:.4g}, but a motion that is there moves "
-                    + ("straight up or down" if steep else "along another slope")
+                    f"{where} your curve has the slope {dy:.4g}, but a motion that is there "
+                    + (
+                        "moves straight up or down"
+                        if steep
+                        else "crosses it: the slope is not the ratio of the right-hand sides"
+                    )
                 )
         for end_x, end_y in through:
             middle = sum(endpoints(first, domain)) / 2

@@ -196,8 +196,7 @@ def judge_form(claim, pair, form):
             claimed_value = number_text(np.polyval(claimed_polynomial, difference_point))
             raise Wrong(
                 f"the characteristic polynomials differ{where_text(values)}: at lambda = "
-                f"{difference_point} that of your matrix is {claimed_value}, and that of A another "
-                "number"
+                f"{difference_point} that of your matrix is {claimed_value}, and that of A is not"
             )
     judge_everywhere(
         claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"

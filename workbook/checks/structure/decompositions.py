@@ -101,8 +101,8 @@ def canonical_observable_part(answer, system, parameters=()):
         claimed = matrix_at(output, values)
         if not abs(claimed - np.eye(len(claimed), claimed.shape[1])).max(initial=0) <= 1e-6:
             raise Wrong(
-                f"in the form (2.5) z is the first coordinate alone{where_text(values)}; that is "
-                "not what your H1 says"
+                "in the form (2.5) z is the first coordinate alone, and with your H1 it is "
+                f"not{where_text(values)}"
             )
         shape_of_form(matrix_at(matrix, values), tolerance, BY_OBSERVATION, where_text(values))
     return _judge_part(matrix, output, pair)

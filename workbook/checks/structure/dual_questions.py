@@ -59,7 +59,7 @@ class Side:
     pencil: str
     vector: str  # the eigenvector of the PBH test
     spectrum: str = "eigenvalue of A"
-    subspace: str = "what is unseen"
+    subspace: str = "the unobservable states"
     basis_right: str = "from each of them z stays zero, they are independent, and there are no more"
     shows: Callable = _output_shows  # text on a wrong vector of a basis
     nearly_zero: str = "the motion from your vector {k} does not keep z = 0 to three digits"
@@ -82,13 +82,13 @@ OUTPUT = Side(
 CONTROL = Side(
     "controllable",
     "not controllable",
-    "combination of the coordinates on which the control has no effect",
-    "the control has an effect on every combination of the coordinates",
+    "linear combination of the coordinates, not zero, on which the control has no effect",
+    "the control has an effect on every linear combination of the coordinates but zero",
     "W",
     "column",
     "(A - lambda E, B)",
     "row w with w A = lambda w and w B = 0",
-    subspace="what the control has no effect on",
+    subspace="the combinations on which the control has no effect",
     shows=_control_changes,
     basis_right="the control has no effect on any of them, they are independent, and there are no more",
     nearly_zero="the control changes your combination {k}, though little",

@@ -83,7 +83,7 @@ def augmented_system(answer, system, parameters=(), own=False):
             claimed_H[:, w],
             uncertainties,
             _error_derivatives(pair, point, n, matrix.rows),
-            values,
+            where_text(values),
         )
     return (
         "its outputs are those of the motions with every error of the kind, and no coordinate of "
@@ -178,6 +178,6 @@ def _compare_errors(S, c, uncertainties, derivatives, where):
     )
     if not np.linalg.norm(mismatch) <= 10 * EXACT * np.linalg.norm(reference) + allowed:
         raise Wrong(
-            "from no start do your coordinates of the error give the error of the "
+            "from no initial state do your coordinates of the error give the error of the "
             f"statement{where}: the derivatives of z at t = 0 do not agree"
         )

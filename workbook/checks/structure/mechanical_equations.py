@@ -68,7 +68,7 @@ def mechanical_equations(claim, system, parameters=()):
                     f"{point[1] + 1 if claimed_part.shape[1] > 1 or name == 'q' else ''} enters the "
                     f"acceleration of q{point[0] + 1} with the coefficient "
                     f"{number_text(sign * claimed_part[point])}"
-                    f"{where_text(values)}, and that is not what the energies give"
+                    f"{where_text(values)}: this does not satisfy Lagrange's equations of the given energies"
                 ),
                 1.0,
             )

@@ -114,7 +114,7 @@ class _LinearEquation:
         ):
             raise Wrong(
                 f"beside the terms with {self.names[0]}, {self.names[1]} and their derivatives "
-                "your equation has another one, so that it fails at rest without control"
+                "your equation has a term without any of them, so that it fails at rest without control"
             )
 
     def judge_everywhere(self, order, parameters, condition):

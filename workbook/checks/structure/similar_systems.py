@@ -107,20 +107,19 @@ def difference_text(A, new_A, part, part_output, values, side):
                 number_text(np.polyval(poly, point)) for poly in (true, claimed)
             )
             message = (
-                f"det(lambda E - A) at lambda = {point} is {claimed_value} for your matrix, and another number "
-                "for the given one"
+                f"det(lambda E - A) at lambda = {point} is {claimed_value} for your matrix, and "
+                "not for the given one: the characteristic polynomials differ"
                 if true_value != claimed_value
                 else "by rounding, your matrix has other eigenvalues; exact numbers would be safe"
             )
             return f"no change of variables turns the given system into yours: {message}{where_text(values)}"
     if not _observable(part, part_output):
         return f"in your system the part xi is not {side.part}{where_text(values)}"
-    if side.by_control:
-        return (
-            f"no change of variables turns the given system into yours{where_text(values)}: "
-            "controls have another influence there"
-        )
-    return f"no change of variables turns the given system into yours{where_text(values)}: it has other functions z(t)"
+    return f"no change of variables turns the given system into yours{where_text(values)}: " + (
+        "started at zero, the same control does not lead both to corresponding states"
+        if side.by_control
+        else "its outputs z(t) are not those of the given system"
+    )
 
 
 def point_of_difference(claimed, true):

@@ -100,7 +100,7 @@ def output_gramian(claim, system, duration, parameters):
             true,
             lambda claimed, i, j: (
                 f"{prefix_text(values)}the entry ({i + 1}, {j + 1}) of your matrix is "
-                f"{number_text(claimed[i, j])}, and the integral is not"
+                f"{number_text(claimed[i, j])}; with it x(0)^T G x(0) is not the integral of z^2"
             ),
             values,
             np.linalg.norm(true),

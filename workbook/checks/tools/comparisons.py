@@ -70,7 +70,7 @@ class SameValue:
             uncertainty_at(self.claim, self.values),
         ):
             if self.constant or not self.values:
-                raise Wrong(f"{self.quantity} is another number than {value:.4g}")
+                raise Wrong(f"{self.quantity} is not {value:.4g}, which your answer gives")
             raise Wrong(
                 f"for {rounded_text(self.values)}, {other_text(self.quantity, value, self.true)}"
             )

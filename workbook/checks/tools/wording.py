@@ -86,8 +86,8 @@ def deviation_rate_text(symbol, values, true):
     k = max(range(len(values)), key=lambda i: abs(values[i] - true[i]))
     right_hand_side = "the right-hand side" if len(values) == 1 else f"right-hand side {k + 1}"
     return (
-        f"a small deviation of {symbol} alone changes {right_hand_side} at another rate than "
-        f"yours, {number_text(values[k])}"
+        f"the partial derivative of {right_hand_side} with respect to {symbol} is not "
+        f"{number_text(values[k])}, which your answer gives"
     )
 
 

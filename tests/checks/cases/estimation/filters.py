@@ -267,6 +267,21 @@ CASES = [
         "wrong",
         "the variances alone",
     ),
+    Case(
+        "steady_covariance",
+        0,
+        (Process(A=1, Q=0, H=1, R=R), [R]),
+        "wrong",
+        "a root with which the errors grow",
+    ),
+    Case("steady_covariance", [[1, 2], [3, 4]], (CART, [Q, R]), "wrong", "a matrix not symmetric"),
+    Case(
+        "steady_covariance",
+        0,
+        (Process(A=2, Q=Q, H=1, R=0, discrete=True), [Q]),
+        "wrong",
+        "no gain, for exact measurements",
+    ),
     Case("steady_covariance", sp.true, (CART, [Q, R]), "invalid", "a truth value"),
     Case(
         "steady_gain",
@@ -389,6 +404,7 @@ CASES = [
         "wrong",
         "the sign of the measurement",
     ),
+    Case("riccati_equation", RATES + P, (CART, P, [Q, R]), "wrong", "one more linear term"),
     Case("riccati_equation", [1, 2, 3], (CART, P, [Q, R]), "invalid", "three entries"),
     Case(
         "riccati_equation",

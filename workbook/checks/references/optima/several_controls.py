@@ -88,8 +88,9 @@ class Optimum:
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        comparison = directed("earlier" if duration > self.duration else "later", "at another time")
-        return f"the best process found ends {comparison}"
+        return "the best process found " + directed(
+            "ends earlier" if duration > self.duration else "ends later", "does not end then"
+        )
 
     def cost_size(self):
         """Return the size of the terms of the cost."""

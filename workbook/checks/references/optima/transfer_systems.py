@@ -108,7 +108,7 @@ class ScalarTransfer(TransferSystem):
     def time_message(self, start, claimed, true):
         return "moving towards the target as fast as the bounds allow, the state " + directed(
             "has not arrived by then" if claimed < true else "arrives earlier",
-            "arrives at another time",
+            "does not arrive just then",
         )
 
     def switchings(self, start, duration):
