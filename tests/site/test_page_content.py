@@ -114,7 +114,7 @@ def test_every_picture_is_an_svg_with_number_caption_and_alternative_text(pages)
             seen += 1
             caption = picture.find_parent("figure") and picture.find_parent("figure").figcaption
             label = (
-                re.match(r"Figure \d+\.\d+[a-z]?(?=\. )", caption.get_text().strip())
+                re.match(r"Figure (\d+\.)?\d+[a-z]?(?=\. )", caption.get_text().strip())
                 if caption
                 else None
             )
