@@ -42,7 +42,7 @@ PICTURES = """Promise.all([...document.querySelectorAll('article figure img')].m
         "solutions/ch4/p20.html",
         "solutions/ch5/p19.html",
         "solutions/ch7/p03.html",
-        "book/ch5/synthesis.html",
+        "book/ch5/example_circle.html",
     ],
 )
 def test_the_letters_of_a_picture_are_legible_on_a_phone(browser, addresses, page):
