@@ -47,11 +47,9 @@ TYPES += ("saddle", "centre")
 def stationary_points(answer, field, state, parameters, domain=None, zeros=None):
     """Check all stationary points in the domain, as expressions in the parameters.
 
-    The answer is one point, or a list of points.
-
-    A point whose formula is not real, or leaves the domain, for some values of the parameters
-    stands for no point there. Where derivatives vanish at a point as well, `zeros` are
-    functions that have the same zeros, all simple.
+    The answer is one point, or a list of points. A point whose formula is not real, or leaves the
+    domain, for some values of the parameters stands for no point there. Where derivatives vanish
+    at a point as well, `zeros` are functions that have the same zeros, all simple.
     """
     searched = stationary_points_of(field if zeros is None else zeros, state, parameters, domain)
     return _judge_points(
