@@ -16,7 +16,7 @@ e_unseen = [[1, 0]]  # Are these the states that a single moment does not show? 
 f_observable = False  # The output is that of item c, but is the system? (hint 1)
 f_unseen = [[1, -1]]  # Does z stay zero on this line, or only for a moment? (hint 1)
 g_observable = True  # Does a regular matrix make a system observable? (hint 1)
-g_unseen = [[0, 1]]  # Is this the measured direction instead of the unseen one? (hint 1)
+g_unseen = [[0, 1]]  # Is this the measured direction instead of the unobservable one? (hint 1)
 # Does a double eigenvalue spoil observability? Count its eigenvectors. (hint 2)
 h_observable = False
 h_unseen = [[1, -1]]  # Does z stay zero on this line, or only for a moment? (hint 1)

@@ -15,7 +15,7 @@ c_observable = True
 # Was a sign lost when z and its derivative were put to zero? Test the vector with both equations.
 # (hint 1)
 c_unseen = [[0, 1, 1]]
-# Do these states stay unseen as time goes on, or only at the first moment? (hint 2)
+# Do these states stay unobservable as time goes on, or only at the first moment? (hint 2)
 c_unseen = [[0, 1, 0], [0, 0, 1]]
 c_unseen = [[0, 0, 0]]  # Can the zero vector belong to a basis? (hint 1)
 # Is it enough that all three coordinates enter z or its derivative? They may enter in one

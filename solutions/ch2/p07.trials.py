@@ -31,7 +31,7 @@ d_lost = [0]  # Is this number a root of the system at all? (hint 1)
 d_lost = [1, -1]  # Do both signs go together when there are gyroscopic terms? (hint 1)
 d_observable = True  # Is it enough that the velocities of both coordinates enter? (hint 1)
 d_unseen = [[-2, 1, -2, 1]]  # Was a sign lost in the initial velocity? (hint 1)
-# Are all starts along this line unseen, or only one? (hint 1)
+# Are all starts along this line unobservable, or only one? (hint 1)
 d_unseen = [[-2, 1, 0, 0], [0, 0, -2, 1]]
 
 # %% right

@@ -24,6 +24,7 @@ TEXTS = sorted(
 PHRASES = {
     r"programme (motion|trajector(y|ie))s?": "nominal trajectory, desired motion",
     r"programme controls?": "nominal control, desired control",
+    r"unseen (initial |real )?(states?|lines?|parts?|motions?|eigenvectors?|equilibria)": "unobservable motion",
     r"equations? in (the )?deviations?": "deviation equation",
     r"(position|place|point|state)s? of rest": "equilibrium, position of equilibrium",
     r"first approximation": "linearisation",
