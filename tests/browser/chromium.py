@@ -77,6 +77,15 @@ class Browser:
             sum(process.cpu_times()[:2]) for process in [driver, *driver.children(recursive=True)]
         )
 
+    def show_theme(self, theme):
+        """Show the light or the dark theme, at the end of all transitions from the other one."""
+        self.driver.execute_script(
+            """
+            document.documentElement.dataset.theme = arguments[0];
+            for (const fade of document.getAnimations().filter(a => a instanceof CSSTransition)) fade.finish();""",
+            theme,
+        )
+
     def run(self, script):
         return self.driver.execute_script(f"return {script}")
 

@@ -102,21 +102,13 @@ def test_icons_that_are_drawn_before_our_script_runs(browser, addresses, faults)
 
 @pytest.mark.parametrize("page", ["book/ch1/hurwitz.html", "solutions/ch1/p15.html"])
 def test_a_page_in_the_dark_theme(browser, addresses, faults, page):
-    assert (
-        faults(
-            f"{addresses['http']}/{page}",
-            lambda: browser.driver.execute_script(
-                "document.documentElement.dataset.theme = 'dark'"
-            ),
-        )
-        == []
-    )
+    assert faults(f"{addresses['http']}/{page}", lambda: browser.show_theme("dark")) == []
 
 
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_the_open_search_with_its_hits(browser, addresses, faults, search_for, theme):
     def search():
-        browser.driver.execute_script(f"document.documentElement.dataset.theme = '{theme}'")
+        browser.show_theme(theme)
         search_for("criterion")
         assert browser.wait_for("document.querySelector('#search-hits mjx-container')")
 

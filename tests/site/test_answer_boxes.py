@@ -570,9 +570,8 @@ def test_axe_finds_no_fault_in_boxes_with_all_their_outputs(page, browser, editi
     page.write("a_region", f"print(1)\n{WRONG}")
     page.write("b_region", "b_region = k1 > 0 and k2 > 0")
     page.run(0), page.run(1), page.run(2)
-    browser.driver.execute_script(
-        f"document.documentElement.dataset.theme = '{theme}'; localStorage.removeItem('workbook/python')"
-    )
+    browser.driver.execute_script("localStorage.removeItem('workbook/python')")
+    browser.show_theme(theme)
     axe = Axe(browser.driver)
     axe.inject()
     violations = axe.run("'.bd-article'", "{resultTypes: ['violations']}")["violations"]

@@ -153,11 +153,11 @@ def test_the_dark_theme_is_printed_as_dark_ink_on_white(browser, addresses, page
     browser.resize(1280, 900)
     browser.open(f"{addresses['http']}/{page}")
     theme = browser.run("document.documentElement.dataset.theme")
-    browser.run("document.documentElement.dataset.theme = 'dark'")
+    browser.show_theme("dark")
     browser.run(f"addEventListener('beforeprint', () => {{ window.inks = {INKS}; }})")
     browser.driver.execute_cdp_cmd("Page.printToPDF", {})
     *inks, ground = browser.run("window.inks")
     after = browser.run("document.documentElement.dataset.theme")
-    browser.run(f"document.documentElement.dataset.theme = '{theme}'")
+    browser.show_theme(theme)
     assert after == "dark" and len(inks) > 10 and min(ground) > 240
     assert max(sum(ink) / 3 for ink in inks) < 140
