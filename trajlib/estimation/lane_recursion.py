@@ -5,7 +5,8 @@ but the first from a guess. Then each lane starts again from the end of the one 
 it had; from there on that is right. Where this takes longer than a lane, None is returned.
 
 What has met stays together: the map of a step does not increase the distance of two covariances, the
-greatest |log| of an eigenvalue of P_1^-1 P_2 (P. Bougerol, 1993), nor that of two states, measured by P^-1.
+greatest |log| of an eigenvalue of P_1^-1 P_2 (P. Bougerol, SIAM Journal on Control and Optimization
+31, 1993), nor that of two states, measured by P^-1.
 """
 
 import numpy as np
