@@ -15,7 +15,7 @@ CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs page serve test test-quick test-page test-problem test-units clean
+.PHONY: help book book-student outputs page serve pdf bundle test test-quick test-page test-pdf test-problem test-units clean
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -23,13 +23,13 @@ help:  ## this list
 # Sphinx warns about a page only when it reads it: after a failed build all are to be read again.
 book: outputs page _build/wheels  ## execute what is stale and build the site in _build/html
 	$(BIN)/python book/build.py site || { rm -rf _build/.doctrees; exit 1; }
-	@rm -rf _build/html/wheels _build/html/run && cp -R _build/wheels $$(ls -d _build/run 2>/dev/null) _build/html
+	@cd _build && rm -rf html/wheels html/run html/pdf html/bundle && cp -R wheels $$(ls -d run pdf bundle 2>/dev/null) html
 
 # The page of the checks stays out, its tables hold right answers, and so do the lectures, which work problems out.
 # By plain sphinx-build, so that the book does not depend on Jupyter Book's own command.
 book-student: outputs page _build/wheels  ## build the edition without solutions in _build/student/html
 	@mkdir -p _build/student
-	@sed 's|solutions/|exercises/|; \|guides/checks|d; \|file: book/lectures|,\|glob: book/lectures|d' _toc.yml > _build/student/_toc.yml
+	@sed 's|solutions/|exercises/|; \|guides/checks\|book/downloads|d; \|file: book/lectures|,\|glob: book/lectures|d' _toc.yml > _build/student/_toc.yml
 	@$(BIN)/jupyter-book config sphinx . >/dev/null
 	PYTHONPATH=book/_ext $(BIN)/sphinx-build $(SPHINX_FLAGS) -q -d _build/student/.doctrees \
 	  -D external_toc_path=_build/student/_toc.yml -D html_title="Controlled Motion, student edition" . _build/student/html || \
@@ -43,6 +43,16 @@ outputs: $(INSTALLED)
 # Python for the answer boxes of the pages, in _build/run.
 page: $(INSTALLED)
 	$(if $(filter no,$(PAGE)),rm -rf _build/run _build/run.json,$(BIN)/python book/build.py page)
+
+# The page of downloads then offers what was made.
+pdf: book  ## print the site as PDF with Chromium, chapter by chapter and whole, in _build/pdf
+	$(BIN)/python book/pdf.py
+	@$(MAKE) --no-print-directory book
+
+bundle: book  ## pack the site with notebooks and wheels for a memory stick, in _build/bundle
+	@rm -rf _build/bundle _build/html/bundle && mkdir _build/bundle
+	cd _build/html && $(abspath $(BIN))/python -m zipfile -c ../bundle/controlled-motion.zip *
+	@$(MAKE) --no-print-directory book
 
 serve:  ## show the built site at http://127.0.0.1:8000
 	@test -f _build/html/index.html || { echo "There is no site yet: run make book first." >&2; exit 1; }
@@ -70,6 +80,9 @@ test-problem: $(INSTALLED)  ## all tests of one problem: make test-problem N=2.3
 
 test-page: $(INSTALLED)  ## judge all masters and trials by the Python of the pages, in Chromium
 	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n 0 tests/page
+
+test-pdf: $(INSTALLED)  ## print all chapters as PDF and look at every sheet
+	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n 0 tests/site/test_pdf.py
 
 test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of all problems, and what waits or is slow
 	$(PYTEST) -n logical -m "not waits and not slow and not site"

@@ -1,16 +1,18 @@
-"""Downloads: the students' notebooks, and the wheel of trajlib and workbook.
+"""Downloads: the students' notebooks, the wheel of trajlib and workbook, the book as PDF, the whole site.
 
 A notebook has the same path as in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel
-into wheels/.
+into wheels/, what `make pdf` printed into pdf/ and what `make bundle` packed into bundle/.
 """
 
 import json
 import posixpath
+from datetime import datetime
 from html import escape
 from importlib.metadata import version
+from pathlib import Path
 
 from docutils import nodes
-from sphinx.util.docutils import SphinxRole
+from sphinx.util.docutils import SphinxDirective, SphinxRole
 
 from workbook.notebooks import exercises
 from workbook_site import catalogue
@@ -31,6 +33,32 @@ class InstallWheelRole(SphinxRole):
 
     def run(self):
         return [nodes.literal("", f'pip install "{wheel_name()}[{self.text}]"')], []
+
+
+class BuiltFilesDirective(SphinxDirective):
+    """Lists the book as PDF and the packed site, where they were made."""
+
+    def run(self):
+        # they are made after the page was read
+        self.env.note_reread()
+        build = Path(self.env.srcdir) / "_build"
+        paths = [*sorted(build.glob("pdf/*.pdf")), *build.glob("bundle/*.zip")]
+        if not paths:
+            how = "This copy was built without them: `make pdf` prints the book, `make bundle` packs the site."
+            return self.parse_text_to_nodes(how)
+        items = [nodes.list_item("", nodes.paragraph("", "", *self.entry(path))) for path in paths]
+        return [nodes.bullet_list("", *items)]
+
+    def entry(self, path):
+        name = path.stem.replace("-", " ").capitalize()
+        site = "The site, with notebooks and the wheel"
+        title = site if path.suffix == ".zip" else f"{name} (PDF)"
+        date = datetime.fromtimestamp(path.stat().st_mtime).strftime("%d %B %Y").lstrip("0")
+        address = str(path.relative_to(Path(self.env.srcdir) / "_build"))
+        return [
+            link(self.env.docname, address, escape(title)),
+            nodes.Text(f", {path.stat().st_size / 1e6:.0f} MB, made on {date}"),
+        ]
 
 
 def wheel_name():
@@ -76,4 +104,5 @@ def served_notebook(app, problem):
 def setup(app):
     app.add_role("wheel", WheelRole())
     app.add_role("install-wheel", InstallWheelRole())
+    app.add_directive("built-files", BuiltFilesDirective)
     app.connect("build-finished", _copy_notebooks)

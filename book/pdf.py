@@ -1,0 +1,301 @@
+"""Typeset the built site as PDF: a file for each chapter and one for the whole book, in _build/pdf.
+
+    python book/pdf.py [CHAPTER ...]      for example: python book/pdf.py 1 5
+
+Chromium prints each page of the site. Then the pages of a document are joined: a link to another of
+them leads to its place in the document, titles become bookmarks, and every sheet gets its running head
+and number.
+"""
+
+import base64
+import html
+import io
+import re
+import shutil
+import sys
+import tempfile
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from urllib.parse import unquote, urldefrag, urljoin, urlsplit
+
+import yaml
+from pypdf import PdfReader, PdfWriter
+from pypdf.generic import ArrayObject, FloatObject, NameObject, NullObject
+
+ROOT = Path(__file__).resolve().parent.parent
+SITE = ROOT / "_build" / "html"
+OUTPUT = ROOT / "_build" / "pdf"
+#: What is printed behind the chapters of the whole book.
+BACK_MATTER = ["book/conventions", "book/glossary", "book/errata/index", "book/bibliography"]
+#: Sides of A4 and the margins round the text, in inches as Chromium takes them.
+WIDTH, HEIGHT = 8.27, 11.69
+MARGINS = {"marginTop": 0.95, "marginBottom": 0.85, "marginLeft": 0.8, "marginRight": 0.8}
+#: Text of the site is 18 px high; on paper it is set in 11 points.
+SCALE = 0.8
+STYLE = (ROOT / "book" / "pdf.css").read_text()
+
+
+@dataclass(frozen=True)
+class Page:
+    """A page of the site: its name without ".html", its title, and its level in the contents."""
+
+    name: str
+    title: str
+    level: int
+
+    @property
+    def address(self):
+        return (SITE / f"{self.name}.html").as_uri()
+
+
+def title_of(name):
+    """Return the title of a built page as text, its formulas in TeX."""
+    # the pages have a million elements: a parser would take minutes for all of them
+    heading = re.search(r"<h1>(.*?)</h1>", (SITE / f"{name}.html").read_text(), re.S)
+    return " ".join(html.unescape(re.sub(r"<[^>]*>|\\\\[()]", "", heading[1])).split())
+
+
+def chapters():
+    """Return the pages of each chapter by its number: the chapter, its sections, its problems."""
+    toc = yaml.safe_load((ROOT / "_toc.yml").read_text())
+    return {
+        (number := entry["file"].removeprefix("book/ch")): [
+            Page(entry["file"], f"{number}. {title_of(entry['file'])}", 0),
+            *(Page(name, title_of(name), 1) for name in _names(entry["sections"])),
+        ]
+        for part in toc["parts"]
+        for entry in part["chapters"]
+        if entry["file"].startswith("book/ch")
+    }
+
+
+def _names(entries):
+    for entry in entries:
+        if "file" in entry:
+            yield entry["file"]
+        else:
+            paths = sorted(SITE.glob(f"{entry['glob']}.html"))
+            yield from (str(path.relative_to(SITE).with_suffix("")) for path in paths)
+
+
+class Printer:
+    """Chromium that prints pages of the site and resolves no host name."""
+
+    def __init__(self, driver):
+        self.driver = driver
+        self.printed = {}  # chapters and the book share their pages
+
+    def print(self, page, anchors):
+        """Return the PDF of a page, in the light theme; the anchors become named destinations."""
+        if page.name not in self.printed:
+            self.driver.get(page.address)
+            # Chromium keeps the place of an element only if a link of the same page leads to it
+            self.driver.execute_async_script(
+                """
+                document.documentElement.dataset.theme = 'light';
+                const links = document.createElement('div');
+                for (const anchor of arguments[0])
+                    links.appendChild(document.createElement('a')).href = '#' + anchor;
+                document.querySelector('article').append(links);
+                const ready = window.MathJax?.startup?.promise ?? Promise.resolve();
+                ready.then(() => document.fonts.ready).then(arguments[1]);""",
+                sorted(anchors),
+            )
+            self.printed[page.name] = self._pdf(MARGINS | {"scale": SCALE})
+        return PdfReader(io.BytesIO(self.printed[page.name]))
+
+    def typeset(self, body):
+        """Return the PDF of a body of HTML that has its own sheets."""
+        with tempfile.NamedTemporaryFile("w", suffix=".html") as file:
+            file.write(f"<!doctype html><meta charset=utf-8><style>{STYLE}</style>{body}")
+            file.flush()
+            self.driver.get(Path(file.name).as_uri())
+            return PdfReader(io.BytesIO(self._pdf({"preferCSSPageSize": True})))
+
+    def _pdf(self, options):
+        size = {"paperWidth": WIDTH, "paperHeight": HEIGHT, "printBackground": True}
+        result = self.driver.execute_cdp_cmd("Page.printToPDF", size | options)
+        return base64.b64decode(result["data"])
+
+
+@contextmanager
+def printer():
+    """Start Chromium, and end it after the last page."""
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+
+    names = ["chromium", "chromium-browser", "google-chrome"]
+    chromium = next(filter(None, map(shutil.which, names)), None)
+    if chromium is None or shutil.which("chromedriver") is None:
+        sys.exit("The PDF is printed by Chromium: install chromium and chromedriver.")
+    options = webdriver.ChromeOptions()
+    options.binary_location = chromium
+    for argument in ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"]:
+        options.add_argument(argument)
+    options.add_argument("--host-resolver-rules=MAP * ~NOTFOUND")
+    driver = webdriver.Chrome(options=options, service=Service(shutil.which("chromedriver")))
+    driver.set_script_timeout(180)
+    try:
+        yield Printer(driver)
+    finally:
+        driver.quit()
+
+
+def anchors_of(pages):
+    """Return for each page the anchors in it to which pages of the book link."""
+    anchors = {page.name: set() for page in pages}
+    for page in pages:
+        source = (SITE / f"{page.name}.html").read_text()
+        for href in set(re.findall(r'href="([^"]*#[^"]+)"', source)):
+            name, anchor = _target(page.address, html.unescape(href))
+            if name in anchors and anchor:
+                anchors[name].add(anchor)
+    return anchors
+
+
+def _target(base, href):
+    """Return the page and the anchor to which a link leads, or None for what is not a page of the site."""
+    address, anchor = urldefrag(urljoin(base, href))
+    path = Path(unquote(urlsplit(address).path))
+    if not address.startswith("file:") or not path.is_relative_to(SITE) or path.suffix != ".html":
+        return None, ""
+    return str(path.relative_to(SITE).with_suffix("")), unquote(anchor)
+
+
+class Document:
+    """Printed pages, joined in their order."""
+
+    def __init__(self):
+        self.writer = PdfWriter()
+        self.places = {}  # (page, anchor) -> number of the sheet and the height on it
+        self.heads = []  # the running heads of the sheets: left, right
+        self.links = []  # the sheets with the page that they belong to
+
+    def append(self, page, printed, chapter):
+        """Append a page under its chapter's running head."""
+        first = len(self.writer.pages)
+        self.places[page.name, ""] = first, None
+        for anchor, place in printed.named_destinations.items():
+            sheet = printed.get_destination_page_number(place)
+            self.places[page.name, anchor.lstrip("/")] = first + sheet, place.top
+        self.writer.append(printed, import_outline=False)
+        self.heads += [(chapter, page.title if page.title != chapter else "")] * len(printed.pages)
+        self.links += [page] * len(printed.pages)
+
+    def bookmark(self, pages):
+        """Make the titles of the pages bookmarks, sections under their chapter."""
+        parent = None
+        for page in pages:
+            sheet, _ = self.places[page.name, ""]
+            item = self.writer.add_outline_item(
+                title=page.title, page_number=sheet, parent=parent if page.level else None
+            )
+            parent = item if page.level == 0 else parent
+
+    def connect(self):
+        """Let every link to a page of the document lead to its sheet; links to other pages end."""
+        for sheet, page in zip(self.writer.pages, self.links, strict=True):
+            annotations = [a.get_object() for a in sheet.get("/Annots", [])]
+            sheet[NameObject("/Annots")] = ArrayObject(
+                self.writer._add_object(a) for a in annotations if self._connect(a, page)
+            )
+
+    def _connect(self, link, page):
+        """Set where a link leads; return whether it leads anywhere."""
+        if "/A" in link and "/URI" in link["/A"]:
+            address = link["/A"]["/URI"]
+            name, anchor = _target(page.address, address)
+            if name is None:
+                return not address.startswith("file:")
+        elif "/Dest" in link:
+            name, anchor = page.name, str(link["/Dest"]).lstrip("/")
+        else:
+            return True
+        place = self.places.get((name, anchor)) or self.places.get((name, ""))
+        if place is None:
+            return False
+        number, top = place
+        height = NullObject() if top is None else FloatObject(top)
+        link.pop("/A", None)
+        sheet, unchanged = self.writer.pages[number].indirect_reference, NullObject()
+        link[NameObject("/Dest")] = ArrayObject(
+            [sheet, NameObject("/XYZ"), unchanged, height, unchanged]
+        )
+        return True
+
+    def number(self, printer, first):
+        """Print its running head and number on every sheet from a first one on."""
+        sheets = "".join(
+            f"<div class=sheet><div class=head><span>{html.escape(left)}</span><span>{html.escape(right)}</span></div>"
+            f"<div class=foot>{number}</div></div>"
+            for number, (left, right) in enumerate(self.heads[first:], first + 1)
+        )
+        overlay = printer.typeset(sheets)
+        for sheet, head in zip(list(self.writer.pages)[first:], overlay.pages, strict=True):
+            sheet.merge_page(head)
+            sheet.compress_content_streams()
+
+    def write(self, path, title):
+        """Write the document with its title."""
+        self.writer.add_metadata({"/Title": title})
+        self.writer.page_mode = "/UseOutlines"
+        self.writer.compress_identical_objects(remove_duplicates=True, remove_unreferenced=True)
+        self.writer.write(path)
+
+
+def contents(title, pages, sheets):
+    """Return the HTML of a contents page; `sheets` are the numbers of the pages' first sheets."""
+    rows = "".join(
+        f"<a class={'section' if page.level else 'chapter'} href='{page.address}'>"
+        f"<span>{html.escape(page.title)}</span><i></i><span>{sheets[page.name]}</span></a>"
+        for page in pages
+    )
+    return f"<div class=contents><h1>{html.escape(title)}</h1>{rows}</div>"
+
+
+def join(printer, title, groups, anchors, path):
+    """Join groups of pages (chapters, back matter) to one document with contents."""
+    pages = [page for group in groups for page in group]
+    printed = {page.name: printer.print(page, anchors[page.name]) for page in pages}
+    # the numbers of sheets depend on the length of the contents, which does not depend on them
+    length = len(printer.typeset(contents(title, pages, dict.fromkeys(printed, "1000"))).pages)
+    sheets, number = {}, length + 1
+    for name, pdf in printed.items():
+        sheets[name] = number
+        number += len(pdf.pages)
+    document = Document()
+    front = Page("contents", "Contents", 0)
+    document.append(front, printer.typeset(contents(title, pages, sheets)), title)
+    for group in groups:
+        for page in group:
+            document.append(page, printed[page.name], group[0].title)
+    document.bookmark([front, *pages])
+    document.connect()
+    document.number(printer, length)
+    document.write(path, title)
+    print(f"{path.name}: {len(document.heads)} sheets, {path.stat().st_size / 1e6:.1f} MB")
+
+
+def main(numbers, output=OUTPUT):
+    """Write the chapters with these numbers, or without any number all chapters and the book."""
+    if not (SITE / "book" / "index.html").exists():
+        sys.exit("There is no site yet: run make book first.")
+    by_number = chapters()
+    if unknown := set(numbers) - set(by_number):
+        unknown = ", ".join(sorted(unknown))
+        sys.exit(f"There is no chapter {unknown}; there are {', '.join(by_number)}.")
+    back_matter = [Page(name, title_of(name), 0) for name in BACK_MATTER]
+    anchors = anchors_of([page for group in by_number.values() for page in group] + back_matter)
+    output.mkdir(parents=True, exist_ok=True)
+    with printer() as chromium:
+        for number in numbers or by_number:
+            pages = by_number[number]
+            join(chromium, pages[0].title, [pages], anchors, output / f"chapter-{number}.pdf")
+        if not numbers:
+            groups = [*by_number.values(), *([page] for page in back_matter)]
+            join(chromium, "Controlled Motion", groups, anchors, output / "controlled-motion.pdf")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,82 @@
+"""The book as PDF: titles, links, numbers and the margins of every sheet, looked at as it is rendered."""
+
+import importlib.util
+import os
+from pathlib import Path
+
+import numpy as np
+import pypdfium2
+import pytest
+from pypdf import PdfReader
+
+ROOT = Path(__file__).resolve().parents[2]
+CHAPTERS = "123456789" if os.environ.get("WORKBOOK_ALL_PROBLEMS") else "8"
+#: Points of a sheet that are looked at, to an inch.
+RESOLUTION = 50
+
+
+@pytest.fixture(scope="module")
+def pdf(editions):
+    """Return the module that prints the built site."""
+    spec = importlib.util.spec_from_file_location("book_pdf", ROOT / "book" / "pdf.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.fixture(scope="module", params=CHAPTERS)
+def document(request, pdf, tmp_path_factory):
+    """Return the pages of a chapter and the path of its PDF."""
+    folder = tmp_path_factory.mktemp("pdf")
+    pdf.main([request.param], folder)
+    return pdf.chapters()[request.param], folder / f"chapter-{request.param}.pdf"
+
+
+def test_bookmarks_lead_to_the_sheets_with_these_titles(document):
+    pages, path = document
+    reader = PdfReader(path)
+    chapter, sections = reader.outline[1:]
+    assert [chapter.title, *(section.title for section in sections)] == [p.title for p in pages]
+    for entry in sections:
+        text = reader.pages[reader.get_destination_page_number(entry)].extract_text()
+        assert entry.title.split("$")[0][:20] in " ".join(text.split())
+
+
+def test_sheets_are_numbered(document):
+    reader = PdfReader(document[1])
+    last = [sheet.extract_text().split()[-1] for sheet in reader.pages]
+    assert last[1:] == [str(number) for number in range(2, len(last) + 1)]
+
+
+def test_links_lead_into_the_document_or_out_of_the_site(document):
+    reader = PdfReader(document[1])
+    sheets = {sheet.indirect_reference.idnum for sheet in reader.pages}
+    links = [a.get_object() for sheet in reader.pages for a in sheet.get("/Annots", [])]
+    inner = [link["/Dest"][0].idnum for link in links if "/Dest" in link]
+    outer = [link["/A"]["/URI"] for link in links if "/A" in link]
+    assert len(inner) > 20 and set(inner) <= sheets
+    assert all(address.startswith(("http://", "https://")) for address in outer)
+
+
+def test_nothing_stands_in_the_margins(document, pdf):
+    """Nothing but the running head and the number stands beyond the text, and no sheet is empty."""
+    sides = [pdf.MARGINS[f"margin{side}"] for side in ("Top", "Bottom", "Left", "Right")]
+    top, bottom, left, right = (int(side * RESOLUTION) - 1 for side in sides)
+    faults = []
+    for number, sheet in enumerate(pypdfium2.PdfDocument(document[1])):
+        image = sheet.render(scale=RESOLUTION / 72, grayscale=True).to_numpy()
+        ink = np.argwhere(image < 160)
+        rows, columns = ink[:, 0], ink[:, 1]
+        beside = (columns < left) | (columns >= image.shape[1] - right)
+        # the head ends at 0.7 inches, the number begins 0.6 inches above the end
+        above = (rows > 0.72 * RESOLUTION) & (rows < top)
+        below = (rows > image.shape[0] - bottom) & (rows < image.shape[0] - 0.62 * RESOLUTION)
+        text = (rows >= top) & (rows < image.shape[0] - bottom) & ~beside
+        if beside.any() or above.any() or below.any() or not text.any():
+            faults.append((number + 1, int(beside.sum()), int(above.sum()), int(below.sum())))
+    assert faults == []
+
+
+def test_an_unknown_chapter_is_refused(pdf, tmp_path):
+    with pytest.raises(SystemExit, match="There is no chapter 17; there are 1, 2"):
+        pdf.main(["17"], tmp_path)
