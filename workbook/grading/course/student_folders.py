@@ -1,0 +1,103 @@
+"""Write a folder for each student of a homework in which everyone has numbers of their own.
+
+Each lies in `assignments/hw1/students/` and has the README of the homework and the student's
+notebooks, under the names that they have in every homework. The rows are those of `numbers.csv`,
+and only proved rows are handed out.
+"""
+
+import shutil
+from pathlib import Path
+
+from workbook.grading.course import numbers
+from workbook.grading.course.assignment import InputError
+from workbook.grading.course.handing_out import file_name, release
+from workbook.grading.course.record import put
+from workbook.notebooks import exercises
+
+FOLDER = "students"
+
+
+def hand_out(folder, name, students=(), site=""):
+    """Draw rows for students who have none, and write the folder of every student.
+
+    Parameters
+    ----------
+    folder : path
+        Folder of all homeworks.
+    name : str
+        The homework's.
+    students : iterable of str
+        The class; those who have rows keep them.
+    site : str
+        Address of the student edition of the site, for links to the theory.
+
+    Returns
+    -------
+    dict
+        {student: {problem: row}}, as in `numbers.csv`.
+
+    Raises
+    ------
+    InputError
+        If no problem of the homework varies, nobody is in the class, or a row is not proved.
+    """
+    target = Path(folder) / name
+    homework = numbers.read_homework(target / "assignment.toml")
+    if unusable := [student for student in students if not _is_folder_name(student)]:
+        raise InputError(f"{unusable[0]!r} in the roster cannot be the name of a folder")
+    rows = proved_rows(homework.problems)
+    table = numbers.draw(homework.numbers or {}, students, rows)
+    if not table:
+        raise InputError("numbers are drawn for the students of a class: give --roster class.csv")
+    for student, own in table.items():
+        for problem, row in own.items():
+            if row not in rows.get(problem, ()):
+                raise InputError(f"{numbers.NAME}: {problem} has no proved row {row} ({student})")
+    put(target / numbers.NAME, numbers.text(table, rows))
+    for student, own in table.items():
+        _write_folder(target, student, own, homework, site)
+    return table
+
+
+def proved_rows(problems):
+    """Return {problem: its proved rows} of those problems that vary, which are proved now.
+
+    Raises
+    ------
+    InputError
+        If there are no masters here, or none of the problems varies.
+    """
+    from workbook.authoring import read
+    from workbook.authoring.contract import master_file
+    from workbook.authoring.variants import prove
+
+    solutions = exercises.CHECKOUT / "solutions"
+    if not solutions.is_dir():
+        raise InputError("--numbers needs the masters: run it in a checkout of the workbook")
+    varying = [p for p in problems if read(solutions / master_file(p)).numbers]
+    if not varying:
+        raise InputError(f"none of the problems {', '.join(problems)} varies")
+    return {
+        problem: [
+            int(proof.name.partition("~")[2])
+            for proof in prove(exercises.CHECKOUT, problem)
+            if not proof.faults
+        ]
+        for problem in varying
+    }
+
+
+def _write_folder(target, student, own, homework, site):
+    folder = target / FOLDER / student
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(target / "README.md", folder / "README.md")
+    except OSError as error:
+        raise InputError(f"{folder} cannot be written: {error.strerror}") from None
+    for problem in homework.problems:
+        variant = f"{problem}~{own[problem]}" if problem in own else problem
+        put(folder / file_name(problem), release(variant, site, homework.direction))
+
+
+def _is_folder_name(student):
+    return bool(student.strip(" .")) and not {"/", "\\", "\0"} & set(student) and student[0] != "."
