@@ -108,13 +108,13 @@ class Variants:
         texts = dict(pairs)
         if set(texts.items()) != set(pairs):
             raise NumbersError("two phrases are the same in row 0 and differ in this row")
-        found = re.compile(
+        pattern = re.compile(
             "|".join(map(re.escape, sorted(texts, key=len, reverse=True))) or r"(?!)"
         )
         master = self.master
 
         def shown(text):
-            return found.sub(lambda match: texts[match[0]], text)
+            return pattern.sub(lambda match: texts[match[0]], text)
 
         data = iter(self.data(row))
         return replace(

@@ -39,15 +39,15 @@ def remarks(judgement, other_variants, outcome, judge):
         Such as "right for row 17: a_gain, b_region"; row 0 has the site's numbers.
     """
     wrong = {name for name, verdict in judgement.verdicts.items() if verdict.status == WRONG}
-    found, end = [], time.monotonic() + SECONDS
+    remarks, end = [], time.monotonic() + SECONDS
     for variant in other_variants if wrong else ():
         if time.monotonic() > end:
             break
         verdicts = judge.judge(_with_checks_of(exercises.find(variant), wrong), outcome).verdicts
         right = [n for n, verdict in verdicts.items() if n in wrong and verdict.status == RIGHT]
         if right:
-            found.append(f"{PREFIX}{variant.partition('~')[2] or 0}: {', '.join(right)}")
-    return found
+            remarks.append(f"{PREFIX}{variant.partition('~')[2] or 0}: {', '.join(right)}")
+    return remarks
 
 
 def is_copying(remark):
