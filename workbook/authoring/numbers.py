@@ -161,7 +161,8 @@ def _as_source(value):
         text = ", ".join(map(_as_source, value))
         return f"[{text}]" if isinstance(value, list) else f"({text})"
     if isinstance(value, sp.MatrixBase):
-        return f"sp.Matrix({_as_source(value.tolist())})"
+        entries = value.flat() if value.cols == 1 else value.tolist()
+        return f"sp.Matrix({_as_source(entries)})"
     if isinstance(value, sp.Rational) and not value.is_integer:
         return f"sp.Rational({value.p}, {value.q})"
     return str(value)
