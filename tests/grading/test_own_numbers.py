@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import an_assignment, notebook, write_assignment
+from classroom import RIGHT_2_4, SITE_2_4, an_assignment, notebook, write_assignment
 
 from workbook.authoring.variants import variants_of
 from workbook.grading import commands
@@ -22,18 +22,6 @@ from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
 CLASS = ["ann", "ben", "cat", "dan", "eva", "fay"]
-#: Right answers of problem 2.4 for all rows, in the names of the data cell.
-RIGHT = {
-    "a_observable": "sp.Ne(weight*alpha - beta, weight**2)",
-    "b_unobservable": "sp.Eq(h**2 - friction*h + stiffness, 0)",
-    "b_unseen": "{-r: [[1, r]] for r in b_matrix.eigenvals()}",
-}
-#: Those of the site.
-SITE = {
-    "a_observable": "sp.Ne(alpha - beta, 1)",
-    "b_unobservable": "sp.Or(sp.Eq(h, 1), sp.Eq(h, 2))",
-    "b_unseen": "{1: [[1, -1]], 2: [[1, -2]]}",
-}
 
 
 @pytest.mark.parametrize("count", [6, 16, 40])
@@ -132,16 +120,16 @@ def test_six_students(tmp_path):
 
     own = json.loads((folders / "ann" / "ch2-p04.ipynb").read_text(encoding="utf-8"))
     assert own["metadata"]["workbook"]["number"] == "2.4~1" and "site.example" in json.dumps(own)
-    submit("ann", solved("ann", RIGHT))
+    submit("ann", solved("ann", RIGHT_2_4))
     submit("ben", solved("ann", _written_out(rows["ann"])))  # a friend's, with its data cell
-    submit("cat", solved("cat", SITE))
-    smuggled = solved("dan", SITE)
+    submit("cat", solved("cat", SITE_2_4))
+    smuggled = solved("dan", SITE_2_4)
     for cell in smuggled["cells"]:
         if cell["metadata"].get("tags") == ["data"]:
             cell["source"] = exercises.find("2.4").code("data")[0][1]
     submit("dan", smuggled)
-    submit("eva", solved("eva", RIGHT | {"b_unseen": SITE["b_unseen"]}))
-    submit("fay", solved("fay", RIGHT))
+    submit("eva", solved("eva", RIGHT_2_4 | {"b_unseen": SITE_2_4["b_unseen"]}))
+    submit("fay", solved("fay", RIGHT_2_4))
 
     result = commands.grade_course(
         tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True

@@ -5,7 +5,6 @@ notebooks, under the names that they have in every homework. The rows are those 
 and only proved rows are handed out.
 """
 
-import shutil
 from pathlib import Path
 
 from workbook.grading.course import numbers
@@ -15,6 +14,12 @@ from workbook.grading.course.record import put
 from workbook.notebooks import exercises
 
 FOLDER = "students"
+README = """
+## Your numbers
+
+Some of your notebooks have numbers of your own, and you are graded by them: answers for other
+numbers are wrong.
+"""
 
 
 def hand_out(folder, name, students=(), site=""):
@@ -91,9 +96,10 @@ def _write_folder(target, student, own, homework, site):
     folder = target / FOLDER / student
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        shutil.copyfile(target / "README.md", folder / "README.md")
+        readme = (target / "README.md").read_text(encoding="utf-8")
     except OSError as error:
         raise InputError(f"{folder} cannot be written: {error.strerror}") from None
+    put(folder / "README.md", readme + README)
     for problem in homework.problems:
         variant = f"{problem}~{own[problem]}" if problem in own else problem
         put(folder / file_name(problem), release(variant, site, homework.direction))
