@@ -19,7 +19,7 @@ from workbook.mistakes import find_mistake
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
-PILOT = ["1.16", "2.4", "3.8", "3.25", "4.10", "4.26", "5.11", "5.25", "5.63"]
+PILOT = ["1.16", "2.4", "2.30", "3.8", "3.25", "4.10", "4.26", "5.11", "5.25", "5.63"]
 MASTER = read(ROOT / "solutions" / master_file("2.4"))
 ROWS = "weight, friction, stiffness = [(1, 3, 2), (2, 7, 10)]\n"
 ANSWERS = """\
