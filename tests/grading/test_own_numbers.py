@@ -3,6 +3,7 @@
 import csv
 import io
 import json
+import shutil
 import sys
 from collections import Counter
 from dataclasses import replace
@@ -106,6 +107,7 @@ def test_six_students(tmp_path):
         numbers.text({name: {"2.4": row} for name, row in rows.items() if name != "fay"}, ["2.4"]),
         encoding="utf-8",
     )
+    shutil.rmtree(assignments / "hw1" / "students" / "fay")
     student_folders.hand_out(assignments, "hw1", site="https://site.example")
     folders = assignments / "hw1" / "students"
     assert not list((assignments / "hw1").glob("*.ipynb"))
@@ -156,6 +158,13 @@ def test_six_students(tmp_path):
     record = json.loads((tmp_path / "graded" / "hw1" / "grades.json").read_text("utf-8"))
     assert record["students"]["ben"]["numbers"] == {"2.4": 2}
 
+    # a row given to somebody else, of which the folder does not know
+    path.write_text(path.read_text("utf-8").replace("eva,13", "eva,10"), encoding="utf-8")
+    with pytest.raises(InputError, match=r"eva/ch2-p04\.ipynb has other numbers than 2\.4~10"):
+        commands.grade_course(
+            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        )
+    path.write_text(path.read_text("utf-8").replace("eva,10", "eva,13"), encoding="utf-8")
     # a line added for fay: she is graded, and nobody else again
     path.write_text(path.read_text("utf-8") + f"fay,{rows['fay']}\n", encoding="utf-8")
     again = commands.grade_course(

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course import matching, numbers, submissions
+from workbook.grading.course import matching, numbers, student_folders, submissions
 from workbook.grading.course.store import Store
 from workbook.grading.course.submissions import LeftAside, Submission
 from workbook.grading.pool import grader, worker_pool
@@ -303,6 +303,7 @@ def _homeworks(entries, files):
     for name in sorted({entry.assignment for entry in entries if entry.assignment}):
         if name in files:
             homeworks[name] = numbers.read_homework(files[name])
+            student_folders.require_handed_out(files[name], homeworks[name])
         elif files:
             # A folder with a misspelt name would be a homework of its own, and its notebooks would
             # be missing, unnoticed, in the one that was meant.

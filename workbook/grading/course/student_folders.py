@@ -64,6 +64,23 @@ def hand_out(folder, name, students=(), site=""):
     return table
 
 
+def require_handed_out(path, homework):
+    """Raise `InputError` if a student's folder has other numbers than the homework says now.
+
+    Then a row was given to somebody else, or a problem's rows changed, after the folder was
+    written. A folder that is not there is not looked at.
+    """
+    for student, own in (homework.numbers or {}).items():
+        for problem in own:
+            file = path.parent / FOLDER / student / file_name(problem)
+            variant = exercises.find(homework.variant(problem, student))
+            if file.is_file() and exercises.read(file).code("data") != variant.code("data"):
+                raise InputError(
+                    f"{file} has other numbers than {variant.number} has now: if {student} is to "
+                    f"have these, hand them out by `workbook assignment numbers {homework.name}`"
+                )
+
+
 def proved_rows(problems):
     """Return {problem: its proved rows} of those problems that vary, which are proved now.
 
