@@ -5,6 +5,7 @@ import io
 import json
 import shutil
 import sys
+import zipfile
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path
@@ -19,6 +20,7 @@ from workbook.grading import commands
 from workbook.grading.course import handing_out, numbers, student_folders
 from workbook.grading.course.assignment import InputError
 from workbook.grading.gradescope import bundle
+from workbook.grading.reports.canvas import read_roster
 from workbook.notebooks import exercises
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -92,6 +94,32 @@ def test_what_cannot_be_handed_out(tmp_path):
             student_folders.hand_out(tmp_path / "assignments", "hw1", students)
     with pytest.raises(InputError, match="hands the same file to all"):
         bundle.make(tmp_path / "assignments", "hw1", tmp_path / "out.zip")
+
+
+def test_an_archive_for_moodle(tmp_path):
+    target = tmp_path / "assignments" / "hw1"
+    for student in ("ann@uni.example", "dan@uni.example"):
+        (target / "students" / student).mkdir(parents=True)
+        (target / "students" / student / "ch2-p04.ipynb").write_text(student, encoding="utf-8")
+    table = {"ann@uni.example": {"2.4": 3}, "dan@uni.example": {"2.4": 4}}
+    (target / numbers.NAME).write_text(numbers.text(table, ["2.4"]), encoding="utf-8")
+    worksheet = tmp_path / "worksheet.csv"
+    header = "Identifier,Full name,Email address,Status,Grade\n"
+    worksheet.write_text(
+        f"{header}Participant 1101,Ann_Able,ann@uni.example,,\n"
+        "Participant 1102,Bob Bee,bob@uni.example,,\n",
+        encoding="utf-8",
+    )
+    assert read_roster(worksheet).identities([]) == ["ann@uni.example", "bob@uni.example"]
+    path, absent = student_folders.moodle_archive(tmp_path / "assignments", "hw1", worksheet)
+    with zipfile.ZipFile(path) as archive:
+        # Moodle splits the name at its underscores: name, participant, plugin
+        assert archive.namelist() == ["Ann Able_1101_assignfeedback_file/ch2-p04.ipynb"]
+        assert archive.read(archive.namelist()[0]) == b"ann@uni.example"
+    assert absent == ["dan@uni.example"]
+    worksheet.write_text(f"{header}Participant 1102,Bob Bee,bob@uni.example,,\n", encoding="utf-8")
+    with pytest.raises(InputError, match="addresses of none of the students"):
+        student_folders.moodle_archive(tmp_path / "assignments", "hw1", worksheet)
 
 
 def test_six_students(tmp_path):

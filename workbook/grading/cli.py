@@ -268,9 +268,20 @@ def write_numbers(
     ] = None,
     assignments: Assignments = Path("assignments"),
     site: Site = "",
+    worksheet: Annotated[
+        Path | None,
+        typer.Option(help="Moodle's grading worksheet, to make an archive that Moodle hands out."),
+    ] = None,
 ):
     """Write the students' folders by numbers.csv again, after a change of it or of the class."""
     _hand_out(assignments, name, _students(roster) if roster is not None else (), site)
+    if worksheet is not None:
+        from workbook.grading.course.student_folders import moodle_archive
+
+        archive, absent = moodle_archive(assignments, name, worksheet)
+        console.print(f"{archive}: for Moodle's feedback files", markup=False)
+        if absent:
+            console.print(f"not in {worksheet}: {', '.join(absent)}", markup=False, style="yellow")
 
 
 def _students(roster):

@@ -5,12 +5,15 @@ notebooks, under the names that they have in every homework. The rows are those 
 and only proved rows are handed out.
 """
 
+import io
+import zipfile
 from pathlib import Path
 
-from workbook.grading.course import numbers
+from workbook.grading.course import numbers, worksheet
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.handing_out import file_name, release
-from workbook.grading.course.record import put
+from workbook.grading.course.record import put, put_bytes
+from workbook.grading.sandbox.sanitising import normalise_name
 from workbook.notebooks import exercises
 
 FOLDER = "students"
@@ -62,6 +65,51 @@ def hand_out(folder, name, students=(), site=""):
     for student, own in table.items():
         _write_folder(target, student, own, homework, site)
     return table
+
+
+def moodle_archive(folder, name, grading_worksheet):
+    """Write the students' files as an archive that Moodle hands out, each to its student.
+
+    Moodle takes it under *Upload multiple feedback files in a zip*, where the name of a folder says
+    whose it is.
+
+    Parameters
+    ----------
+    folder : path
+        Folder of all homeworks.
+    name : str
+        The homework's, whose folders are written.
+    grading_worksheet : path
+        Moodle's grading worksheet of the assignment, with the students' addresses.
+
+    Returns
+    -------
+    path : pathlib.Path
+        The archive.
+    students : list of str
+        Those of the homework who are not in the worksheet.
+
+    Raises
+    ------
+    InputError
+        If the worksheet has none of the students.
+    """
+    target = Path(folder) / name
+    table = numbers.read(target / numbers.NAME)
+    participants = {
+        normalise_name(participant.address): (participant.name.replace("_", " "), number)
+        for number, participant in worksheet.read(grading_worksheet).items()
+    }
+    if not participants.keys() & table.keys():
+        raise InputError(f"{grading_worksheet} has the addresses of none of the students")
+    archive = io.BytesIO()
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as file:
+        for student in table:
+            full_name, number = participants.get(student, ("", ""))
+            for path in sorted((target / FOLDER / student).iterdir()) if number else ():
+                file.write(path, f"{full_name}_{number}_assignfeedback_file/{path.name}")
+    put_bytes(target / "moodle.zip", archive.getvalue())
+    return target / "moodle.zip", [student for student in table if student not in participants]
 
 
 def require_handed_out(path, homework):
