@@ -122,7 +122,7 @@ class Variants:
             number=f"{master.number}~{row}" if row else master.number,
             title=shown(master.title),
             answers={k: replace(v, text=shown(v.text)) for k, v in master.answers.items()},
-            hints={name: tuple(map(shown, texts)) for name, texts in master.hints.items()},
+            hints={name: tuple(map(shown, hints)) for name, hints in master.hints.items()},
             cells=tuple(
                 cell
                 if cell.role in ("answer", "figure", "check")

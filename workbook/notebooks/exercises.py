@@ -171,8 +171,8 @@ def _unknown(number):
     base, _, row = str(number).partition("~")
     if row:
         return UnknownExercise(
-            f"row {row} of problem {base} is not here: in a checkout, `workbook variants {base}` "
-            "proves and writes its rows"
+            f"row {row} of problem {base} is not here, and its notebook checks itself; in a checkout, "
+            f"`workbook variants {base}` proves and writes the rows"
         )
     return UnknownExercise(f"there is no problem {number}; `workbook problems` lists them")
 
