@@ -138,7 +138,7 @@ def test_a_coefficient_that_vanishes_is_no_phrase():
         (ROWS, "the right answer is wrong"),
         (ROWS.replace("2, 7, 10", "1, 7, 10") + ANSWERS, None),
         (
-            ROWS.replace("2, 7, 10", "1, 7, 10") + ANSWERS + "share = 0.3",
+            ROWS.replace("2, 7, 10", "1, 7, 10") + ANSWERS + "site_share = 0.3",
             "the answers of the site earn 0.33, more than 0.30",
         ),
         (ROWS.replace("2, 7, 10", "0, 7, 10") + ANSWERS, "weight is 0"),

@@ -37,7 +37,7 @@ from workbook.notebooks import exercises
 from workbook.notebooks.dependencies import module_closure
 from workbook.notebooks.execution import Child, judge_answers
 
-#: What the answers of the site may earn, unless the section sets `share`.
+#: What the answers of the site may earn, unless the section sets `site_share`.
 SHARE = 1 / 3
 #: Seconds for the proof of one row.
 TIMEOUT = 600
@@ -267,7 +267,7 @@ def _prove_row(variants, row, site):
         judged.share(site),
         judged.share(variants.reference(before, site)) if before != row else 0.0,
     ]
-    allowed = float(variants.names(row).get("share", SHARE))
+    allowed = float(variants.names(row).get("site_share", SHARE))
     if shares[0] > allowed + 1e-9:
         faults.append(f"the answers of the site earn {shares[0]:.2f}, more than {allowed:.2f}")
     mistakes = {} if faults else seal_mistakes(master, reference, trials["wrong"])
