@@ -181,6 +181,47 @@ def new_problem(
     print(f"replace what says PLACEHOLDER, and try it by: make test-problem N={number}")
 
 
+@app.command()
+def variants(
+    numbers: Annotated[
+        list[str] | None, typer.Argument(help="Only these problems; default: all that vary.")
+    ] = None,
+    as_json: AsJson = False,
+):
+    """Prove that the other numbers of problems can be handed out (in a checkout)."""
+    from workbook import authoring
+    from workbook.authoring.contract import master_file
+    from workbook.authoring.variants import prove
+
+    solutions = exercises.CHECKOUT / "solutions"
+    if not solutions.is_dir():
+        raise UserError("there are no masters here: run this in a checkout of the workbook")
+    masters = (
+        [authoring.read(solutions / master_file(number)) for number in numbers]
+        if numbers
+        else authoring.read_all(solutions)
+    )
+    proofs = {
+        master.number: list(prove(exercises.CHECKOUT, master.number))
+        for master in masters
+        if master.numbers or numbers
+    }
+    if as_json:
+        _print_json({number: [vars(proof) for proof in rows] for number, rows in proofs.items()})
+        return
+    for number, rows in proofs.items():
+        proved = [proof for proof in rows if not proof.faults]
+        shares = [share for p in proved for share in (p.site_share, p.neighbour_share)] or [0.0]
+        console.print(
+            f"{number}: {len(proved)} of {len(rows)} rows proved; answers for other numbers earn "
+            f"{sum(shares) / len(shares):.0%}",
+            highlight=False,
+        )
+        for proof in rows:
+            for fault in proof.faults:
+                console.print(f"  {proof.name}: {fault}", markup=False, style="yellow")
+
+
 app.command()(grading.grade)
 
 

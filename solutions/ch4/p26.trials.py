@@ -1,25 +1,69 @@
 # %% wrong
-estimate = [4, 1]  # Is this what one expects before anything is measured? (hint 1)
+# Is this what one expects before anything is measured? (hint 1)
+estimate = [position + moment * speed, speed]
 # Does the measured position say nothing about the speed? (hint 2)
-estimate = [sp.Rational(61, 20), 1]
+estimate = [estimate[0], speed]
 # Was the noise left out of the covariance? (hint 2)
-estimate = [sp.Rational(34, 11), sp.Rational(8, 11)]
+surprise = sp.Rational(reading - position - moment * speed, 1 + moment**2 + variance)
+estimate = [
+    position + moment * speed + (1 + moment**2) * surprise,
+    speed + moment * surprise,
+]
 # In which order do expected and measured value stand?
-estimate = [sp.Rational(99, 20), sp.Rational(11, 8)]
+estimate = [2 * (position + moment * speed) - estimate[0], 2 * speed - estimate[1]]
 # Is this before the measurement? (hint 1)
-covariance = sp.Matrix([[19, sp.Rational(15, 2)], [sp.Rational(15, 2), 4]])
+t = sp.Integer(moment)
+covariance = sp.Matrix([[1 + t**2 + t**3 / 3, t + t**2 / 2], [t + t**2 / 2, 1 + t]])
 # Does the variance of the speed stay as it was? (hint 2)
-covariance = sp.Matrix([[sp.Rational(19, 20), sp.Rational(3, 8)], [sp.Rational(3, 8), 4]])
+p, q, _, _ = covariance
+covariance = sp.Matrix([[p, q], [q, 1 + moment]])
 # Was the noise left out on the way?
-covariance = sp.Matrix([[10, 3], [3, 2]]) / 11
+t = moment
+without = sp.Matrix([[(1 + t**2) * variance, t * variance], [t * variance, 1 + variance]])
+covariance = without / (1 + t**2 + variance)
 
 # %% right
 # the inverse matrices add up
-covariance = (
-    sp.Matrix([[19, sp.Rational(15, 2)], [sp.Rational(15, 2), 4]]).inv() + sp.diag(1, 0)
-).inv()
+t = sp.Integer(moment)
+before = sp.Matrix([[1 + t**2 + t**3 / 3, t + t**2 / 2], [t + t**2 / 2, 1 + t]])
+covariance = (before.inv() + sp.diag(sp.Rational(1, variance), 0)).inv()
 # the position from the two variances, the speed from the regression on it
-estimate = [
-    (4 * 1 + 3 * sp.Integer(19)) / 20,
-    1 + sp.Rational(15, 2) * (sp.Rational(61, 20) - 4) / 19,
+t = sp.Integer(moment)
+p, q, expected = 1 + t**2 + t**3 / 3, t + t**2 / 2, position + t * speed
+first = (variance * expected + reading * p) / (p + variance)
+estimate = [first, speed + q * (first - expected) / p]
+
+# %% numbers
+position, speed, moment, variance, reading = [
+    (1, 1, 3, 1, 3),
+    (2, 1, 1, 1, 5),
+    (1, 2, 2, 1, 3),
+    (3, 1, 1, 2, 2),
+    (1, 1, 2, 2, 5),
+    (2, 1, 3, 2, 4),
+    (1, 2, 3, 3, 5),
+    (3, 1, 3, 5, 4),
+    (2, 2, 3, 6, 5),
+    (1, 1, 1, 3, 4),
+    (2, 2, 2, 3, 4),
+    (1, 3, 2, 4, 5),
+    (4, 1, 3, 4, 5),
+    (2, 3, 1, 5, 2),
+    (3, 2, 2, 5, 4),
 ]
+shown = [
+    r"E[x(0)] = \begin{pmatrix} «position»\\ «speed»\end{pmatrix}",
+    r"At the time $t = «moment»$ the measurement $z = x_1(«moment») + r$ with $E[r] = 0$, "
+    r"$E[r^2] = «variance»$ gives the value $z = «reading»$.",
+    r"$\tilde x(«moment»)$",
+    r"the estimate of $x(«moment»)$",
+    r"from $t = 0$ to $t = «moment»$",
+]
+flow = sp.Matrix([[1, moment], [0, 1]])
+before = flow * flow.T + sp.Matrix(
+    [[sp.Rational(moment**3, 3), sp.Rational(moment**2, 2)], [sp.Rational(moment**2, 2), moment]]
+)
+gain = before[:, 0] / (before[0, 0] + variance)
+forecast = flow * sp.Matrix([position, speed])
+estimate = list(forecast + gain * (reading - forecast[0]))
+covariance = before - gain * before[0, :]

@@ -16,6 +16,17 @@ RIGHT_1_15 = {
     "d_region": "(k1 > 0) & (k2 > k1)",
     "e_region": "(k1 > 0) & (k2 > k1)",
 }
+#: Right answers of problem 2.4 for all rows of numbers, and those of the site.
+RIGHT_2_4 = {
+    "a_observable": "sp.Ne(weight*alpha - beta, weight**2)",
+    "b_unobservable": "sp.Eq(h**2 - friction*h + stiffness, 0)",
+    "b_unseen": "{-r: [[1, r]] for r in b_matrix.eigenvals()}",
+}
+SITE_2_4 = {
+    "a_observable": "sp.Ne(alpha - beta, 1)",
+    "b_unobservable": "sp.Or(sp.Eq(h, 1), sp.Eq(h, 2))",
+    "b_unseen": "{1: [[1, -1]], 2: [[1, -2]]}",
+}
 
 
 def write_assignment(folder, text, name="hw1"):

@@ -14,7 +14,7 @@ from unicodedata import normalize
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, hand_in, notebook, write_assignment
+from classroom import RIGHT_1_15, RIGHT_2_4, SITE_2_4, hand_in, notebook, write_assignment
 from guide import like, steps
 
 from workbook.checks.contract.decoding import decode
@@ -968,12 +968,27 @@ def the_systems_give_archives(folder):
     )
 
 
+def the_class_is_known(folder):
+    (folder / "class.csv").write_text("login\nann\nbob\ncid\ndan\n", encoding="utf-8")
+
+
+def friends_hand_in(folder):
+    """Ann her own work, Bob hers, Cid the site's answers with the site's data cell."""
+    lines = (folder / "assignments" / "hw2" / "numbers.csv").read_text("utf-8").split()
+    row = dict(line.split(",") for line in lines)["ann"]
+    for student in ("ann", "bob"):
+        hand_in(folder, student, f"2.4~{row}", RIGHT_2_4, "hw2", name="ch2-p04.ipynb")
+    hand_in(folder, "cid", "2.4", SITE_2_4, "hw2")
+
+
 #: What people do between the commands, at the beginning of a section.
 MEANWHILE = {
     "Collect": the_class_hands_in,
     "Collect from Canvas or Moodle": the_systems_give_archives,
     "When something changes": cid_hands_in_again,
     "Hand the grades on": canvas_exports_its_gradebook,
+    "A homework with other numbers for each student": the_class_is_known,
+    "Grade them": friends_hand_in,
 }
 
 
@@ -1019,6 +1034,10 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         )
         commands_run.append(command)
     assert waiting == {} and len(commands_run) > 15
+    grades = json.loads((tmp_path / "graded" / "hw2" / "grades.json").read_text("utf-8"))
+    earned = {name: score["points"] for name, score in grades["students"].items()}
+    # an answer may be the same for two rows
+    assert (earned["ann"], earned["cid"], earned["dan"]) == (3, 0, 0) and earned["bob"] <= 1
     for written in (
         "summary.html",
         "feedback/ann.html",

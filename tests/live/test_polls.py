@@ -1,5 +1,7 @@
 """Polls: the options, and the explanations, which appear at the reveal only."""
 
+import re
+
 import pytest
 
 from workbook.live import LiveError
@@ -60,3 +62,20 @@ def test_choices_are_options_too():
 def test_bad_counts_end_in_one_line(problem, counts, message):
     with pytest.raises(LiveError, match=message):
         poll(problem, "a_region", counts)
+
+
+@pytest.mark.parametrize(
+    "number, name, texts",
+    [
+        ("2.4", "a_observable", ["weight * alpha + beta, 0)"]),  # in the names of the data
+        # a right answer is not shown under another sign
+        ("3.8", "gain", ["gain = Matrix([[-1], [-1], [-1]])", "gain = Matrix([[2], [2], [2]])"]),
+        ("5.63", "eigenvalues", ["eigenvalues = [sqrt(6)/2]", "eigenvalues = [-sqrt(6)/2 - 1]"]),
+    ],
+)
+def test_a_mistake_is_shown_without_the_right_answer(number, name, texts):
+    problem = WorkedProblem(number)
+    shown = [problem.trial_text(trial) for trial in problem.trials(name)]
+    assert all(any(text in line for line in shown) for text in texts), shown
+    values = (line.partition(f"{name} = ")[2] for line in shown)
+    assert not any(re.search(rf"\b{name}\b", value) for value in values)

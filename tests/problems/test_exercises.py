@@ -73,7 +73,8 @@ def test_mistakes_are_in_step_and_sealed(master):
     for trial in master.trials["wrong"]:
         value = trial.source.rpartition("=")[2].strip()
         words = [part for part in re.split(r"(?<=[.?]) ", trial.comment) if len(part) > 10]
-        for readable in [*words, *([value] if len(value) > 8 else [])]:
+        hidden = len(value) > 8 and value not in master.answers  # whose names are known
+        for readable in [*words, *([value] if hidden else [])]:
             assert readable.encode() not in shown, readable
 
 

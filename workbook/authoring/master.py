@@ -12,7 +12,7 @@ from workbook.authoring.contract import (
 )
 from workbook.authoring.errors import MasterError
 from workbook.authoring.front_matter import read_front_matter
-from workbook.authoring.trials import read_trials, trials_file
+from workbook.authoring.trials import numbers_section, read_trials, trials_file
 
 ROLES = ("data", "drawing", "answer", "figure", "check")
 
@@ -80,6 +80,8 @@ class Master:
         The trials under "wrong" and "right".
     core : tuple of str
         The core items of a long problem.
+    numbers : str
+        The section of the trials file with rows of numbers (`workbook.authoring.numbers`), or "".
     """
 
     path: Path
@@ -93,6 +95,7 @@ class Master:
     cells: tuple
     trials: dict
     core: tuple = ()
+    numbers: str = ""
 
     def code(self, *roles):
         """Return the sources of the code cells with one of the roles, in order."""
@@ -160,6 +163,7 @@ def read(path):
         _cells(path, text),
         read_trials(trials_file(path), answers),
         tuple(front.get("core", ())),
+        numbers_section(trials_file(path)),
     )
     validate_code(master, lines)
     validate_drawings(master)

@@ -258,7 +258,11 @@ def _instruction(master):
 
 def _origin(master, equations):
     chapter = master.number.split(".")[0]
-    credit = f"{CREDIT}, problem {master.number}" if int(chapter) <= 5 else RESEARCH
+    credit = (
+        f"{CREDIT}, problem {exercises.base_number(master.number)}"
+        if int(chapter) <= 5
+        else RESEARCH
+    )
     return _markdown(
         f"*The data of this problem come from* {credit}.\n\n"
         'This notebook needs the workbook: from a checkout of it run `pip install -e ".[workbook]"`, '

@@ -13,7 +13,7 @@ They are in `p15.trials.py` beside `p15.md`:
 A trial ends with a statement that assigns an answer. Statements before it, back to the end of the
 previous trial, belong to it and are seen by no other. Its comment stands above that statement or
 behind its end; the comment of a wrong trial is for the student who made the mistake
-(`workbook.authoring.mistakes`).
+(`workbook.authoring.mistakes`). A section `# %% numbers` is read by `workbook.authoring.numbers`.
 """
 
 import ast
@@ -26,6 +26,7 @@ from workbook.authoring.statements import assigned_by
 #: Roles: typical wrong answers, and right ones that differ mathematically from the worked one.
 TRIALS = ("wrong", "right")
 MARK = re.compile(r"# %% *(.*)")
+NUMBERS = re.compile(r"^# %% numbers *$\n(.*?)(?=^# %% |\Z)", re.MULTILINE | re.DOTALL)
 
 
 class Trial(NamedTuple):
@@ -65,6 +66,8 @@ def read_trials(path, names):
         )
     text = path.read_text(encoding="utf-8")
     try:
+        # lines stay where they are, for the messages
+        text = NUMBERS.sub(lambda section: "\n" * section[0].count("\n"), text)
         statements = ast.parse(text).body
     except SyntaxError as error:
         raise MasterError(path, error.lineno, f"no Python: {error.msg}") from None
@@ -94,6 +97,26 @@ def read_trials(path, names):
             "a trial ends by assigning an answer; this assigns none",
         )
     return trials
+
+
+def numbers_section(path):
+    """Return the source of the section `# %% numbers` of a file, "" if there is none.
+
+    Raises
+    ------
+    MasterError
+        If it is no Python.
+    """
+    text = path.read_text(encoding="utf-8")
+    match = NUMBERS.search(text)
+    if match is None:
+        return ""
+    try:
+        ast.parse(match[1])
+    except SyntaxError as error:
+        line = text[: match.start(1)].count("\n") + error.lineno
+        raise MasterError(path, line, f"no Python: {error.msg}") from None
+    return match[1]
 
 
 def _parts(path, block, before, role):

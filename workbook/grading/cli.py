@@ -219,18 +219,85 @@ def new(
             "--direction", help="Messages say whether a number is too great or too small."
         ),
     ] = False,
+    own_numbers: Annotated[
+        bool,
+        typer.Option(
+            "--numbers", help="Each student of the --roster gets other numbers, in a folder."
+        ),
+    ] = False,
+    roster: Annotated[
+        Path | None, typer.Option(help="For --numbers: table (.csv) of all students.")
+    ] = None,
 ):
     """Make a homework folder: notebooks, a README, and assignment.toml with points and dates."""
     from workbook.grading.course.handing_out import due_date, due_text, make
 
+    if own_numbers != (roster is not None):
+        raise UserError("--numbers needs the class, --roster class.csv, and only --numbers does")
+    if own_numbers:
+        from workbook.grading.course.student_folders import proved_rows
+
+        students = _students(roster)
+        proved_rows(numbers)  # before anything is written
     homework = make(
-        assignments, name, numbers, title, due_date(due) if due else None, site, direction
+        assignments,
+        name,
+        numbers,
+        title,
+        due_date(due) if due else None,
+        site,
+        direction,
+        own_numbers,
     )
     answers = sum(len(points) for points in homework.points.values())
     console.print(
         f"{assignments / name}: {len(homework.problems)} problems, {answers} answers, "
         f"{homework.max_points:g} points, "
         + (f"due {due_text(homework.due)}" if homework.due else "no due date"),
+        markup=False,
+    )
+    if own_numbers:
+        _hand_out(assignments, name, students, site)
+
+
+@assignment.command(name="numbers")
+def write_numbers(
+    name: Annotated[str, typer.Argument(help="Name of the homework.")],
+    roster: Annotated[
+        Path | None, typer.Option(help="Table (.csv) of all students, to add new ones.")
+    ] = None,
+    assignments: Assignments = Path("assignments"),
+    site: Site = "",
+    worksheet: Annotated[
+        Path | None,
+        typer.Option(help="Moodle's grading worksheet, to make an archive that Moodle hands out."),
+    ] = None,
+):
+    """Write the students' folders by numbers.csv again, after a change of it or of the class."""
+    _hand_out(assignments, name, _students(roster) if roster is not None else (), site)
+    if worksheet is not None:
+        from workbook.grading.course.student_folders import moodle_archive
+
+        archive, absent = moodle_archive(assignments, name, worksheet)
+        console.print(f"{archive}: for Moodle's feedback files", markup=False)
+        if absent:
+            console.print(f"not in {worksheet}: {', '.join(absent)}", markup=False, style="yellow")
+
+
+def _students(roster):
+    from workbook.grading.reports.canvas import read_roster
+
+    return [name for name in read_roster(roster).identities([]) if name]
+
+
+def _hand_out(assignments, name, students, site):
+    from workbook.grading.course import student_folders
+    from workbook.grading.course.numbers import NAME
+
+    table = student_folders.hand_out(assignments, name, students, site)
+    console.print(
+        f"{assignments / name / student_folders.FOLDER}: folders of {len(table)} students, each with "
+        f"the numbers that {NAME} says",
         markup=False,
     )
 

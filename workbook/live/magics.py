@@ -105,7 +105,7 @@ class LectureMagics(Magics):
             trials = problem.trials(name)
             trial = trials[self._count("mistake", problem, name) % len(trials)]
             value = problem.trial_value(trial)
-            display(Markdown(f"What one may say:\n\n```python\n{trial.source}\n```"))
+            display(Markdown(f"What one may say:\n\n```python\n{problem.trial_text(trial)}\n```"))
             with suppress(NotYet):
                 report(**{name: problem.verdict(name, value)})
             figure = counterexample_figure(value, problem.solved[name])

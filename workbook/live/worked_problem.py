@@ -1,5 +1,7 @@
 """A problem with its data, worked answers and trials, and the verdict on any answer."""
 
+import ast
+import re
 from difflib import get_close_matches
 from functools import cached_property
 
@@ -10,7 +12,7 @@ from workbook.authoring.statements import assigned_names
 from workbook.checks import collecting
 from workbook.checks.contract.check_cells import reported_names
 from workbook.checks.contract.decoding import decode
-from workbook.checks.contract.encoding import encode
+from workbook.checks.contract.encoding import describe, encode
 from workbook.checks.contract.traversal import EncodingError
 from workbook.checks.contract.verdict import Unusable
 from workbook.live.errors import LiveError
@@ -79,6 +81,15 @@ class WorkedProblem:
         """Return the value that a trial gives to its answer."""
         answers = {name: self.solved[name] for name in self.master.answers}
         return trial_value(trial, self.data | answers)
+
+    def trial_text(self, trial):
+        """Return a trial as one may say it: its code, or its value where that uses worked answers."""
+        nodes = (node for node in ast.walk(ast.parse(trial.source)) if isinstance(node, ast.Name))
+        used = {node.id for node in nodes if isinstance(node.ctx, ast.Load)}
+        if not used & set(self.master.answers):
+            return trial.source
+        value = re.sub(r"\s+", " ", describe(self.trial_value(trial)).replace("[\n", "["))
+        return f"{trial.name} = {value}"
 
     def verdict(self, name, value):
         """Return the verdict of the check cell on a value of an answer."""

@@ -1,6 +1,8 @@
 """The pristine exercises, from which every check and every grade reads data and check cells.
 
 They are in exercises/ of a checkout, and in the package where it was installed from a wheel. A
+variant of a problem, with other numbers, has a name such as 2.4~17: problem 2.4 with the numbers of
+row 17. `workbook.authoring.variants` writes it to variants/ of a checkout once it is proved. A
 notebook refers to the book without links, since a student may be anywhere; the metadata `places` of
 its cells hold the addresses, and `add_links` makes links of them where the site has an address.
 """
@@ -16,6 +18,10 @@ from pathlib import Path
 REPORT, HIDING = "checks.report(", "checks.hide_direction()\n"
 PACKAGE = Path(__file__).resolve().parents[1]
 CHECKOUT = PACKAGE.parent
+#: Notebooks of variants: generated, and not part of the repository.
+VARIANTS = CHECKOUT / "variants"
+#: The name of a problem or a variant: chapter, problem and row.
+NAME = re.compile(r"(\d+)\.(\d+)(?:~([1-9]\d*))?", re.ASCII)
 
 
 class UnknownExercise(ValueError):
@@ -142,15 +148,32 @@ def notebook_path(number):
 
 
 def path_of(number):
-    """Return where the notebook of a problem is, if there is one; raise `UnknownExercise` for a
-    number that cannot be a problem's."""
-    chapter, _, problem = str(number).partition(".")
-    if not (chapter.isdigit() and problem.isdigit()):
+    """Return where the notebook of a problem or variant is, if there is one; raise
+    `UnknownExercise` for a number that cannot be a problem's."""
+    match = NAME.fullmatch(str(number))
+    if not match:
         raise _unknown(number)
-    return folder() / f"ch{chapter}" / f"p{problem:0>2}.ipynb"
+    chapter, problem, row = match.groups()
+    name = f"p{problem:0>2}" + (f"~{row}" if row else "")
+    return (VARIANTS if row else folder()) / f"ch{chapter}" / f"{name}.ipynb"
+
+
+def base_number(number):
+    """Return the problem of a variant, or the problem itself.
+
+    >>> base_number("2.4~17"), base_number("2.4")
+    ('2.4', '2.4')
+    """
+    return number.partition("~")[0]
 
 
 def _unknown(number):
+    base, _, row = str(number).partition("~")
+    if row:
+        return UnknownExercise(
+            f"row {row} of problem {base} is not here, and its notebook checks itself; in a checkout, "
+            f"`workbook variants {base}` proves and writes the rows"
+        )
     return UnknownExercise(f"there is no problem {number}; `workbook problems` lists them")
 
 

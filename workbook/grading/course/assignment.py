@@ -85,6 +85,8 @@ class Assignment:
         The due dates of students who have their own.
     direction : bool
         Whether verdicts say in which direction a number is wrong.
+    numbers : dict or None
+        {student: {problem: row}} where students have numbers of their own (`numbers.csv`).
     """
 
     name: str
@@ -97,14 +99,32 @@ class Assignment:
     late_rule: LateRule | None = None
     extensions: dict = field(default_factory=dict)
     direction: bool = False
+    numbers: dict | None = None
 
     def due_of(self, student):
         """Return the due date of a student, or None."""
         return self.extensions.get(student, self.due)
 
-    def exercise(self, problem):
-        """Return the exercise of a problem with the check cells of this homework."""
-        notebook = exercises.find(problem)
+    def row(self, problem, student):
+        """Return the row of numbers that a student has; 0 is the site's, None that there is none."""
+        if self.numbers is None or all(problem not in rows for rows in self.numbers.values()):
+            return 0
+        return self.numbers.get(student, {}).get(problem)
+
+    def variant(self, problem, student):
+        """Return the name of what a student has to solve, such as 2.4~17, or 2.4 without a row."""
+        row = self.row(problem, student)
+        return f"{problem}~{row}" if row else problem
+
+    def other_variants(self, problem, student):
+        """Return the names of what the site and classmates have instead, the site's first."""
+        own = self.row(problem, student)
+        rows = {rows[problem] for rows in (self.numbers or {}).values() if problem in rows}
+        return [problem, *(f"{problem}~{row}" for row in sorted(rows - {own}))] if own else []
+
+    def exercise(self, variant):
+        """Return the exercise of a problem or variant with the check cells of this homework."""
+        notebook = exercises.find(variant)
         return notebook if self.direction else exercises.in_homework(notebook)
 
     @property

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course import matching, submissions
+from workbook.grading.course import matching, numbers, student_folders, submissions
 from workbook.grading.course.store import Store
 from workbook.grading.course.submissions import LeftAside, Submission
 from workbook.grading.pool import grader, worker_pool
@@ -212,9 +212,9 @@ def _plan(copies, aside, homeworks, store, limits):
     """Note all attempts and return the `Plan`; `copies` and `aside` are those of `_by_attempt`."""
     fingerprints, pending, noted, graded_before = {}, {}, {}, 0
     for (student, name, problem, content), duplicates in copies.items():
-        direction = homeworks[name].direction
-        if (problem, direction) not in fingerprints:
-            fingerprints[problem, direction] = fingerprint(homeworks[name].exercise(problem))
+        direction, variant = homeworks[name].direction, homeworks[name].variant(problem, student)
+        if (variant, direction) not in fingerprints:
+            fingerprints[variant, direction] = fingerprint(homeworks[name].exercise(variant))
         # One file of several with the same content: the earliest, or where the last attempt counts
         # the latest.
         counting = (max if homeworks[name].attempt == "last" else min)(
@@ -223,24 +223,25 @@ def _plan(copies, aside, homeworks, store, limits):
         attempt = store.note_attempt(
             student, name, problem, content, counting.submitted, counting.timing
         )
-        noted[attempt] = name, problem, counting
+        noted[attempt] = student, name, problem, counting
     surplus = {
         attempt
         for name in homeworks
         for attempt in store.attempts_beyond(name, homeworks[name].attempts)
     }
-    for attempt, (name, problem, submission) in noted.items():
+    for attempt, (student, name, problem, submission) in noted.items():
         if attempt in surplus:  # it cannot count
             continue
-        direction = homeworks[name].direction
-        version = fingerprints[problem, direction]
+        direction, variant = homeworks[name].direction, homeworks[name].variant(problem, student)
+        version = fingerprints[variant, direction]
         if _is_graded(store.versions(attempt), version, limits):
             graded_before += 1
             continue
-        exercise = homeworks[name].exercise(problem)
+        exercise = homeworks[name].exercise(variant)
         pending[attempt] = {
             "key": attempt,
-            "problem": problem,
+            "problem": variant,
+            "other variants": homeworks[name].other_variants(problem, student),
             "direction": direction,
             "exercise": version,
             "trouble": submission.trouble,
@@ -285,6 +286,9 @@ def _by_attempt(entries, homeworks, aside_reasons, files):
             aside.append(LeftAside(entry.path, reason, entry.student, name))
         elif isinstance(problem, LeftAside):
             aside.append(problem)
+        elif homeworks[name].row(problem, entry.student) is None:
+            reason = f"{numbers.NAME} has no row of {problem} for {entry.student}: add it"
+            aside.append(LeftAside(entry.path, reason, entry.student, name))
         else:
             copies.setdefault((entry.student, name, problem, entry.content), []).append(entry)
     return copies, aside
@@ -298,7 +302,8 @@ def _homeworks(entries, files):
     homeworks, aside_reasons = {}, {}
     for name in sorted({entry.assignment for entry in entries if entry.assignment}):
         if name in files:
-            homeworks[name] = assignments.read(files[name])
+            homeworks[name] = numbers.read_homework(files[name])
+            student_folders.require_handed_out(files[name], homeworks[name])
         elif files:
             # A folder with a misspelt name would be a homework of its own, and its notebooks would
             # be missing, unnoticed, in the one that was meant.

@@ -40,7 +40,7 @@ Changing a check cell changes nothing, since answers are judged by the cells as 
 """
 
 
-def make(folder, name, problems, title=None, due=None, site="", direction=False):
+def make(folder, name, problems, title=None, due=None, site="", direction=False, own_numbers=False):
     """Write a homework into `folder`/`name`, which must not exist.
 
     Parameters
@@ -59,6 +59,8 @@ def make(folder, name, problems, title=None, due=None, site="", direction=False)
         Address of the student edition of the site, for links to the theory.
     direction : bool
         Whether verdicts say in which direction a number is wrong.
+    own_numbers : bool
+        Whether the notebooks are left out, since each student gets others (`student_folders`).
 
     Returns
     -------
@@ -79,7 +81,9 @@ def make(folder, name, problems, title=None, due=None, site="", direction=False)
     if target.exists():
         raise AssignmentError(f"{target} is already there; take another name or remove it")
     files = {
-        file_name(problem): release(problem, site, direction) for problem in _checked(problems)
+        file_name(problem): release(problem, site, direction)
+        for problem in _checked(problems)
+        if not own_numbers
     }
     files["assignment.toml"] = _toml(title or name, problems, due, direction)
     homework = assignments.from_text(files["assignment.toml"], target / "assignment.toml")

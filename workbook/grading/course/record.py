@@ -43,7 +43,7 @@ def compared(path, assignment, scores, when):
     Returns (changes since then, all changes so far, the text to write there now); `when` is the
     time of the new changes as text.
     """
-    before, students = read(path), _students(scores)
+    before, students = read(path), _students(scores, assignment.numbers)
     former = [Change(**change) for change in before["changes"]]
     new = _changes(
         before["students"],
@@ -122,12 +122,14 @@ def put_bytes(path, data):
         ) from None
 
 
-def _students(scores):
+def _students(scores, numbers):
+    """Return the scores as plain data; `numbers` has the rows where students have their own."""
     return {
         score.student: {
             "points": score.points,
             "late": list(score.late),
             "needs review": score.needs_review,
+            **({"numbers": numbers.get(score.student, {})} if numbers is not None else {}),
             "answers": [_answer(score, answer) for answer in score.answers],
         }
         for score in scores

@@ -11,6 +11,7 @@ from importlib import metadata
 from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
+from workbook.grading.course import numbers
 from workbook.grading.course.assignment import AssignmentError
 from workbook.grading.course.record import put_bytes
 from workbook.mistakes import mistakes_file
@@ -27,6 +28,10 @@ def make(folder, name, out):
     """Write the bundle for the homework `folder`/`name` to a file; return the `Assignment`."""
     file = Path(folder) / name / "assignment.toml"
     homework = assignments.read(file)
+    if file.with_name(numbers.NAME).is_file():
+        raise AssignmentError(
+            f"{file.parent} has {numbers.NAME}: Gradescope hands the same file to all students"
+        )
     if Path(out).suffix != ".zip":
         raise AssignmentError(f"{out}: Gradescope takes a .zip")
     wheel_name, wheel = _wheel()

@@ -7,6 +7,7 @@ import os
 from dataclasses import asdict, replace
 
 from workbook.checks.contract.verdict import MISSING, Verdict
+from workbook.grading.pool import copying
 from workbook.grading.pool.judging import Bounds, Judge, Judgement
 from workbook.grading.sandbox.preloading import ALWAYS, LIBRARIES, preload
 from workbook.grading.sandbox.sandbox import Limits, Sandbox, Unsandboxed
@@ -76,7 +77,9 @@ class Grader:
     def grade(self, task):
         """Return the judgement, as plain data, on a task.
 
-        It is {"problem": .., "direction": whether verdicts say it, "sources": [..]}.
+        It is {"problem": .., "direction": whether verdicts say it, "sources": [..], "other
+        variants": names of the same problem with other numbers, on which wrong answers are judged
+        once more}.
         """
         exercise = exercises.find(task["problem"])
         exercise = exercise if task["direction"] else exercises.in_homework(exercise)
@@ -86,7 +89,10 @@ class Grader:
             before=_missing_data_cells(exercise, task["sources"]),
         )
         self._judge.prepare(exercise)  # while the notebook runs
-        return to_plain(self._judge.judge(exercise, self._sandbox.finish_run()))
+        outcome = self._sandbox.finish_run()
+        judgement = self._judge.judge(exercise, outcome)
+        remarks = copying.remarks(judgement, task.get("other variants", ()), outcome, self._judge)
+        return to_plain(replace(judgement, remarks=(*judgement.remarks, *remarks)))
 
 
 def _missing_data_cells(exercise, sources):

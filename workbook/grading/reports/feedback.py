@@ -12,6 +12,7 @@ from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED,
 from workbook.grading.course.handing_out import due_text
 from workbook.grading.course.lateness import days_begun
 from workbook.grading.course.ledger import KNOWN
+from workbook.grading.pool.copying import is_copying
 from workbook.grading.reports.pages import count, page, points
 from workbook.notebooks import exercises
 
@@ -57,10 +58,11 @@ def feedback(assignment, score, site=""):
         look = "; your lecturer will look at it" if score.aside_needs_review else ""
         parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{entries}</ul>")
     for problem in assignment.problems:
-        about, answers = exercises.find(problem).about, score.of_problem(problem)
+        variant = assignment.variant(problem, score.student)
+        about, answers = exercises.find(variant).about, score.of_problem(problem)
         earned = f"{points(sum(a.points for a in answers))} / {points(sum(a.max_points for a in answers))}"
         parts.append(
-            f"<h2><span>{escape(problem)} {escape(about['title'])}</span><span "
+            f"<h2><span>{escape(variant)} {escape(about['title'])}</span><span "
             f'class="points">{earned}</span></h2>'
         )
         parts += _of_problem(problem, about, answers, score, assignment)
@@ -105,9 +107,9 @@ def _of_problem(problem, about, answers, score, assignment):
             f'<p class="soft">You handed this in {score.attempt_counts[problem]} times; what follows is the '
             "attempt that counts.</p>"
         )
-    if attempt is not None and attempt.remarks:
+    if attempt is not None and (remarks := [r for r in attempt.remarks if not is_copying(r)]):
         parts.append(
-            f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>'
+            f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in remarks)}</ul>'
         )
     return parts + [_answer(answer, about, hints(answer, about)) for answer in answers]
 

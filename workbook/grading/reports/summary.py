@@ -10,6 +10,7 @@ from collections import Counter, defaultdict
 from html import escape
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, STATUSES, WRONG
+from workbook.grading.reports.other_numbers import right_for_others
 from workbook.grading.reports.pages import answer_name, count, page, person, points, table
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")
@@ -38,6 +39,8 @@ def summary(assignment, scores):
             "<h2>Identical wrong answers</h2>",
             _identical(handed_in),
         ]
+    if assignment.numbers is not None:
+        parts += ["<h2>Right for other numbers</h2>", right_for_others(assignment, handed_in)]
     return page(assignment.title, "Summary", "".join(parts))
 
 

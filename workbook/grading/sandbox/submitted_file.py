@@ -14,6 +14,7 @@ import stat
 
 from workbook.grading.sandbox.system_calls import address_space_bytes, die_with_parent
 from workbook.notebooks.execution import in_child
+from workbook.notebooks.exercises import base_number
 
 #: Bytes: larger files are read in a process of limited time and memory, and none above the second.
 LARGE_FILE, MAX_FILE = 10 * 2**20, 200 * 2**20
@@ -142,8 +143,9 @@ def _number(data):
         number = data["metadata"]["workbook"]["number"]
     except (KeyError, TypeError):
         return None
+    # whose numbers a notebook has is not the student's to say
     return (
-        number
-        if isinstance(number, str) and re.fullmatch(r"[0-9]{1,3}\.[0-9]{1,3}", number)
+        base_number(number)
+        if isinstance(number, str) and re.fullmatch(r"[0-9]{1,3}\.[0-9]{1,3}(~[0-9]{1,4})?", number)
         else None
     )

@@ -1,0 +1,215 @@
+"""A homework in which each student has numbers of their own, from the table to the points."""
+
+import csv
+import io
+import json
+import shutil
+import sys
+import zipfile
+from collections import Counter
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import RIGHT_2_4, SITE_2_4, an_assignment, notebook, write_assignment
+
+from workbook.authoring.variants import variants_of
+from workbook.grading import commands
+from workbook.grading.course import handing_out, numbers, student_folders
+from workbook.grading.course.assignment import InputError
+from workbook.grading.gradescope import bundle
+from workbook.grading.reports.canvas import read_roster
+from workbook.notebooks import exercises
+
+ROOT = Path(__file__).resolve().parents[2]
+CLASS = ["ann", "ben", "cat", "dan", "eva", "fay"]
+
+
+@pytest.mark.parametrize("count", [6, 16, 40])
+def test_no_row_is_drawn_twice_before_each_was_drawn_once(count):
+    rows = {"2.4": list(range(1, 17)), "3.8": [2, 5]}
+    table = numbers.draw({"s0": {"2.4": 3}}, [f"s{k}" for k in range(count)], rows)
+    assert len(table) == count and table["s0"]["2.4"] == 3
+    for problem, proved in rows.items():
+        times = Counter(own[problem] for own in table.values())
+        assert set(times) <= set(proved) and max(times.values()) == -(-count // len(proved))
+    assert {"s0", "s1"} <= numbers.draw(table, ["s1"], rows).keys()
+    assert numbers.draw(table, list(table), rows) == table
+
+
+def test_a_table_is_read_as_it_was_written_and_edited(tmp_path):
+    table = {"ann": {"2.4": 3, "3.8": 1}, "Li, Wei": {"3.8": 2}}
+    path = tmp_path / numbers.NAME
+    path.write_text(numbers.text(table, ["2.4", "3.8"]), encoding="utf-8")
+    assert numbers.read(path) == table
+    path.write_text("student;2.4\r\nann; 3\r\n", encoding="utf-8")  # by a spreadsheet
+    assert numbers.read(path) == {"ann": {"2.4": 3}}
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    [
+        ("student,2.4\nann,0\n", "no row of 2.4 for ann"),
+        ("student,2.4\nann,three\n", "no row of 2.4 for ann"),
+        ("student,2.4\nann,1\nann,2\n", "ann stands there twice"),
+        ("student,2.5\nann,1\n", "2.5 is no problem of the homework"),
+        ("", "the first line names the problems"),
+    ],
+)
+def test_a_table_that_cannot_be_used(tmp_path, text, message):
+    path = write_assignment(tmp_path, 'problems = ["2.4"]')
+    path.with_name(numbers.NAME).write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=message):
+        numbers.read_homework(path)
+
+
+def test_whose_numbers_a_student_has(tmp_path):
+    homework = replace(
+        an_assignment(tmp_path, 'problems = ["2.4", "1.15"]'),
+        numbers={"ann": {"2.4": 3}, "ben": {"2.4": 5}},
+    )
+    assert homework.variant("2.4", "ann") == "2.4~3"
+    assert homework.other_variants("2.4", "ann") == ["2.4", "2.4~5"]
+    assert homework.row("2.4", "eva") is None  # who was forgotten
+    assert homework.variant("1.15", "ann") == "1.15"  # the same for all
+    assert homework.other_variants("1.15", "ann") == []
+
+
+def test_what_cannot_be_handed_out(tmp_path):
+    def homework(problem, table=""):
+        path = write_assignment(tmp_path, f'problems = ["{problem}"]')
+        path.with_name("README.md").write_text("How to work", encoding="utf-8")
+        path.with_name(numbers.NAME).write_text(table or f"student,{problem}\n", encoding="utf-8")
+
+    for problem, table, students, message in [
+        ("1.15", "", CLASS, "none of the problems 1.15 varies"),
+        ("2.4", "", [], "give --roster"),
+        ("2.4", "", ["../ann"], "cannot be the name of a folder"),
+        ("2.4", "student,2.4\nann,999\n", [], "no proved row 999"),
+    ]:
+        homework(problem, table)
+        with pytest.raises(InputError, match=message):
+            student_folders.hand_out(tmp_path / "assignments", "hw1", students)
+    with pytest.raises(InputError, match="hands the same file to all"):
+        bundle.make(tmp_path / "assignments", "hw1", tmp_path / "out.zip")
+
+
+def test_an_archive_for_moodle(tmp_path):
+    target = tmp_path / "assignments" / "hw1"
+    for student in ("ann@uni.example", "dan@uni.example"):
+        (target / "students" / student).mkdir(parents=True)
+        (target / "students" / student / "ch2-p04.ipynb").write_text(student, encoding="utf-8")
+    table = {"ann@uni.example": {"2.4": 3}, "dan@uni.example": {"2.4": 4}}
+    (target / numbers.NAME).write_text(numbers.text(table, ["2.4"]), encoding="utf-8")
+    worksheet = tmp_path / "worksheet.csv"
+    header = "Identifier,Full name,Email address,Status,Grade\n"
+    worksheet.write_text(
+        f"{header}Participant 1101,Ann_Able,ann@uni.example,,\n"
+        "Participant 1102,Bob Bee,bob@uni.example,,\n",
+        encoding="utf-8",
+    )
+    assert read_roster(worksheet).identities([]) == ["ann@uni.example", "bob@uni.example"]
+    path, absent = student_folders.moodle_archive(tmp_path / "assignments", "hw1", worksheet)
+    with zipfile.ZipFile(path) as archive:
+        # Moodle splits the name at its underscores: name, participant, plugin
+        assert archive.namelist() == ["Ann Able_1101_assignfeedback_file/ch2-p04.ipynb"]
+        assert archive.read(archive.namelist()[0]) == b"ann@uni.example"
+    assert absent == ["dan@uni.example"]
+    worksheet.write_text(f"{header}Participant 1102,Bob Bee,bob@uni.example,,\n", encoding="utf-8")
+    with pytest.raises(InputError, match="addresses of none of the students"):
+        student_folders.moodle_archive(tmp_path / "assignments", "hw1", worksheet)
+
+
+def test_six_students(tmp_path):
+    """Own work earns everything; a friend's, the site's and a smuggled data cell earn nothing."""
+    assignments = tmp_path / "assignments"
+    handing_out.make(assignments, "hw1", ["2.4"], own_numbers=True)
+    table = student_folders.hand_out(assignments, "hw1", CLASS)
+    # rows without a common weight or root with row 0 or each other, so that nothing is right by luck
+    rows = dict(zip(CLASS, (1, 2, 3, 4, 13, 10)))
+    assert set(table) == set(CLASS) and len({own["2.4"] for own in table.values()}) == 6
+    path = assignments / "hw1" / numbers.NAME
+    path.write_text(
+        numbers.text({name: {"2.4": row} for name, row in rows.items() if name != "fay"}, ["2.4"]),
+        encoding="utf-8",
+    )
+    shutil.rmtree(assignments / "hw1" / "students" / "fay")
+    student_folders.hand_out(assignments, "hw1", site="https://site.example")
+    folders = assignments / "hw1" / "students"
+    assert not list((assignments / "hw1").glob("*.ipynb"))
+
+    def submit(student, document):
+        path = tmp_path / "submitted" / student / "hw1" / "ch2-p04.ipynb"
+        path.parent.mkdir(parents=True)
+        path.write_text(json.dumps(document), encoding="utf-8")
+
+    def solved(student, answers):
+        return notebook(f"2.4~{rows[student]}", answers)
+
+    own = json.loads((folders / "ann" / "ch2-p04.ipynb").read_text(encoding="utf-8"))
+    assert own["metadata"]["workbook"]["number"] == "2.4~1" and "site.example" in json.dumps(own)
+    submit("ann", solved("ann", RIGHT_2_4))
+    submit("ben", solved("ann", _written_out(rows["ann"])))  # a friend's, with its data cell
+    submit("cat", solved("cat", SITE_2_4))
+    smuggled = solved("dan", SITE_2_4)
+    for cell in smuggled["cells"]:
+        if cell["metadata"].get("tags") == ["data"]:
+            cell["source"] = exercises.find("2.4").code("data")[0][1]
+    submit("dan", smuggled)
+    submit("eva", solved("eva", RIGHT_2_4 | {"b_unseen": SITE_2_4["b_unseen"]}))
+    submit("fay", solved("fay", RIGHT_2_4))
+
+    result = commands.grade_course(
+        tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+    )
+    assert result["assignments"]["hw1"] == {
+        "ann": 3.0,
+        "ben": 0.0,
+        "cat": 0.0,
+        "dan": 0.0,
+        "eva": 2.0,
+        "fay": 0.0,
+    }
+    assert [reason for _, reason in result["left aside"]] == [
+        "numbers.csv has no row of 2.4 for fay: add it"
+    ]
+    summary = (tmp_path / "graded" / "hw1" / "summary.html").read_text(encoding="utf-8")
+    part = summary.partition("Right for other numbers")[2]
+    assert part.count("row 0 (the site)") == 3 and "row 1 (" in part
+    everything = "a_observable, b_unobservable, b_unseen"
+    assert part.count(everything) == 3 and part.count("<code>b_unseen</code>") == 1
+    for name in ("ben", "cat"):
+        page = next((tmp_path / "graded" / "hw1").rglob(f"*{name}*.html")).read_text("utf-8")
+        assert "2.4~" in page and "right for row" not in page
+    record = json.loads((tmp_path / "graded" / "hw1" / "grades.json").read_text("utf-8"))
+    assert record["students"]["ben"]["numbers"] == {"2.4": 2}
+
+    # a row given to somebody else, of which the folder does not know
+    path.write_text(path.read_text("utf-8").replace("eva,13", "eva,10"), encoding="utf-8")
+    with pytest.raises(InputError, match=r"eva/ch2-p04\.ipynb has other numbers than 2\.4~10"):
+        commands.grade_course(
+            tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+        )
+    path.write_text(path.read_text("utf-8").replace("eva,10", "eva,13"), encoding="utf-8")
+    # a line added for fay: she is graded, and nobody else again
+    path.write_text(path.read_text("utf-8") + f"fay,{rows['fay']}\n", encoding="utf-8")
+    again = commands.grade_course(
+        tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+    )
+    assert (again["graded"], again["assignments"]["hw1"]["fay"]) == (1, 3.0)
+    lines = csv.DictReader(io.StringIO(path.read_text("utf-8")))
+    assert {line["student"]: int(line["2.4"]) for line in lines} == rows
+
+
+def _written_out(row):
+    """Return right answers for a row of problem 2.4 as a student writes them, in numbers."""
+    variants = variants_of(ROOT, "2.4")
+    weight, friction, stiffness = variants.numbers.rows[row]
+    p, q = sorted(-root for root in variants.names(row)["b_matrix"].eigenvals())
+    return {
+        "a_observable": f"sp.Ne({weight}*alpha - beta, {weight**2})",
+        "b_unobservable": f"sp.Eq(h**2 - {friction}*h + {stiffness}, 0)",
+        "b_unseen": f"{{{p}: [[1, {-p}]], {q}: [[1, {-q}]]}}",
+    }
