@@ -38,6 +38,8 @@ class Problem(Statement):
         Whether the process ends when the trajectory first meets the target at some t > 0; for an
         initial state on the target, and for costs that would gain from passing through it. Needs
         exactly one terminal equation.
+    path : list of sympy inequalities, optional
+        Constraints on the state along the path, such as [v <= 1, x**2 + y**2 >= 1].
 
     Raises
     ------

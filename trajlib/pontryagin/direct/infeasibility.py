@@ -70,6 +70,19 @@ def refuse_infeasible(numeric: NumericProblem) -> None:
     _refuse_unmoved(numeric)
 
 
+def refuse_start_beyond_constraints(numeric: NumericProblem) -> None:
+    """Raise `Infeasible` if the given initial state violates a path constraint."""
+    problem = numeric.problem
+    start = {y: value for y, value in problem.initial.items() if value is not None}
+    for relation, g in zip(problem.path, problem.constraints):
+        value = g.subs(start)
+        if value.is_number and float(value) > MARGIN * (1 + np.nanmax(np.abs(numeric.start))):
+            raise Infeasible(
+                f"the initial state violates the path constraint {relation}: its left-hand side is "
+                f"{float(value):.6g}"
+            )
+
+
 def _refuse_contradiction(G, d):
     """Raise `Infeasible` if G y = d for no y."""
     nearest, *_ = np.linalg.lstsq(G, d, rcond=None)

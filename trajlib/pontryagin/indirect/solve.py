@@ -19,12 +19,17 @@ from trajlib.pontryagin.direct.free_duration import (
 )
 from trajlib.pontryagin.direct.guesses import read_guess, refuse_start_on_target
 from trajlib.pontryagin.direct.impulses import refuse_impulses
-from trajlib.pontryagin.direct.infeasibility import refuse_infeasible
+from trajlib.pontryagin.direct.infeasibility import (
+    refuse_infeasible,
+    refuse_start_beyond_constraints,
+)
 from trajlib.pontryagin.direct.multistart import SearchResult, search
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
 from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
+from trajlib.pontryagin.indirect.assembly import extremal_of_shot
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
-from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
+from trajlib.pontryagin.indirect.contacts import end_constraints
+from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.indirect.l1_control import split_l1_controls
 from trajlib.pontryagin.indirect.linear_quadratic import solve_linear_quadratic
 from trajlib.pontryagin.indirect.polynomial_end import solve_polynomial_end
@@ -110,15 +115,19 @@ def solve(
         structure, guess = split.structure(structure), split.guess(guess)
         return split.restore(solve(split.problem, structure, guess, starts, time_limit))
     numeric = NumericProblem(problem)
+    if problem.path and structure is not None:
+        raise ValueError("structure: with path constraints the arcs are found; leave it out")
     kinds = None if structure is None else read_structure(numeric, structure)
     effort = {"starts": starts, "time_limit": time_limit}
     start = read_guess(numeric, guess)
     refuse_start_on_target(numeric)
     refuse_infeasible(numeric)
+    refuse_start_beyond_constraints(numeric)
     extremal = solve_linear_quadratic(numeric) if kinds is None else None
     if extremal is None and kinds is None and guess is None:
         extremal = solve_polynomial_end(problem)
-    if extremal is not None:
+    # Both leave path constraints aside: the extremal is valid where it satisfies them.
+    if extremal is not None and (not problem.path or extremal.certificate().holds()):
         return extremal
     scaling = natural_units(problem)
     if scaling is None:
@@ -173,7 +182,7 @@ class _Refinement:
             if extremal is not None:
                 return extremal
         solution, side = solutions[0]
-        relaxed = relaxed_solution(numeric, solution, side)
+        relaxed = None if numeric.path_orders else relaxed_solution(numeric, solution, side)
         if relaxed is not None:
             controls = sequential_controls(numeric, relaxed)
             sequential = solution_from_controls(numeric, relaxed, side, controls)
@@ -188,9 +197,10 @@ class _Refinement:
         raise self._error(numeric.user_cost(solution.cost))
 
     def _extremal(self, solution, arcs, duration, keep_structure=False):
-        shot = refine(self.numeric, solution, arcs, duration, self.flow_cache, keep_structure)
+        numeric = self.numeric.with_end_constraints(end_constraints(self.numeric, solution))
+        shot = refine(numeric, solution, arcs, duration, self.flow_cache, keep_structure)
         return extremal_of_shot(
-            self.numeric, shot, self.search_result.starts, self.search_result.processes
+            numeric, shot, self.search_result.starts, self.search_result.processes
         )
 
     def _certified(self, solution, side):
@@ -198,12 +208,13 @@ class _Refinement:
         numeric, factor = self.numeric, 1
         while factor is not None:
             duration = fixed_duration(numeric, solution)
-            arcs = detect_arcs(numeric, solution)
-            refuse_chattering(numeric, arcs, solution.states[-1], duration)
+            refuse_chattering(
+                numeric, detect_arcs(numeric, solution), solution.states[-1], duration
+            )
             extremal = self._first_certified(solution, duration)
             if extremal is not None:
                 sign = 1
-                if not extremal.optimality.proved and extremal.normal:
+                if not extremal.optimality.proved and extremal.normal and not extremal.contacts:
                     sign = extremal._variation.sign
                 # More time may change nothing to second order because it costs nothing at all.
                 if sign == 0 and duration is None:

@@ -58,6 +58,33 @@ def read_terminal(terminal):
     return tuple(exact_decimals(read_expression(g, "terminal")) for g in sides)
 
 
+def read_path(path):
+    """Return inequalities as a tuple of relations g <= 0."""
+    if isinstance(path, (sp.Basic, bool)):
+        path = [path]
+    if isinstance(path, str) or not isinstance(path, Iterable):
+        raise TypeError(f"path: expected a list of inequalities such as [v <= 1], got {path!r}")
+    result = []
+    for relation in path:
+        for part in relation.args if isinstance(relation, sp.And) else [relation]:
+            if not isinstance(part, (sp.LessThan, sp.GreaterThan)):
+                raise TypeError(
+                    f"path: expected inequalities with <= or >=, such as v <= 1, got {part!r}"
+                )
+            sides = exact_decimals(part.lts) - exact_decimals(part.gts)
+            result += [sp.LessThan(g, 0, evaluate=False) for g in _without_modulus(sides)]
+    return tuple(result)
+
+
+def _without_modulus(g):
+    """Return the expressions whose signs are those of |e| - c <= 0: e - c and -e - c."""
+    moduli = [a for a in g.atoms(sp.Abs) if sp.diff(g, a) == 1]
+    if len(moduli) != 1:
+        return [g]
+    (modulus,) = moduli
+    return [g.xreplace({modulus: sign * modulus.args[0]}) for sign in (1, -1)]
+
+
 def read_duration(duration):
     if duration is None:
         return None

@@ -23,6 +23,7 @@ from trajlib.pontryagin.problem.elimination import control_field
 from trajlib.pontryagin.problem.maximum import maximising_control
 from trajlib.pontryagin.problem.presentation import conditions_markdown
 from trajlib.pontryagin.problem.singular import SingularArc, singular_arc
+from trajlib.pontryagin.problem.state_constraints import StateConstraint, state_constraint
 from trajlib.pontryagin.problem.statement import Statement
 
 
@@ -79,6 +80,11 @@ class Conditions:
     def singular(self) -> dict[sp.Symbol, SingularArc]:
         """{control: SingularArc} for the controls in `switching`."""
         return {u: singular_arc(self, u) for u in self.switching}
+
+    @cached_property
+    def path(self) -> tuple[StateConstraint, ...]:
+        """One StateConstraint for each path constraint: order, boundary control, multiplier."""
+        return tuple(state_constraint(self, j) for j in range(len(self.problem.path)))
 
     @cached_property
     def control_field(self) -> dict[sp.Symbol, sp.Expr]:
@@ -177,7 +183,10 @@ def _derived(problem):
         sp.Symbol(f"lambda{j}", real=True) for j in range(1, len(problem.terminal) + 1)
     )
     taken = {s.name for s in (*problem.state, *problem.control, *problem.parameters)}
-    clash = taken & {s.name for s in (*costate, multiplier, *terminal_multipliers)}
+    names = {s.name for s in (*costate, multiplier, *terminal_multipliers)}
+    if problem.path:
+        names |= {"eta", *(f"eta{j}" for j in range(1, len(problem.path) + 1))}
+    clash = taken & names
     if clash:
         raise ValueError(
             f"conditions: {', '.join(sorted(clash))} is the name of a costate or multiplier; "

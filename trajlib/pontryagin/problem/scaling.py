@@ -66,6 +66,12 @@ class Scaling:
         return tuple(_power_of_two(largest_term(g, sizes)) for g in self.original.terminal)
 
     @cached_property
+    def path(self) -> tuple[sp.Expr, ...]:
+        """The units of the path constraints: their largest terms."""
+        sizes = {y: np.log2(float(s)) for y, s in zip(self.original.state, self.states)}
+        return tuple(_power_of_two(largest_term(g, sizes)) for g in self.original.constraints)
+
+    @cached_property
     def problem(self) -> Statement:
         """The problem for (Y, U, t', J'), under the same names."""
         problem = self.original
@@ -90,6 +96,10 @@ class Scaling:
             running=running.xreplace(table) * (self.time / self.cost),
             final=final.xreplace(table) / self.cost,
             duration=duration,
+            path=[
+                sp.LessThan(sp.expand(g.xreplace(table) / unit), 0, evaluate=False)
+                for g, unit in zip(problem.constraints, self.path)
+            ],
         )
 
 
@@ -207,6 +217,8 @@ class _Equations:
                     self._equation((_log(bound), {}), {u: 1.0})
         for g in problem.terminal:
             self._terms(g, {sp.Dummy("terminal"): 1.0})
+        for g in problem.constraints:
+            self._terms(g, {sp.Dummy("path"): 1.0})
         running, final = _without_constant(problem)
         self._terms(running, {_COST: 1.0, _TIME: -1.0})
         self._terms(final, {_COST: 1.0})

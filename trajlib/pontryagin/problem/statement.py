@@ -2,6 +2,8 @@
 
     y' = f(y, u),   u_- <= u <= u_+,   y(0) = y*,   phi_i(y(t_k)) = 0,   J = phi_0(y(t_k)) + int_0^t_k f_0(y, u) dt
 
+and g_j(y) <= 0 along the path
+
 (equations (5.1) - (5.3) of the problem book, with the integral written out instead of an additional
 state). A problem whose right-hand side depends on time has time among its states, t' = 1.
 
@@ -20,6 +22,7 @@ from trajlib.pontryagin.problem.arguments import (
     read_bounds,
     read_duration,
     read_initial,
+    read_path,
     read_table,
     read_terminal,
 )
@@ -38,6 +41,7 @@ class Statement:
     duration: sp.Expr = None
     maximise: bool = False
     first_return: bool = False
+    path: Sequence = ()
 
     def __post_init__(self):
         # Neither part given: the time. One of them given: the other is zero.
@@ -52,6 +56,7 @@ class Statement:
             "final": read_expression(0 if self.final is None else self.final, "final"),
             "duration": read_duration(self.duration),
             "initial": read_initial(self.initial),
+            "path": read_path(self.path),
         }
         for name in ("running", "final"):
             values[name] = exact_decimals(values[name])
@@ -62,6 +67,7 @@ class Statement:
                 raise TypeError(f"{name}: expected True or False, got {getattr(self, name)!r}")
         self._check_symbols()
         self._check_ends()
+        self._check_path()
 
     @property
     def state(self) -> tuple[sp.Symbol, ...]:
@@ -77,6 +83,11 @@ class Statement:
     def field(self) -> tuple[sp.Expr, ...]:
         """The right-hand sides f(y, u), a tuple of length n."""
         return tuple(self.dynamics.values())
+
+    @property
+    def constraints(self) -> tuple[sp.Expr, ...]:
+        """The expressions g(y) of the inequalities g <= 0 along the path."""
+        return tuple(relation.lhs for relation in self.path)
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:
@@ -140,6 +151,7 @@ class Statement:
             running=substituted(self.running),
             final=substituted(self.final),
             duration=tuple(map(substituted, self.duration)) if pair else substituted(self.duration),
+            path=[sp.LessThan(substituted(g), 0, evaluate=False) for g in self.constraints],
         )
 
     def cached(self, name: str, compute: Callable[[], Any]) -> Any:
@@ -170,6 +182,7 @@ class Statement:
                 *(b for pair in self.controls.values() for b in pair),
                 *self.initial.values(),
                 *self.terminal,
+                *self.constraints,
                 self.running,
                 self.final,
                 *durations,
@@ -218,6 +231,23 @@ class Statement:
         for e in values:
             if e.free_symbols & (states | controls):
                 raise ValueError(f"initial, duration: expected numbers or parameters, got {e}")
+
+    def _check_path(self):
+        for relation, g in zip(self.path, self.constraints):
+            if g.free_symbols & set(self.control):
+                raise ValueError(
+                    f"path: {relation} contains a control; expected inequalities in the state"
+                )
+            if not g.free_symbols & set(self.state):
+                raise ValueError(f"path: {relation} does not depend on the state")
+            if g.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
+                raise ValueError(
+                    f"path: {relation} is not smooth; write one inequality for each smooth part"
+                )
+        if len(set(self.constraints)) < len(self.path):
+            raise ValueError(
+                "path: the same inequality stands twice, so its multiplier is not unique"
+            )
 
     def _check_ends(self):
         if len(self.terminal) > len(self.state):
