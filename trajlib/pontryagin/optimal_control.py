@@ -19,13 +19,13 @@ class Problem(Statement):
     dynamics : dict
         {state: right-hand side}, in the order in which the states are to be counted.
     controls : dict
-        {control: (lower, upper)}; the bounds are numbers or expressions in the parameters, None or
-        oo for no bound.
+        {control: (lower, upper)}; the bounds are numbers or expressions in parameters and states,
+        None or oo for no bound.
     initial : dict
         {state: value at t = 0}, None for a state that is free at t = 0.
     terminal : list of sympy.Expr, list of sympy.Equality or dict, optional
-        Expressions that vanish at the final time, equations, or {state: value}; none for a free
-        terminal state.
+        Expressions that vanish at the final time, equations, inequalities such as x >= 1, or
+        {state: value}; none for a free terminal state.
     running, final : sympy.Expr, optional
         f_0(state, control) and phi_0(state at the final time). If neither is given, the cost is the
         time; if one is given, the other is zero.
@@ -39,7 +39,8 @@ class Problem(Statement):
         initial state on the target, and for costs that would gain from passing through it. Needs
         exactly one terminal equation.
     path : list of sympy inequalities, optional
-        Constraints on the state along the path, such as [v <= 1, x**2 + y**2 >= 1].
+        Constraints on the state along the path, such as [v <= 1, x**2 + y**2 >= 1], and bounds of a
+        control such as u <= x/4.
 
     Raises
     ------

@@ -37,6 +37,8 @@ class DirectSolution:
         Of the arcs, where their structure was given.
     path_multipliers : ndarray or None, shape (N+1, c)
         Of the path constraints at these times, zero where they are not imposed.
+    end_multipliers : ndarray or None
+        Of the terminal inequalities.
     """
 
     times: np.ndarray
@@ -46,6 +48,7 @@ class DirectSolution:
     cost: float
     lengths: np.ndarray | None = None
     path_multipliers: np.ndarray | None = None
+    end_multipliers: np.ndarray | None = None
 
     @property
     def duration(self) -> float:
@@ -134,6 +137,11 @@ class Transcription:
             self.path_offset = sum(e.numel() for e, _, _ in parts)
             path = ca.Function("path", [numeric.x], [numeric.path]).map(N + 1)(X)
             parts.append((ca.vec(path)[self.path_rows.tolist()], -np.inf, 0))
+        self.end_offset = sum(e.numel() for e, _, _ in parts)
+        end_count = len(numeric.problem.end_constraints)
+        if end_count:
+            end_path = ca.Function("end", [numeric.x], [numeric.end_path])
+            parts.append((end_path(X[:, -1]), -np.inf, 0))
         self.limits = {
             "lbg": np.concatenate([np.full(e.numel(), a) for e, a, _ in parts]),
             "ubg": np.concatenate([np.full(e.numel(), b) for e, _, b in parts]),
@@ -239,6 +247,7 @@ class Transcription:
             float(result["f"]),
             lengths,
             path_multipliers.reshape(N + 1, constraint_count),
+            dual[self.end_offset :],
         )
 
 

@@ -49,7 +49,7 @@ def extremal_of_shot(
         times[-1],
         arcs,
         shot.multiplier,
-        tuple(float(v) for v in shot.terminal_multipliers[: len(problem.terminal)]),
+        _terminal_multipliers(numeric, shot),
         shot.residual,
         _jumps(numeric, shot),
         numeric,
@@ -64,6 +64,17 @@ def extremal_of_shot(
     return extremal
 
 
+def _terminal_multipliers(numeric, shot):
+    """Return the multipliers of the terminal equations, then of the inequalities."""
+    problem = numeric.problem
+    m, c = len(problem.terminal), len(problem.path)
+    result = [*map(float, shot.terminal_multipliers[:m]), *[0.0] * len(problem.end_constraints)]
+    for index, value in zip(numeric.end_constraints, shot.terminal_multipliers[m:]):
+        if index >= c:
+            result[m + index - c] = float(value)
+    return tuple(result)
+
+
 def _jumps(numeric, shot):
     """Return (path constraint, time, nu) for the jumps of the costate, those at the end last."""
     path, begins = numeric.problem.path, np.concatenate([[0.0], np.cumsum(shot.lengths)])
@@ -75,6 +86,7 @@ def _jumps(numeric, shot):
     return tuple(inside) + tuple(
         (path[constraint], float(begins[-1]), float(nu))
         for constraint, nu in zip(numeric.end_constraints, at_end)
+        if constraint < len(path)
     )
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.direct.transcription import DirectSolution, path_rows
 from trajlib.pontryagin.problem.arcs import Arc, boundary_constraint, boundary_kind
 from trajlib.pontryagin.problem.errors import Chattering, NotUnique
@@ -94,11 +95,19 @@ def _runs(flags):
 
 
 def end_constraints(numeric: NumericProblem, solution: DirectSolution) -> list[int]:
-    """Return the path constraints that are active at the end, where no equation implies them."""
+    """Return the inequalities that are active at the end, where no equation implies them.
+
+    Indices into the path constraints followed by the terminal inequalities.
+    """
     N, c = len(solution.controls), len(numeric.path_orders)
     imposed = [row - N * c for row in path_rows(numeric, N) if row >= N * c]
     at_end = {contact.constraint for contact in contacts(numeric, solution) if contact.last == N}
-    return [j for j in imposed if j in at_end]
+    active = [j for j in imposed if j in at_end]
+    if numeric.problem.terminal_inequalities and solution.end_multipliers is not None:
+        function = ca.Function("end", [numeric.x], [numeric.end_path])
+        slack = -function(solution.states[-1]).full().ravel()
+        active += [c + int(i) for i in np.nonzero(solution.end_multipliers > np.abs(slack))[0]]
+    return active
 
 
 def with_boundary_labels(numeric, solution, columns, chosen):

@@ -34,7 +34,7 @@ class Extremal:
     multiplier : float
         lambda_0: 1 in the normal case, 0 in the abnormal one (then |psi(0)| = 1).
     terminal_multipliers : tuple of float
-        lambda_1, ..., lambda_m of the terminal equations.
+        lambda_1, ..., lambda_m of the terminal equations, then those of the terminal inequalities.
     residual : float
         The largest residual of the boundary value problem that was solved.
     jumps : tuple of tuple

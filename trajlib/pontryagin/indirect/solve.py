@@ -27,6 +27,11 @@ from trajlib.pontryagin.direct.multistart import SearchResult, search
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
 from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
 from trajlib.pontryagin.indirect.assembly import extremal_of_shot
+from trajlib.pontryagin.indirect.bounded_extremal import (
+    inner_guess,
+    inner_structure,
+    restore_bounds,
+)
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
 from trajlib.pontryagin.indirect.contacts import end_constraints
 from trajlib.pontryagin.indirect.extremal import Extremal
@@ -40,6 +45,7 @@ from trajlib.pontryagin.problem.arcs import Arc, arc_name
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.scaling import natural_units
+from trajlib.pontryagin.problem.state_bounds import with_constant_bounds
 from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
 
@@ -110,6 +116,10 @@ def solve(
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
     _check_effort(starts, time_limit)
+    bounds = with_constant_bounds(problem)
+    if bounds is not None:
+        structure, guess = inner_structure(bounds, structure), inner_guess(bounds, guess)
+        return restore_bounds(bounds, solve(bounds.problem, structure, guess, starts, time_limit))
     split = split_l1_controls(problem)
     if split is not None:
         structure, guess = split.structure(structure), split.guess(guess)
@@ -126,8 +136,8 @@ def solve(
     extremal = solve_linear_quadratic(numeric) if kinds is None else None
     if extremal is None and kinds is None and guess is None:
         extremal = solve_polynomial_end(problem)
-    # Both leave path constraints aside: the extremal is valid where it satisfies them.
-    if extremal is not None and (not problem.path or extremal.certificate().holds()):
+    # Both leave inequalities aside: the extremal is valid where it satisfies them.
+    if extremal is not None and (not problem.constrained or extremal.certificate().holds()):
         return extremal
     scaling = natural_units(problem)
     if scaling is None:

@@ -40,7 +40,8 @@ class Conditions:
     multiplier : sympy.Symbol
         lambda0, nonnegative.
     terminal_multipliers : tuple of sympy.Symbol
-        lambda1, ..., lambdam, one for each terminal equation.
+        lambda1, ..., lambdam, one for each terminal equation; then those of the terminal
+        inequalities, nonnegative, and zero where these hold strictly.
     hamiltonian : sympy.Expr
         The Pontryagin function H(psi, y, u), with lambda0.
     adjoint : dict
@@ -98,7 +99,12 @@ class Conditions:
         return tuple(
             psi
             + sign * self.multiplier * sp.diff(problem.final, y)
-            + sum(m * sp.diff(g, y) for m, g in zip(self.terminal_multipliers, problem.terminal))
+            + sum(
+                m * sp.diff(g, y)
+                for m, g in zip(
+                    self.terminal_multipliers, (*problem.terminal, *problem.end_constraints)
+                )
+            )
             for psi, y in zip(self.costate, problem.state)
         )
 
@@ -181,6 +187,12 @@ def _derived(problem):
     multiplier = sp.Symbol("lambda0", nonnegative=True)
     terminal_multipliers = tuple(
         sp.Symbol(f"lambda{j}", real=True) for j in range(1, len(problem.terminal) + 1)
+    )
+    terminal_multipliers += tuple(
+        sp.Symbol(f"lambda{j}", nonnegative=True)
+        for j in range(
+            len(problem.terminal) + 1, len(problem.terminal) + len(problem.end_constraints) + 1
+        )
     )
     taken = {s.name for s in (*problem.state, *problem.control, *problem.parameters)}
     names = {s.name for s in (*costate, multiplier, *terminal_multipliers)}

@@ -28,8 +28,8 @@ class NumericProblem:
     field, density, final, target : casadi.SX
         f, f_0, phi_0 and phi_1, ..., phi_m; f_0 and phi_0 with the signs of a minimum.
     path : casadi.SX
-        g_1, ..., with g <= 0 along the path; `path_orders` are their orders, and the target includes
-        those of the indices `end_constraints`.
+        g_1, ..., with g <= 0 along the path; `path_orders` are their orders. `end_path`: those with
+        g <= 0 at the end. The target includes those of the indices `end_constraints`.
     lower, upper : ndarray, shape (k,)
         Bounds of the controls.
     start : ndarray, shape (n,)
@@ -72,6 +72,7 @@ class NumericProblem:
         self.target = ca.vertcat(*translated[self.n + 2 :])
         self.end_constraints: tuple[int, ...] = ()
         self.path = ca.vertcat(*to_casadi(problem.constraints, table))
+        self.end_path = ca.vertcat(*to_casadi(problem.end_constraints, table))
         self.path_orders = [
             len(constraint_derivatives(problem, g)) - 1 for g in problem.constraints
         ]
@@ -123,13 +124,18 @@ class NumericProblem:
         return ca.Function("target", [self.x], [self.target, ca.jacobian(self.target, self.x)])
 
     def with_end_constraints(self, constraints):
-        """Return the same problem with path constraints (indices) as further terminal equations."""
+        """Return the same problem with inequalities as further terminal equations.
+
+        `constraints`: indices into the path constraints followed by the terminal inequalities.
+        """
         if not constraints:
             return self
         result = copy(self)
         for name in ("_cached", "target_value"):
             result.__dict__.pop(name, None)
-        result.target = ca.vertcat(self.target, *(self.path[j] for j in constraints))
+        result.target = ca.vertcat(
+            self.target, *(ca.vertcat(self.path, self.end_path)[j] for j in constraints)
+        )
         result.m = self.m + len(constraints)
         result.end_constraints = tuple(constraints)
         return result

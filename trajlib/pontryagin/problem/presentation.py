@@ -18,6 +18,11 @@ def problem_markdown(problem):
             r",\quad ".join(f"{sp.latex(g)} = 0" for g in problem.terminal)
             + rf"\quad\text{{at}}\ t = {_end(problem)}"
         )
+    if problem.terminal_inequalities:
+        lines.append(
+            r",\quad ".join(map(sp.latex, problem.terminal_inequalities))
+            + rf"\quad\text{{at}}\ t = {_end(problem)}"
+        )
     lines.append(rf"J = {_cost(problem)} \to \{'max' if problem.maximise else 'min'}")
     if isinstance(problem.duration, tuple):
         lines.append(
@@ -52,7 +57,12 @@ def conditions_markdown(derived):
         parts += _state_constraint(constraint)
     parts.append(r"**Transversality** at $t_k$")
     parts.append(_block([f"{sp.latex(e)} = 0" for e in derived.transversality]))
-    if derived.terminal_multipliers and derived.reduced_transversality:
+    for symbol, g in zip(
+        derived.terminal_multipliers[len(problem.terminal) :], problem.end_constraints
+    ):
+        name = sp.latex(symbol)
+        parts.append(rf"with ${name} \ge 0$, and ${name} = 0$ where ${sp.latex(g)} < 0$")
+    if problem.terminal and not problem.end_constraints and derived.reduced_transversality:
         parts.append(
             "that is,\n" + _block([f"{sp.latex(e)} = 0" for e in derived.reduced_transversality])
         )

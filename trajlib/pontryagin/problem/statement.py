@@ -19,10 +19,12 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, join_names, read_expression
 from trajlib.pontryagin.problem.arguments import (
+    bounds_from_path,
+    inequalities,
     read_bounds,
     read_duration,
+    read_inequalities,
     read_initial,
-    read_path,
     read_table,
     read_terminal,
 )
@@ -42,6 +44,7 @@ class Statement:
     maximise: bool = False
     first_return: bool = False
     path: Sequence = ()
+    terminal_inequalities: Sequence = ()
 
     def __post_init__(self):
         # Neither part given: the time. One of them given: the other is zero.
@@ -49,15 +52,20 @@ class Statement:
         values = {
             "dynamics": read_table(self.dynamics),
             "controls": read_bounds(self.controls),
-            "terminal": read_terminal(self.terminal),
             "running": read_expression(
                 int(time_optimal) if self.running is None else self.running, "running"
             ),
             "final": read_expression(0 if self.final is None else self.final, "final"),
             "duration": read_duration(self.duration),
             "initial": read_initial(self.initial),
-            "path": read_path(self.path),
+            "path": read_inequalities(self.path, "path"),
         }
+        values["terminal"], inequalities = read_terminal(self.terminal)
+        values["terminal_inequalities"] = (
+            *read_inequalities(self.terminal_inequalities, "terminal_inequalities"),
+            *inequalities,
+        )
+        values["controls"], values["path"] = bounds_from_path(values["controls"], values["path"])
         for name in ("running", "final"):
             values[name] = exact_decimals(values[name])
         for name, value in values.items():
@@ -88,6 +96,22 @@ class Statement:
     def constraints(self) -> tuple[sp.Expr, ...]:
         """The expressions g(y) of the inequalities g <= 0 along the path."""
         return tuple(relation.lhs for relation in self.path)
+
+    @property
+    def end_constraints(self) -> tuple[sp.Expr, ...]:
+        """The expressions g(y) of the inequalities g <= 0 at the final time."""
+        return tuple(relation.lhs for relation in self.terminal_inequalities)
+
+    @property
+    def constrained(self) -> bool:
+        """Whether there are inequalities along the path or at the final time."""
+        return bool(self.path or self.terminal_inequalities)
+
+    @property
+    def bounds_depend_on_state(self) -> bool:
+        """Whether a bound of a control contains a state."""
+        bounds = (b for pair in self.controls.values() for b in pair)
+        return any(b.free_symbols & set(self.state) for b in bounds)
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:
@@ -151,7 +175,8 @@ class Statement:
             running=substituted(self.running),
             final=substituted(self.final),
             duration=tuple(map(substituted, self.duration)) if pair else substituted(self.duration),
-            path=[sp.LessThan(substituted(g), 0, evaluate=False) for g in self.constraints],
+            path=inequalities(map(substituted, self.constraints)),
+            terminal_inequalities=inequalities(map(substituted, self.end_constraints)),
         )
 
     def cached(self, name: str, compute: Callable[[], Any]) -> Any:
@@ -183,6 +208,7 @@ class Statement:
                 *self.initial.values(),
                 *self.terminal,
                 *self.constraints,
+                *self.end_constraints,
                 self.running,
                 self.final,
                 *durations,
@@ -204,17 +230,21 @@ class Statement:
                 f"initial: no value for {join_names(missing)}; write None for a state that is free "
                 "at t = 0"
             )
-        for name, expressions in (("terminal", self.terminal), ("final", [self.final])):
+        for name, expressions in (
+            ("terminal", self.terminal),
+            ("terminal", self.end_constraints),
+            ("final", [self.final]),
+        ):
             for e in expressions:
                 if e.free_symbols & controls:
                     raise ValueError(
                         f"{name}: {e} contains a control; only states have a value at the end"
                     )
         for u, bounds in self.controls.items():
-            if any(b.free_symbols & (states | controls) for b in bounds):
+            if any(b.free_symbols & controls for b in bounds):
                 raise ValueError(
-                    f"controls: the bounds of {u} depend on the state; expected numbers or "
-                    "parameters"
+                    f"controls: the bounds of {u} contain a control; expected numbers, parameters "
+                    "or states"
                 )
             if not any(u in e.free_symbols for e in (*self.field, self.running)):
                 raise ValueError(
@@ -234,10 +264,6 @@ class Statement:
 
     def _check_path(self):
         for relation, g in zip(self.path, self.constraints):
-            if g.free_symbols & set(self.control):
-                raise ValueError(
-                    f"path: {relation} contains a control; expected inequalities in the state"
-                )
             if not g.free_symbols & set(self.state):
                 raise ValueError(f"path: {relation} does not depend on the state")
             if g.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
@@ -261,6 +287,9 @@ class Statement:
                     f"terminal: {g} does not depend on the state, so it cannot be a condition on "
                     "its end"
                 )
+        for g in self.end_constraints:
+            if not g.free_symbols & set(self.state):
+                raise ValueError(f"terminal: {g} <= 0 does not depend on the state")
         if self.free_time and not self.terminal and self.duration is None:
             raise ValueError(
                 "terminal: with a free final time something must end the process; give terminal "

@@ -14,6 +14,7 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from trajlib.pontryagin.problem.scaling import units_of_process
+from trajlib.pontryagin.problem.state_bounds import with_constant_bounds
 from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.constraint_residuals import ConstraintResiduals
 from trajlib.pontryagin.verification.optimality import Optimality
@@ -65,7 +66,7 @@ class Certificate:
         By how much the multipliers of the path constraints fail to be nonnegative. They vanish
         where a constraint is inactive: `adjoint` and `jumps` would be positive otherwise.
     constrained : bool
-        Whether the problem has path constraints.
+        Whether the problem has inequalities along the path or at the end.
     optimality : Optimality or None
         What is known beyond these necessary conditions; None where the search is not known.
     """
@@ -223,7 +224,7 @@ def certify(
             problem, state, costate, control, duration, switching_times, multiplier, panels
         )
         dynamics, adjoint = values.defects()
-        constraints = ConstraintResiduals(values, state, costate) if problem.path else None
+        constraints = ConstraintResiduals(values, state, costate) if problem.constrained else None
         if constraints:
             adjoint = constraints.adjoint_defect()
         if max(dynamics, adjoint) <= INTEGRATED:
@@ -241,7 +242,7 @@ def certify(
         dynamics=dynamics,
         adjoint=adjoint,
         initial=values.initial(),
-        terminal=values.terminal(),
+        terminal=max(values.terminal(), constraints.end_violation() if constraints else 0.0),
         transversality=(constraints or values).transversality(),
         bounds=values.bound_violation(),
         maximum=float(np.max(excess, initial=0.0) / scale_H),
@@ -258,6 +259,16 @@ def certify(
     )
 
 
+def _inner_control(bounds, state, control):
+    """Return the controls between constant bounds as a function of time."""
+
+    def inner(t):
+        offset, factor = bounds.values(np.asarray(state(t), dtype=float))
+        return (np.asarray(control(t), dtype=float) - offset) / factor
+
+    return inner
+
+
 def _in_own_units(problem, functions, duration, switching_times, multiplier):
     """Return the same arguments in units in which the values of the process are about 1.
 
@@ -265,6 +276,13 @@ def _in_own_units(problem, functions, duration, switching_times, multiplier):
     """
     if problem.parameters:
         raise ValueError(f"certify: no value for {', '.join(map(str, problem.parameters))}")
+    bounds = with_constant_bounds(problem)
+    if bounds is not None:
+        state, costate, control = functions
+        problem, functions = (
+            bounds.problem,
+            (state, costate, _inner_control(bounds, state, control)),
+        )
     times, n = np.linspace(0, float(duration), SAMPLES), len(problem.state)
     sizes = (n, n, len(problem.control))
     values = (

@@ -34,14 +34,14 @@ class ConstraintResiduals:
         problem = values.problem
         self.count, self.n = len(problem.constraints), len(problem.state)
         gradients = [sp.diff(g, y) for g in problem.constraints for y in problem.state]
-        self._function = compiled(problem.state, (*problem.constraints, *gradients))
+        self._function = compiled(problem.state, (*problem.constraints, *gradients, sp.Integer(0)))
         self.arc_ends = values.edges[:: (len(values.edges) - 1) // values.arc_count]
         self.panels = (len(values.edges) - 1) // values.arc_count
 
     def _evaluate(self, y):
         """Return g, (c, N), and its gradients, (c, n, N)."""
         rows = self._function(*y)
-        return rows[: self.count], rows[self.count :].reshape(self.count, self.n, -1)
+        return rows[: self.count], rows[self.count : -1].reshape(self.count, self.n, rows.shape[1])
 
     @cached_property
     def one_sided(self):
@@ -59,7 +59,10 @@ class ConstraintResiduals:
     @cached_property
     def _active(self):
         """Whether a constraint is active along a whole arc, (arcs, c)."""
-        g = self._evaluate(self.values.y)[0].reshape(self.count, self.values.arc_count, -1)
+        arcs = self.values.arc_count
+        g = self._evaluate(self.values.y)[0].reshape(
+            self.count, arcs, len(self.values.times) // arcs
+        )
         return np.all(np.abs(g) <= ACTIVE, axis=-1).T
 
     @cached_property
@@ -127,9 +130,8 @@ class ConstraintResiduals:
         """Return by how much eta >= 0 or nu >= 0 fails, relative to the costate."""
         gradients = np.linalg.norm(self._evaluate(self.values.y)[1], axis=1)
         duration = self.values.edges[-1]
-        least = min(
-            0.0, *(self.densities * gradients * duration).ravel(), *self._jumps[0], *self._end[0]
-        )
+        weighted = self.densities * gradients * duration
+        least = min([0.0, *weighted.ravel(), *self._jumps[0], *self._end[0]])
         return float(-least / self._size)
 
     @cached_property
@@ -138,13 +140,32 @@ class ConstraintResiduals:
         from scipy.optimize import nnls
 
         vector, normals = self.values.end_vector, self.values.end_normals
-        g, gradients = self._evaluate(self.values.y_edges[:, -1:])
+        g, gradients = (
+            np.concatenate(parts)
+            for parts in zip(self._evaluate(self.values.y_edges[:, -1:]), self._end_inequalities)
+        )
         active = np.abs(g[:, 0]) <= ACTIVE
         columns = np.column_stack([normals, -normals, -gradients[active, :, 0].T])
         if not columns.shape[1]:
             return [], float(np.max(np.abs(vector)))
         weights, _ = nnls(columns, vector)
         return weights[2 * normals.shape[1] :], float(np.max(np.abs(vector - columns @ weights)))
+
+    @property
+    def _end_inequalities(self):
+        """The terminal inequalities at the end, (i, 1), and their gradients, (i, n, 1)."""
+        problem, count = self.values.problem, len(self.values.problem.end_constraints)
+        expressions = problem.end_constraints
+        gradients = [sp.diff(g, y) for g in expressions for y in problem.state]
+        end = self.values.y_edges[:, -1:]
+        rows = (
+            compiled(problem.state, (*expressions, *gradients))(*end) if count else np.zeros((0, 1))
+        )
+        return rows[:count], rows[count:].reshape(count, self.n, 1)
+
+    def end_violation(self):
+        """Return the largest g of the terminal inequalities at the end, or zero."""
+        return float(np.max(self._end_inequalities[0], initial=0.0))
 
     def transversality(self):
         """Return the distance of psi + lambda_0 grad phi_0 from the cone of the target's normals."""

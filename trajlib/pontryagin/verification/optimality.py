@@ -13,7 +13,8 @@ with bounds on the controls and linear terminal equations.
   process.
 
 Path constraints g <= 0 with convex g (linear g for the least time, and g <= 0 at y_k) change neither:
-eta dg/dy (z - y) <= eta g(z) <= 0 and the same for the jumps, for every admissible z.
+eta dg/dy (z - y) <= eta g(z) <= 0 and the same for the jumps, for every admissible z. So do
+terminal inequalities with convex g where the duration is given.
 
 A plant that is linear in the cosine and the sine of an angle is linear in a vector of the disc
 (`angle_relaxation`): an extremal of the problem is one of the problem with discs, and what is
@@ -107,7 +108,9 @@ def _theorem(problem, blocks):
     if not _constant(slopes, arguments) or not _constant(targets, arguments):
         return None
     constraints = problem.constraints
-    if not all(_convex(g, list(y)) for g in constraints):
+    if problem.bounds_depend_on_state or not all(
+        _convex(g, list(y)) for g in (*constraints, *problem.end_constraints)
+    ):
         return None
     sign = -1 if problem.maximise else 1
     if not problem.free_time:
@@ -119,6 +122,7 @@ def _theorem(problem, blocks):
         and not problem.maximise
         and problem.duration is None
         and not problem.first_return
+        and not problem.end_constraints
         and _constant(sp.Matrix([constraints]).jacobian(y), list(y))
     )
     if fastest and _can_be_held(problem, slopes, targets, blocks):
