@@ -20,8 +20,8 @@ from trajlib.pontryagin.direct.free_duration import (
 from trajlib.pontryagin.direct.guesses import read_guess, refuse_start_on_target
 from trajlib.pontryagin.direct.impulses import refuse_impulses
 from trajlib.pontryagin.direct.infeasibility import (
+    refuse_ends_beyond_constraints,
     refuse_infeasible,
-    refuse_start_beyond_constraints,
 )
 from trajlib.pontryagin.direct.multistart import SearchResult, search
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
@@ -65,7 +65,8 @@ def solve(
         Without parameters.
     structure : list, optional
         The arcs in order, "u-", "u+", "interior", "singular" (tuples of them for several controls);
-        with |u| in the running cost also "zero", where u = 0. Found if left out.
+        with |u| in the running cost also "zero", where u = 0. Found if left out; with path
+        constraints it is always found.
     guess : Extremal or dict, optional
         An extremal of a similar problem, or {"duration": number, state or control: number, list of
         values at equal steps, or function of time}, any of them.
@@ -92,11 +93,11 @@ def solve(
     Unbounded
         If the cost has no minimum.
     Chattering
-        If switchings accumulate.
+        If switchings, or contacts with the boundary of a path constraint, accumulate.
     WrongStructure
         If the arcs cannot be joined to an extremal.
     NotUnique
-        If a control or a free duration is not determined.
+        If a control, a free duration or the multiplier of a path constraint is not determined.
     NotConverged
         If no process was found, which proves nothing.
 
@@ -131,8 +132,8 @@ def solve(
     effort = {"starts": starts, "time_limit": time_limit}
     start = read_guess(numeric, guess)
     refuse_start_on_target(numeric)
+    refuse_ends_beyond_constraints(numeric)
     refuse_infeasible(numeric)
-    refuse_start_beyond_constraints(numeric)
     extremal = solve_linear_quadratic(numeric) if kinds is None else None
     if extremal is None and kinds is None and guess is None:
         extremal = solve_polynomial_end(problem)

@@ -44,6 +44,22 @@ class StateConstraint:
         empty where the boundary control is not known.
     density : sympy.Expr or None
         eta on a boundary arc, where the boundary control is known.
+
+    Notes
+    -----
+    Direct adjoining: the costate jumps by nu dg/dy with nu >= 0, and eta >= 0. Source: the section
+    on state constraints that is added to chapter 5 (Hartl, Sethi and Vickson 1995).
+
+    Examples
+    --------
+    >>> import sympy as sp
+    >>> from trajlib.pontryagin import Problem
+    >>> x, v, u = sp.symbols("x v u")
+    >>> limited = Problem({x: v, v: u}, {u: None}, {x: 0, v: 1}, {x: 0, v: -1}, running=u**2/2,
+    ...                   duration=1, path=[x <= sp.Rational(1, 9)])
+    >>> (constraint,) = limited.conditions().path
+    >>> constraint.order, constraint.boundary_control, constraint.conditions
+    (2, {u: 0}, (psi2, -psi1))
     """
 
     expression: sp.Expr
