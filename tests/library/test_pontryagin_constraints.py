@@ -15,6 +15,7 @@ from scipy.optimize import fsolve
 from trajlib.pontryagin import (
     Chattering,
     Infeasible,
+    NotConverged,
     NotUnique,
     Problem,
     certify,
@@ -367,6 +368,39 @@ RECORDS = {
         R(125, 18),
         "parabolas of speed to the limit; order one",
     ),
+    "limits of speed and acceleration": Record(
+        Problem(
+            {x: v, v: a, a: u},
+            {u: (-1, 1)},
+            {x: 0, v: 0, a: 0},
+            {x: 10, v: 0, a: 0},
+            path=[v <= 2, sp.Abs(a) <= 1],
+        ),
+        ["u+", "boundary 2", "u-", "boundary 1", "u-", "boundary 3", "u+"],
+        [1, 2, 3, 5, 6, 7],
+        8,
+        "seven segments of bounded jerk: T = x/v + v/a + a/j; orders two and one",
+    ),
+    "limit of speed, bounded jerk": Record(
+        Problem(
+            {x: v, v: a, a: u},
+            {u: (-1, 1)},
+            {x: 0, v: 0, a: 0},
+            {x: 10, v: 0, a: 0},
+            path=[v <= 2],
+        ),
+        ["u+", "u-", "boundary", "u-", "u+"],
+        [np.sqrt(2), 2 * np.sqrt(2), 5, 5 + np.sqrt(2)],
+        5 + 2 * np.sqrt(2),
+        "T = x/v + 2 sqrt(v/j); order two",
+    ),
+    "bound that depends on time": Record(
+        Problem({x: u, t: 1}, {u: (-1, 1 - t / 4)}, {x: 0, t: 0}, [x - 1]),
+        ["u+"],
+        [],
+        4 - 2 * np.sqrt(2),
+        "t - t^2/8 = 1",
+    ),
     "boundary to the end": Record(
         Problem(
             {x: u}, {u: None}, {x: 1}, running=(x**2 + u**2) / 2, duration=3, path=[x >= R(1, 2)]
@@ -622,3 +656,20 @@ def test_given_structures_and_syntheses_are_refused():
     with pytest.raises(ValueError, match="problem: a planar synthesis"):
         synthesis(problem)
     assert not problem.solve().certificate(proved=True).holds
+
+
+def test_contact_that_steps_pass_over():
+    """Braking from v = 1 takes 1/2: no process exists, and none is returned."""
+    problem = Problem({x: v, v: u}, {u: (-1, 1)}, {x: 0, v: 1}, {x: 0, v: -1}, path=[x <= R(1, 4)])
+    with pytest.raises(NotConverged, match="pass beyond it between them"):
+        problem.solve()
+
+
+def test_extremal_is_shown():
+    import matplotlib
+
+    matplotlib.use("agg")
+    extremal = RECORDS["limits of speed and acceleration"].problem.solve()
+    assert len(extremal.plot()) == 4
+    assert "boundary 2" in extremal._repr_markdown_()
+    assert "path constraints" in extremal.certificate()._repr_markdown_()

@@ -14,12 +14,15 @@ from trajlib.pontryagin.direct.transcription import DirectSolution, path_rows
 from trajlib.pontryagin.problem.arcs import Arc, boundary_constraint, boundary_kind
 from trajlib.pontryagin.problem.errors import Chattering, NotUnique
 from trajlib.pontryagin.problem.numeric import NumericProblem
+from trajlib.pontryagin.problem.state_constraints import constraint_derivatives
 
 # Nodes up to which a contact may be a touch point; largest number of structures that are tried.
 TOUCHING, MOST = 3, 8
 # Distance from the boundary up to which a given end is on it; share of the greatest distance up to
 # which the nodes between two contacts belong to them.
 AT, NEAR = 1e-9, 1e-3
+# Size of g^(p), relative to its derivative by the controls, up to which these keep g = 0.
+KEPT = 1e-3
 
 
 @dataclass(frozen=True)
@@ -137,6 +140,9 @@ def with_boundary_labels(numeric, solution, columns, chosen):
         inside = slice(first, last)
         acting = _acting_controls(numeric, contact.constraint)
         free = [i for i in acting if np.mean([k == "between" for k in columns[i][inside]]) > 0.5]
+        if not free and not _kept(numeric, solution, contact, inside):
+            # The steps are too long for this contact: the certificate of its arcs decides.
+            continue
         if not free:
             raise NotUnique(
                 f"on the boundary of {numeric.problem.path[contact.constraint]} the controls that "
@@ -147,10 +153,22 @@ def with_boundary_labels(numeric, solution, columns, chosen):
     return [np.array(column, dtype=object) for column in columns]
 
 
+def _kept(numeric, solution, contact, inside):
+    """Check whether the controls keep the trajectory on the boundary: g^(p) = 0."""
+    x, u, highest = numeric.x, numeric.u, numeric.path[contact.constraint]
+    for _ in range(numeric.path_orders[contact.constraint]):
+        highest = ca.jtimes(highest, x, numeric.field)
+    free = ca.jtimes(highest, u, ca.SX.ones(numeric.k))
+    value = ca.Function("kept", [x, u], [highest, free])
+    rates = [
+        [float(part) for part in value(state, control)]
+        for state, control in zip(solution.states[inside], solution.controls[inside])
+    ]
+    return all(abs(rate) <= KEPT * (1 + abs(slope)) for rate, slope in rates)
+
+
 def _acting_controls(numeric, constraint):
     """Return the indices of the controls in the derivative of the constraint's order."""
-    from trajlib.pontryagin.problem.state_constraints import constraint_derivatives
-
     problem = numeric.problem
     highest = constraint_derivatives(problem, problem.constraints[constraint])[-1]
     return [i for i, u in enumerate(problem.control) if highest.has(u)]

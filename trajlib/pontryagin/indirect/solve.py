@@ -24,6 +24,7 @@ from trajlib.pontryagin.direct.infeasibility import (
     refuse_infeasible,
 )
 from trajlib.pontryagin.direct.multistart import SearchResult, search
+from trajlib.pontryagin.direct.passing_beyond import refuse_passing_beyond
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
 from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
 from trajlib.pontryagin.indirect.assembly import extremal_of_shot
@@ -193,6 +194,7 @@ class _Refinement:
             if extremal is not None:
                 return extremal
         solution, side = solutions[0]
+        refuse_passing_beyond(numeric, solution)
         relaxed = None if numeric.path_orders else relaxed_solution(numeric, solution, side)
         if relaxed is not None:
             controls = sequential_controls(numeric, relaxed)
