@@ -417,6 +417,41 @@ RECORDS = {
         2 * np.sqrt(9 / 8) - 0.5,
         "v1^2/2 + (v1^2 - 1/4)/2 = 1",
     ),
+    "two terminal inequalities": Record(
+        Problem(
+            {x: a, y: b},
+            {a: None, b: None},
+            {x: 0, y: 0},
+            [x >= 1, y >= 2, x + y <= 10],
+            running=(a**2 + b**2) / 2,
+            duration=1,
+        ),
+        [("interior", "interior")],
+        [],
+        R(5, 2),
+        "straight line to the nearest point",
+    ),
+    "terminal inequality, free duration": Record(
+        Problem({x: u}, {u: (-1, 1)}, {x: 0}, [x >= 1], running=1, duration=(0, 5)),
+        ["u+"],
+        [],
+        1,
+        "x = t",
+    ),
+    "terminal disc": Record(
+        Problem(
+            {x: a, y: b},
+            {a: None, b: None},
+            {x: 0, y: 0},
+            [(x - 2) ** 2 + y**2 <= 1],
+            running=(a**2 + b**2) / 2,
+            duration=1,
+        ),
+        [("interior", "interior")],
+        [],
+        R(1, 2),
+        "straight line to the nearest point of the disc",
+    ),
     "terminal inequality, inactive": Record(
         double_integrator(terminal=[x - 1, v <= R(3, 2)]), ["u+"], [], np.sqrt(2), "t^2/2 = 1"
     ),
@@ -597,6 +632,11 @@ def test_certificate_between_grid_points():
         (ValueError, "path: .* does not depend on the state", {"path": [t <= 1]}),
         (ValueError, "path: .* is a second upper bound of u", {"path": [u <= x]}),
         (ValueError, "path: .* neither a constraint", {"path": [u**2 + x**2 <= 1]}),
+        (
+            ValueError,
+            "first_return: not provided",
+            {"path": [v <= 1], "terminal": [x], "first_return": True},
+        ),
         (ValueError, "path: .* is not smooth", {"path": [sp.Max(x, v) <= 1]}),
         (ValueError, "path: the same inequality", {"path": [x <= 1, x <= 1]}),
         (ValueError, "terminal: .* contains a control", {"terminal": [x - 1, u <= 1]}),

@@ -10,8 +10,8 @@ from trajlib.pontryagin.direct.transcription import DirectSolution
 from trajlib.pontryagin.problem.errors import NotConverged
 from trajlib.pontryagin.problem.numeric import NumericProblem, runge_kutta
 
-# Steps into which an interval is cut, and the excess, as a share of the largest distance from the
-# boundary, that is no error of the discretisation.
+# Steps into which an interval is cut, and the excess, as a share of the distance of the ends from
+# the boundary, that is no error of the discretisation.
 STEPS, EXCESS = 16, 0.02
 
 
@@ -25,9 +25,9 @@ def refuse_passing_beyond(numeric: NumericProblem, solution: DirectSolution) -> 
         states = step(states, solution.controls.T, widths[None] / STEPS)[0].full()
         samples.append(numeric.path_value.map(states.shape[1])(states)[0].full())
     values = np.stack(samples)
+    ends = numeric.path_value.map(2)(solution.states[[0, -1]].T)[0].full()
     for j in range(len(numeric.path_orders)):
-        excess, distance = np.max(values[:, j]), np.max(-values[:, j])
-        if excess > EXCESS * max(distance, 0.0):
+        if np.max(values[:, j]) > EXCESS * np.max(np.abs(ends[j])):
             problem = numeric.problem if numeric.scaling is None else numeric.scaling.original
             raise NotConverged(
                 f"no process that keeps to {problem.path[j]} was found: the discrete solutions keep "

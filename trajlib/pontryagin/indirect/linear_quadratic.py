@@ -86,7 +86,9 @@ def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
     )
     if scaling is None:
         return replace(_extremal(numeric, samples, multipliers), cost=cost)
-    states, terminal = (np.array(v, dtype=float) for v in (scaling.states, scaling.terminal))
+    states, terminal = (
+        np.array(v, dtype=float) for v in (scaling.states, scaling.terminal[: numeric.m])
+    )
     unit = float(scaling.cost)
     units = np.concatenate([states, unit / states, np.array(scaling.controls, dtype=float)])
     inner = NumericProblem(scaling.problem, scaling)

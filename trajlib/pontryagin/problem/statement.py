@@ -263,6 +263,8 @@ class Statement:
                 raise ValueError(f"initial, duration: expected numbers or parameters, got {e}")
 
     def _check_path(self):
+        if self.path and self.first_return:
+            raise ValueError("first_return: not provided for together with path constraints")
         for relation, g in zip(self.path, self.constraints):
             if not g.free_symbols & set(self.state):
                 raise ValueError(f"path: {relation} does not depend on the state")
