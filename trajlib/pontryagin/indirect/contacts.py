@@ -22,7 +22,7 @@ TOUCHING, MOST = 3, 8
 # which the nodes between two contacts belong to them.
 AT, NEAR = 1e-9, 1e-3
 # Size of g^(p), relative to its derivative by the controls, up to which these keep g = 0.
-KEPT = 1e-3
+HOLDING = 1e-3
 
 
 @dataclass(frozen=True)
@@ -73,12 +73,12 @@ def contacts(numeric: NumericProblem, solution: DirectSolution) -> list[Contact]
     active = multipliers > np.abs(slack)
     imposed = np.zeros((N + 1) * c, dtype=bool)
     imposed[path_rows(numeric, N)] = True
-    given = ~imposed.reshape(N + 1, c)
+    implied = ~imposed.reshape(N + 1, c)
     result = []
     for j in range(c):
         # A given end on the boundary belongs to the contact beside it.
         for node, beside in ((0, 1), (N, N - 1)):
-            active[node, j] |= given[node, j] and abs(slack[node, j]) <= AT and active[beside, j]
+            active[node, j] |= implied[node, j] and abs(slack[node, j]) <= AT and active[beside, j]
         # On a boundary arc the multiplier may vanish.
         near = slack[:, j] <= NEAR * np.max(slack[:, j])
         for first, end in _runs(near):
@@ -140,7 +140,7 @@ def with_boundary_labels(numeric, solution, columns, chosen):
         inside = slice(first, last)
         acting = _acting_controls(numeric, contact.constraint)
         free = [i for i in acting if np.mean([k == "between" for k in columns[i][inside]]) > 0.5]
-        if not free and not _kept(numeric, solution, contact, inside):
+        if not free and not _holds_boundary(numeric, solution, contact, inside):
             # The steps are too long for this contact: the certificate of its arcs decides.
             continue
         if not free:
@@ -153,18 +153,18 @@ def with_boundary_labels(numeric, solution, columns, chosen):
     return [np.array(column, dtype=object) for column in columns]
 
 
-def _kept(numeric, solution, contact, inside):
+def _holds_boundary(numeric, solution, contact, inside):
     """Check whether the controls keep the trajectory on the boundary: g^(p) = 0."""
     x, u, highest = numeric.x, numeric.u, numeric.path[contact.constraint]
     for _ in range(numeric.path_orders[contact.constraint]):
         highest = ca.jtimes(highest, x, numeric.field)
     free = ca.jtimes(highest, u, ca.SX.ones(numeric.k))
-    value = ca.Function("kept", [x, u], [highest, free])
+    value = ca.Function("highest", [x, u], [highest, free])
     rates = [
         [float(part) for part in value(state, control)]
         for state, control in zip(solution.states[inside], solution.controls[inside])
     ]
-    return all(abs(rate) <= KEPT * (1 + abs(slope)) for rate, slope in rates)
+    return all(abs(rate) <= HOLDING * (1 + abs(slope)) for rate, slope in rates)
 
 
 def _acting_controls(numeric, constraint):
