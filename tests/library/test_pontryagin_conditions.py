@@ -46,7 +46,7 @@ def test_forms_of_the_arguments():
         ({"dynamics": {x1: "x2", x2: u}}, "dynamics of x1: expected a SymPy expression"),
         ({"controls": {u: (1, -1)}}, "expected lower < upper for u"),
         ({"controls": {u: 1}}, r"expected \(lower, upper\) for u"),
-        ({"controls": {u: (-x1, 1)}}, "bounds of u depend on the state"),
+        ({"controls": {u: (-u, 1)}}, "bounds of u contain a control"),
         ({"controls": {v: (-1, 1)}}, "v acts neither"),
         ({"controls": {x1: (-1, 1)}}, "x1 is a state already"),
         ({"initial": {x1: 1}}, "initial: no value for x2; write None"),

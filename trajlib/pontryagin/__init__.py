@@ -45,6 +45,7 @@ _EXPORTS = {
         "StartOnTarget",
     ],
     "problem.elimination": ["ControlField"],
+    "problem.state_constraints": ["StateConstraint"],
     "planar_synthesis.synthesis": ["Synthesis"],
     "planar_synthesis.construction": ["synthesis"],
 }

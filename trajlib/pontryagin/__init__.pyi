@@ -21,6 +21,7 @@ from trajlib.pontryagin.problem.errors import PontryaginError as PontryaginError
 from trajlib.pontryagin.problem.errors import StartOnTarget as StartOnTarget
 from trajlib.pontryagin.problem.errors import Unbounded as Unbounded
 from trajlib.pontryagin.problem.errors import WrongStructure as WrongStructure
+from trajlib.pontryagin.problem.state_constraints import StateConstraint as StateConstraint
 from trajlib.pontryagin.verification.ball_arithmetic import Enclosure as Enclosure
 from trajlib.pontryagin.verification.certificate import Certificate as Certificate
 from trajlib.pontryagin.verification.certificate import certify as certify

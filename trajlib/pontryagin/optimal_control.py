@@ -19,13 +19,13 @@ class Problem(Statement):
     dynamics : dict
         {state: right-hand side}, in the order in which the states are to be counted.
     controls : dict
-        {control: (lower, upper)}; the bounds are numbers or expressions in the parameters, None or
-        oo for no bound.
+        {control: (lower, upper)}; the bounds are numbers or expressions in parameters and states,
+        None or oo for no bound.
     initial : dict
         {state: value at t = 0}, None for a state that is free at t = 0.
     terminal : list of sympy.Expr, list of sympy.Equality or dict, optional
-        Expressions that vanish at the final time, equations, or {state: value}; none for a free
-        terminal state.
+        Expressions that vanish at the final time, equations, inequalities such as x >= 1, or
+        {state: value}; none for a free terminal state.
     running, final : sympy.Expr, optional
         f_0(state, control) and phi_0(state at the final time). If neither is given, the cost is the
         time; if one is given, the other is zero.
@@ -38,6 +38,11 @@ class Problem(Statement):
         Whether the process ends when the trajectory first meets the target at some t > 0; for an
         initial state on the target, and for costs that would gain from passing through it. Needs
         exactly one terminal equation.
+    path : list of sympy inequalities, optional
+        Constraints on the state along the path, such as [v <= 1, x**2 + y**2 >= 1], and bounds of a
+        control such as u <= x/4.
+    terminal_inequalities : list of sympy inequalities, optional
+        Those at the final time; inequalities among `terminal` are added to them.
 
     Raises
     ------
@@ -58,6 +63,14 @@ class Problem(Statement):
     (1, (a,))
     >>> round(transfer.subs({a: 1}).solve().duration, 9)
     2.0
+
+    A speed limit; its multiplier is that of the costate's equation on the boundary arc.
+
+    >>> limited = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 0, x2: 0}, {x1: 3, x2: 0}, path=[x2 <= 1])
+    >>> limited.conditions().path[0].order
+    1
+    >>> limited.solve()
+    Extremal(cost=4, duration=4, arcs: u+ [0, 1], boundary [1, 3], u- [3, 4])
     """
 
     def conditions(self) -> Conditions:
@@ -88,7 +101,7 @@ class Problem(Statement):
         ----------
         structure : list, optional
             The arcs in order, "u-", "u+", "interior", "singular" or "zero" (tuples of them for
-            several controls); found if left out.
+            several controls); found if left out, and not to be given with path constraints.
         guess : Extremal or dict, optional
             Where the search begins: an extremal of a similar problem, or values for "duration",
             states and controls.

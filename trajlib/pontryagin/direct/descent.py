@@ -28,6 +28,9 @@ def descend(numeric: NumericProblem, solution: DirectSolution, side: int | None)
         if better is not None:
             solution = better
             continue
+        if numeric.path_orders:
+            # The second variation here does not keep to path constraints.
+            return solution
         variation = second_variation(
             numeric, process_of_solution(numeric, solution, target_multipliers(numeric, solution))
         )

@@ -160,7 +160,7 @@ def _drift_guess(numeric, u, intervals, side):
     if len(states) < 5 or (numeric.duration and len(states) < len(times)):
         return None
     last = len(states) - 1
-    if numeric.duration is None:
+    if numeric.duration is None and numeric.m:
         values = numeric.target_value.map(len(states))(states.T)[0].full().T
         distances = np.linalg.norm(values, axis=1)
         crossed = np.nonzero(values[2:, 0] * np.sign(side or values[2, 0]) <= 0)[0]

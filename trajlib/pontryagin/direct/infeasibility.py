@@ -70,6 +70,31 @@ def refuse_infeasible(numeric: NumericProblem) -> None:
     _refuse_unmoved(numeric)
 
 
+def refuse_ends_beyond_constraints(numeric: NumericProblem) -> None:
+    """Raise `Infeasible` if a given initial or final state violates an inequality."""
+    problem = numeric.problem
+    start = {y: value for y, value in problem.initial.items() if value is not None}
+    end = {
+        y: value
+        for y in problem.state
+        for g in problem.terminal
+        for value in (y - g, y + g)
+        if value.is_number
+    }
+    relations = [("initial", start, relation) for relation in problem.path]
+    relations += [
+        ("final", end, relation) for relation in (*problem.path, *problem.terminal_inequalities)
+    ]
+    for name, values, relation in relations:
+        value = relation.lhs.subs(values)
+        size = max((abs(float(v)) for v in values.values()), default=0.0)
+        if value.is_number and float(value) > MARGIN * (1 + size):
+            raise Infeasible(
+                f"the {name} state violates the constraint {relation}: its left-hand side is "
+                f"{float(value):.6g}"
+            )
+
+
 def _refuse_contradiction(G, d):
     """Raise `Infeasible` if G y = d for no y."""
     nearest, *_ = np.linalg.lstsq(G, d, rcond=None)

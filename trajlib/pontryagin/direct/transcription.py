@@ -35,6 +35,10 @@ class DirectSolution:
         With the sign of a minimum.
     lengths : ndarray or None
         Of the arcs, where their structure was given.
+    path_multipliers : ndarray or None, shape (N+1, c)
+        Of the path constraints at these times, zero where they are not imposed.
+    end_multipliers : ndarray or None
+        Of the terminal inequalities.
     """
 
     times: np.ndarray
@@ -43,6 +47,8 @@ class DirectSolution:
     controls: np.ndarray
     cost: float
     lengths: np.ndarray | None = None
+    path_multipliers: np.ndarray | None = None
+    end_multipliers: np.ndarray | None = None
 
     @property
     def duration(self) -> float:
@@ -126,6 +132,16 @@ class Transcription:
             parts.append((target(X[:, -1]), 0, 0))
         if side is not None:
             parts.append((ca.vec(side * target.map(N - 1)(X[:, 1:-1])), 0, np.inf))
+        self.path_rows = path_rows(numeric, N)
+        if len(self.path_rows):
+            self.path_offset = sum(e.numel() for e, _, _ in parts)
+            path = ca.Function("path", [numeric.x], [numeric.path]).map(N + 1)(X)
+            parts.append((ca.vec(path)[self.path_rows.tolist()], -np.inf, 0))
+        self.end_offset = sum(e.numel() for e, _, _ in parts)
+        end_count = len(numeric.problem.end_constraints)
+        if end_count:
+            end_path = ca.Function("end", [numeric.x], [numeric.end_path])
+            parts.append((end_path(X[:, -1]), -np.inf, 0))
         self.limits = {
             "lbg": np.concatenate([np.full(e.numel(), a) for e, a, _ in parts]),
             "ubg": np.concatenate([np.full(e.numel(), b) for e, _, b in parts]),
@@ -205,6 +221,7 @@ class Transcription:
             return Failure(
                 status, float(result["f"]), float(lengths.sum()), float(np.max(np.abs(states)))
             )
+        constraint_count = len(self.numeric.path_orders)
         costates = np.empty((N + 1, n))
         # The multiplier of F(x_k) - x_{k+1} = 0 is the derivative of the cost with respect to
         # x_{k+1}: -psi.
@@ -219,7 +236,38 @@ class Transcription:
         controls[:, angles] = np.unwrap(
             np.mod(controls[:, angles] + np.pi, 2 * np.pi) - np.pi, axis=0
         )
-        return DirectSolution(times, states, costates, controls, float(result["f"]), lengths)
+        path_multipliers = np.zeros((N + 1) * constraint_count)
+        if constraint_count:
+            path_multipliers[self.path_rows] = dual[self.path_offset :][: len(self.path_rows)]
+        return DirectSolution(
+            times,
+            states,
+            costates,
+            controls,
+            float(result["f"]),
+            lengths,
+            path_multipliers.reshape(N + 1, constraint_count),
+            dual[self.end_offset :],
+        )
+
+
+def path_rows(numeric: NumericProblem, intervals: int) -> np.ndarray:
+    """Return where path constraints are imposed: indices into their values at all nodes.
+
+    Not where the ends determine them: there no inequality has an interior.
+    """
+    problem, c = numeric.problem, len(numeric.path_orders)
+    fixed = {y for y, value in problem.initial.items() if value is not None}
+    ends = {
+        y
+        for y in problem.state
+        if any((y - e).is_number or (y + e).is_number for e in problem.terminal)
+    }
+    imposed = np.ones((intervals + 1, c), dtype=bool)
+    for j, g in enumerate(problem.constraints):
+        imposed[0, j] = not g.free_symbols <= fixed
+        imposed[-1, j] = not g.free_symbols <= ends
+    return np.nonzero(imposed.ravel())[0]
 
 
 def target_multipliers(

@@ -11,6 +11,8 @@ trajectory: from the others the cost may fall with every further arc as well (th
 of x as control, the cost x^2, q = 3). There the numbers decide.
 """
 
+from itertools import pairwise
+
 import numpy as np
 
 from trajlib._lazy import casadi as ca
@@ -31,7 +33,8 @@ def refuse_chattering(numeric, arcs, end, duration):
         if not numeric.affine[j] or not np.isfinite([numeric.lower[j], numeric.upper[j]]).all():
             continue
         kinds = [arc.kinds[j] for arc in arcs]
-        joined = "singular" in kinds and any(kind in ("u-", "u+") for kind in kinds)
+        # A boundary arc of a state constraint may lead from the one to the other.
+        joined = any({"singular"} < {*pair} <= {"singular", "u-", "u+"} for pair in pairwise(kinds))
         rests = (
             duration is None and numeric.m and kinds[-1] != "singular" and _may_rest(numeric, end)
         )

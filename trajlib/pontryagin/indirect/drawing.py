@@ -11,6 +11,7 @@ _BAND = {
     "u+": plotting.ORANGE,
     "interior": plotting.GREEN,
     "singular": plotting.PURPLE,
+    "boundary": plotting.RED,
     "zero": plotting.GREY,
 }
 _NAME = {"u-": "$u_-$", "u+": "$u_+$", "zero": "$0$"}
@@ -123,7 +124,13 @@ def _bands(extremal, ax):
     """Draw the arcs as coloured bands with their names."""
     for index, (kind, begin, end) in enumerate(extremal.arcs):
         first = kind if isinstance(kind, str) else kind[0]
-        ax.axvspan(begin, end, color=_BAND[first], alpha=0.16 if index % 2 else 0.10, linewidth=0)
+        ax.axvspan(
+            begin,
+            end,
+            color=_BAND[first.split()[0]],
+            alpha=0.16 if index % 2 else 0.10,
+            linewidth=0,
+        )
         kinds = [kind] if isinstance(kind, str) else kind
         text = ", ".join(_NAME.get(k, k) for k in kinds)
         # Names are written where their bands have room for them.

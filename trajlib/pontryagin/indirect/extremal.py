@@ -7,10 +7,8 @@ from typing import Literal, overload
 import numpy as np
 
 from trajlib.pontryagin.indirect.drawing import draw_extremal
-from trajlib.pontryagin.indirect.refinement import arc_lengths
 from trajlib.pontryagin.indirect.shooting import ShootingSolution
-from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, arc_latex
-from trajlib.pontryagin.problem.errors import WrongStructure
+from trajlib.pontryagin.problem.arcs import BOUNDARY, arc_latex
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.certificate import Certificate, certify
@@ -30,14 +28,17 @@ class Extremal:
     cost, duration : float
         J and t_k.
     arcs : tuple of tuple
-        (kind, begin, end), kind being "u-", "u+" (at a bound), "interior", "singular", or "zero" (u
-        = 0 where the cost contains |u|); with several controls a tuple of them.
+        (kind, begin, end), kind being "u-", "u+" (at a bound), "interior", "singular", "boundary"
+        (of a path constraint, numbered if there are several), or "zero" (u = 0 where the cost
+        contains |u|); with several controls a tuple of them.
     multiplier : float
         lambda_0: 1 in the normal case, 0 in the abnormal one (then |psi(0)| = 1).
     terminal_multipliers : tuple of float
-        lambda_1, ..., lambda_m of the terminal equations.
+        lambda_1, ..., lambda_m of the terminal equations, then those of the terminal inequalities.
     residual : float
         The largest residual of the boundary value problem that was solved.
+    jumps : tuple of tuple
+        (path constraint, time, nu) where the costate may jump: psi(t+0) = psi(t-0) + nu dg/dy.
     """
 
     problem: Statement
@@ -47,6 +48,7 @@ class Extremal:
     multiplier: float
     terminal_multipliers: tuple[float, ...]
     residual: float
+    jumps: tuple[tuple, ...]
     _numeric: NumericProblem
     _shot: ShootingSolution
     _starts: int = 1
@@ -128,6 +130,35 @@ class Extremal:
         """
         return self._along(t, lambda flow, y: flow.values("slopes", y, self.multiplier))
 
+    @property
+    def contacts(self) -> bool:
+        """Whether the trajectory touches the boundary of a path constraint."""
+        kinds = ((kind,) if isinstance(kind, str) else kind for kind, _, _ in self.arcs)
+        return bool(self.jumps) or any(k.startswith(BOUNDARY) for arc in kinds for k in arc)
+
+    def path_multiplier(self, t) -> np.ndarray:
+        """Return the multipliers eta of the path constraints at given times.
+
+        Parameters
+        ----------
+        t : float or array_like, shape (N,)
+            Times in [0, duration].
+
+        Returns
+        -------
+        ndarray, shape (c,) or (c, N)
+            Zero off the boundaries; psi' = -dH/dy + sum of eta_j dg_j/dy.
+        """
+        count = len(self.problem.path)
+
+        def multipliers(flow, y):
+            result = np.zeros((count, y.shape[1]))
+            if flow.boundary is not None:
+                result[flow.boundary] = flow.values("path multiplier", y, self.multiplier)
+            return result
+
+        return self._along(t, multipliers)
+
     def hamiltonian(self, t) -> float | np.ndarray:
         """Return the Pontryagin function H at given times.
 
@@ -203,6 +234,10 @@ class Extremal:
         proof = relaxed_sufficiency_theorem(self.problem)
         if proof and (self.normal or not proof[1]):
             return optimality("proved", proof[0])
+        if self.contacts:
+            return optimality(
+                "extremal", "the second variation is not computed on the boundary of a constraint"
+            )
         if not self.normal:
             return optimality("extremal", "abnormal: the second variation of the cost says nothing")
         if self._variation.sign > 0:
@@ -304,61 +339,3 @@ class Extremal:
             f"$J = {self.cost:.12g}$, $t_k = {self.duration:.12g}$ ({case})\n\n"
             f"| arc | begin | end |\n|---|---|---|\n{rows}\n{str(self.optimality).capitalize()}.\n"
         )
-
-
-def extremal_of_shot(
-    numeric: NumericProblem, shot: ShootingSolution, starts: int, processes: int
-) -> Extremal:
-    """Return the extremal of a converged solution, with lambda_0 = 1 in the normal case.
-
-    Raises `WrongStructure` if it meets the target before its end, against first_return.
-    """
-    n, problem = numeric.n, numeric.problem
-    largest = max(np.max(np.abs(start[n : 2 * n])) for start in shot.starts)
-    normal = shot.multiplier > 1e-9 * largest
-    scale = shot.multiplier if normal else np.linalg.norm(shot.starts[0][n : 2 * n])
-    for start in shot.starts:
-        start[n : 2 * n] /= scale
-    shot.multiplier = 1.0 if normal else 0.0
-    shot.terminal_multipliers = shot.terminal_multipliers / scale
-    ends = [
-        flow.nodes(np.append(start, 0.0), shot.multiplier, length, steps)[-1]
-        for flow, start, length, steps in zip(shot.flows, shot.starts, shot.lengths, shot.steps)
-    ]
-    times = [float(t) for t in np.concatenate([[0.0], np.cumsum(arc_lengths(shot))])]
-    flows = [flow for i, flow in enumerate(shot.flows) if not i or flow is not shot.flows[i - 1]]
-    shown = [
-        tuple("interior" if kind in CONSTANT_ANGLES else kind for kind in flow.kinds)
-        for flow in flows
-    ]
-    arcs = tuple(
-        (kinds[0] if numeric.k == 1 else kinds, begin, end)
-        for kinds, begin, end in zip(shown, times, times[1:])
-    )
-    cost = sum(end[-1] for end in ends) + float(numeric.final_value(ends[-1][:n]))
-    extremal = Extremal(
-        problem,
-        float(-cost if problem.maximise else cost),
-        times[-1],
-        arcs,
-        shot.multiplier,
-        tuple(float(v) for v in shot.terminal_multipliers),
-        shot.residual,
-        numeric,
-        shot,
-        starts,
-        processes,
-    )
-    if problem.first_return and _passes_target(extremal):
-        raise WrongStructure(
-            "the trajectory with these arcs meets the target before its end, against first_return"
-        )
-    return extremal
-
-
-def _passes_target(extremal):
-    """Check whether the single terminal equation changes its sign before the end."""
-    between = extremal.state(np.linspace(0, extremal.duration, 402)[1:-1])
-    values = extremal._numeric.target_value.map(400)(between)[0].full().ravel()
-    largest = np.max(np.abs(values))
-    return bool(np.min(values) < -1e-9 * largest and np.max(values) > 1e-9 * largest)

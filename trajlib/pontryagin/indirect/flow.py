@@ -1,9 +1,9 @@
 """Flow of states and costates along an arc, to rounding error, with exact derivatives.
 
-The kinds, one for each control: "u-" and "u+" (at a bound), "interior" (dH/du = 0 between the
-bounds; the direction of a zero thrust has the limit of those of weak thrusts) and "singular"
-(H linear in u, dH/du = 0 on the arc). On an interior arc the control w is a further component of
-the flow,
+The kinds, one for each control: "u-" and "u+" (at a bound), "boundary" (of a state constraint; see
+`boundary_arc`), "interior" (dH/du = 0 between the bounds; the direction of a zero thrust has the
+limit of those of weak thrusts) and "singular" (H linear in u, dH/du = 0 on the arc). On an interior
+arc the control w is a further component of the flow,
 
     w' = -(d2H/du2)^-1 d/dt(dH/du with u held),
 
@@ -19,7 +19,8 @@ from functools import cached_property
 import numpy as np
 
 from trajlib._lazy import casadi as ca
-from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES
+from trajlib.pontryagin.indirect.boundary_arc import boundary_conditions, boundary_control
+from trajlib.pontryagin.problem.arcs import BOUNDARY, CONSTANT_ANGLES, boundary_constraint
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
@@ -40,12 +41,19 @@ class ArcFlow:
         Length of y.
     orders : dict
         {index of a singular control: q}.
+    boundary, touch : int or None
+        The path constraint that is active along the arc; the one that is touched at its beginning.
     """
 
-    def __init__(self, numeric: NumericProblem, kinds: tuple[str, ...]):
+    def __init__(self, numeric: NumericProblem, kinds: tuple[str, ...], touch: int | None = None):
         self.numeric, self.kinds = numeric, kinds
+        self.boundary, self.touch = boundary_constraint(kinds), touch
         self.interior = [
-            i for i, kind in enumerate(kinds) if kind == "interior" or kind in CONSTANT_ANGLES
+            i
+            for i, kind in enumerate(kinds)
+            if kind == "interior"
+            or kind in CONSTANT_ANGLES
+            or (kind.startswith(BOUNDARY) and not numeric.affine[i])
         ]
         self.singular = [i for i, kind in enumerate(kinds) if kind == "singular"]
         self.w = ca.SX.sym("w", len(self.interior))
@@ -68,6 +76,10 @@ class ArcFlow:
             self.orders[i] = len(derivatives) // 2
             conditions += derivatives
             control[i] = value
+        for i in self._solved_for_boundary:
+            derivatives, value = boundary_control(numeric, self.boundary, i, control)
+            conditions += derivatives
+            control[i] = value
         self.control = control
         self.stationary = {i: self._stationary(i) for i in self.interior}
         for i in self.interior:
@@ -76,7 +88,45 @@ class ArcFlow:
                 if kinds[i] in CONSTANT_ANGLES
                 else [self.stationary[i]]
             )
-        self.entry = ca.vertcat(*map(self._with_control, conditions))
+        if touch is not None:
+            g = numeric.path[touch]
+            conditions += [g, ca.jtimes(g, numeric.x, numeric.field)]
+        conditions = list(map(self._with_control, conditions))
+        self.path_multiplier = ca.SX(0)
+        if self.boundary is not None:
+            conditions += self._boundary_conditions()
+        self.entry = ca.vertcat(*conditions)
+
+    @property
+    def _solved_for_boundary(self):
+        """The controls that g^(p) = 0 determines: at most one."""
+        return [
+            i
+            for i, kind in enumerate(self.kinds)
+            if kind.startswith(BOUNDARY) and i not in self.interior
+        ]
+
+    def _boundary_conditions(self):
+        """Set `path_multiplier`; return the conditions that it keeps."""
+        numeric = self.numeric
+        order, solved = numeric.path_orders[self.boundary], self._solved_for_boundary
+        moving = ca.vertcat(*(self.stationary[i] for i in self.interior))
+        if self.singular or (
+            solved and self.interior and any(ca.which_depends(moving, numeric.u[solved[0]]))
+        ):
+            raise WrongStructure(
+                "a boundary arc while another control that acts on the same condition moves between "
+                "its bounds: such arcs are not provided for"
+            )
+        expression = numeric.slopes[solved[0]] if solved else numeric.path[self.boundary]
+        conditions, self.path_multiplier = boundary_conditions(
+            self, self._with_control(expression), order if solved else 2 * order
+        )
+        return conditions
+
+    def continues(self, left: "ArcFlow") -> bool:
+        """Check whether a segment with this flow continues the arc of the segment before."""
+        return self.kinds == left.kinds and self.touch is None
 
     def _with_control(self, expression):
         return ca.substitute(expression, self.numeric.u, self.control)
@@ -101,10 +151,17 @@ class ArcFlow:
     @cached_property
     def rate(self):
         """y', an expression in y and lambda_0."""
+        return self.rate_with(self.path_multiplier)
+
+    def rate_with(self, path_multiplier):
+        """Return y' for a multiplier of the path constraint that is active along the arc."""
         numeric = self.numeric
-        motion = ca.vertcat(numeric.field, numeric.adjoint)
+        adjoint = numeric.adjoint
+        if self.boundary is not None:
+            adjoint += path_multiplier * ca.gradient(numeric.path[self.boundary], numeric.x)
+        motion = ca.vertcat(numeric.field, adjoint)
         if self.interior:
-            moving = [i for i in self.interior if self.kinds[i] == "interior"]
+            moving = [i for i in self.interior if self.kinds[i] not in CONSTANT_ANGLES]
             slopes, free = ca.vertcat(*(self.stationary[i] for i in moving)), numeric.u[moving]
             drift = ca.jtimes(slopes, ca.vertcat(numeric.x, numeric.psi), motion)
             turning = ca.SX(numeric.k, 1)
@@ -121,6 +178,7 @@ class ArcFlow:
         slopes = self._with_control(numeric.slopes)
         return {
             "control": ca.Function("control", arguments, [self.control]),
+            "path multiplier": ca.Function("eta", arguments, [self.path_multiplier]),
             "hamiltonian": ca.Function(
                 "hamiltonian", arguments, [hamiltonian, ca.jacobian(hamiltonian, variables)]
             ),

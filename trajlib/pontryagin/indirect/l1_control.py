@@ -148,6 +148,10 @@ class SplitExtremal(Extremal):
         """Return the costate at given times, as `Extremal.costate`."""
         return self.inner.costate(t)
 
+    def path_multiplier(self, t):
+        """Return the multipliers of the path constraints, as `Extremal.path_multiplier`."""
+        return self.inner.path_multiplier(t)
+
     def hamiltonian(self, t):
         """Return H at given times, as `Extremal.hamiltonian`."""
         return self.inner.hamiltonian(t)

@@ -21,11 +21,13 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
+from trajlib.pontryagin.indirect.assembly import extremal_of_shot
+from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.indirect.flow import ArcFlow
+from trajlib.pontryagin.indirect.newton import CANCELLING
 from trajlib.pontryagin.indirect.refinement import INTEGRATED, finer_steps, growth
 from trajlib.pontryagin.indirect.scaled_extremal import restore_units
-from trajlib.pontryagin.indirect.shooting import CANCELLING, ShootingSolution
+from trajlib.pontryagin.indirect.shooting import ShootingSolution
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.scaling import units_of_process
 from trajlib.pontryagin.verification.optimality import sufficiency_theorem
@@ -84,7 +86,9 @@ def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
     )
     if scaling is None:
         return replace(_extremal(numeric, samples, multipliers), cost=cost)
-    states, terminal = (np.array(v, dtype=float) for v in (scaling.states, scaling.terminal))
+    states, terminal = (
+        np.array(v, dtype=float) for v in (scaling.states, scaling.terminal[: numeric.m])
+    )
     unit = float(scaling.cost)
     units = np.concatenate([states, unit / states, np.array(scaling.controls, dtype=float)])
     inner = NumericProblem(scaling.problem, scaling)

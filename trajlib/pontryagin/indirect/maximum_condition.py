@@ -1,5 +1,7 @@
 """The arcs that the maximum condition requires along a given trajectory."""
 
+from dataclasses import replace
+
 import numpy as np
 
 from trajlib.pontryagin.problem.arcs import Arc, arc_name
@@ -20,7 +22,7 @@ def required_arcs(numeric, shot):
 
     The description is empty if they are those of the trajectory.
     """
-    rows, lengths, description = [], [], ""
+    rows, lengths, touches, description = [], [], [], ""
     for flow, start, length in zip(shot.flows, shot.starts, shot.lengths):
         points = flow.nodes(
             np.append(start, 0.0), shot.multiplier, length, len(FRACTIONS), FRACTIONS
@@ -37,14 +39,15 @@ def required_arcs(numeric, shot):
         if required and not description:
             description = f"the arc {arc_name(flow.kinds)}, where {arc_name(required)} is wanted"
         rows += labels
+        touches += [flow.touch] + [None] * (len(labels) - 1)
         edges = np.concatenate([[0.0], (FRACTIONS[1:] + FRACTIONS[:-1]) / 2, [1.0]])
         lengths += list(length * np.diff(edges))
     arcs, time = [], 0.0
-    for label, length in zip(rows, lengths):
-        if arcs and arcs[-1].kinds == label:
-            arcs[-1] = Arc(label, arcs[-1].begin, time + length)
+    for label, length, touch in zip(rows, lengths, touches):
+        if arcs and arcs[-1].kinds == label and touch is None:
+            arcs[-1] = replace(arcs[-1], end=time + length)
         else:
-            arcs.append(Arc(label, time, time + length))
+            arcs.append(Arc(label, time, time + length, touch))
         time += length
     return description, arcs
 

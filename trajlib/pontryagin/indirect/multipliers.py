@@ -24,7 +24,9 @@ def choose_multipliers(numeric, shot, duration):
     None also where arcs are not all at the bounds, and where the multipliers are unique up to a
     factor.
     """
-    if any(kind not in ("u-", "u+") for flow in shot.flows for kind in flow.kinds):
+    if len(shot.jumps) or any(
+        kind not in ("u-", "u+") for flow in shot.flows for kind in flow.kinds
+    ):
         return None
     basis = _Basis(numeric, shot)
     free = _null_space(basis.equations(duration))

@@ -1,22 +1,24 @@
 """Refinement of a discrete solution to an extremal by Newton's method."""
 
 from copy import copy
+from dataclasses import replace
 
 import numpy as np
 
 from trajlib.pontryagin.direct.transcription import DirectSolution, target_multipliers
+from trajlib.pontryagin.indirect.contacts import jump_guess
 from trajlib.pontryagin.indirect.maximum_condition import required_arcs
 from trajlib.pontryagin.indirect.multipliers import choose_multipliers
+from trajlib.pontryagin.indirect.newton import CANCELLING, newton
 from trajlib.pontryagin.indirect.shooting import (
-    CANCELLING,
     ArcEquations,
     ShootingSolution,
-    build_flows,
+    arc_flow,
     control_jumps,
-    newton,
+    costate_jumps,
 )
 from trajlib.pontryagin.indirect.structure import axis_of
-from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, Arc, arc_name
+from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, Arc, arc_name, boundary_constraint
 from trajlib.pontryagin.problem.errors import WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
@@ -54,8 +56,8 @@ def refine(
     far. Raises `WrongStructure` if nothing leads to an extremal.
     """
     tried_structures, reason = set(), ""
-    while tuple(arc.kinds for arc in arcs) not in tried_structures:
-        tried_structures.add(tuple(arc.kinds for arc in arcs))
+    while (structure := tuple((arc.kinds, arc.touch) for arc in arcs)) not in tried_structures:
+        tried_structures.add(structure)
         shot = shoot(numeric, solution, arcs, duration, flow_cache)
         lengths = arc_lengths(shot)
         short = int(np.argmin(lengths))
@@ -63,7 +65,7 @@ def refine(
             reason = (
                 f"the arc {arc_name(arcs[short].kinds)} (number {short + 1}) shrinks to nothing"
             )
-            arcs = _without(arcs, short)
+            arcs = _without(numeric, arcs, short)
         elif not shot.residual <= ACCEPTED:
             reason = (
                 f"the conditions for the arcs {', '.join(arc_name(arc.kinds) for arc in arcs)} were "
@@ -100,8 +102,7 @@ def shoot(numeric, solution, arcs, duration, flow_cache):
     If lambda_0 tends to zero against psi: where the multipliers are not unique, a normal solution
     may be found from a larger lambda_0; if none is, the abnormal one is searched for.
     """
-    flows = build_flows(numeric, [arc.kinds for arc in arcs], flow_cache)
-    guess = _starting_values(numeric, solution, arcs, flows)
+    guess = _starting_values(numeric, solution, arcs, flow_cache)
     shot = _solved(numeric, copy(guess), duration, abnormal=False)
     if not _nearly_abnormal(numeric, shot):
         return shot
@@ -140,14 +141,14 @@ def arc_lengths(shot):
     """Return the lengths of the arcs, the segments of one arc being added."""
     lengths = []
     for index, (flow, length) in enumerate(zip(shot.flows, shot.lengths)):
-        if index and flow is shot.flows[index - 1]:
+        if index and flow.continues(shot.flows[index - 1]):
             lengths[-1] += length
         else:
             lengths.append(length)
     return np.array(lengths)
 
 
-def _starting_values(numeric, solution, arcs, flows):
+def _starting_values(numeric, solution, arcs, flow_cache):
     """Cut arcs into segments along which errors grow by CANCELLING at most.
 
     Every segment begins with the values of the discrete solution: integrated from the beginning of
@@ -155,7 +156,8 @@ def _starting_values(numeric, solution, arcs, flows):
     """
     scale = np.linalg.norm(np.append(solution.costates[0], 1.0))
     segment_flows, starts, lengths = [], [], []
-    for arc, flow in zip(arcs, flows):
+    for arc in arcs:
+        flow = arc_flow(numeric, arc.kinds, arc.touch, flow_cache)
         pieces, length = 1, arc.end - arc.begin
         while True:
             begins = arc.begin + length * np.arange(pieces) / pieces
@@ -181,9 +183,16 @@ def _starting_values(numeric, solution, arcs, flows):
                 f"errors along the arc {arc_name(flow.kinds)} grow by {error_growth:.0e} even on {pieces} "
                 "segments"
             )
-        segment_flows += [flow] * pieces
+        segment_flows.append(flow)
+        if pieces > 1:
+            segment_flows += [arc_flow(numeric, arc.kinds, None, flow_cache)] * (pieces - 1)
         starts += points
         lengths += [length / pieces] * pieces
+    begins = np.concatenate([[0.0], np.cumsum(lengths)])
+    jumps = [
+        jump_guess(solution, constraint, begins[index]) / scale
+        for index, constraint in costate_jumps(numeric, segment_flows).items()
+    ]
     return ShootingSolution(
         segment_flows,
         starts,
@@ -191,6 +200,7 @@ def _starting_values(numeric, solution, arcs, flows):
         1 / scale,
         target_multipliers(numeric, solution, 1 / scale),
         [8] * len(segment_flows),
+        np.array(jumps),
     )
 
 
@@ -315,12 +325,18 @@ def to_direct_solution(numeric, shot):
     )
 
 
-def _without(arcs, index):
-    """Remove an arc that vanished; its neighbours, if of one kind, become one arc."""
+def _without(numeric, arcs, index):
+    """Remove an arc that vanished; its neighbours, if of one kind, become one arc.
+
+    A boundary arc of an order above one leaves a touch point.
+    """
+    constraint, after = boundary_constraint(arcs[index].kinds), arcs[index + 1 :]
+    if constraint is not None and numeric.path_orders[constraint] > 1 and index and after:
+        after[0] = replace(after[0], touch=constraint)
     remaining = []
-    for arc in arcs[:index] + arcs[index + 1 :]:
-        if remaining and remaining[-1].kinds == arc.kinds:
-            remaining[-1] = Arc(arc.kinds, remaining[-1].begin, arc.end)
+    for arc in arcs[:index] + after:
+        if remaining and remaining[-1].kinds == arc.kinds and arc.touch is None:
+            remaining[-1] = replace(remaining[-1], end=arc.end)
         else:
             remaining.append(arc)
     return remaining

@@ -37,6 +37,12 @@ class ScaledExtremal(Extremal):
         pace = self.weight / float(self.scaling.time)
         return self._scaled(self.inner.switching, t, [pace / r for r in self.scaling.controls])
 
+    def path_multiplier(self, t):
+        """Return the multipliers of the path constraints, as `Extremal.path_multiplier`."""
+        pace = self.weight / float(self.scaling.time)
+        units = [pace / float(unit) for unit in self.scaling.path]
+        return self._scaled(self.inner.path_multiplier, t, units)
+
     def hamiltonian(self, t):
         """Return H at given times, as `Extremal.hamiltonian`."""
         pace = self.weight / float(self.scaling.time)
@@ -85,6 +91,14 @@ def restore_units(scaling: Scaling, extremal: Extremal) -> ScaledExtremal:
         "cost": extremal.cost * cost + float(scaling.constant_cost),
         "duration": extremal.duration * time,
         "arcs": tuple((kind, begin * time, end * time) for kind, begin, end in extremal.arcs),
+        "jumps": tuple(
+            (
+                scaling.original.path[index := scaling.problem.path.index(relation)],
+                instant * time,
+                nu * weight / float(scaling.path[index]),
+            )
+            for relation, instant, nu in extremal.jumps
+        ),
         "terminal_multipliers": tuple(
             value * weight / float(unit)
             for value, unit in zip(extremal.terminal_multipliers, scaling.terminal)

@@ -4,6 +4,7 @@ Unknown are the states, costates and interior controls at the beginning of each 
 the arcs, lambda_0 and the multipliers of the terminal equations. The equations:
 
     initial state; psi_i(0) = 0 for a free one                              state and costate continuous
+    (psi jumps by nu dg/dx at a touch point g = g' = 0, and at the ends of boundary arcs of order two)
     at a switching between bounds: the switching function is zero           (H the same on both sides where it is
     curved) where a singular arc begins: its switching function and the derivatives of orders 1 to 2q-1 are zero where
     an interior arc begins: dH/du = 0; where it meets a bound: its control is at the bound, or, where it jumps, H the
@@ -17,7 +18,7 @@ steps are least-squares steps.
 """
 
 import itertools
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -25,16 +26,6 @@ from trajlib._lazy import casadi as ca
 from trajlib.pontryagin.indirect.flow import ArcFlow
 from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES
 from trajlib.pontryagin.problem.numeric import NumericProblem
-
-# Size of cancelling terms up to which residuals are relative to them: the growth allowed on a
-# segment.
-CANCELLING = 1e3
-# Share of the largest singular value of the Jacobian below which directions are left out where
-# steps get short.
-RANK = 1e-8
-# Newton's method stops where the residual has not fallen to this share of itself within so many
-# steps.
-STAGNATION, PATIENCE = 0.9, 10
 
 
 @dataclass
@@ -55,6 +46,8 @@ class ShootingSolution:
         Of the target.
     steps : list of int
         Of the integrator on each segment.
+    jumps : ndarray
+        The multipliers nu of the jumps of the costate, in the order of `costate_jumps`.
     residual : float
         The largest of the equations.
     uncertainty : float
@@ -67,6 +60,7 @@ class ShootingSolution:
     multiplier: float
     terminal_multipliers: np.ndarray
     steps: list[int]
+    jumps: np.ndarray = field(default_factory=lambda: np.zeros(0))
     residual: float = np.inf
     uncertainty: float = np.inf
 
@@ -99,7 +93,9 @@ class ArcEquations:
         self.blocks = [slice(a, b) for a, b in itertools.pairwise(offsets)]
         self.lengths = slice(offsets[-1], offsets[-1] + len(flows))
         self.multiplier = offsets[-1] + len(flows)
-        self.count = self.multiplier + 1 + numeric.m
+        self.targets = slice(self.multiplier + 1, self.multiplier + 1 + numeric.m)
+        self.costate_jumps = costate_jumps(numeric, flows)
+        self.count = self.targets.stop + len(self.costate_jumps)
         x, psi, lam = numeric.x, numeric.psi, numeric.multiplier
         nu = ca.SX.sym("nu", numeric.m)
         end = [numeric.target] if numeric.m else []
@@ -117,7 +113,7 @@ class ArcEquations:
     def pack(self, shot):
         """Return the unknowns z of a solution."""
         return np.concatenate(
-            [*shot.starts, shot.lengths, [shot.multiplier], shot.terminal_multipliers]
+            [*shot.starts, shot.lengths, [shot.multiplier], shot.terminal_multipliers, shot.jumps]
         )
 
     def unpack(self, z, residual, uncertainty):
@@ -127,8 +123,9 @@ class ArcEquations:
             [z[b] for b in self.blocks],
             z[self.lengths].copy(),
             float(z[self.multiplier]),
-            z[self.multiplier + 1 :].copy(),
+            z[self.targets].copy(),
             list(self.steps),
+            z[self.targets.stop :].copy(),
             residual,
             uncertainty,
         )
@@ -193,11 +190,17 @@ class ArcEquations:
         """Append the equations between two segments."""
         left, right = self.flows[index], self.flows[index + 1]
         block, n = self.blocks[index + 1], self.numeric.n
-        same_arc = left.kinds == right.kinds
+        same_arc = right.continues(left)
+        jump, by_state, nu_column = self._costate_jump(index + 1, end)
         for i in range(left.size if same_arc else 2 * n):
             row = derivative[i].copy()
             row[block.start + i] -= 1
-            self._add(end[i] - self.z[block.start + i], row)
+            value = end[i] - self.z[block.start + i]
+            if nu_column is not None and n <= i < 2 * n:
+                value += self.z[nu_column] * jump[i - n]
+                row += self.z[nu_column] * by_state[i - n] @ derivative[:n]
+                row[nu_column] += jump[i - n]
+            self._add(value, row)
         if same_arc:
             first = self.lengths.start + index
             self._add(self.z[first] - self.z[first + 1], {first: 1.0, first + 1: -1.0})
@@ -230,6 +233,20 @@ class ArcEquations:
                 column = block.start + 2 * n + right.interior.index(j)
                 self._add(self.z[column] - bounds[before], {column: 1.0})
 
+    def _costate_jump(self, index, end):
+        """Return dg/dx with its derivatives, and the column of nu, for a jump before segment `index`.
+
+        The column is None where the costate is continuous.
+        """
+        constraint = self.costate_jumps.get(index)
+        if constraint is None:
+            return None, None, None
+        numeric = self.numeric
+        function = numeric.cached(f"normal {constraint}", lambda: _normal(numeric, constraint))
+        normal, by_state = (v.full() for v in function(end[: numeric.n]))
+        column = self.targets.stop + list(self.costate_jumps).index(index)
+        return normal.ravel(), by_state, column
+
     def _same_hamiltonian(self, index, end, derivative):
         """Append the equation that H is the same before and after a switching."""
         lam, block = self.z[self.multiplier], self.blocks[index + 1]
@@ -246,12 +263,12 @@ class ArcEquations:
     def _end(self, flow, end, derivative, lam):
         """Append the equations at the end: target, transversality, duration or H = 0."""
         n, m = self.numeric.n, self.numeric.m
-        nu = self.z[self.multiplier + 1 :]
+        nu = self.z[self.targets]
         value, slope = (v.full() for v in self.terminal(end[:n], end[n : 2 * n], lam, nu))
         for i in range(m + n):
             row = slope[i, : 2 * n] @ derivative[: 2 * n]
             row[self.multiplier] += slope[i, 2 * n]
-            row[self.multiplier + 1 :] += slope[i, 2 * n + 1 :]
+            row[self.targets] += slope[i, 2 * n + 1 :]
             self._add(value[i, 0], row)
         if self.duration is None:
             value, slope = (v.full() for v in flow.functions["hamiltonian"](end, lam))
@@ -262,6 +279,31 @@ class ArcEquations:
             row = np.zeros(self.count)
             row[self.lengths] = 1
             self._add(self.z[self.lengths].sum() - self.duration, row)
+
+
+def costate_jumps(numeric, flows):
+    """Return {index: constraint}: where the costate may jump, before segment `index`.
+
+    At touch points, and where boundary arcs of an order above one begin and end.
+    """
+    result = {}
+    for index, (left, right) in enumerate(itertools.pairwise(flows), 1):
+        changed = left.boundary != right.boundary
+        ends = [c for c in (right.boundary, left.boundary) if changed and c is not None]
+        high = [c for c in ends if numeric.path_orders[c] > 1]
+        if right.touch is not None:
+            result[index] = right.touch
+        elif high:
+            result[index] = high[0]
+    return result
+
+
+def _normal(numeric, constraint):
+    """Return the function x -> dg/dx and its Jacobian."""
+    normal = ca.gradient(numeric.path[constraint], numeric.x)
+    return ca.Function(
+        "normal", [numeric.x], [ca.densify(normal), ca.densify(ca.jacobian(normal, numeric.x))]
+    )
 
 
 def control_jumps(numeric, shot):
@@ -283,97 +325,8 @@ def control_jumps(numeric, shot):
     return result
 
 
-def newton(equations, z, iterations=80):
-    """Solve by damped least-squares Newton steps; the lengths of the arcs stay positive.
-
-    Returns (z, largest residual, uncertainty of the lengths): each residual relative to the terms
-    that cancel in its equation (at least to one, at most to CANCELLING), the uncertainty relative
-    to the duration.
-    """
-    r, J = equations.residual(z)
-    sizes = []
-    for _ in range(iterations):
-        sizes.append(np.linalg.norm(r))
-        if not np.isfinite(J).all() or sizes[-1] > STAGNATION * max(
-            sizes[-PATIENCE - 1 : -PATIENCE], default=np.inf
-        ):
-            break
-        step = _least_squares(J, r, 1e-13)
-        better = _shortened(equations, z, r, step, 1e-2)
-        if not _rounded(z, sizes[-1]) and (
-            better is None or np.linalg.norm(better[1]) > STAGNATION * sizes[-1]
-        ):
-            # Such a step may go along a family of solutions (a closed path may begin anywhere).
-            across = _least_squares(J, r, RANK)
-            if better is None or np.linalg.norm(across) < np.linalg.norm(step) / 2:
-                truncated = _shortened(equations, z, r, across, 1e-7 if better is None else 1e-2)
-                better = min(
-                    filter(None, (better, truncated)),
-                    key=lambda trial: np.linalg.norm(trial[1]),
-                    default=None,
-                )
-        if better is None:
-            break
-        z, r, J = better
-    if not np.isfinite(J).all():
-        return z, np.inf, np.inf
-    step = _least_squares(J, r, 1e-13)[equations.lengths]
-    return (
-        z,
-        float(np.max(np.abs(r) / np.clip(np.abs(J) @ np.abs(z), 1.0, CANCELLING))),
-        float(np.max(np.abs(step)) / np.sum(z[equations.lengths])),
-    )
-
-
-def _shortened(equations, z, r, step, shortest):
-    """Return (z, r, J) after a step that lowers the residual, halved as needed, or None."""
-    size = np.linalg.norm(r)
-    lengths, change = z[equations.lengths], step[equations.lengths]
-    shrinking = change < 0
-    # An arc loses at most nine tenths of its length in one step.
-    with np.errstate(over="ignore"):
-        alpha = min(1.0, 0.9 * np.min(-lengths[shrinking] / change[shrinking], initial=np.inf))
-    while alpha > shortest:
-        trial = z + alpha * step
-        r_trial, J_trial = equations.residual(trial)
-        size_trial = np.linalg.norm(r_trial)
-        if np.isfinite(size_trial) and size_trial < size * (1 - 1e-4 * alpha):
-            return trial, r_trial, J_trial
-        # Near rounding error only a full step can still help.
-        if _rounded(z, size):
-            break
-        alpha /= 2
-    return None
-
-
-def _least_squares(J, r, rank):
-    """Return the shortest step that minimises |J step + r|.
-
-    Directions below the share `rank` of the largest singular value of J are left out. Where there
-    are none, the step solves a square system without singular values, which take most of the time
-    of long arcs with many segments.
-    """
-    count = len(r)
-    if J.shape[1] == count:
-        try:
-            inverse = np.linalg.inv(J)
-        except np.linalg.LinAlgError:
-            inverse = np.full_like(J, np.inf)
-        # The ratio of the singular values is at least 1/n of this one, by the norms.
-        if 1 / (np.linalg.norm(J, 1) * np.linalg.norm(inverse, 1)) > count * rank:
-            step = -inverse @ r
-            return step - inverse @ (J @ step + r)
-    return np.linalg.lstsq(J, -r, rcond=rank)[0]
-
-
-def _rounded(z, size):
-    """Check whether residuals of this size are near rounding error."""
-    return size <= 1e-12 * (1 + np.linalg.norm(z))
-
-
-def build_flows(numeric: NumericProblem, kinds, flow_cache: dict) -> list[ArcFlow]:
-    """Return an `ArcFlow` for each arc; `flow_cache` keeps them between attempts."""
-    for arc_kinds in kinds:
-        if arc_kinds not in flow_cache:
-            flow_cache[arc_kinds] = ArcFlow(numeric, arc_kinds)
-    return [flow_cache[arc_kinds] for arc_kinds in kinds]
+def arc_flow(numeric: NumericProblem, kinds, touch: int | None, flow_cache: dict) -> ArcFlow:
+    """Return the `ArcFlow` of an arc; `flow_cache` keeps it between attempts."""
+    if (kinds, touch) not in flow_cache:
+        flow_cache[kinds, touch] = ArcFlow(numeric, kinds, touch)
+    return flow_cache[kinds, touch]

@@ -19,12 +19,23 @@ from trajlib.pontryagin.direct.free_duration import (
 )
 from trajlib.pontryagin.direct.guesses import read_guess, refuse_start_on_target
 from trajlib.pontryagin.direct.impulses import refuse_impulses
-from trajlib.pontryagin.direct.infeasibility import refuse_infeasible
+from trajlib.pontryagin.direct.infeasibility import (
+    refuse_ends_beyond_constraints,
+    refuse_infeasible,
+)
 from trajlib.pontryagin.direct.multistart import SearchResult, search
+from trajlib.pontryagin.direct.passing_beyond import refuse_passing_beyond
 from trajlib.pontryagin.direct.sliding import refuse_sliding, relaxed_solution, sequential_controls
 from trajlib.pontryagin.direct.transcription import INTERVALS, DirectSolution, target_multipliers
+from trajlib.pontryagin.indirect.assembly import extremal_of_shot
+from trajlib.pontryagin.indirect.bounded_extremal import (
+    inner_guess,
+    inner_structure,
+    restore_bounds,
+)
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
-from trajlib.pontryagin.indirect.extremal import Extremal, extremal_of_shot
+from trajlib.pontryagin.indirect.contacts import end_constraints
+from trajlib.pontryagin.indirect.extremal import Extremal
 from trajlib.pontryagin.indirect.l1_control import split_l1_controls
 from trajlib.pontryagin.indirect.linear_quadratic import solve_linear_quadratic
 from trajlib.pontryagin.indirect.polynomial_end import solve_polynomial_end
@@ -35,6 +46,7 @@ from trajlib.pontryagin.problem.arcs import Arc, arc_name
 from trajlib.pontryagin.problem.errors import NotUnique, WrongStructure
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.scaling import natural_units
+from trajlib.pontryagin.problem.state_bounds import with_constant_bounds
 from trajlib.pontryagin.problem.statement import Statement
 from trajlib.pontryagin.verification.second_variation import process_of_solution, second_variation
 
@@ -54,7 +66,8 @@ def solve(
         Without parameters.
     structure : list, optional
         The arcs in order, "u-", "u+", "interior", "singular" (tuples of them for several controls);
-        with |u| in the running cost also "zero", where u = 0. Found if left out.
+        with |u| in the running cost also "zero", where u = 0. Found if left out; with path
+        constraints it is always found.
     guess : Extremal or dict, optional
         An extremal of a similar problem, or {"duration": number, state or control: number, list of
         values at equal steps, or function of time}, any of them.
@@ -81,11 +94,11 @@ def solve(
     Unbounded
         If the cost has no minimum.
     Chattering
-        If switchings accumulate.
+        If switchings, or contacts with the boundary of a path constraint, accumulate.
     WrongStructure
         If the arcs cannot be joined to an extremal.
     NotUnique
-        If a control or a free duration is not determined.
+        If a control, a free duration or the multiplier of a path constraint is not determined.
     NotConverged
         If no process was found, which proves nothing.
 
@@ -105,20 +118,28 @@ def solve(
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
     _check_effort(starts, time_limit)
+    bounds = with_constant_bounds(problem)
+    if bounds is not None:
+        structure, guess = inner_structure(bounds, structure), inner_guess(bounds, guess)
+        return restore_bounds(bounds, solve(bounds.problem, structure, guess, starts, time_limit))
     split = split_l1_controls(problem)
     if split is not None:
         structure, guess = split.structure(structure), split.guess(guess)
         return split.restore(solve(split.problem, structure, guess, starts, time_limit))
     numeric = NumericProblem(problem)
+    if problem.path and structure is not None:
+        raise ValueError("structure: with path constraints the arcs are found; leave it out")
     kinds = None if structure is None else read_structure(numeric, structure)
     effort = {"starts": starts, "time_limit": time_limit}
     start = read_guess(numeric, guess)
     refuse_start_on_target(numeric)
+    refuse_ends_beyond_constraints(numeric)
     refuse_infeasible(numeric)
     extremal = solve_linear_quadratic(numeric) if kinds is None else None
     if extremal is None and kinds is None and guess is None:
         extremal = solve_polynomial_end(problem)
-    if extremal is not None:
+    # Both leave inequalities aside: the extremal is valid where it satisfies them.
+    if extremal is not None and (not problem.constrained or extremal.certificate().holds()):
         return extremal
     scaling = natural_units(problem)
     if scaling is None:
@@ -173,7 +194,8 @@ class _Refinement:
             if extremal is not None:
                 return extremal
         solution, side = solutions[0]
-        relaxed = relaxed_solution(numeric, solution, side)
+        refuse_passing_beyond(numeric, solution)
+        relaxed = None if numeric.path_orders else relaxed_solution(numeric, solution, side)
         if relaxed is not None:
             controls = sequential_controls(numeric, relaxed)
             sequential = solution_from_controls(numeric, relaxed, side, controls)
@@ -188,9 +210,10 @@ class _Refinement:
         raise self._error(numeric.user_cost(solution.cost))
 
     def _extremal(self, solution, arcs, duration, keep_structure=False):
-        shot = refine(self.numeric, solution, arcs, duration, self.flow_cache, keep_structure)
+        numeric = self.numeric.with_end_constraints(end_constraints(self.numeric, solution))
+        shot = refine(numeric, solution, arcs, duration, self.flow_cache, keep_structure)
         return extremal_of_shot(
-            self.numeric, shot, self.search_result.starts, self.search_result.processes
+            numeric, shot, self.search_result.starts, self.search_result.processes
         )
 
     def _certified(self, solution, side):
@@ -198,12 +221,13 @@ class _Refinement:
         numeric, factor = self.numeric, 1
         while factor is not None:
             duration = fixed_duration(numeric, solution)
-            arcs = detect_arcs(numeric, solution)
-            refuse_chattering(numeric, arcs, solution.states[-1], duration)
+            refuse_chattering(
+                numeric, detect_arcs(numeric, solution), solution.states[-1], duration
+            )
             extremal = self._first_certified(solution, duration)
             if extremal is not None:
                 sign = 1
-                if not extremal.optimality.proved and extremal.normal:
+                if not extremal.optimality.proved and extremal.normal and not extremal.contacts:
                     sign = extremal._variation.sign
                 # More time may change nothing to second order because it costs nothing at all.
                 if sign == 0 and duration is None:

@@ -5,7 +5,13 @@ import itertools
 import numpy as np
 
 from trajlib.pontryagin.direct.transcription import DirectSolution
-from trajlib.pontryagin.problem.arcs import CONSTANT_ANGLES, KINDS, Arc
+from trajlib.pontryagin.indirect.contacts import (
+    Contact,
+    contact_structures,
+    with_boundary_labels,
+    with_touch_points,
+)
+from trajlib.pontryagin.problem.arcs import BOUNDARY, CONSTANT_ANGLES, KINDS, Arc
 from trajlib.pontryagin.problem.numeric import NumericProblem
 
 # Share of the distance between the bounds up to which a control counts as being at one of them, and
@@ -22,11 +28,13 @@ def candidate_structures(numeric, solution):
     approaches its bound ever more slowly, as where psi has a multiple zero at the end, is near the
     bound long before: it may be on an interior arc to the end.
     """
+    contact_lists = contact_structures(numeric, solution)
     on_axis = any(stays_on_axis(numeric, solution, i) for i in range(numeric.k))
     structures = []
-    for options in ({"constant_angles": True},) * on_axis + ({}, {"tolerance": AT}):
-        arcs = detect_arcs(numeric, solution, **options)
-        kinds = [arc.kinds for arc in arcs]
+    options = ({"constant_angles": True},) * on_axis + ({}, {"tolerance": AT})
+    for contacts, option in itertools.product(contact_lists, options):
+        arcs = detect_arcs(numeric, solution, **option, contacts=contacts)
+        kinds = [(arc.kinds, arc.touch) for arc in arcs]
         if kinds not in structures:
             structures.append(kinds)
             yield arcs
@@ -37,12 +45,14 @@ def detect_arcs(
     solution: DirectSolution,
     tolerance: float = NEAR,
     constant_angles: bool = False,
+    contacts: list[Contact] | None = None,
 ) -> list[Arc]:
     """Return the arcs of a discrete solution.
 
     `constant_angles`: an angle along one axis is taken to be constant but for jumps by half a turn.
     An interval belongs to a bound if its control is there to within `tolerance` of the distance
-    between the bounds. One or two intervals between different bounds are a switching between the
+    between the bounds. `contacts`: with the boundaries of path constraints, by default the
+    likeliest. One or two intervals between different bounds are a switching between the
     nodes.
     """
     N = len(solution.controls)
@@ -52,6 +62,9 @@ def detect_arcs(
         else _labels(numeric, solution, i, tolerance)
         for i in range(numeric.k)
     ]
+    if contacts is None:
+        contacts = contact_structures(numeric, solution)[0]
+    columns = with_boundary_labels(numeric, solution, columns, contacts)
     boundaries = [_runs(numeric, solution, i, column) for i, column in enumerate(columns)]
     edges = sorted({0.0, float(N)} | {begin for runs in boundaries for _, begin, _ in runs})
     step = solution.duration / N
@@ -60,7 +73,7 @@ def detect_arcs(
         middle = (begin + end) / 2
         kinds = tuple(next(kind for kind, b, e in runs if b <= middle <= e) for runs in boundaries)
         arcs.append(Arc(kinds, begin * step, end * step))
-    return arcs
+    return with_touch_points(arcs, contacts)
 
 
 def axis_of(angles):
@@ -105,6 +118,10 @@ def _runs(numeric, solution, i, labels):
         if label != "between":
             result.append((label, float(begin), float(end)))
             continue
+        beside = [r[0].startswith(BOUNDARY) for r in runs[max(index - 1, 0) : index + 2]]
+        if numeric.affine[i] and end - begin <= 2 and any(beside):
+            # The way to a boundary arc, or from it, inside of an interval.
+            continue
         interval = slice(begin, end)
         if (
             bounded
@@ -121,7 +138,13 @@ def _runs(numeric, solution, i, labels):
             result, runs = _split(numeric, solution, i, result, runs, index)
             continue
         result.append((between, float(begin), float(end)))
-    return _merged(result)
+    return _merged(_joined(result, len(solution.controls)))
+
+
+def _joined(runs, count):
+    """Return the runs with gaps between them closed halfway, from 0 to the number of intervals."""
+    ends = [0.0, *((a[2] + b[1]) / 2 for a, b in itertools.pairwise(runs)), float(count)]
+    return [(label, begin, end) for (label, _, _), begin, end in zip(runs, ends, ends[1:])]
 
 
 def _without_ringing(runs):

@@ -48,6 +48,11 @@ def read_plant(problem: Statement) -> list[ControlTerm]:
         raise ValueError(
             f"problem: a planar synthesis needs two states, this problem has {len(problem.state)}"
         )
+    if problem.constrained or problem.bounds_depend_on_state:
+        raise ValueError(
+            "problem: a planar synthesis is computed for constant bounds of the controls, without "
+            "inequalities along the path or at the end"
+        )
     if problem.duration is not None:
         raise ValueError(
             "duration: with a given duration the optimal law depends on the time that is left, so "

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 KINDS = ("u-", "u+", "interior", "singular")
+# A control that keeps the trajectory on the boundary of a path constraint, followed by its number.
+BOUNDARY = "boundary"
 # Arcs of a constant angle, with the angle that is added to the common one. To the user they are
 # interior.
 CONSTANT_ANGLES = {"ahead": 0.0, "back": np.pi}
@@ -16,11 +18,25 @@ CONSTANT_ANGLES = {"ahead": 0.0, "back": np.pi}
 
 @dataclass(frozen=True)
 class Arc:
-    """An arc that is still to be refined: its kinds (one for each control), begin and end."""
+    """An arc that is still to be refined: its kinds (one for each control), begin and end.
+
+    `touch`: the path constraint whose boundary the trajectory touches where the arc begins, or None.
+    """
 
     kinds: tuple[str, ...]
     begin: float
     end: float
+    touch: int | None = None
+
+
+def boundary_kind(constraint: int) -> str:
+    """Return the kind of a control that keeps a path constraint (0, 1, ...) active."""
+    return f"{BOUNDARY} {constraint + 1}"
+
+
+def boundary_constraint(kinds) -> int | None:
+    """Return which path constraint is active along an arc of these kinds, or None."""
+    return next((int(kind.split()[1]) - 1 for kind in kinds if kind.startswith(BOUNDARY)), None)
 
 
 def arc_name(kinds):

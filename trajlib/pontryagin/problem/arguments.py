@@ -46,6 +46,7 @@ def read_initial(initial):
 
 
 def read_terminal(terminal):
+    """Return (equations, inequalities): expressions that vanish, and relations g <= 0."""
     if isinstance(terminal, Mapping):
         terminal = [s - read_expression(v, f"terminal value of {s}") for s, v in terminal.items()]
     elif isinstance(terminal, (sp.Expr, sp.Equality)):
@@ -54,8 +55,74 @@ def read_terminal(terminal):
         raise TypeError(
             f"terminal: expected a list of expressions that vanish at the end, got {terminal!r}"
         )
-    sides = (g.lhs - g.rhs if isinstance(g, sp.Equality) else g for g in terminal)
-    return tuple(exact_decimals(read_expression(g, "terminal")) for g in sides)
+    terminal = list(terminal)
+    inequalities = [g for g in terminal if isinstance(g, (sp.LessThan, sp.GreaterThan))]
+    sides = (
+        g.lhs - g.rhs if isinstance(g, sp.Equality) else g
+        for g in terminal
+        if g not in inequalities
+    )
+    equations = tuple(exact_decimals(read_expression(g, "terminal")) for g in sides)
+    return equations, read_inequalities(inequalities, "terminal")
+
+
+def read_inequalities(path, name):
+    """Return inequalities as a tuple of relations g <= 0."""
+    if isinstance(path, (sp.Basic, bool)):
+        path = [path]
+    if isinstance(path, str) or not isinstance(path, Iterable):
+        raise TypeError(f"{name}: expected a list of inequalities such as [v <= 1], got {path!r}")
+    result = []
+    for relation in path:
+        for part in relation.args if isinstance(relation, sp.And) else [relation]:
+            if not isinstance(part, (sp.LessThan, sp.GreaterThan)):
+                raise TypeError(
+                    f"{name}: expected inequalities with <= or >=, such as v <= 1, got {part!r}"
+                )
+            sides = exact_decimals(part.lts) - exact_decimals(part.gts)
+            result += _without_modulus(sides)
+    return inequalities(result)
+
+
+def inequalities(expressions):
+    """Return the relations g <= 0 for expressions g."""
+    return tuple(sp.LessThan(g, 0, evaluate=False) for g in expressions)
+
+
+def bounds_from_path(controls, path):
+    """Return (controls, path) with inequalities that bound one control moved to its bounds."""
+    controls, remaining = dict(controls), []
+    for relation in path:
+        acting = relation.lhs.free_symbols & set(controls)
+        if not acting:
+            remaining.append(relation)
+            continue
+        u = next(iter(acting))
+        factor = sp.expand(relation.lhs).coeff(u)
+        remainder = sp.expand(relation.lhs - factor * u)
+        if len(acting) > 1 or not factor.is_number or remainder.has(u):
+            raise ValueError(
+                f"path: {relation} is neither a constraint on the state nor a bound u <= b or "
+                "u >= b of one control; other mixed constraints are not provided for"
+            )
+        side = 1 if factor.is_positive else 0
+        if controls[u][side].is_finite is not False:
+            raise ValueError(
+                f"path: {relation} is a second {('lower', 'upper')[side]} bound of {u}, beside "
+                f"{controls[u][side]}; expected one (leave the other one out of controls)"
+            )
+        bound = -remainder / factor
+        controls[u] = (controls[u][0], bound) if side else (bound, controls[u][1])
+    return controls, tuple(remaining)
+
+
+def _without_modulus(g):
+    """Return the expressions whose signs are those of |e| - c <= 0: e - c and -e - c."""
+    moduli = [a for a in g.atoms(sp.Abs) if g.coeff(a) == 1]
+    if len(moduli) != 1:
+        return [g]
+    (modulus,) = moduli
+    return [g.xreplace({modulus: sign * modulus.args[0]}) for sign in (1, -1)]
 
 
 def read_duration(duration):

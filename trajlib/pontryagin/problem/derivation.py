@@ -23,6 +23,7 @@ from trajlib.pontryagin.problem.elimination import control_field
 from trajlib.pontryagin.problem.maximum import maximising_control
 from trajlib.pontryagin.problem.presentation import conditions_markdown
 from trajlib.pontryagin.problem.singular import SingularArc, singular_arc
+from trajlib.pontryagin.problem.state_constraints import StateConstraint, state_constraint
 from trajlib.pontryagin.problem.statement import Statement
 
 
@@ -39,7 +40,8 @@ class Conditions:
     multiplier : sympy.Symbol
         lambda0, nonnegative.
     terminal_multipliers : tuple of sympy.Symbol
-        lambda1, ..., lambdam, one for each terminal equation.
+        lambda1, ..., lambdam, one for each terminal equation; then those of the terminal
+        inequalities, nonnegative, and zero where these hold strictly.
     hamiltonian : sympy.Expr
         The Pontryagin function H(psi, y, u), with lambda0.
     adjoint : dict
@@ -81,6 +83,11 @@ class Conditions:
         return {u: singular_arc(self, u) for u in self.switching}
 
     @cached_property
+    def path(self) -> tuple[StateConstraint, ...]:
+        """One StateConstraint for each path constraint: order, boundary control, multiplier."""
+        return tuple(state_constraint(self, j) for j in range(len(self.problem.path)))
+
+    @cached_property
     def control_field(self) -> dict[sp.Symbol, sp.Expr]:
         """{control: u', state: ...}: the control inside its bounds, with the costates eliminated."""
         return control_field(self.problem)
@@ -92,7 +99,12 @@ class Conditions:
         return tuple(
             psi
             + sign * self.multiplier * sp.diff(problem.final, y)
-            + sum(m * sp.diff(g, y) for m, g in zip(self.terminal_multipliers, problem.terminal))
+            + sum(
+                m * sp.diff(g, y)
+                for m, g in zip(
+                    self.terminal_multipliers, (*problem.terminal, *problem.end_constraints)
+                )
+            )
             for psi, y in zip(self.costate, problem.state)
         )
 
@@ -176,8 +188,17 @@ def _derived(problem):
     terminal_multipliers = tuple(
         sp.Symbol(f"lambda{j}", real=True) for j in range(1, len(problem.terminal) + 1)
     )
+    terminal_multipliers += tuple(
+        sp.Symbol(f"lambda{j}", nonnegative=True)
+        for j in range(
+            len(problem.terminal) + 1, len(problem.terminal) + len(problem.end_constraints) + 1
+        )
+    )
     taken = {s.name for s in (*problem.state, *problem.control, *problem.parameters)}
-    clash = taken & {s.name for s in (*costate, multiplier, *terminal_multipliers)}
+    names = {s.name for s in (*costate, multiplier, *terminal_multipliers)}
+    if problem.path:
+        names |= {"eta", *(f"eta{j}" for j in range(1, len(problem.path) + 1))}
+    clash = taken & names
     if clash:
         raise ValueError(
             f"conditions: {', '.join(sorted(clash))} is the name of a costate or multiplier; "

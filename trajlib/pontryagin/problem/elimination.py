@@ -86,6 +86,8 @@ def control_field(problem: Statement) -> dict[sp.Symbol, sp.Expr]:
     """Return {control: u', state: ...} for the control and the states that enter its equation."""
     if len(problem.control) != 1:
         raise ValueError("problem: the costates are eliminated for problems with one control")
+    if problem.constrained or problem.bounds_depend_on_state:
+        raise ValueError("problem: the costates are eliminated for problems without inequalities")
     (u,), sign = problem.control, -1 if problem.maximise else 1
     costates = sp.symbols(f"psi:{len(problem.state)}", cls=sp.Dummy, real=True)
     H = sum(psi * f for psi, f in zip(costates, problem.field)) - sign * problem.running

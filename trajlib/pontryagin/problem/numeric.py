@@ -1,5 +1,6 @@
 """Problems in CasADi expressions, from which transcription and shooting begin."""
 
+from copy import copy
 from functools import cached_property
 
 import numpy as np
@@ -10,6 +11,7 @@ from trajlib.pontryagin.problem.angle_relaxation import is_angle, relax_angles
 from trajlib.pontryagin.problem.casadi_expressions import to_casadi
 from trajlib.pontryagin.problem.derivation import conditions
 from trajlib.pontryagin.problem.scaling import Scaling
+from trajlib.pontryagin.problem.state_constraints import constraint_derivatives
 from trajlib.pontryagin.problem.statement import Statement
 
 # Values tried for a control in which H is not linear.
@@ -25,6 +27,9 @@ class NumericProblem:
         Symbols of length n, n, k; `multiplier` is lambda_0.
     field, density, final, target : casadi.SX
         f, f_0, phi_0 and phi_1, ..., phi_m; f_0 and phi_0 with the signs of a minimum.
+    path : casadi.SX
+        g_1, ..., with g <= 0 along the path; `path_orders` are their orders. `end_path`: those with
+        g <= 0 at the end. The target includes those of the indices `end_constraints`.
     lower, upper : ndarray, shape (k,)
         Bounds of the controls.
     start : ndarray, shape (n,)
@@ -65,6 +70,12 @@ class NumericProblem:
         self.field = ca.vertcat(*translated[: self.n])
         self.density, self.final = translated[self.n], translated[self.n + 1]
         self.target = ca.vertcat(*translated[self.n + 2 :])
+        self.end_constraints: tuple[int, ...] = ()
+        self.path = ca.vertcat(*to_casadi(problem.constraints, table))
+        self.end_path = ca.vertcat(*to_casadi(problem.end_constraints, table))
+        self.path_orders = [
+            len(constraint_derivatives(problem, g)) - 1 for g in problem.constraints
+        ]
         self.lower, self.upper = (
             np.array([_number(b[i]) for b in problem.controls.values()]) for i in (0, 1)
         )
@@ -111,6 +122,28 @@ class NumericProblem:
     def target_value(self):
         """Function of x: the terminal expressions and their Jacobian."""
         return ca.Function("target", [self.x], [self.target, ca.jacobian(self.target, self.x)])
+
+    def with_end_constraints(self, constraints):
+        """Return the same problem with inequalities as further terminal equations.
+
+        `constraints`: indices into the path constraints followed by the terminal inequalities.
+        """
+        if not constraints:
+            return self
+        result = copy(self)
+        for name in ("_cached", "target_value"):
+            result.__dict__.pop(name, None)
+        result.target = ca.vertcat(
+            self.target, *(ca.vertcat(self.path, self.end_path)[j] for j in constraints)
+        )
+        result.m = self.m + len(constraints)
+        result.end_constraints = tuple(constraints)
+        return result
+
+    @cached_property
+    def path_value(self):
+        """Function of x: the path constraints and their Jacobian."""
+        return ca.Function("path", [self.x], [self.path, ca.jacobian(self.path, self.x)])
 
     @cached_property
     def final_value(self):

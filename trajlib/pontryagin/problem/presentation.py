@@ -7,6 +7,7 @@ def problem_markdown(problem):
     """Return a problem as a block of formulas."""
     lines = [rf"{_dot(y)} = {sp.latex(f)}" for y, f in problem.dynamics.items()]
     lines += [_bounds(u, *bounds) for u, bounds in problem.controls.items()]
+    lines += [rf"{sp.latex(relation)}" for relation in problem.path]
     starts = [
         f"{sp.latex(y)}(0) = {sp.latex(v)}" for y, v in problem.initial.items() if v is not None
     ]
@@ -15,6 +16,11 @@ def problem_markdown(problem):
     if problem.terminal:
         lines.append(
             r",\quad ".join(f"{sp.latex(g)} = 0" for g in problem.terminal)
+            + rf"\quad\text{{at}}\ t = {_end(problem)}"
+        )
+    if problem.terminal_inequalities:
+        lines.append(
+            r",\quad ".join(map(sp.latex, problem.terminal_inequalities))
             + rf"\quad\text{{at}}\ t = {_end(problem)}"
         )
     lines.append(rf"J = {_cost(problem)} \to \{'max' if problem.maximise else 'min'}")
@@ -47,9 +53,16 @@ def conditions_markdown(derived):
             for k, d in enumerate(arc.derivatives[1:], 1)
         ]
         parts += [_block(derivatives), _singular(arc)]
+    for constraint in derived.path:
+        parts += _state_constraint(constraint)
     parts.append(r"**Transversality** at $t_k$")
     parts.append(_block([f"{sp.latex(e)} = 0" for e in derived.transversality]))
-    if derived.terminal_multipliers and derived.reduced_transversality:
+    for symbol, g in zip(
+        derived.terminal_multipliers[len(problem.terminal) :], problem.end_constraints
+    ):
+        name = sp.latex(symbol)
+        parts.append(rf"with ${name} \ge 0$, and ${name} = 0$ where ${sp.latex(g)} < 0$")
+    if problem.terminal and not problem.end_constraints and derived.reduced_transversality:
         parts.append(
             "that is,\n" + _block([f"{sp.latex(e)} = 0" for e in derived.reduced_transversality])
         )
@@ -128,6 +141,39 @@ def _singular(arc):
             else r"; a minimum needs $\le 0$."
         )
     )
+
+
+def _state_constraint(constraint):
+    """Return the parts about one path constraint."""
+    p, eta = constraint.order, sp.latex(constraint.multiplier)
+    g = sp.latex(constraint.expression)
+    parts = [
+        rf"**State constraint** ${g} \le 0$ **of order $p = {p}$**",
+        _block(
+            [f"g = {g}"]
+            + [
+                rf"\frac{{d{_power(k)}g}}{{dt{_power(k)}}} = {sp.latex(d)}"
+                for k, d in enumerate(constraint.derivatives[1:], 1)
+            ]
+        ),
+        "On a boundary arc $g = 0$, with the multiplier $" + eta + r" \ge 0$:",
+    ]
+    lines = [rf"{sp.latex(u)} = {sp.latex(e)}" for u, e in constraint.boundary_control.items()]
+    lines += [rf"{_dot(psi)} = {sp.latex(rate)}" for psi, rate in constraint.adjoint.items()]
+    if constraint.density is not None:
+        lines.append(rf"{eta} = {sp.latex(constraint.density)}")
+    parts.append(_block(lines))
+    names = ["g", r"\dot g"][: min(p, 2)] + [rf"g^{{({k})}}" for k in range(2, p)]
+    entry = [f"{name} = 0" for name in names]
+    entry += [f"{sp.latex(e)} = 0" for e in constraint.conditions]
+    parts.append("where it begins:\n" + _block(entry))
+    parts.append(
+        r"The costate is continuous there and where the arc ends."
+        if p == 1
+        else r"There, where the arc ends, and where the trajectory touches the boundary ($g = \dot g = 0$): "
+        r"$\psi(t+0) = \psi(t-0) + \nu\,\dfrac{\partial g}{\partial y}$ with $\nu \ge 0$; $H$ is continuous."
+    )
+    return parts
 
 
 def _bounds(u, low, high):

@@ -21,6 +21,7 @@ from functools import cached_property
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.problem.arguments import inequalities
 from trajlib.pontryagin.problem.statement import Statement
 
 # Units between 1/WIDE and WIDE (as exponents of two) are left at 1: no digit is gained by others.
@@ -61,9 +62,16 @@ class Scaling:
 
     @cached_property
     def terminal(self) -> tuple[sp.Expr, ...]:
-        """The units of the terminal equations: their largest terms, (m,)."""
+        """The units of the terminal equations, then inequalities: their largest terms."""
         sizes = {y: np.log2(float(s)) for y, s in zip(self.original.state, self.states)}
-        return tuple(_power_of_two(largest_term(g, sizes)) for g in self.original.terminal)
+        equations = (*self.original.terminal, *self.original.end_constraints)
+        return tuple(_power_of_two(largest_term(g, sizes)) for g in equations)
+
+    @cached_property
+    def path(self) -> tuple[sp.Expr, ...]:
+        """The units of the path constraints: their largest terms."""
+        sizes = {y: np.log2(float(s)) for y, s in zip(self.original.state, self.states)}
+        return tuple(_power_of_two(largest_term(g, sizes)) for g in self.original.constraints)
 
     @cached_property
     def problem(self) -> Statement:
@@ -90,6 +98,14 @@ class Scaling:
             running=running.xreplace(table) * (self.time / self.cost),
             final=final.xreplace(table) / self.cost,
             duration=duration,
+            path=inequalities(
+                sp.expand(g.xreplace(table) / unit)
+                for g, unit in zip(problem.constraints, self.path)
+            ),
+            terminal_inequalities=inequalities(
+                sp.expand(g.xreplace(table) / unit)
+                for g, unit in zip(problem.end_constraints, self.terminal[len(problem.terminal) :])
+            ),
         )
 
 
@@ -205,8 +221,10 @@ class _Equations:
             for bound in bounds:
                 if bound.is_finite and bound != 0:
                     self._equation((_log(bound), {}), {u: 1.0})
-        for g in problem.terminal:
+        for g in (*problem.terminal, *problem.end_constraints):
             self._terms(g, {sp.Dummy("terminal"): 1.0})
+        for g in problem.constraints:
+            self._terms(g, {sp.Dummy("path"): 1.0})
         running, final = _without_constant(problem)
         self._terms(running, {_COST: 1.0, _TIME: -1.0})
         self._terms(final, {_COST: 1.0})

@@ -2,6 +2,8 @@
 
     y' = f(y, u),   u_- <= u <= u_+,   y(0) = y*,   phi_i(y(t_k)) = 0,   J = phi_0(y(t_k)) + int_0^t_k f_0(y, u) dt
 
+and g_j(y) <= 0 along the path
+
 (equations (5.1) - (5.3) of the problem book, with the integral written out instead of an additional
 state). A problem whose right-hand side depends on time has time among its states, t' = 1.
 
@@ -17,8 +19,11 @@ import sympy as sp
 
 from trajlib._arguments.symbols import exact_decimals, join_names, read_expression
 from trajlib.pontryagin.problem.arguments import (
+    bounds_from_path,
+    inequalities,
     read_bounds,
     read_duration,
+    read_inequalities,
     read_initial,
     read_table,
     read_terminal,
@@ -38,6 +43,8 @@ class Statement:
     duration: sp.Expr = None
     maximise: bool = False
     first_return: bool = False
+    path: Sequence = ()
+    terminal_inequalities: Sequence = ()
 
     def __post_init__(self):
         # Neither part given: the time. One of them given: the other is zero.
@@ -45,14 +52,20 @@ class Statement:
         values = {
             "dynamics": read_table(self.dynamics),
             "controls": read_bounds(self.controls),
-            "terminal": read_terminal(self.terminal),
             "running": read_expression(
                 int(time_optimal) if self.running is None else self.running, "running"
             ),
             "final": read_expression(0 if self.final is None else self.final, "final"),
             "duration": read_duration(self.duration),
             "initial": read_initial(self.initial),
+            "path": read_inequalities(self.path, "path"),
         }
+        values["terminal"], inequalities = read_terminal(self.terminal)
+        values["terminal_inequalities"] = (
+            *read_inequalities(self.terminal_inequalities, "terminal_inequalities"),
+            *inequalities,
+        )
+        values["controls"], values["path"] = bounds_from_path(values["controls"], values["path"])
         for name in ("running", "final"):
             values[name] = exact_decimals(values[name])
         for name, value in values.items():
@@ -62,6 +75,7 @@ class Statement:
                 raise TypeError(f"{name}: expected True or False, got {getattr(self, name)!r}")
         self._check_symbols()
         self._check_ends()
+        self._check_path()
 
     @property
     def state(self) -> tuple[sp.Symbol, ...]:
@@ -77,6 +91,27 @@ class Statement:
     def field(self) -> tuple[sp.Expr, ...]:
         """The right-hand sides f(y, u), a tuple of length n."""
         return tuple(self.dynamics.values())
+
+    @property
+    def constraints(self) -> tuple[sp.Expr, ...]:
+        """The expressions g(y) of the inequalities g <= 0 along the path."""
+        return tuple(relation.lhs for relation in self.path)
+
+    @property
+    def end_constraints(self) -> tuple[sp.Expr, ...]:
+        """The expressions g(y) of the inequalities g <= 0 at the final time."""
+        return tuple(relation.lhs for relation in self.terminal_inequalities)
+
+    @property
+    def constrained(self) -> bool:
+        """Whether there are inequalities along the path or at the final time."""
+        return bool(self.path or self.terminal_inequalities)
+
+    @property
+    def bounds_depend_on_state(self) -> bool:
+        """Whether a bound of a control contains a state."""
+        bounds = (b for pair in self.controls.values() for b in pair)
+        return any(b.free_symbols & set(self.state) for b in bounds)
 
     @property
     def parameters(self) -> tuple[sp.Symbol, ...]:
@@ -140,6 +175,8 @@ class Statement:
             running=substituted(self.running),
             final=substituted(self.final),
             duration=tuple(map(substituted, self.duration)) if pair else substituted(self.duration),
+            path=inequalities(map(substituted, self.constraints)),
+            terminal_inequalities=inequalities(map(substituted, self.end_constraints)),
         )
 
     def cached(self, name: str, compute: Callable[[], Any]) -> Any:
@@ -170,6 +207,8 @@ class Statement:
                 *(b for pair in self.controls.values() for b in pair),
                 *self.initial.values(),
                 *self.terminal,
+                *self.constraints,
+                *self.end_constraints,
                 self.running,
                 self.final,
                 *durations,
@@ -191,17 +230,21 @@ class Statement:
                 f"initial: no value for {join_names(missing)}; write None for a state that is free "
                 "at t = 0"
             )
-        for name, expressions in (("terminal", self.terminal), ("final", [self.final])):
+        for name, expressions in (
+            ("terminal", self.terminal),
+            ("terminal", self.end_constraints),
+            ("final", [self.final]),
+        ):
             for e in expressions:
                 if e.free_symbols & controls:
                     raise ValueError(
                         f"{name}: {e} contains a control; only states have a value at the end"
                     )
         for u, bounds in self.controls.items():
-            if any(b.free_symbols & (states | controls) for b in bounds):
+            if any(b.free_symbols & controls for b in bounds):
                 raise ValueError(
-                    f"controls: the bounds of {u} depend on the state; expected numbers or "
-                    "parameters"
+                    f"controls: the bounds of {u} contain a control; expected numbers, parameters "
+                    "or states"
                 )
             if not any(u in e.free_symbols for e in (*self.field, self.running)):
                 raise ValueError(
@@ -219,6 +262,21 @@ class Statement:
             if e.free_symbols & (states | controls):
                 raise ValueError(f"initial, duration: expected numbers or parameters, got {e}")
 
+    def _check_path(self):
+        if self.path and self.first_return:
+            raise ValueError("first_return: not provided for together with path constraints")
+        for relation, g in zip(self.path, self.constraints):
+            if not g.free_symbols & set(self.state):
+                raise ValueError(f"path: {relation} does not depend on the state")
+            if g.atoms(sp.Abs, sp.sign, sp.Max, sp.Min, sp.Piecewise, sp.Heaviside):
+                raise ValueError(
+                    f"path: {relation} is not smooth; write one inequality for each smooth part"
+                )
+        if len(set(self.constraints)) < len(self.path):
+            raise ValueError(
+                "path: the same inequality stands twice, so its multiplier is not unique"
+            )
+
     def _check_ends(self):
         if len(self.terminal) > len(self.state):
             raise ValueError(
@@ -231,6 +289,9 @@ class Statement:
                     f"terminal: {g} does not depend on the state, so it cannot be a condition on "
                     "its end"
                 )
+        for g in self.end_constraints:
+            if not g.free_symbols & set(self.state):
+                raise ValueError(f"terminal: {g} <= 0 does not depend on the state")
         if self.free_time and not self.terminal and self.duration is None:
             raise ValueError(
                 "terminal: with a free final time something must end the process; give terminal "

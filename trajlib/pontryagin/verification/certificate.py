@@ -14,7 +14,9 @@ from dataclasses import dataclass, fields
 import numpy as np
 
 from trajlib.pontryagin.problem.scaling import units_of_process
+from trajlib.pontryagin.problem.state_bounds import with_constant_bounds
 from trajlib.pontryagin.problem.statement import Statement
+from trajlib.pontryagin.verification.constraint_residuals import ConstraintResiduals
 from trajlib.pontryagin.verification.optimality import Optimality
 from trajlib.pontryagin.verification.residuals import TrajectoryResiduals, sampled
 
@@ -55,6 +57,16 @@ class Certificate:
         How far the trajectory passes the target before the final time (with first_return), else 0.
     kelley : float or None
         Largest (-1)^q b on the singular arcs, not positive for a minimum; None without such arcs.
+    path : float
+        Largest violation of the path constraints, also between grid points; 0 without them.
+    jumps : float
+        Largest part of a jump of the costate that is no multiple of the gradient of a path
+        constraint that is active there.
+    sign : float
+        By how much the multipliers of the path constraints fail to be nonnegative. They vanish
+        where a constraint is inactive: `adjoint` and `jumps` would be positive otherwise.
+    constrained : bool
+        Whether the problem has inequalities along the path or at the end.
     optimality : Optimality or None
         What is known beyond these necessary conditions; None where the search is not known.
     """
@@ -72,6 +84,10 @@ class Certificate:
     multipliers: float
     passage: float
     kelley: float | None
+    path: float = 0.0
+    jumps: float = 0.0
+    sign: float = 0.0
+    constrained: bool = False
     optimality: Optimality | None = None
 
     @property
@@ -125,6 +141,12 @@ class Certificate:
             "multipliers": r"$\lambda_0 \ge 0$, $(\lambda_0, \psi) \ne 0$",
             "passage": "target met before the end",
         }
+        if self.constrained:
+            words |= {
+                "path": "path constraints",
+                "jumps": r"jumps of $\psi$ along $\partial g/\partial y$",
+                "sign": r"$\eta \ge 0$, $\nu \ge 0$",
+            }
         rows = "".join(f"| {word} | {getattr(self, name):.1e} |\n" for name, word in words.items())
         if self.kelley is not None:
             rows += f"| Kelley: $(-1)^q b \\le 0$ | {self.kelley:.3g} |\n"
@@ -132,7 +154,9 @@ class Certificate:
         return f"| condition | residual |\n|---|---|\n{rows}{statement}"
 
 
-_RESIDUALS = [f.name for f in fields(Certificate) if f.name not in ("kelley", "optimality")]
+_RESIDUALS = [
+    f.name for f in fields(Certificate) if f.name not in ("kelley", "constrained", "optimality")
+]
 
 
 def certify(
@@ -200,6 +224,9 @@ def certify(
             problem, state, costate, control, duration, switching_times, multiplier, panels
         )
         dynamics, adjoint = values.defects()
+        constraints = ConstraintResiduals(values, state, costate) if problem.constrained else None
+        if constraints:
+            adjoint = constraints.adjoint_defect()
         if max(dynamics, adjoint) <= INTEGRATED:
             break
     H = values.hamiltonian(values.y, values.psi, values.u)
@@ -215,8 +242,8 @@ def certify(
         dynamics=dynamics,
         adjoint=adjoint,
         initial=values.initial(),
-        terminal=values.terminal(),
-        transversality=values.transversality(),
+        terminal=max(values.terminal(), constraints.end_violation() if constraints else 0.0),
+        transversality=(constraints or values).transversality(),
         bounds=values.bound_violation(),
         maximum=float(np.max(excess, initial=0.0) / scale_H),
         drift=float(np.ptp(H) / scale_H),
@@ -225,7 +252,21 @@ def certify(
         multipliers=float(max(-multiplier, 0.0) if size > 1e-9 else 1.0),
         passage=values.passage(),
         kelley=values.kelley(arcs),
+        path=constraints.violation() if constraints else 0.0,
+        jumps=constraints.jump_defect() if constraints else 0.0,
+        sign=constraints.sign() if constraints else 0.0,
+        constrained=constraints is not None,
     )
+
+
+def _inner_control(bounds, state, control):
+    """Return the controls between constant bounds as a function of time."""
+
+    def inner(t):
+        offset, factor = bounds.values(np.asarray(state(t), dtype=float))
+        return (np.asarray(control(t), dtype=float) - offset) / factor
+
+    return inner
 
 
 def _in_own_units(problem, functions, duration, switching_times, multiplier):
@@ -235,6 +276,13 @@ def _in_own_units(problem, functions, duration, switching_times, multiplier):
     """
     if problem.parameters:
         raise ValueError(f"certify: no value for {', '.join(map(str, problem.parameters))}")
+    bounds = with_constant_bounds(problem)
+    if bounds is not None:
+        state, costate, control = functions
+        problem, functions = (
+            bounds.problem,
+            (state, costate, _inner_control(bounds, state, control)),
+        )
     times, n = np.linspace(0, float(duration), SAMPLES), len(problem.state)
     sizes = (n, n, len(problem.control))
     values = (

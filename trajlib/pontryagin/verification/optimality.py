@@ -12,6 +12,10 @@ with bounds on the controls and linear terminal equations.
   controllability by each single control makes the maximising control unique, so that both are one
   process.
 
+Path constraints g <= 0 with convex g (linear g for the least time, and g <= 0 at y_k) change neither:
+eta dg/dy (z - y) <= eta g(z) <= 0 and the same for the jumps, for every admissible z. So do
+terminal inequalities with convex g where the duration is given.
+
 A plant that is linear in the cosine and the sine of an angle is linear in a vector of the disc
 (`angle_relaxation`): an extremal of the problem is one of the problem with discs, and what is
 optimal there is optimal here.
@@ -103,6 +107,11 @@ def _theorem(problem, blocks):
     targets = sp.Matrix(problem.terminal).jacobian(y) if problem.terminal else sp.zeros(0, len(y))
     if not _constant(slopes, arguments) or not _constant(targets, arguments):
         return None
+    constraints = problem.constraints
+    if problem.bounds_depend_on_state or not all(
+        _convex(g, list(y)) for g in (*constraints, *problem.end_constraints)
+    ):
+        return None
     sign = -1 if problem.maximise else 1
     if not problem.free_time:
         if _convex(sign * problem.running, arguments) and _convex(sign * problem.final, list(y)):
@@ -113,6 +122,8 @@ def _theorem(problem, blocks):
         and not problem.maximise
         and problem.duration is None
         and not problem.first_return
+        and not problem.end_constraints
+        and _constant(sp.Matrix([constraints]).jacobian(y), list(y))
     )
     if fastest and _can_be_held(problem, slopes, targets, blocks):
         return "least time of a linear plant to a point at which it can be held", not _normal(

@@ -105,6 +105,8 @@ def prove(
             "a proof needs ball arithmetic, which is not installed here: pip install 'trajlib[proof]'"
         ) from None
 
+    if problem.constrained:
+        return Proof(False, "inequalities along the path or at the end are not enclosed here")
     theorem, reason = sufficiency_theorem(problem), ""
     if theorem is None or problem.first_return:
         return Proof(

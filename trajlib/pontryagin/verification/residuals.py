@@ -13,7 +13,7 @@ import sympy as sp
 from trajlib.pontryagin.problem.derivation import conditions
 from trajlib.pontryagin.problem.singular import raw_derivatives
 
-_GAUSS = np.polynomial.legendre.leggauss(12)
+GAUSS = np.polynomial.legendre.leggauss(12)
 
 
 class TrajectoryResiduals:
@@ -34,8 +34,8 @@ class TrajectoryResiduals:
             np.concatenate([np.linspace(a, b, panels + 1) for a, b in itertools.pairwise(arc_ends)])
         )
         widths = np.diff(self.edges)
-        self.times = (self.edges[:-1, None] + (1 + _GAUSS[0]) / 2 * widths[:, None]).ravel()
-        self.weights = widths[:, None] / 2 * _GAUSS[1]
+        self.times = (self.edges[:-1, None] + (1 + GAUSS[0]) / 2 * widths[:, None]).ravel()
+        self.weights = widths[:, None] / 2 * GAUSS[1]
         n, k = len(problem.state), len(problem.control)
         self.y, self.psi, self.u = (
             sampled(f, self.times, rows, name)
@@ -68,11 +68,12 @@ class TrajectoryResiduals:
             self._parts[name] = slice(len(expressions), len(expressions) + len(group))
             expressions += group
         self._rates, self._hamiltonian = (
-            _function(tuple(symbols), tuple(expressions)),
-            _function(tuple(symbols), (derived.hamiltonian,)),
+            compiled(tuple(symbols), tuple(expressions)),
+            compiled(tuple(symbols), (derived.hamiltonian,)),
         )
         self.rates = self._at("field", self.y, self.psi, self.u)
         self.densities = self._at("running", self.y, self.psi, self.u)
+        self.adjoint_rates = self._at("adjoint", self.y, self.psi, self.u)
 
     def _at(self, name, y, psi, u):
         return self._rates(*y, *psi, *u, self.multiplier)[self._parts[name]]
@@ -86,7 +87,7 @@ class TrajectoryResiduals:
         results = []
         for edges, rates in (
             (self.y_edges, self.rates),
-            (self.psi_edges, self._at("adjoint", self.y, self.psi, self.u)),
+            (self.psi_edges, self.adjoint_rates),
         ):
             integrals = np.sum(
                 rates.reshape(len(edges), *self.weights.shape) * self.weights, axis=-1
@@ -118,7 +119,7 @@ class TrajectoryResiduals:
             *(sp.diff(problem.final, s) for s in state),
             *(sp.diff(g, s) for g in problem.terminal for s in state),
         ]
-        return _function(state, tuple(expressions))(*self.y_edges[:, -1:])[:, 0]
+        return compiled(state, tuple(expressions))(*self.y_edges[:, -1:])[:, 0]
 
     def terminal(self):
         """Return the largest error of the terminal equations."""
@@ -128,13 +129,23 @@ class TrajectoryResiduals:
         values = self._end_values[: len(self.problem.terminal)]
         return float(np.max(np.abs(values)) / (1 + np.max(np.abs(end))))
 
+    @property
+    def end_vector(self):
+        """psi + lambda_0 grad phi_0 at the end, (n,)."""
+        m, n = len(self.problem.terminal), len(self.problem.state)
+        sign = -1 if self.problem.maximise else 1
+        return self.psi_edges[:, -1] + sign * self.multiplier * self._end_values[m : m + n]
+
+    @property
+    def end_normals(self):
+        """The gradients of the terminal equations at the end, (n, m)."""
+        m, n = len(self.problem.terminal), len(self.problem.state)
+        return self._end_values[m + n :].reshape(m, n).T
+
     def transversality(self):
         """Return the distance of psi + lambda_0 grad phi_0 from the normals of the target."""
-        problem, m, n = self.problem, len(self.problem.terminal), len(self.problem.state)
-        sign = -1 if problem.maximise else 1
-        gradient, normals = self._end_values[m : m + n], self._end_values[m + n :].reshape(m, n).T
-        vector = self.psi_edges[:, -1] + sign * self.multiplier * gradient
-        if m:
+        vector, normals = self.end_vector, self.end_normals
+        if normals.shape[1]:
             vector = vector - normals @ np.linalg.lstsq(normals, vector, rcond=1e-12)[0]
         return float(np.max(np.abs(vector)) / (1 + np.max(np.abs(self.psi_edges))))
 
@@ -192,7 +203,7 @@ class TrajectoryResiduals:
         """Return how far the terminal equation changes its sign before the end, relatively."""
         if not self.problem.first_return:
             return 0.0
-        values = _function(self.problem.state, tuple(self.problem.terminal))(*self.y)[0]
+        values = compiled(self.problem.state, tuple(self.problem.terminal))(*self.y)[0]
         side = np.sign(values[np.argmax(np.abs(values))])
         largest = np.max(np.abs(values))
         return float(max(np.max(-side * values), 0.0) / largest) if largest > 0 else 0.0
@@ -217,7 +228,7 @@ class TrajectoryResiduals:
                     self.derived.multiplier,
                 ]
                 part = slice(index * per_arc, (index + 1) * per_arc)
-                values = _function(tuple(symbols), (b,))(
+                values = compiled(tuple(symbols), (b,))(
                     *self.y[:, part], *self.psi[:, part], *self.u[:, part], self.multiplier
                 )
                 worst = max(float(np.max(values)), -np.inf if worst is None else worst)
@@ -250,7 +261,7 @@ def sampled(function, times, rows, name):
 
 
 @lru_cache(maxsize=64)
-def _function(symbols, expressions):
+def compiled(symbols, expressions):
     """Return a NumPy function of arrays with one row for each expression."""
     # The module itself, not its name, for which SymPy would import all names of NumPy, which takes
     # half a second.

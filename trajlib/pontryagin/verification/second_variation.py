@@ -285,5 +285,6 @@ def process_of_extremal(
         widths,
         shifts,
         extremal.multiplier,
-        np.array(extremal.terminal_multipliers),
+        # Also of inequalities that are active at the end, which the variations keep.
+        np.array(extremal._shot.terminal_multipliers),
     )
