@@ -498,7 +498,7 @@ def test_points_pages_and_tables_agree_on_lateness(course, here, capsys):
         ("bob", "lateness counts otherwise")
     }
     output = capsys.readouterr().err
-    assert "extensions in assignment.toml for nobody here: bbo" in output
+    assert "labels in assignment.toml for nobody here: bbo" in output
     folder = course / "graded" / "hw1"
     page = (folder / "feedback" / "bob.html").read_text(encoding="utf-8")
     assert "<p>4.5 of 12 points.</p>" in page
@@ -515,7 +515,7 @@ def test_points_pages_and_tables_agree_on_lateness(course, here, capsys):
     write_assignment(course, HOMEWORK + "[late]\nper_day = 0.1\ncutoff_days = 0\n")
     assert grade(course)["assignments"]["hw1"]["bob"] == 0
     page = (folder / "feedback" / "bob.html").read_text(encoding="utf-8")
-    assert "more than 0 days after the due date: right answers have no points any more" in page
+    assert "Handed in after the due date: right answers have no points any more" in page
 
 
 # Messages and refusals

@@ -138,7 +138,7 @@ def grade_course(
             result["changes"][name] = [vars(change) for change in changes]
             result["not in the roster"][name] = unknown
             result["handed in nothing"][name] = [
-                score.student for score in graded if not score.handed_in
+                score.student for score in graded if score.is_absent
             ]
             result["time unknown"][name] = {
                 score.student: list(score.untimed) for score in graded if score.untimed

@@ -33,6 +33,7 @@ class Change:
 POINTS_CHANGED = "the assignment's points changed"
 LATENESS_CHANGED = "lateness counts otherwise"
 NOT_ASKED, ASKED_AGAIN = "the homework asks for it no longer", "the homework asks for it again"
+EXEMPT = "the student is exempt from it"
 #: In the place of a verdict.
 NO_VERDICT = "not asked for"
 
@@ -127,6 +128,7 @@ def _students(scores):
         score.student: {
             "points": score.points,
             "late": list(score.late),
+            "exempt": list(score.exempt),
             "needs review": score.needs_review,
             "answers": [_answer(score, answer) for answer in score.answers],
         }
@@ -165,7 +167,7 @@ def _changes(before, after, current_answers, when):
             was_absent = was["notebook"] is None and was["by hand"] is None
             if name not in now:
                 if was["points"] > 0:
-                    reason = "points by hand taken back" if name in current_answers else NOT_ASKED
+                    reason = _why_gone(name, after.get(student), current_answers)
                     changes.append(
                         Change(
                             when,
@@ -195,6 +197,13 @@ def _changes(before, after, current_answers, when):
                     )
                 )
     return changes
+
+
+def _why_gone(name, student, current_answers):
+    if name not in current_answers:
+        return NOT_ASKED
+    exempt = {name[0], ".".join(name)}.intersection(student["exempt"]) if student else ()
+    return EXEMPT if exempt else "points by hand taken back"
 
 
 def _asked_again(former, before, after, when):

@@ -49,9 +49,7 @@ def main(root=Path("/autograder")):
     # counts.
     score = of_student(
         "student",
-        dataclasses.replace(
-            homework, attempt="best", attempts=None, due=None, late_rule=None, extensions={}
-        ),
+        dataclasses.replace(homework, attempt="best", attempts=None, policy=assignments.NO_POLICY),
         attempts,
         {},
         aside,

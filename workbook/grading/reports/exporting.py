@@ -37,6 +37,8 @@ def grades_csv(assignment, scores):
             score.student,
             *(
                 decimal(sum(answer.points for answer in score.of_problem(problem)))
+                if problem not in score.exempt
+                else "exempt"
                 for problem in assignment.problems
             ),
             decimal(score.points),
@@ -131,7 +133,7 @@ def nbgrader_csv(assignment, scores):
             if score.needs_review
             else (decimal(score.points + penalty), decimal(score.points))
         )
-        due = assignment.due_of(score.student)
+        due = assignment.policy.due_of(score.student)
         rows.append(
             [
                 assignment.name,
@@ -222,14 +224,20 @@ def _feedback(score):
     return "; ".join(
         f"{answer.problem} {answer.answer}: "
         + (
-            answer.verdict.status
-            + (f", late: {answer.share:.0%} of the points" if answer.late_penalty else "")
+            answer.verdict.status + _timing(answer)
             if answer.manual is None
             else f"{decimal(answer.points)} by hand"
             + (f" ({answer.manual})" if answer.manual else "")
         )
         for answer in score.answers
     )
+
+
+def _timing(answer):
+    """Say what the time of an attempt did to the points of a right answer."""
+    if answer.verdict.status != RIGHT or answer.share == 1:
+        return ""
+    return f", {'late' if answer.share < 1 else 'early'}: {answer.share:.0%} of the points"
 
 
 def _utc(seconds):

@@ -10,7 +10,6 @@ from trajlib.typesetting import plain
 from workbook.checks.contract.reporting import MARKS
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading.course.handing_out import due_text
-from workbook.grading.course.lateness import days_begun
 from workbook.grading.course.ledger import KNOWN
 from workbook.grading.reports.pages import count, page, points
 from workbook.notebooks import exercises
@@ -47,8 +46,7 @@ def feedback(assignment, score, site=""):
         else ""
     )
     parts = [f"<p>{points(score.points)} of {points(score.max_points)} points{waiting}.</p>"]
-    if due := assignment.due_of(score.student):
-        parts.append(f'<p class="soft">Due {due_text(due)}.</p>')
+    parts += _terms(assignment, score)
     if score.aside:
         entries = "".join(
             f"<li><code>{escape(Path(entry.path).name)}</code>: {escape(entry.reason)}</li>"
@@ -56,7 +54,7 @@ def feedback(assignment, score, site=""):
         )
         look = "; your lecturer will look at it" if score.aside_needs_review else ""
         parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{entries}</ul>")
-    for problem in assignment.problems:
+    for problem in dict.fromkeys(answer.problem for answer in score.answers):
         about, answers = exercises.find(problem).about, score.of_problem(problem)
         earned = f"{points(sum(a.points for a in answers))} / {points(sum(a.max_points for a in answers))}"
         parts.append(
@@ -94,12 +92,8 @@ def _of_problem(problem, about, answers, score, assignment):
             else "<p>Nothing was submitted for this problem.</p>"
         ]
     parts = []
-    if problem in score.late:
-        parts.append(f"<p><em>{_lateness(attempt, assignment, score.student)}</em></p>")
-    elif problem in score.untimed:
-        parts.append(
-            '<p class="soft">It is not known when you handed this in, so it is not late.</p>'
-        )
+    if attempt is not None and (timing := _timing(problem, attempt, assignment.policy, score)):
+        parts.append(f"<p><em>{timing}</em></p>")
     if attempt is not None and score.attempt_counts[problem] > 1:
         parts.append(
             f'<p class="soft">You handed this in {score.attempt_counts[problem]} times; what follows is the '
@@ -112,21 +106,32 @@ def _of_problem(problem, about, answers, score, assignment):
     return parts + [_answer(answer, about, hints(answer, about)) for answer in answers]
 
 
-def _lateness(attempt, assignment, student):
-    """Say how late an attempt is, and what that costs."""
-    rule, due = assignment.late_rule, assignment.due_of(student)
-    if rule is None or attempt.timing != KNOWN:
-        return "Handed in after the due date."
-    seconds = attempt.submitted - due.timestamp()
-    if rule.is_cut_off(seconds):
-        return (
-            f"Handed in more than {rule.cutoff_days:g} days after the due date: right answers have no "
-            "points any more."
+def _terms(assignment, score):
+    """Say until when the homework was due for a student, and what was not asked."""
+    parts, due = [], assignment.policy.due_of(score.student)
+    if due:
+        extended = (
+            f", by an extension from {due_text(assignment.due)}" if due != assignment.due else ""
         )
-    return (
-        f"Handed in {count(days_begun(seconds), 'day')} after the due date (a day begun counts): "
-        f"right answers have {rule.share(seconds):.0%} of their points."
-    )
+        parts.append(f'<p class="soft">Due {due_text(due)}{extended}.</p>')
+    if score.exempt:
+        parts.append(
+            f"<p>You are exempt from {escape(', '.join(score.exempt))}. Your other answers share its "
+            "points, each in proportion to what it is worth.</p>"
+        )
+    return parts
+
+
+def _timing(problem, attempt, policy, score):
+    """Say what the time of an attempt does to its points."""
+    if attempt.timing == KNOWN:
+        return policy.explanation(score.student, attempt.submitted)
+    if problem in score.late:
+        return "Handed in after the due date; it is not known when, so this costs nothing."
+    if problem in score.untimed:
+        bonus = ", and has no bonus" if policy.early else ""
+        return f"It is not known when you handed this in, so it is not late{bonus}."
+    return ""
 
 
 def _answer(answer, about, hint_texts):

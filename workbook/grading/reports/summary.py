@@ -56,7 +56,7 @@ def _overview(assignment, scores, handed_in):
             f"{points(assignment.max_points)} points, the mean is "
             f"{points(statistics.mean(reached))}"
         )
-    absent = [person(score.student) for score in scores if not score.handed_in]
+    absent = [person(score.student) for score in scores if score.is_absent]
     return f"<p>{'; '.join(sentences)}.</p>" + (
         f"<p>Nothing was handed in by {', '.join(absent)}.</p>" if absent else ""
     )
