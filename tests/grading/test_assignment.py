@@ -108,7 +108,7 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         ('problems = ["../ch1/p15"]', "there is no problem"),
         (
             ONE + "titel = 'x'",
-            "unknown field titel; there are attempt, attempts, direction, due, early, exemptions, "
+            "unknown field titel; there are attempt, attempts, by_hand, direction, due, early, exemptions, "
             "extensions, labels, late, points, problems, title",
         ),
         (ONE + "title = 3", "title is one line of text"),

@@ -19,7 +19,7 @@ from guide import like, steps
 
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe
-from workbook.grading import commands
+from workbook.grading import commands, points_by_hand
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.collecting import collect
 from workbook.grading.pool import grader, worker_pool
@@ -212,8 +212,8 @@ def test_points_by_hand_from_the_command_line(course, here):
         ),
         (["bob", "hw1", "1.15", "a_region", "2.5"], "is worth 2 points"),
         (["bob", "hw1", "1.15", "a_region", "nan"], "is worth 2 points"),
-        (["bob", "hw1", "1.15", "a_region"], "give either POINTS or --remove"),
-        (["bob", "hw1", "1.15", "a_region", "1", "--remove"], "give either POINTS or --remove"),
+        (["bob", "hw1", "1.15", "a_region"], "and either POINTS or --remove"),
+        (["bob", "hw1", "1.15", "a_region", "1", "--remove"], "and either POINTS or --remove"),
         (["bob", "hw1", "1.15", "a_region", "--remove"], "has no points by hand"),
     ],
 )
@@ -249,7 +249,7 @@ def changed_workbook(tmp_path, monkeypatch):
 def test_a_changed_problem_regrades_and_lists_changes(course, here, changed_workbook, capsys):
     hand_in(course, "bob", "1.17", {}, at=DUE - 60)
     grade(course)
-    commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "b_region", 1.0, "see me")
+    points_by_hand.score_by_hand(course / "graded", "ann", "hw1", "1.15", "b_region", 1.0, "see me")
     grade(course)
     assert sorted(here) == ["1.15", "1.15", "1.17", "1.17"]
     here.clear()
@@ -582,7 +582,7 @@ def test_an_assignment_is_found_in_either_unicode_form(course, here):
         name: 10 * (name == "renée") for name in ("ann", "bob", "cid", "dan", "renée")
     }
     assert table(course / "graded" / "été" / "canvas.csv")[2][-1] == "10.00"
-    commands.score_by_hand(
+    points_by_hand.score_by_hand(
         course / "graded",
         normalize("NFD", "renée"),
         normalize("NFD", "été"),
@@ -643,7 +643,7 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
 
 def test_points_by_hand_are_capped_at_what_the_answer_is_worth(course, here, capsys):
     grade(course)
-    commands.score_by_hand(course / "graded", "bob", "hw1", "1.15", "a_region", 2.0, "well")
+    points_by_hand.score_by_hand(course / "graded", "bob", "hw1", "1.15", "a_region", 2.0, "well")
     assert grade(course)["assignments"]["hw1"]["bob"] == 8
     write_assignment(course, HOMEWORK.replace("= 10", "= 5"))
     summary = grade(course, quiet=False)
@@ -787,7 +787,9 @@ def test_a_record_of_another_form_is_an_error_of_one_line(course, here, spoilt):
     (course / "graded" / "hw1" / "grades.json").write_text(spoilt)
     for act in (
         lambda: grade(course),
-        lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 1.0),
+        lambda: points_by_hand.score_by_hand(
+            course / "graded", "ann", "hw1", "1.15", "a_region", 1.0
+        ),
     ):
         with pytest.raises(InputError, match="grades.json is not as workbook grade wrote it"):
             act()
@@ -811,7 +813,7 @@ def test_answers_that_need_review(course, here, changed_workbook, capsys):
         "ID number",
         "cid",
     ]
-    commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 2.0)
+    points_by_hand.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 2.0)
     summary = grade(course)
     assert (
         list(summary["to review"]["hw1"]) == ["bob"] and summary["assignments"]["hw1"]["ann"] == 10

@@ -163,3 +163,12 @@ def test_an_exemption_is_the_reason_of_a_change(tmp_path, store):
 def test_names_of_nobody_are_known(tmp_path):
     homework = an_assignment(tmp_path, EXEMPT)
     assert homework.policy.students == {"bob", "cid", "dan"}
+
+
+def test_the_policy_of_the_guide_is_one(tmp_path):
+    guide = Path(__file__).resolve().parents[2] / "book" / "guides" / "lecturer.md"
+    blocks = [block.split("```")[0] for block in guide.read_text().split("```toml\n")[1:]]
+    text = 'problems = ["1.15", "1.17"]\ndue = 2026-10-01T23:59:00+03:00\n'
+    homework = an_assignment(tmp_path, text + "\n".join(blocks))
+    assert homework.policy.early and homework.policy.late.steps and homework.by_hand
+    assert homework.policy.due_of("cid").day == 4 and homework.policy.due_of("ann").day == 8

@@ -1,12 +1,11 @@
-"""The commands `workbook grade` and `workbook score`.
+"""The command `workbook grade`.
 
-The first grades with a progress bar, then writes tables and pages; the second gives points by hand.
+It grades with a progress bar, then writes tables and pages.
 """
 
 import hashlib
 from datetime import datetime
 from pathlib import Path
-from unicodedata import normalize
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
@@ -149,64 +148,6 @@ def grade_course(
             if roster is not None:
                 console_summary.print_roster_differences(console, assignment, roster, unknown)
     return result
-
-
-def score_by_hand(graded, student, assignment, problem, answer, points, comment=""):
-    """Store a lecturer's points for one answer.
-
-    Parameters
-    ----------
-    graded : path
-        Folder of results.
-    student, assignment, problem, answer : str
-        Which answer.
-    points : float or None
-        None removes the points given by hand.
-    comment : str
-        For the student.
-
-    Returns
-    -------
-    str
-        A sentence for the lecturer.
-
-    Raises
-    ------
-    InputError
-        If there is no such answer, or it is not worth so many points.
-    """
-    student, assignment = normalize("NFC", student), normalize("NFC", assignment)
-    label = f"{student}, {assignment}, {problem} {answer}"
-    students = record.read(Path(graded) / assignment / "grades.json")["students"]
-    if not students:
-        raise InputError(
-            f"there are no grades of {assignment} in {graded}; run workbook grade first, or say "
-            "where with --graded"
-        )
-    if student not in students:
-        raise InputError(
-            f"{assignment} has no student {student}; a folder of that name beside the others' "
-            "makes one known to workbook grade"
-        )
-    worth = {
-        (row["problem"], row["answer"]): row["max points"] for row in students[student]["answers"]
-    }
-    if (problem, answer) not in worth:
-        raise InputError(
-            f"{assignment} asks for no {problem} {answer}; there are "
-            f"{', '.join(f'{p} {a}' for p, a in worth)}"
-        )
-    if points is not None and not 0 <= points <= worth[problem, answer]:
-        raise InputError(
-            f"{label} is worth {worth[problem, answer]:g} points; assignment.toml can make it more"
-        )
-    with Store(Path(graded) / "grades.sqlite") as store:
-        if points is not None:
-            store.set_manual(student, assignment, problem, answer, points, comment)
-            return f"{label}: {points:g} of {worth[problem, answer]:g} points by hand"
-        if not store.take_back(student, assignment, problem, answer):
-            raise InputError(f"{label} has no points by hand")
-        return f"{label}: the automatic points count again"
 
 
 def write(folder, assignment, graded, now, roster=None, site=""):

@@ -14,6 +14,9 @@ It is one file, `assignment.toml`:
     "1.4" = 10                          # with an answer named below: the others share what is left
     "1.4.a_matrix" = 2                  # one answer
 
+    [by_hand]                           # optional: what a lecturer grades, free text or on paper
+    sketch = {points = 2, text = "the phase portrait of 1.4, on paper"}
+
     [early]                             # optional: a bonus for work that comes early
     days = 7                            # handed in so long before the due date,
     share = 1.1                         # right answers have this share of their points
@@ -37,7 +40,7 @@ It is one file, `assignment.toml`:
 
 import re
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from workbook.grading.course import policy as policies
@@ -51,7 +54,10 @@ RESERVED_NAMES = {
     "grades.sqlite-wal",
     "grades.sqlite-shm",
     "grades.sqlite-journal",
+    "points-by-hand.csv",
 }
+#: In the place of a problem, for what a lecturer grades by hand.
+BY_HAND = "by_hand"
 FIELDS = {
     "title",
     "problems",
@@ -59,6 +65,7 @@ FIELDS = {
     "attempts",
     "direction",
     "points",
+    BY_HAND,
 } | policies.FIELDS
 
 
@@ -94,6 +101,8 @@ class Assignment:
         How many attempts at a problem count.
     direction : bool
         Whether verdicts say in which direction a number is wrong.
+    by_hand : dict
+        What a lecturer grades by hand: {name: what it is}; its points are those of `BY_HAND`.
     """
 
     name: str
@@ -104,6 +113,7 @@ class Assignment:
     attempt: str = "best"
     attempts: int | None = None
     direction: bool = False
+    by_hand: dict = field(default_factory=dict)
 
     @property
     def due(self):
@@ -205,13 +215,14 @@ def from_text(text, path):
     )
     direction = table.get("direction", False)
     _require(type(direction) is bool, path, "direction is true or false, without quotes")
-    points = _points(path, problems, table.get("points", {}))
+    by_hand, points_by_hand = _by_hand(path, table.get(BY_HAND, {}))
+    points = _points(path, problems, table.get("points", {})) | points_by_hand
     try:
         policy = policies.read(table, points)
     except policies.PolicyError as error:
         raise AssignmentError(f"{path}: {error}") from None
     return Assignment(
-        name, title.strip(), tuple(problems), points, policy, attempt, attempts, direction
+        name, title.strip(), tuple(problems), points, policy, attempt, attempts, direction, by_hand
     )
 
 
@@ -278,6 +289,25 @@ def _points(path, problems, table):
             )
         answers.update(named)
     return points
+
+
+def _by_hand(path, table):
+    """Return ({name: what it is}, its points by `BY_HAND`) of what a lecturer grades."""
+    _require(
+        isinstance(table, dict)
+        and all(
+            isinstance(item, dict)
+            and item.keys() == {"points", "text"}
+            and type(item["points"]) in (int, float)
+            and 0 <= item["points"] < 1e6
+            and isinstance(item["text"], str)
+            for item in table.values()
+        ),
+        path,
+        'by_hand is a table: [by_hand], and below it essay = {points = 2, text = "what it is"}',
+    )
+    points = {name: float(item["points"]) for name, item in table.items()}
+    return {name: item["text"] for name, item in table.items()}, {BY_HAND: points} if points else {}
 
 
 def _require(condition, path, message):

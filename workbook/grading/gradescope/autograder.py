@@ -47,9 +47,13 @@ def main(root=Path("/autograder")):
         attempts = _graded(matched, homework)
     # All that was handed in at once is one attempt: of two notebooks for a problem the better one
     # counts.
+    # Of what a lecturer grades by hand Gradescope knows nothing.
+    points = {problem: homework.points[problem] for problem in homework.problems}
     score = of_student(
         "student",
-        dataclasses.replace(homework, attempt="best", attempts=None, policy=assignments.NO_POLICY),
+        dataclasses.replace(
+            homework, attempt="best", attempts=None, policy=assignments.NO_POLICY, points=points
+        ),
         attempts,
         {},
         aside,

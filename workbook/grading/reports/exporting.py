@@ -24,7 +24,7 @@ def grades_csv(assignment, scores):
     """
     header = [
         "student",
-        *assignment.problems,
+        *assignment.points,
         "total",
         "max",
         "handed in",
@@ -39,7 +39,7 @@ def grades_csv(assignment, scores):
                 decimal(sum(answer.points for answer in score.of_problem(problem)))
                 if problem not in score.exempt
                 else "exempt"
-                for problem in assignment.problems
+                for problem in assignment.points
             ),
             decimal(score.points),
             decimal(score.max_points),
@@ -50,7 +50,7 @@ def grades_csv(assignment, scores):
         ]
         for score in scores
     ]
-    return BOM + quoted([header, *(map(_without_formula, row) for row in rows)])
+    return BOM + quoted([header, *(map(without_formula, row) for row in rows)])
 
 
 def changes_csv(changes):
@@ -80,10 +80,10 @@ def changes_csv(changes):
         ]
         for change in changes
     ]
-    return BOM + quoted([header, *(map(_without_formula, row) for row in rows)])
+    return BOM + quoted([header, *(map(without_formula, row) for row in rows)])
 
 
-def _without_formula(cell):
+def without_formula(cell):
     """Return a cell that spreadsheets do not run as a formula, as they would =cmd().
 
     A signed number stays a number.

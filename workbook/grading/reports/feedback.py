@@ -9,6 +9,7 @@ from pathlib import Path
 from trajlib.typesetting import plain
 from workbook.checks.contract.reporting import MARKS
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
+from workbook.grading.course.assignment import BY_HAND
 from workbook.grading.course.handing_out import due_text
 from workbook.grading.course.ledger import KNOWN
 from workbook.grading.reports.pages import count, page, points
@@ -55,14 +56,14 @@ def feedback(assignment, score, site=""):
         look = "; your lecturer will look at it" if score.aside_needs_review else ""
         parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{entries}</ul>")
     for problem in dict.fromkeys(answer.problem for answer in score.answers):
-        about, answers = exercises.find(problem).about, score.of_problem(problem)
+        about, answers = _about(problem, assignment), score.of_problem(problem)
         earned = f"{points(sum(a.points for a in answers))} / {points(sum(a.max_points for a in answers))}"
         parts.append(
-            f"<h2><span>{escape(problem)} {escape(about['title'])}</span><span "
-            f'class="points">{earned}</span></h2>'
+            f'<h2><span>{escape(about["title"])}</span><span class="points">{earned}</span></h2>'
         )
         parts += _of_problem(problem, about, answers, score, assignment)
-        parts.append(f"<p>{_theory(problem, site)}</p>")
+        if problem != BY_HAND:
+            parts.append(f"<p>{_theory(problem, site)}</p>")
     legend = "".join(
         f'<li class="{status}">{_mark(status)}: {meaning}</li>'
         for status, meaning in LEGEND.items()
@@ -83,9 +84,18 @@ def hints(answer, about):
     )
 
 
+def _about(problem, assignment):
+    """Return title, answers and hints of a problem, or of what is graded by hand."""
+    if problem == BY_HAND:
+        answers = {name: {"text": text} for name, text in assignment.by_hand.items()}
+        return {"title": "Graded by your lecturer", "answers": answers, "hints": {}}
+    about = exercises.find(problem).about
+    return about | {"title": f"{problem} {about['title']}"}
+
+
 def _of_problem(problem, about, answers, score, assignment):
     attempt = score.counted.get(problem)
-    if attempt is None and all(answer.manual is None for answer in answers):
+    if problem != BY_HAND and attempt is None and all(answer.manual is None for answer in answers):
         return [
             "<p>No notebook for this problem was found beside what was left aside.</p>"
             if score.aside

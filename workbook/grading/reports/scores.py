@@ -8,10 +8,12 @@ pages say. So does the score of a student if something that was left aside may b
 from dataclasses import dataclass, field
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, Verdict
+from workbook.grading.course.assignment import BY_HAND
 from workbook.grading.course.ledger import IN_TIME, KNOWN, LATE, UNKNOWN
 from workbook.grading.course.store import Attempt
 
 NOT_SUBMITTED = Verdict(MISSING, "nothing was submitted for this problem")
+FOR_LECTURER = Verdict(UNCHECKED, "your lecturer grades this by hand")
 NOT_FOUND = Verdict(MISSING, "no notebook for this problem was found, but something was left aside")
 
 
@@ -224,14 +226,16 @@ def of_student(student, assignment, attempts, manual, aside=()):
         if not points:
             continue
         of_problem = [attempt for attempt in attempts if attempt.problem == problem]
-        attempt_counts[problem] = len(of_problem)
+        if problem != BY_HAND:
+            attempt_counts[problem] = len(of_problem)
         graded = [
             _graded(attempt, problem, points, manual, share=_share(attempt, policy))
             for attempt in of_problem[: assignment.attempts]
             if attempt.verdicts
         ]
+        waits = problem == BY_HAND and (attempts or aside or manual)
         chosen = _counting(graded, assignment.attempt) or _graded(
-            NO_ATTEMPT, problem, points, manual, no_verdict
+            NO_ATTEMPT, problem, points, manual, FOR_LECTURER if waits else no_verdict
         )
         answers += chosen.answers
         if chosen.attempt is not NO_ATTEMPT:
@@ -240,7 +244,7 @@ def of_student(student, assignment, attempts, manual, aside=()):
             unusable[problem] = of_problem[-1].remarks
         candidates = (
             [chosen]
-            if assignment.attempt == "last"
+            if assignment.attempt == "last" or not graded
             else [attempt for attempt in graded if attempt.possible > chosen.sure]
         )
         # Each answer once: a lecturer's points for it count whichever attempt does.

@@ -10,6 +10,7 @@ from collections import Counter, defaultdict
 from html import escape
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, STATUSES, WRONG
+from workbook.grading.course.assignment import BY_HAND
 from workbook.grading.reports.pages import answer_name, count, page, person, points, table
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")
@@ -155,6 +156,8 @@ def _hardest(scores):
     statuses = defaultdict(Counter)
     for score in scores:
         for answer in score.answers:
+            if answer.problem == BY_HAND:
+                continue
             statuses[answer.problem, answer.answer][answer.verdict.status] += 1
     rows = []
     for (problem, name), counts in sorted(statuses.items(), key=lambda item: item[1][RIGHT]):
