@@ -19,11 +19,12 @@ from guide import like, steps
 
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe
-from workbook.grading import commands, points_by_hand
+from workbook.grading import commands
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.collecting import collect
 from workbook.grading.pool import grader, worker_pool
 from workbook.grading.pool.judging import Judgement
+from workbook.grading.reports import points_by_hand
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
 

@@ -5,6 +5,7 @@ import os
 import re
 import shutil
 import sys
+import time
 from html import unescape
 from pathlib import Path
 
@@ -21,10 +22,12 @@ from workbook.authoring.mistakes import mistake_sentence
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
+from workbook.grading import commands
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course.store import Attempt
 from workbook.grading.pool import judging
 from workbook.grading.pool.grader import from_plain, to_plain
+from workbook.grading.reports import points_by_hand
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.scores import of_student, scores
 from workbook.grading.reports.summary import summary
@@ -472,6 +475,29 @@ def test_pages_fit_and_are_readable(driver, store, homework, tmp_path, width, th
             "return [...document.querySelectorAll('svg text')].every(t => "
             "t.getBoundingClientRect().height > 9)"
         )
+
+
+def test_points_typed_into_the_page_come_back(driver, store, tmp_path):
+    text = 'problems = ["1.17"]\n[by_hand]\nsketch = {points = 3, text = "a sketch"}\n'
+    homework = an_assignment(tmp_path, text)
+    graded(store, "ann", "1.17", {"a_region": RIGHT, "b_region": RIGHT})
+    commands.write(tmp_path / "graded" / "hw1", homework, scores(store, homework), "now")
+    (tmp_path / "down").mkdir()
+    driver.execute_cdp_cmd(
+        "Browser.setDownloadBehavior",
+        {"behavior": "allow", "downloadPath": str(tmp_path / "down")},
+    )
+    driver.get((tmp_path / "graded" / "hw1" / "by_hand.html").as_uri())
+    number, comment = driver.find_elements("css selector", "fieldset input")
+    number.send_keys("2.5")
+    comment.send_keys('=a "good" one; ω')
+    driver.find_element("css selector", "button").click()
+    table = tmp_path / "down" / "points.csv"
+    deadline = time.monotonic() + 20
+    while not table.exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert points_by_hand.import_table(tmp_path / "graded", table) == 1
+    assert store.manual("hw1") == {("ann", "by_hand", "sketch"): (2.5, '=a "good" one; ω')}
 
 
 #: The least contrast of any text on the page to what lies behind it.

@@ -1,21 +1,31 @@
 """Points by hand: items without a check, tables out and in, and the copy outside the store."""
 
+import base64
 import csv
+import hashlib
+import html
 import io
+import json
+import re
 import sys
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import an_assignment, graded
+from classroom import an_assignment, graded, hand_in, notebook
 
-from workbook.checks.contract.verdict import RIGHT, UNCHECKED
-from workbook.grading import commands, points_by_hand
+from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, Verdict
+from workbook.grading import commands
+from workbook.grading.course import handing_out, submissions, text_cells
 from workbook.grading.course.assignment import AssignmentError, InputError
 from workbook.grading.course.store import COPY, Store
+from workbook.grading.pool import grader
+from workbook.grading.pool.judging import Judgement
+from workbook.grading.reports import points_by_hand
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.scores import scores
+from workbook.grading.reports.text_page import text_page
 
 HOMEWORK = (
     'problems = ["1.17"]\n[by_hand]\nsketch = {points = 3, text = "a sketch of <1.4>, on paper"}\n'
@@ -136,3 +146,49 @@ def test_a_copy_that_was_changed_by_hand_is_an_error(tmp_path):
     (tmp_path / COPY).write_text("student,points\nann,1\n")
     with pytest.raises(InputError, match="is not as workbook score wrote it"):
         Store(tmp_path / "grades.sqlite")
+
+
+# Text cells
+
+
+def with_cells(number, *cells):
+    data = notebook(number, {})
+    data["cells"] += [{"cell_type": kind, "metadata": {}, "source": text} for kind, text in cells]
+    return data
+
+
+def test_the_page_has_each_students_own_text_beside_fields(three, tmp_path, homework):
+    path = hand_in(tmp_path, "ann", "1.17", {})
+    data = with_cells(
+        "1.17", ("markdown", "Because <b>k</b> > 0,\n$x = 1$."), ("raw", "</pre>\x1b")
+    )
+    path.write_text(json.dumps(data))
+    released = hand_in(tmp_path, "bob", "1.17", {})
+    released.write_text(handing_out.release("1.17", "https://example.org"))
+    texts = text_cells.read(tmp_path / "submitted", "hw1")
+    assert texts == {"ann": [("ch1-p17.ipynb", ["Because <b>k</b> > 0,\n$x = 1$.", "</pre>\\x1b"])]}
+    page = text_page(homework, three.values(), texts)
+    assert "Because &lt;b&gt;k&lt;/b&gt; &gt; 0,\n$x = 1$." in page and "&lt;/pre&gt;" in page
+    keys = [json.loads(html.unescape(key)) for key in re.findall(r'data-key="([^"]*)"', page)]
+    assert keys == [
+        ["hw1", "ann", "1.17", "a_region"],
+        ["hw1", "ann", "by_hand", "sketch"],
+        ["hw1", "bob", "by_hand", "sketch"],
+    ]
+    digest = re.search(r"script-src 'sha256-([^']+)'", page)[1]
+    script = re.search(r"<script>(.*)</script>", page, re.DOTALL)[1]
+    assert base64.b64encode(hashlib.sha256(script.encode()).digest()).decode() == digest
+
+
+def test_an_answer_cell_turned_into_text_is_reported(tmp_path):
+    path = hand_in(tmp_path, "ann", "1.17", {})
+    data = with_cells("1.17", ("markdown", "a_region = (omega2 > 0)\nso b_region == 3\n    c = 1"))
+    path.write_text(json.dumps(data))
+    (submission,) = submissions.find(tmp_path / "submitted")
+    assert submission.names_in_text == ("a_region",)
+    verdicts = {"a_region": Verdict(MISSING, ""), "b_region": Verdict(RIGHT, "")}
+    judgement = grader.with_text_cells(Judgement(verdicts, {}, ()), submission.names_in_text)
+    (remark,) = judgement.remarks
+    assert remark.startswith("notebook: a_region stands in a cell of text, which is not run")
+    verdicts["a_region"] = Verdict(RIGHT, "")
+    assert grader.with_text_cells(Judgement(verdicts, {}, ()), ("a_region",)).remarks == ()

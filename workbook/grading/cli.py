@@ -207,8 +207,8 @@ def score(
     ] = Path("graded"),
 ):
     """Give points by hand, for one answer or by a table; they count until --remove."""
-    from workbook.grading.points_by_hand import export_table, import_table, score_by_hand
     from workbook.grading.reports.pages import count
+    from workbook.grading.reports.points_by_hand import export_table, import_table, score_by_hand
 
     one_answer = answer is not None and remove != (points is not None)
     no_answer = student is None and not remove and not comment

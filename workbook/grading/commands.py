@@ -11,7 +11,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course import course, record, submissions
+from workbook.grading.course import course, objections, record, submissions, text_cells
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.store import Store
 from workbook.grading.reports import canvas, console_summary, exporting
@@ -19,6 +19,7 @@ from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.pages import count
 from workbook.grading.reports.scores import scores
 from workbook.grading.reports.summary import summary
+from workbook.grading.reports.text_page import text_page
 from workbook.grading.sandbox.sandbox import Limits
 
 
@@ -107,6 +108,7 @@ def grade_course(
         "late": {},
         "to review": {},
         "changes": {},
+        "objections without a reply": {},
         "not in the roster": {},
         "handed in nothing": {},
         "time unknown": {},
@@ -117,7 +119,11 @@ def grade_course(
         for name, assignment in homeworks.items():
             students = [*expected, *submissions.students(submitted)]
             graded = scores(store, assignment, students, plan.aside)
-            changes = write(out / name, assignment, graded, now, roster, site)
+            handed_in = objections.handed_in(submitted, name)
+            texts = text_cells.read(submitted, name) if assignment.by_hand else {}
+            changes, waiting = write(
+                out / name, assignment, graded, now, roster, site, handed_in, texts
+            )
             unknown = [
                 score.student
                 for score in graded
@@ -135,6 +141,7 @@ def grade_course(
                 if score.needs_review
             }
             result["changes"][name] = [vars(change) for change in changes]
+            result["objections without a reply"][name] = waiting
             result["not in the roster"][name] = unknown
             result["handed in nothing"][name] = [
                 score.student for score in graded if score.is_absent
@@ -145,30 +152,41 @@ def grade_course(
             console_summary.print_summary(
                 console, out / name, assignment, graded, changes, files.get(name)
             )
+            console_summary.print_objections(console, out / name, waiting)
             if roster is not None:
                 console_summary.print_roster_differences(console, assignment, roster, unknown)
     return result
 
 
-def write(folder, assignment, graded, now, roster=None, site=""):
-    """Write tables and pages of a homework into a folder; return the changes since last time."""
-    changes, all_changes, written = record.compared(folder / "grades.json", assignment, graded, now)
+def write(folder, assignment, graded, now, roster=None, site="", handed_in=(), texts=None):
+    """Write tables and pages of a homework into a folder.
+
+    Returns (the changes since last time, the students whose objection has no reply). `handed_in`
+    are the (student, text) of objections, `texts` the text cells by student.
+    """
+    path = folder / "grades.json"
+    all_objections = objections.updated(record.objections(path), handed_in, folder / "replies", now)
+    changes, all_changes, written = record.compared(path, assignment, graded, now, all_objections)
     files = {
         "grades.csv": exporting.grades_csv(assignment, graded),
         "changes.csv": exporting.changes_csv(all_changes),
         "moodle.csv": exporting.moodle_csv(assignment, graded),
         "nbgrader.csv": exporting.nbgrader_csv(assignment, graded),
-        "summary.html": summary(assignment, graded),
+        "summary.html": summary(assignment, graded, all_objections),
     }
     files |= {
-        f"feedback/{page_name(score.student)}": feedback(assignment, score, site)
+        f"feedback/{page_name(score.student)}": feedback(
+            assignment, score, site, [o for o in all_objections if o.student == score.student]
+        )
         for score in graded
     }
+    if assignment.by_hand:
+        files["by_hand.html"] = text_page(assignment, graded, texts or {})
     if isinstance(roster, canvas.Gradebook):
         files["canvas.csv"] = canvas.canvas_csv(assignment, graded, roster)
     for name, text in (files | {"grades.json": written}).items():  # grades.json last
         record.put(folder / name, text)
-    return changes
+    return changes, [objection.student for objection in all_objections if not objection.reply]
 
 
 def page_name(student):

@@ -122,6 +122,7 @@ def grade(
             _judgements(plan.pending, count, limits, bounds, trusting, cluster, forkserver)
         ) as judgements:
             for done, (task, judgement, task_limits) in enumerate(judgements, start=1):
+                judgement = grader.with_text_cells(judgement, task["names in text"])
                 store.record(
                     task["key"],
                     _version(task["exercise"], judgement.final, task_limits),
@@ -245,6 +246,7 @@ def _plan(copies, aside, homeworks, store, limits):
             "exercise": version,
             "trouble": submission.trouble,
             "sources": exercise.sources_to_run(submission.cells),
+            "names in text": submission.names_in_text,
             "names": list(exercise.about["answers"]),
         }
     return Plan(tuple(pending.values()), graded_before, tuple(aside))

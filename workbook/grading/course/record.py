@@ -12,6 +12,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from workbook.grading.course.assignment import InputError
+from workbook.grading.course.objections import Objection
 
 
 @dataclass(frozen=True)
@@ -38,11 +39,11 @@ EXEMPT = "the student is exempt from it"
 NO_VERDICT = "not asked for"
 
 
-def compared(path, assignment, scores, when):
+def compared(path, assignment, scores, when, objections=()):
     """Compare the scores with the grades written to `path`.
 
     Returns (changes since then, all changes so far, the text to write there now); `when` is the
-    time of the new changes as text.
+    time of the new changes as text, `objections` are all so far.
     """
     before, students = read(path), _students(scores)
     former = [Change(**change) for change in before["changes"]]
@@ -61,6 +62,7 @@ def compared(path, assignment, scores, when):
             "max points": assignment.max_points,
             "students": students,
             "changes": [vars(change) for change in all_changes],
+            "objections": [vars(objection) for objection in objections],
         },
         ensure_ascii=False,
         indent=1,
@@ -98,8 +100,15 @@ def _check(grades):
             ):
                 raise TypeError
             answer["notebook"], answer["by hand"], answer["judged by"]
+    for objection in grades.get("objections", []):
+        Objection(**objection)
     for change in grades["changes"]:
         Change(**change).old_points + change["new_points"] + 0.0
+
+
+def objections(path):
+    """Return the objections on record in a file of grades; raises `InputError`."""
+    return [Objection(**objection) for objection in read(path).get("objections", [])]
 
 
 def put(path, text):

@@ -20,7 +20,7 @@ from workbook.grading.course import assignment as assignments
 from workbook.grading.course import matching, record, submissions
 from workbook.grading.course.store import Attempt
 from workbook.grading.gradescope.own_user import OwnUser
-from workbook.grading.pool.grader import unreadable_notebook
+from workbook.grading.pool.grader import unreadable_notebook, with_text_cells
 from workbook.grading.pool.judging import Bounds, judge
 from workbook.grading.reports import exporting
 from workbook.grading.reports.feedback import hints
@@ -156,6 +156,7 @@ def _graded(matched, homework):
                     ),
                     bounds,
                 )
+            judgement = with_text_cells(judgement, submission.names_in_text)
             attempts.append(
                 Attempt(
                     number,

@@ -114,6 +114,17 @@ def print_summary(console, folder, assignment, graded, changes, file):
         print_line(f"    and {len(changes) - MAX_LISTED} more, all in {folder / 'changes.csv'}")
 
 
+def print_objections(console, folder, students):
+    """Print which students' objections have no reply."""
+    if students:
+        console.print(
+            f"  objections without a reply: {', '.join(dict.fromkeys(students))}; "
+            f"{folder / 'summary.html'} has them, {folder / 'replies'}/STUDENT.md takes your reply",
+            markup=False,
+            style="yellow",
+        )
+
+
 def print_roster_differences(console, assignment, roster, unknown):
     """Print how the grades differ from the roster: students `unknown` there, and points."""
     if unknown:

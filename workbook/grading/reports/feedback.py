@@ -24,7 +24,7 @@ LEGEND = {
 }
 
 
-def feedback(assignment, score, site=""):
+def feedback(assignment, score, site="", objections=()):
     """Return the page as HTML.
 
     Parameters
@@ -35,6 +35,8 @@ def feedback(assignment, score, site=""):
         The student's.
     site : str
         Address of the student edition of the site; without it the theory is named, not linked.
+    objections : list of Objection
+        The student's.
 
     Returns
     -------
@@ -55,6 +57,7 @@ def feedback(assignment, score, site=""):
         )
         look = "; your lecturer will look at it" if score.aside_needs_review else ""
         parts.append(f"<p>Something you handed in was left aside{look}:</p><ul>{entries}</ul>")
+    parts += map(_objection, objections)
     for problem in dict.fromkeys(answer.problem for answer in score.answers):
         about, answers = _about(problem, assignment), score.of_problem(problem)
         earned = f"{points(sum(a.points for a in answers))} / {points(sum(a.max_points for a in answers))}"
@@ -81,6 +84,18 @@ def hints(answer, about):
         about["hints"].get(answer.answer, [])
         if answer.verdict.status in (WRONG, MISSING, INVALID)
         else []
+    )
+
+
+def _objection(objection):
+    reply = (
+        f'<p>The reply of your lecturer:</p><p class="typed">{escape(objection.reply)}</p>'
+        if objection.reply
+        else '<p class="soft">Your lecturer has not replied yet.</p>'
+    )
+    return (
+        f'<section class="answer"><p>Your objection, noted {escape(objection.noted[:10])}:</p>'
+        f'<p class="typed">{escape(objection.text)}</p>{reply}</section>'
     )
 
 

@@ -16,12 +16,14 @@ from workbook.grading.reports.pages import answer_name, count, page, person, poi
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")
 
 
-def summary(assignment, scores):
-    """Return the page as HTML, from the scores of the whole class."""
+def summary(assignment, scores, objections=()):
+    """Return the page as HTML, from the scores and all objections of the whole class."""
     handed_in = [score for score in scores if score.handed_in]
     parts = [_overview(assignment, scores, handed_in)]
     if any(score.to_review for score in scores):
         parts += ["<h2>To be looked at</h2>", _to_review(assignment, scores)]
+    if objections:
+        parts += ["<h2>Objections</h2>", _objections(objections)]
     if any(score.aside for score in scores):
         parts += ["<h2>Left aside</h2>", _aside(scores)]
     if any(score.unusable for score in scores):
@@ -76,6 +78,20 @@ def _to_review(assignment, scores):
         "<p>These could not be judged and may still raise the grade. Give points with "
         f"<code>{command}</code>, then grade again.</p>"
         + table(("student", "answer", "what was given, and why it was not judged"), rows)
+    )
+
+
+def _objections(objections):
+    rows = [
+        f"<tr><td>{person(objection.student)}</td><td>{escape(objection.noted)}</td>"
+        f'<td class="typed">{escape(objection.text)}</td>'
+        f'<td class="typed">{escape(objection.reply) or "<em>no reply yet</em>"}</td></tr>'
+        for objection in sorted(objections, key=lambda objection: bool(objection.reply))
+    ]
+    return (
+        "<p>Write your reply to a student into <code>replies/STUDENT.md</code> beside this page, change "
+        "points with <code>workbook score</code> where that is due, then grade again.</p>"
+        + table(("student", "noted", "objection", "reply"), rows)
     )
 
 
