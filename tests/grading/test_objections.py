@@ -28,7 +28,7 @@ def grade(tmp_path, store, homework):
             homework,
             scores(store, homework),
             when,
-            handed_in=objections.handed_in(tmp_path / "submitted", "hw1"),
+            submitted=tmp_path / "submitted",
         )[1]
 
     return grade_now

@@ -252,13 +252,14 @@ def new(
 ):
     """Make a homework folder: notebooks, a README, and assignment.toml with points and dates."""
     from workbook.grading.course.handing_out import due_date, due_text, make
+    from workbook.grading.reports.pages import count
 
     homework = make(
         assignments, name, numbers, title, due_date(due) if due else None, site, direction
     )
     answers = sum(len(points) for points in homework.points.values())
     console.print(
-        f"{assignments / name}: {len(homework.problems)} problems, {answers} answers, "
+        f"{assignments / name}: {count(len(homework.problems), 'problem')}, {count(answers, 'answer')}, "
         f"{homework.max_points:g} points, "
         + (f"due {due_text(homework.due)}" if homework.due else "no due date"),
         markup=False,

@@ -11,10 +11,10 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course import course, objections, record, submissions, text_cells
+from workbook.grading.course import course, ledger, objections, record, submissions, text_cells
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.store import Store
-from workbook.grading.reports import canvas, console_summary, exporting
+from workbook.grading.reports import canvas, console_summary, exporting, handing_back
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.pages import count
 from workbook.grading.reports.scores import scores
@@ -119,11 +119,7 @@ def grade_course(
         for name, assignment in homeworks.items():
             students = [*expected, *submissions.students(submitted)]
             graded = scores(store, assignment, students, plan.aside)
-            handed_in = objections.handed_in(submitted, name)
-            texts = text_cells.read(submitted, name) if assignment.by_hand else {}
-            changes, waiting = write(
-                out / name, assignment, graded, now, roster, site, handed_in, texts
-            )
+            changes, waiting = write(out / name, assignment, graded, now, roster, site, submitted)
             unknown = [
                 score.student
                 for score in graded
@@ -158,34 +154,48 @@ def grade_course(
     return result
 
 
-def write(folder, assignment, graded, now, roster=None, site="", handed_in=(), texts=None):
+def write(folder, assignment, graded, now, roster=None, site="", submitted=None):
     """Write tables and pages of a homework into a folder.
 
-    Returns (the changes since last time, the students whose objection has no reply). `handed_in`
-    are the (student, text) of objections, `texts` the text cells by student.
+    Returns (the changes since last time, the students whose objection has no reply). What students
+    wrote beside answers, and the names that the system gave them, are read in `submitted`.
     """
-    path = folder / "grades.json"
-    all_objections = objections.updated(record.objections(path), handed_in, folder / "replies", now)
-    changes, all_changes, written = record.compared(path, assignment, graded, now, all_objections)
+    name = assignment.name
+    texts = handed_in = entries = ()
+    if submitted is not None:
+        entries = [entry for entry in ledger.read(submitted) if entry.assignment == name]
+        handed_in = objections.handed_in(submitted, name)
+        texts = text_cells.read(submitted, name) if assignment.by_hand else ()
+    former = record.objections(folder / "grades.json")
+    all_objections = objections.updated(former, handed_in, folder / "replies", now)
+    changes, all_changes, written = record.compared(
+        folder / "grades.json", assignment, graded, now, all_objections
+    )
+    pages = {
+        score.student: feedback(
+            assignment, score, site, [o for o in all_objections if o.student == score.student]
+        )
+        for score in graded
+    }
+    page_names = {student: f"feedback/{page_name(student)}" for student in pages}
     files = {
         "grades.csv": exporting.grades_csv(assignment, graded),
         "changes.csv": exporting.changes_csv(all_changes),
         "moodle.csv": exporting.moodle_csv(assignment, graded),
         "nbgrader.csv": exporting.nbgrader_csv(assignment, graded),
+        "mail-merge.csv": handing_back.mail_merge(graded, entries, page_names),
         "summary.html": summary(assignment, graded, all_objections),
     }
-    files |= {
-        f"feedback/{page_name(score.student)}": feedback(
-            assignment, score, site, [o for o in all_objections if o.student == score.student]
-        )
-        for score in graded
-    }
+    files |= {page_names[student]: page for student, page in pages.items()}
     if assignment.by_hand:
-        files["by_hand.html"] = text_page(assignment, graded, texts or {})
+        files["by_hand.html"] = text_page(assignment, graded, dict(texts))
     if isinstance(roster, canvas.Gradebook):
         files["canvas.csv"] = canvas.canvas_csv(assignment, graded, roster)
-    for name, text in (files | {"grades.json": written}).items():  # grades.json last
-        record.put(folder / name, text)
+    to_hand_back = {score.student: pages[score.student] for score in graded if score.handed_in}
+    for archive, content in handing_back.archives(to_hand_back, entries).items():
+        record.put_bytes(folder / archive, content)
+    for file, text in (files | {"grades.json": written}).items():  # grades.json last
+        record.put(folder / file, text)
     return changes, [objection.student for objection in all_objections if not objection.reply]
 
 
