@@ -11,7 +11,15 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course import course, ledger, objections, record, submissions, text_cells
+from workbook.grading.course import (
+    copying,
+    course,
+    ledger,
+    objections,
+    record,
+    submissions,
+    text_cells,
+)
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.store import Store
 from workbook.grading.reports import canvas, console_summary, exporting, handing_back
@@ -119,7 +127,16 @@ def grade_course(
         for name, assignment in homeworks.items():
             students = [*expected, *submissions.students(submitted)]
             graded = scores(store, assignment, students, plan.aside)
-            changes, waiting = write(out / name, assignment, graded, now, roster, site, submitted)
+            changes, waiting = write(
+                out / name,
+                assignment,
+                graded,
+                now,
+                roster,
+                site,
+                submitted,
+                plan.lines.get(name, {}),
+            )
             unknown = [
                 score.student
                 for score in graded
@@ -154,8 +171,8 @@ def grade_course(
     return result
 
 
-def write(folder, assignment, graded, now, roster=None, site="", submitted=None):
-    """Write tables and pages of a homework into a folder.
+def write(folder, assignment, graded, now, roster=None, site="", submitted=None, lines=None):
+    """Write tables and pages of a homework into a folder; `lines` are the students' own of code.
 
     Returns (the changes since last time, the students whose objection has no reply). What students
     wrote beside answers, and the names that the system gave them, are read in `submitted`.
@@ -184,7 +201,9 @@ def write(folder, assignment, graded, now, roster=None, site="", submitted=None)
         "moodle.csv": exporting.moodle_csv(assignment, graded),
         "nbgrader.csv": exporting.nbgrader_csv(assignment, graded),
         "mail-merge.csv": handing_back.mail_merge(graded, entries, page_names),
-        "summary.html": summary(assignment, graded, all_objections),
+        "summary.html": summary(
+            assignment, graded, all_objections, copying.pairs(graded, lines or {})
+        ),
     }
     files |= {page_names[student]: page for student, page in pages.items()}
     if assignment.by_hand:

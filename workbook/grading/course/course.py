@@ -3,11 +3,11 @@
 import fcntl
 import os
 from contextlib import closing, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course import matching, submissions
+from workbook.grading.course import copying, matching, submissions
 from workbook.grading.course.store import Store
 from workbook.grading.course.submissions import LeftAside, Submission
 from workbook.grading.pool import grader, worker_pool
@@ -35,11 +35,14 @@ class Plan:
         How many notebooks have a result already.
     aside : tuple of LeftAside
         What is left aside.
+    lines : dict
+        The students' own lines of code: {homework: {student: set of lines}}.
     """
 
     pending: tuple
     graded_before: int
     aside: tuple
+    lines: dict = field(default_factory=dict)
 
 
 def grade(
@@ -249,7 +252,16 @@ def _plan(copies, aside, homeworks, store, limits):
             "names in text": submission.names_in_text,
             "names": list(exercise.about["answers"]),
         }
-    return Plan(tuple(pending.values()), graded_before, tuple(aside))
+    return Plan(tuple(pending.values()), graded_before, tuple(aside), _own_lines(copies))
+
+
+def _own_lines(copies):
+    """Return the own lines of code of each student, by homework and student."""
+    lines = {}
+    for (student, name, problem, _), (submission, *_) in copies.items():
+        own = copying.own_lines(submission.cells, exercises.find(problem))
+        lines.setdefault(name, {}).setdefault(student, set()).update(own)
+    return lines
 
 
 def _by_attempt(entries, homeworks, aside_reasons, files):

@@ -16,8 +16,8 @@ from workbook.grading.reports.pages import answer_name, count, page, person, poi
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")
 
 
-def summary(assignment, scores, objections=()):
-    """Return the page as HTML, from the scores and all objections of the whole class."""
+def summary(assignment, scores, objections=(), pairs=()):
+    """Return the page as HTML, from scores, objections and what pairs share in the whole class."""
     handed_in = [score for score in scores if score.handed_in]
     parts = [_overview(assignment, scores, handed_in)]
     if any(score.to_review for score in scores):
@@ -40,6 +40,8 @@ def summary(assignment, scores, objections=()):
             _failures(handed_in),
             "<h2>Identical wrong answers</h2>",
             _identical(handed_in),
+            "<h2>What two students share and few others have</h2>",
+            _pairs(pairs),
         ]
     return page(assignment.title, "Summary", "".join(parts))
 
@@ -253,3 +255,29 @@ def _identical(scores):
         for (problem, name, answer_hash), names in shared
     ]
     return table(("times", "answer", "given", "by"), rows)
+
+
+def _pairs(pairs, limit=30, listed=8):
+    """List what pairs share, with the number of students who have it."""
+    rows = []
+    for pair in pairs[:limit]:
+        entries = "".join(
+            f"<li><code>{escape(name)}</code> ({students} students)</li>"
+            for name, students in pair.shared[:listed]
+        )
+        more = len(pair.shared) - listed
+        if more > 0:
+            entries += f"<li>and {more} more</li>"
+        rows.append(
+            f"<tr><td>{' and '.join(map(person, pair.students))}</td>"
+            f"<td>{len(pair.shared)} {pair.kind}</td>"
+            f"<td><ul>{entries}</ul></td></tr>"
+        )
+    more = f"<p>{len(pairs) - limit} more pairs share less.</p>" if len(pairs) > limit else ""
+    return (
+        "<p>Whole notebooks, wrong answers in the same form, and lines of code, as far as at most a "
+        "twentieth of the class or three students have them. This decides nothing: a common source or "
+        "the same thought looks alike.</p>"
+        + table(("students", "share", "what, and how common"), rows)
+        + more
+    )
