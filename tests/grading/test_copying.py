@@ -53,19 +53,19 @@ def test_identical_notebooks_are_shown(class_of_forty, store, homework):
 
 
 def test_nearly_identical_code_is_shown(class_of_forty, store, homework):
-    exercise = exercises.find("1.17")
-    pristine = [source for _, source in exercise.cells]
-    assert copying.own_lines(pristine, exercise) == set()
+    cells = [source for _, source in exercises.find("1.17").cells]
+    pristine = copying.pristine_lines(exercises.find("1.17"))
+    assert copying.own_lines(cells, pristine) == set()
     code = (
         "def minors(p):  # mine\n    q = sp.Poly(p, s)\n    return q.all_coeffs()\n"
         "values = minors(a_poly)\nprint(values)"
     )
     renamed = code.replace("print(values)", "display(values[0])").replace("# mine", "# another")
     common = "import numpy as np\nfrom matplotlib import pyplot as plt"
-    lines = {f"s{k:02}": copying.own_lines([*pristine, common], exercise) for k in range(40)}
+    lines = {f"s{k:02}": copying.own_lines([*cells, common], pristine) for k in range(40)}
     lines |= {
-        "ann": copying.own_lines([*pristine, common, code], exercise),
-        "cid": copying.own_lines([renamed, common], exercise),
+        "ann": copying.own_lines([*cells, common, code], pristine),
+        "cid": copying.own_lines([renamed, common], pristine),
     }
     (_, pair) = copying.pairs(scores(store, homework), lines)
     assert pair.students == ("ann", "cid") and pair.kind == "lines of code"

@@ -4,6 +4,7 @@ It grades with a progress bar, then writes tables and pages.
 """
 
 import hashlib
+import math
 from datetime import datetime
 from pathlib import Path
 
@@ -22,7 +23,7 @@ from workbook.grading.course import (
 )
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.store import Store
-from workbook.grading.reports import canvas, console_summary, exporting, handing_back
+from workbook.grading.reports import canvas, console_summary, exporting, handing_back, statistics
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.pages import count
 from workbook.grading.reports.scores import scores
@@ -122,11 +123,11 @@ def grade_course(
         "time unknown": {},
     }
     now = datetime.now().astimezone().isoformat(timespec="seconds")
-    files = assignments.files(assignment_folder)
+    files, all_scores = assignments.files(assignment_folder), {}
     with Store(out / "grades.sqlite") as store:
         for name, assignment in homeworks.items():
             students = [*expected, *submissions.students(submitted)]
-            graded = scores(store, assignment, students, plan.aside)
+            graded = all_scores[name] = scores(store, assignment, students, plan.aside)
             changes, waiting = write(
                 out / name,
                 assignment,
@@ -168,7 +169,19 @@ def grade_course(
             console_summary.print_objections(console, out / name, waiting)
             if roster is not None:
                 console_summary.print_roster_differences(console, assignment, roster, unknown)
+    if len(homeworks) > 1:
+        _write_course(out, [(homeworks[name], all_scores[name]) for name in homeworks])
     return result
+
+
+def _write_course(out, graded):
+    """Write what concerns all homeworks: [(assignment, scores)]."""
+    in_time = sorted(
+        graded,
+        key=lambda pair: (pair[0].due.timestamp() if pair[0].due else math.inf, pair[0].name),
+    )
+    record.put(out / "course.csv", statistics.course_csv(in_time))
+    record.put(out / "course.html", statistics.course_page(in_time))
 
 
 def write(folder, assignment, graded, now, roster=None, site="", submitted=None, lines=None):
@@ -201,6 +214,7 @@ def write(folder, assignment, graded, now, roster=None, site="", submitted=None,
         "moodle.csv": exporting.moodle_csv(assignment, graded),
         "nbgrader.csv": exporting.nbgrader_csv(assignment, graded),
         "mail-merge.csv": handing_back.mail_merge(graded, entries, page_names),
+        "items.csv": statistics.items_csv(assignment, graded),
         "summary.html": summary(
             assignment, graded, all_objections, copying.pairs(graded, lines or {})
         ),

@@ -55,6 +55,8 @@ RESERVED_NAMES = {
     "grades.sqlite-shm",
     "grades.sqlite-journal",
     "points-by-hand.csv",
+    "course.csv",
+    "course.html",
 }
 #: In the place of a problem, for what a lecturer grades by hand.
 BY_HAND = "by_hand"

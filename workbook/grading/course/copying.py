@@ -28,9 +28,13 @@ class Pair:
     shared: tuple
 
 
-def own_lines(sources, exercise):
-    """Return the lines of code that a notebook has beyond those that it was handed out with."""
-    pristine = set(_lines(source for _, source in exercise.cells))
+def pristine_lines(exercise):
+    """Return the lines of code that a notebook is handed out with."""
+    return frozenset(_lines(source for _, source in exercise.cells))
+
+
+def own_lines(sources, pristine):
+    """Return the lines of code that a notebook has beyond the pristine ones."""
     return frozenset(line for line in _lines(sources) if len(line) >= LEAST_LENGTH) - pristine
 
 

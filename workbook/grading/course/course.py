@@ -258,8 +258,12 @@ def _plan(copies, aside, homeworks, store, limits):
 def _own_lines(copies):
     """Return the own lines of code of each student, by homework and student."""
     lines = {}
+    pristine = {
+        problem: copying.pristine_lines(exercises.find(problem))
+        for problem in {problem for _, _, problem, _ in copies}
+    }
     for (student, name, problem, _), (submission, *_) in copies.items():
-        own = copying.own_lines(submission.cells, exercises.find(problem))
+        own = copying.own_lines(submission.cells, pristine[problem])
         lines.setdefault(name, {}).setdefault(student, set()).update(own)
     return lines
 

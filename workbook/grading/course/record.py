@@ -55,19 +55,27 @@ def compared(path, assignment, scores, when, objections=()):
     )
     new += _asked_again(former, before["students"], students, when)
     all_changes = [*former, *new]
-    text = json.dumps(
-        {
-            "assignment": assignment.name,
-            "title": assignment.title,
-            "max points": assignment.max_points,
-            "students": students,
-            "changes": [vars(change) for change in all_changes],
-            "objections": [vars(objection) for objection in objections],
-        },
-        ensure_ascii=False,
-        indent=1,
-    )
-    return new, all_changes, text + "\n"
+    head = {
+        "assignment": assignment.name,
+        "title": assignment.title,
+        "max points": assignment.max_points,
+    }
+    parts = [
+        *(f"{_json(key)}: {_json(value)}" for key, value in head.items()),
+        f'"students": {{\n{_lines(f"{_json(k)}: {_json(v)}" for k, v in students.items())}}}',
+        f'"changes": [\n{_lines(_json(vars(change)) for change in all_changes)}]',
+        f'"objections": [\n{_lines(_json(vars(objection)) for objection in objections)}]',
+    ]
+    return new, all_changes, f"{{{_lines(parts)}}}\n"
+
+
+def _json(value):
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _lines(entries):
+    """Return entries of JSON, one a line: a student's grades are a line, which can be compared."""
+    return ",\n".join(entries)
 
 
 def read(path):
@@ -120,6 +128,9 @@ def put(path, text):
 def put_bytes(path, data):
     """Write a file completely or not at all; raises `InputError`."""
     temporary = path.with_name(f".{path.name[:100]}.writing")
+    with suppress(OSError):
+        if path.read_bytes() == data:  # renaming waits for the disk, once for each page of a class
+            return
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         temporary.write_bytes(data)

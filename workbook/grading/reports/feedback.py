@@ -3,10 +3,11 @@
 It never has a solution.
 """
 
+from functools import cache
 from html import escape
 from pathlib import Path
 
-from trajlib.typesetting import plain
+from trajlib.typesetting import plain as plain_text
 from workbook.checks.contract.reporting import MARKS
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading.course.assignment import BY_HAND
@@ -15,6 +16,8 @@ from workbook.grading.course.ledger import KNOWN
 from workbook.grading.reports.pages import count, page, points
 from workbook.notebooks import exercises
 
+#: The same texts stand on the pages of a whole class.
+plain = cache(plain_text)
 LEGEND = {
     RIGHT: "the property that was asked for holds",
     WRONG: "a property fails; the line says which",
