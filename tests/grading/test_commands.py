@@ -146,6 +146,8 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
         "changes.csv",
         "moodle.csv",
         "nbgrader.csv",
+        "items.csv",
+        "mail-merge.csv",
         "grades.json",
         "summary.html",
         "feedback",
@@ -1029,6 +1031,8 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         "changes.csv",
         "moodle.csv",
         "nbgrader.csv",
+        "items.csv",
+        "mail-merge.csv",
         "grades.json",
         "canvas.csv",
     ):

@@ -8,6 +8,7 @@ import sys
 import time
 from html import unescape
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 import sympy as sp
@@ -29,6 +30,7 @@ from workbook.grading.pool import judging
 from workbook.grading.pool.grader import from_plain, to_plain
 from workbook.grading.reports import points_by_hand
 from workbook.grading.reports.feedback import feedback
+from workbook.grading.reports.mathml import with_formulas
 from workbook.grading.reports.scores import of_student, scores
 from workbook.grading.reports.summary import summary
 from workbook.grading.sandbox.sandbox import Outcome
@@ -51,7 +53,8 @@ FIVE = {
 
 
 def shown(page):
-    """Return the text of a page with everything unfolded."""
+    """Return the text of a page with everything unfolded, and formulas in plain characters."""
+    page = re.sub(r'(?s)<math alttext="([^"]*)">.*?</math>', r"\1", page)
     return unescape(re.sub(r"<[^>]+>", " ", re.sub(r"(?s)<style>.*?</style>", "", page)))
 
 
@@ -106,6 +109,29 @@ def test_hints_are_those_of_the_notebook_and_folded(store, homework):
         hint in shown(feedback(homework, scores(store, homework)[1])) for hint in hints
     ), "what is right needs no hint"
     assert "<details>" not in feedback(homework, of_student("dan", homework, [], {}))
+
+
+@pytest.mark.parametrize("number", [exercise.number for exercise in exercises.read_all()])
+def test_every_formula_of_a_page_is_typeset(number):
+    page = page_of(
+        number, {name: Verdict(MISSING, "") for name in exercises.find(number).about["answers"]}
+    )
+    for formula in re.findall(r"<math.*?</math>", page):
+        ElementTree.fromstring(formula)  # well-formed
+    visible = re.sub(r"<[^>]+>", " ", page)
+    assert "$" not in visible and "\\" not in visible, "no formula is left in TeX"
+
+
+def test_each_item_has_its_system(store, homework):
+    page = page_of("2.3", {"b_unseen": Verdict(WRONG, "it is not in the kernel")})
+    for letter, end in zip("abcdefghi", "bcdefghi."):
+        assert page.count(f"<p>{letter}) ") == 1, end
+        assert page.index(f"<p>{letter}) ") < page.index(f"<code>{letter}_")
+    text = re.sub(r"\s+", " ", shown(section(page, "b_unseen")))
+    assert "the same basis for system b ( a_unseen : " in text
+    assert (
+        "$" not in with_formulas("$x$ and $\\dot x_1$") and with_formulas("$\\foo<$") == "foo&lt;"
+    )
 
 
 def test_feedback_links_to_the_theory_and_never_to_a_solution(store, homework):
@@ -196,6 +222,8 @@ ALLOWED = {
     "rect",
     "text",
     "line",
+    *("math", "mrow", "mi", "mn", "mo", "msub", "msup", "msubsup", "mfrac", "msqrt", "mover"),
+    *("mspace", "mtable", "mtr", "mtd"),
 }
 
 

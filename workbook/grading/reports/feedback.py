@@ -3,21 +3,23 @@
 It never has a solution.
 """
 
+import re
 from functools import cache
 from html import escape
 from pathlib import Path
 
-from trajlib.typesetting import plain as plain_text
 from workbook.checks.contract.reporting import MARKS
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG
 from workbook.grading.course.assignment import BY_HAND
 from workbook.grading.course.handing_out import due_text
 from workbook.grading.course.ledger import KNOWN
+from workbook.grading.reports.mathml import with_formulas
 from workbook.grading.reports.pages import count, page, points
+from workbook.grading.sandbox import submitted_file
 from workbook.notebooks import exercises
 
-#: The same texts stand on the pages of a whole class.
-plain = cache(plain_text)
+#: An item of a statement, a paragraph that begins with its letter.
+ITEM = re.compile(r"^([a-z])\) (\S.*(?:\n.+)*)", re.MULTILINE)
 LEGEND = {
     RIGHT: "the property that was asked for holds",
     WRONG: "a property fails; the line says which",
@@ -131,7 +133,46 @@ def _of_problem(problem, about, answers, score, assignment):
         parts.append(
             f'<ul class="soft">{"".join(f"<li>{escape(remark)}</li>" for remark in attempt.remarks)}</ul>'
         )
-    return parts + [_answer(answer, about, hints(answer, about)) for answer in answers]
+    items, shown = _items(problem), set()
+    for answer in answers:
+        letter = answer.answer.partition("_")[0]
+        if letter in items and letter not in shown:
+            shown.add(letter)
+            parts.append(f"<p>{escape(letter)}) {items[letter]}</p>")
+        parts.append(_answer(answer, about, hints(answer, about)))
+    return parts
+
+
+@cache
+def _items(problem):
+    """Return the items of a problem's statement as HTML, by letter."""
+    if problem == BY_HAND:
+        return {}
+    statement, *_ = submitted_file.text_cells(exercises.find(problem).path.read_bytes())
+    return {
+        letter: with_formulas(text.rstrip(" ,;"))
+        for letter, text in ITEM.findall(statement)
+        if "$$" not in text
+    }
+
+
+def _description(name, about):
+    """Return what an answer is as HTML; "the same for system b" with what that is the same as."""
+    text, answers = about["answers"][name]["text"], about["answers"]
+    described = with_formulas(text)
+    if not text.startswith("the same") or "`" in text:
+        return described
+    kind = name.partition("_")[2]
+    before = [
+        other
+        for other in list(answers)[: list(answers).index(name)]
+        if not answers[other]["text"].startswith("the same")
+    ]
+    alike = [other for other in before if other.partition("_")[2] == kind]
+    if not before:
+        return described
+    other = (alike or before)[-1]
+    return f"{described} (<code>{escape(other)}</code>: {with_formulas(answers[other]['text'])})"
 
 
 def _terms(assignment, score):
@@ -168,7 +209,7 @@ def _answer(answer, about, hint_texts):
     parts = [
         f"<header><span><code>{escape(name)}</code></span><span "
         f'class="points">{earned}</span></header>',
-        f'<div class="soft">{escape(plain(about["answers"][name]["text"]))}</div>',
+        f'<div class="soft">{_description(name, about)}</div>',
     ]
     if answer.text and verdict.status != MISSING:
         parts.append(f"<div>Your answer: <code>{escape(answer.text)}</code></div>")
@@ -180,7 +221,7 @@ def _answer(answer, about, hint_texts):
             f"lecturer{': ' + escape(answer.manual) if answer.manual else ''}</em></div>"
         )
     parts += [
-        f"<details><summary>Hint {k}</summary>{escape(plain(hint))}</details>"
+        f"<details><summary>Hint {k}</summary>{with_formulas(hint)}</details>"
         for k, hint in enumerate(hint_texts, 1)
     ]
     return f'<section class="answer {verdict.status}">{"".join(parts)}</section>'
