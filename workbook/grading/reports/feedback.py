@@ -25,7 +25,7 @@ LEGEND = {
     WRONG: "a property fails; the line says which",
     MISSING: "there is no answer",
     INVALID: "not of the kind asked for",
-    UNCHECKED: "our check failed, not you: a lecturer will look at it",
+    UNCHECKED: "no check could judge it, which is not your fault: a lecturer will look at it",
 }
 
 

@@ -6,6 +6,7 @@ Its button saves the table that `workbook score --import` reads. Nothing leaves 
 import json
 from html import escape
 
+from workbook.grading.reports.mathml import with_formulas
 from workbook.grading.reports.pages import page, person, points
 from workbook.grading.reports.points_by_hand import HEADER
 
@@ -67,7 +68,7 @@ def text_page(assignment, scores, texts):
                 json.dumps([assignment.name, score.student, answer.problem, answer.answer]),
                 quote=True,
             )
-            parts.append(_fields(answer, key))
+            parts.append(_fields(answer, key, assignment.by_hand.get(answer.answer, "")))
     return page(
         assignment.title,
         "Points by hand",
@@ -76,12 +77,13 @@ def text_page(assignment, scores, texts):
     )
 
 
-def _fields(answer, key):
-    """Return the fields of an answer."""
+def _fields(answer, key, text):
+    """Return the fields of an answer, under what it is."""
     name = f"{escape(answer.problem)} {escape(answer.answer)}"
     value = "" if answer.by_hand is None else f"{answer.by_hand:g}"
     return (
         f'<fieldset data-key="{key}" data-max="{answer.max_points:g}"><legend>{name}</legend>'
+        f'<p class="soft">{with_formulas(text)}</p>'
         f'<label>Points, up to {points(answer.max_points)}: <input type="number" min="0" step="any" '
         f'max="{answer.max_points:g}" value="{value}"></label> '
         f'<label>Comment: <input size="50" value="{escape(answer.manual or "", quote=True)}"></label>'
