@@ -86,7 +86,7 @@ def course_page(homeworks):
 
 
 def _item(problem, answer, scores):
-    asked = [
+    selected = [
         (score, entry)
         for score in scores
         for entry in score.of_problem(problem)
@@ -94,7 +94,7 @@ def _item(problem, answer, scores):
     ]
     graded = [
         (score, entry)
-        for score, entry in asked
+        for score, entry in selected
         if problem in score.counted or entry.by_hand is not None
     ]
     right = sum(entry.verdict.status == RIGHT for _, entry in graded)
@@ -104,8 +104,8 @@ def _item(problem, answer, scores):
     return [
         problem,
         answer,
-        len(asked),
-        len(asked) - len(graded),
+        len(selected),
+        len(selected) - len(graded),
         sum(entry.verdict.status == MISSING and entry.by_hand is None for _, entry in graded),
         right,
         decimal(right / len(graded)) if graded else "",
@@ -137,15 +137,15 @@ def _cell(score):
 
 
 def _homework_row(assignment, scores):
-    asked = [score for score in scores if score.answers]
-    empty = [score for score in asked if _is_empty(score)]
-    worked = [score.points for score in asked if score.handed_in and score not in empty]
+    selected = [score for score in scores if score.answers]
+    empty = [score for score in selected if _is_empty(score)]
+    worked = [score.points for score in selected if score.handed_in and score not in empty]
     median = (
         f"{decimal(statistics.median(worked))} of {decimal(assignment.max_points)}"
         if worked
         else ""
     )
-    numbers = (len(asked), sum(score.is_absent for score in asked), len(empty), median)
+    numbers = (len(selected), sum(score.is_absent for score in selected), len(empty), median)
     cells = "".join(f'<td class="number">{number}</td>' for number in numbers)
     return f"<tr><td>{escape(assignment.title)}</td>{cells}</tr>"
 
