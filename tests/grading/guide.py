@@ -4,7 +4,11 @@ import re
 
 
 def steps(text):
-    """Return (section, command, lines that it prints) for every command of the page."""
+    """Return (section, command, lines that it prints) for every command of the page.
+
+    Blocks of TOML are pieces of files, which other tests read.
+    """
+    text = re.sub(r"^```toml\n.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
     commands, section, inside = [], "", False
     for line in text.replace("\\\n", "").split("\n"):
         if line.startswith("#") and not inside:

@@ -14,7 +14,7 @@ from classroom import an_assignment, write_assignment
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import handing_out, submissions
 from workbook.grading.course.assignment import AssignmentError
-from workbook.grading.course.lateness import LateRule
+from workbook.grading.course.policy import LateRule
 from workbook.notebooks import exercises
 
 FULL = """
@@ -58,8 +58,8 @@ def test_lateness_and_extensions(tmp_path):
         tmp_path,
         f'{DUE}[late]\nper_day = 0.1\n[extensions]\n"ann@uni.example" = 2026-10-08T12:00:00Z\n',
     )
-    assert homework.late_rule == LateRule(0.1) and homework.due_of("bob") == homework.due
-    assert homework.due_of("ann@uni.example") - homework.due == datetime.timedelta(days=7)
+    assert homework.policy.late == LateRule(0.1) and homework.policy.due_of("bob") == homework.due
+    assert homework.policy.due_of("ann@uni.example") - homework.due == datetime.timedelta(days=7)
 
 
 def test_points(tmp_path):
@@ -108,8 +108,8 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         ('problems = ["../ch1/p15"]', "there is no problem"),
         (
             ONE + "titel = 'x'",
-            "unknown field titel; there are attempt, attempts, direction, due, extensions, late, points, "
-            "problems, title",
+            "unknown field titel; there are attempt, attempts, by_hand, direction, due, early, exemptions, "
+            "extensions, labels, late, points, problems, title",
         ),
         (ONE + "title = 3", "title is one line of text"),
         (ONE + 'title = " "', "title is one line of text"),
@@ -154,6 +154,18 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         (DUE + "[extensions]\nann = 2026-10-08", 'extensions."ann" is a date with time and zone'),
         (DUE + "[extensions]\nann = 2026-09-30T00:00:00Z", 'extensions."ann" is before the due'),
         (ONE + "[extensions]\nann = 2026-09-30T00:00:00Z", 'extensions."ann" is before the due'),
+        (DUE + "[late]\nfloor = 0.1", "late is a table"),
+        (DUE + "[late]\nper_day = 0.1\nsteps = [[7, 0.8]]", "late is a table"),
+        (DUE + "[late]\nsteps = [7, 0.8]", "late.steps is a list of [days, share]"),
+        (DUE + "[late]\nsteps = [[7, 0.8], [7, 0.5]]", "late.steps is a list of [days, share]"),
+        (DUE + "[late]\nsteps = [[7, 0.5], [9, 0.8]]", "late.steps is a list of [days, share]"),
+        (DUE + "[late]\nsteps = [[7, 80]]", "each share in late.steps is a number from 0 to 1"),
+        (DUE + "[early]\ndays = 7", "early is a table: [early], and below it days = 7"),
+        (DUE + "[early]\ndays = 7\nshare = 0.9", "early.share is a number from 1 to 2"),
+        (ONE + "[early]\ndays = 7\nshare = 1.1", "early needs a due date"),
+        (ONE + '[labels]\n"extended time" = "ann"', 'labels."extended time" is a list of students'),
+        (ONE + '[exemptions]\nann = ["1.17"]', 'exemptions."ann" is a list of problems or answers'),
+        (ONE + "[exemptions]\nann = true", 'exemptions."ann" is a list of problems or answers'),
         ("problems = [", "is not TOML in UTF-8"),
         (ONE + ONE, "Cannot overwrite a value"),
     ],

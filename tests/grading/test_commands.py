@@ -24,6 +24,7 @@ from workbook.grading.course.assignment import InputError
 from workbook.grading.course.collecting import collect
 from workbook.grading.pool import grader, worker_pool
 from workbook.grading.pool.judging import Judgement
+from workbook.grading.reports import points_by_hand
 from workbook.notebooks import exercises
 from workbook.notebooks.execution import judge, run_notebook
 
@@ -145,6 +146,8 @@ def test_a_course_in_the_sandbox_from_the_command_line(course):
         "changes.csv",
         "moodle.csv",
         "nbgrader.csv",
+        "items.csv",
+        "mail-merge.csv",
         "grades.json",
         "summary.html",
         "feedback",
@@ -212,8 +215,8 @@ def test_points_by_hand_from_the_command_line(course, here):
         ),
         (["bob", "hw1", "1.15", "a_region", "2.5"], "is worth 2 points"),
         (["bob", "hw1", "1.15", "a_region", "nan"], "is worth 2 points"),
-        (["bob", "hw1", "1.15", "a_region"], "give either POINTS or --remove"),
-        (["bob", "hw1", "1.15", "a_region", "1", "--remove"], "give either POINTS or --remove"),
+        (["bob", "hw1", "1.15", "a_region"], "and either POINTS or --remove"),
+        (["bob", "hw1", "1.15", "a_region", "1", "--remove"], "and either POINTS or --remove"),
         (["bob", "hw1", "1.15", "a_region", "--remove"], "has no points by hand"),
     ],
 )
@@ -249,7 +252,7 @@ def changed_workbook(tmp_path, monkeypatch):
 def test_a_changed_problem_regrades_and_lists_changes(course, here, changed_workbook, capsys):
     hand_in(course, "bob", "1.17", {}, at=DUE - 60)
     grade(course)
-    commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "b_region", 1.0, "see me")
+    points_by_hand.score_by_hand(course / "graded", "ann", "hw1", "1.15", "b_region", 1.0, "see me")
     grade(course)
     assert sorted(here) == ["1.15", "1.15", "1.17", "1.17"]
     here.clear()
@@ -498,7 +501,7 @@ def test_points_pages_and_tables_agree_on_lateness(course, here, capsys):
         ("bob", "lateness counts otherwise")
     }
     output = capsys.readouterr().err
-    assert "extensions in assignment.toml for nobody here: bbo" in output
+    assert "labels in assignment.toml for nobody here: bbo" in output
     folder = course / "graded" / "hw1"
     page = (folder / "feedback" / "bob.html").read_text(encoding="utf-8")
     assert "<p>4.5 of 12 points.</p>" in page
@@ -515,7 +518,7 @@ def test_points_pages_and_tables_agree_on_lateness(course, here, capsys):
     write_assignment(course, HOMEWORK + "[late]\nper_day = 0.1\ncutoff_days = 0\n")
     assert grade(course)["assignments"]["hw1"]["bob"] == 0
     page = (folder / "feedback" / "bob.html").read_text(encoding="utf-8")
-    assert "more than 0 days after the due date: right answers have no points any more" in page
+    assert "Handed in after the due date: right answers have no points any more" in page
 
 
 # Messages and refusals
@@ -582,7 +585,7 @@ def test_an_assignment_is_found_in_either_unicode_form(course, here):
         name: 10 * (name == "renée") for name in ("ann", "bob", "cid", "dan", "renée")
     }
     assert table(course / "graded" / "été" / "canvas.csv")[2][-1] == "10.00"
-    commands.score_by_hand(
+    points_by_hand.score_by_hand(
         course / "graded",
         normalize("NFD", "renée"),
         normalize("NFD", "été"),
@@ -643,7 +646,7 @@ def test_a_problem_taken_out_of_the_homework_is_a_change(course, here, capsys):
 
 def test_points_by_hand_are_capped_at_what_the_answer_is_worth(course, here, capsys):
     grade(course)
-    commands.score_by_hand(course / "graded", "bob", "hw1", "1.15", "a_region", 2.0, "well")
+    points_by_hand.score_by_hand(course / "graded", "bob", "hw1", "1.15", "a_region", 2.0, "well")
     assert grade(course)["assignments"]["hw1"]["bob"] == 8
     write_assignment(course, HOMEWORK.replace("= 10", "= 5"))
     summary = grade(course, quiet=False)
@@ -787,7 +790,9 @@ def test_a_record_of_another_form_is_an_error_of_one_line(course, here, spoilt):
     (course / "graded" / "hw1" / "grades.json").write_text(spoilt)
     for act in (
         lambda: grade(course),
-        lambda: commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 1.0),
+        lambda: points_by_hand.score_by_hand(
+            course / "graded", "ann", "hw1", "1.15", "a_region", 1.0
+        ),
     ):
         with pytest.raises(InputError, match="grades.json is not as workbook grade wrote it"):
             act()
@@ -811,7 +816,7 @@ def test_answers_that_need_review(course, here, changed_workbook, capsys):
         "ID number",
         "cid",
     ]
-    commands.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 2.0)
+    points_by_hand.score_by_hand(course / "graded", "ann", "hw1", "1.15", "a_region", 2.0)
     summary = grade(course)
     assert (
         list(summary["to review"]["hw1"]) == ["bob"] and summary["assignments"]["hw1"]["ann"] == 10
@@ -1045,6 +1050,8 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         "changes.csv",
         "moodle.csv",
         "nbgrader.csv",
+        "items.csv",
+        "mail-merge.csv",
         "grades.json",
         "canvas.csv",
     ):

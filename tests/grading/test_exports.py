@@ -4,6 +4,7 @@ import csv
 import io
 import json
 import sys
+import zipfile
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -13,9 +14,10 @@ sys.path.insert(0, str(Path(__file__).parent))
 from classroom import graded
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, WRONG
+from workbook.grading.course import collecting, ledger
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.record import Change
-from workbook.grading.reports import canvas, exporting
+from workbook.grading.reports import canvas, exporting, handing_back
 from workbook.grading.reports.canvas import Gradebook
 from workbook.grading.reports.scores import scores
 
@@ -366,3 +368,83 @@ def test_gradescope_json(small):
         test["status"]
         for test in json.loads(exporting.gradescope_json(dan, {}, [], 0.0, 0.1))["tests"]
     }
+
+
+# The way back
+
+
+def collected(tmp_path, names):
+    """Collect files of these names, and return the lines of the ledger."""
+    with zipfile.ZipFile(tmp_path / "all.zip", "w") as archive:
+        for name in names:
+            archive.writestr(name, name)
+    collecting.collect(tmp_path / "all.zip", "hw1", tmp_path / "submitted")
+    return ledger.read(tmp_path / "submitted")
+
+
+def moodle_reads(name, participants):
+    """Return the participant and the name of a feedback file, as Moodle's importer splits it."""
+    _, number, plugin_type, plugin, file = name.split("_", 4)
+    assert (plugin_type, plugin) == ("assignsubmission", "file") and number in participants
+    return number, file
+
+
+def canvas_reads(name):
+    """Return the numbers of user and attachment, as Canvas infers them from a name."""
+    return [part for part in name.split("_") if part.isdigit()][:2]
+
+
+@pytest.mark.parametrize("flat", [False, True])
+def test_moodle_knows_whose_each_page_is(tmp_path, flat):
+    mark = "_" if flat else "/"
+    names = [
+        f"Ann Äble_1101_assignsubmission_file{mark}a.ipynb",
+        f"Bob_7_assignsubmission_file{mark}b_9_c.ipynb",
+    ]
+    entries = collected(tmp_path, names)
+    pages = {entry.student: f"page of {entry.number}" for entry in entries}
+    archives = handing_back.archives(pages, entries)
+    assert list(archives) == ["feedback-moodle.zip"]
+    assert archives == handing_back.archives(pages, entries), "the same bytes"
+    with zipfile.ZipFile(io.BytesIO(archives["feedback-moodle.zip"])) as archive:
+        assert len(archive.namelist()) == 2
+        for name in archive.namelist():
+            number, file = moodle_reads(name, {"1101", "7"})
+            assert file == "feedback.html" and archive.read(name).decode() == f"page of {number}"
+
+
+def test_canvas_knows_whose_each_page_is(tmp_path):
+    names = [
+        "ableann_101_9001_ch1_5.ipynb",
+        "beebob_LATE_102_9002_x.zip",
+        "ceecid_103_9003_x.ipynb",
+    ]
+    entries = collected(tmp_path, names)
+    pages = {
+        entry.student: f"page of {entry.number}" for entry in entries if entry.student != "103"
+    }
+    archives = handing_back.archives(pages, entries)
+    assert list(archives) == ["feedback-canvas.zip"]
+    with zipfile.ZipFile(io.BytesIO(archives["feedback-canvas.zip"])) as archive:
+        assert {
+            tuple(canvas_reads(name)): archive.read(name).decode() for name in archive.namelist()
+        } == {
+            ("101", "9001"): "page of 101",
+            ("102", "9002"): "page of 102",
+        }
+        assert all(name.endswith("_feedback.html") for name in archive.namelist())
+
+
+def test_without_a_ledger_there_is_no_archive(small):
+    assert handing_back.archives({score.student: "" for score in small}, []) == {}
+
+
+def test_a_table_for_a_mail_merge(store, homework):
+    for student in ("ann@uni.example", "bob"):
+        graded(store, student, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
+    class_scores = scores(store, homework, ["dan"])
+    entry = ledger.Entry("hw1", "bob", "7", "=Bob")
+    names = {score.student: f"feedback/{score.student}.html" for score in class_scores}
+    _, ann, bob, dan = rows(handing_back.mail_merge(class_scores, [entry], names))
+    assert ann[0] == "ann@uni.example" and ann[-1] == "feedback/ann@uni.example.html"
+    assert bob[:3] == ["", "'=Bob", "bob"] and dan[-2] == "no"

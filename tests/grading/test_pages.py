@@ -5,8 +5,10 @@ import os
 import re
 import shutil
 import sys
+import time
 from html import unescape
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 import sympy as sp
@@ -21,11 +23,14 @@ from workbook.authoring.mistakes import mistake_sentence
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import describe, encode
 from workbook.checks.contract.verdict import INVALID, MISSING, RIGHT, UNCHECKED, WRONG, Verdict
+from workbook.grading import commands
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course.store import Attempt
 from workbook.grading.pool import judging
 from workbook.grading.pool.grader import from_plain, to_plain
+from workbook.grading.reports import points_by_hand
 from workbook.grading.reports.feedback import feedback
+from workbook.grading.reports.mathml import with_formulas
 from workbook.grading.reports.scores import of_student, scores
 from workbook.grading.reports.summary import summary
 from workbook.grading.sandbox.sandbox import Outcome
@@ -48,7 +53,8 @@ FIVE = {
 
 
 def shown(page):
-    """Return the text of a page with everything unfolded."""
+    """Return the text of a page with everything unfolded, and formulas in plain characters."""
+    page = re.sub(r'(?s)<math alttext="([^"]*)">.*?</math>', r"\1", page)
     return unescape(re.sub(r"<[^>]+>", " ", re.sub(r"(?s)<style>.*?</style>", "", page)))
 
 
@@ -103,6 +109,29 @@ def test_hints_are_those_of_the_notebook_and_folded(store, homework):
         hint in shown(feedback(homework, scores(store, homework)[1])) for hint in hints
     ), "what is right needs no hint"
     assert "<details>" not in feedback(homework, of_student("dan", homework, [], {}))
+
+
+@pytest.mark.parametrize("number", [exercise.number for exercise in exercises.read_all()])
+def test_every_formula_of_a_page_is_typeset(number):
+    page = page_of(
+        number, {name: Verdict(MISSING, "") for name in exercises.find(number).about["answers"]}
+    )
+    for formula in re.findall(r"<math.*?</math>", page):
+        ElementTree.fromstring(formula)  # well-formed
+    visible = re.sub(r"<[^>]+>", " ", page)
+    assert "$" not in visible and "\\" not in visible, "no formula is left in TeX"
+
+
+def test_each_item_has_its_system(store, homework):
+    page = page_of("2.3", {"b_unseen": Verdict(WRONG, "it is not in the kernel")})
+    for letter, end in zip("abcdefghi", "bcdefghi."):
+        assert page.count(f"<p>{letter}) ") == 1, end
+        assert page.index(f"<p>{letter}) ") < page.index(f"<code>{letter}_")
+    text = re.sub(r"\s+", " ", shown(section(page, "b_unseen")))
+    assert "the same basis for system b ( a_unseen : " in text
+    assert (
+        "$" not in with_formulas("$x$ and $\\dot x_1$") and with_formulas("$\\foo<$") == "foo&lt;"
+    )
 
 
 def test_feedback_links_to_the_theory_and_never_to_a_solution(store, homework):
@@ -193,6 +222,8 @@ ALLOWED = {
     "rect",
     "text",
     "line",
+    *("math", "mrow", "mi", "mn", "mo", "msub", "msup", "msubsup", "mfrac", "msqrt", "mover"),
+    *("mspace", "mtable", "mtr", "mtd"),
 }
 
 
@@ -377,7 +408,8 @@ def test_answers_with_equal_short_texts_are_not_identical(store, homework):
             [],
             {"a_region": str(k), "b_region": str(k // 2)},
         )
-    identical = summary(homework, scores(store, homework)).split("Identical wrong answers")[1]
+    page = summary(homework, scores(store, homework))
+    identical = page.split("Identical wrong answers")[1].split("<h2>")[0]
     assert (
         "[[1, ..., 9]]" not in identical
         and "[[2, ..., 9]]" in identical
@@ -472,6 +504,29 @@ def test_pages_fit_and_are_readable(driver, store, homework, tmp_path, width, th
             "return [...document.querySelectorAll('svg text')].every(t => "
             "t.getBoundingClientRect().height > 9)"
         )
+
+
+def test_points_typed_into_the_page_come_back(driver, store, tmp_path):
+    text = 'problems = ["1.17"]\n[by_hand]\nsketch = {points = 3, text = "a sketch"}\n'
+    homework = an_assignment(tmp_path, text)
+    graded(store, "ann", "1.17", {"a_region": RIGHT, "b_region": RIGHT})
+    commands.write(tmp_path / "graded" / "hw1", homework, scores(store, homework), "now")
+    (tmp_path / "down").mkdir()
+    driver.execute_cdp_cmd(
+        "Browser.setDownloadBehavior",
+        {"behavior": "allow", "downloadPath": str(tmp_path / "down")},
+    )
+    driver.get((tmp_path / "graded" / "hw1" / "by_hand.html").as_uri())
+    number, comment = driver.find_elements("css selector", "fieldset input")
+    number.send_keys("2.5")
+    comment.send_keys('=a "good" one; ω')
+    driver.find_element("css selector", "button").click()
+    table = tmp_path / "down" / "points.csv"
+    deadline = time.monotonic() + 20
+    while not table.exists() and time.monotonic() < deadline:
+        time.sleep(0.05)
+    assert points_by_hand.import_table(tmp_path / "graded", table) == 1
+    assert store.manual("hw1") == {("ann", "by_hand", "sketch"): (2.5, '=a "good" one; ω')}
 
 
 #: The least contrast of any text on the page to what lies behind it.

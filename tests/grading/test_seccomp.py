@@ -2,9 +2,11 @@
 
 import ctypes
 import errno
+import fcntl
 import platform
 import socket
 import struct
+from functools import partial
 
 import pytest
 
@@ -112,6 +114,52 @@ def test_sockets_of_confined_families_only():
     assert results.pop("unix") == results.pop("inet") == 0
     results.pop("inet6")  # allowed; not every machine has it
     assert set(results.values()) == {errno.EAFNOSUPPORT}
+
+
+def _locks(path):
+    """Return what a process learns of locks that another holds on a file it can only read."""
+    learned = []
+    with open(path) as file:
+        for lock in (fcntl.flock, fcntl.lockf):
+            try:
+                lock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
+                learned.append("free")
+            except BlockingIOError:
+                learned.append("locked")
+        for command in (fcntl.F_GETLK, fcntl.F_GETLEASE, fcntl.F_NOTIFY):
+            try:
+                fcntl.fcntl(file, command, struct.pack("hhqqi4x", fcntl.F_RDLCK, 0, 0, 0, 0))
+                learned.append("asked")
+            except PermissionError:
+                learned.append("denied")
+            except (OSError, TypeError):
+                learned.append("asked")
+    return learned
+
+
+def test_no_lock_passes_a_bit_to_another_notebook(tmp_path):
+    path = tmp_path / "library.py"
+    with open(path, "w") as file, open(path, "w") as other:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        fcntl.lockf(other, fcntl.LOCK_EX)
+        assert in_child(_locks, path, timeout=60)[:2] == ["locked", "locked"], "unguarded"
+        guarded = in_child(_under_the_filter, partial(_locks, path), timeout=60)
+    assert guarded == ["free", "free", "denied", "denied", "denied"]
+
+
+def _own_database(path):
+    import sqlite3
+
+    with sqlite3.connect(path) as database:
+        database.execute("CREATE TABLE a (b)")
+        database.execute("INSERT INTO a VALUES (1)")
+        database.commit()
+        return database.execute("SELECT b FROM a").fetchone()[0]
+
+
+def test_a_database_of_ones_own_can_be_used(tmp_path):
+    use = partial(_own_database, str(tmp_path / "own.sqlite"))
+    assert in_child(_under_the_filter, use, timeout=60) == 1
 
 
 def _ordinary_work():

@@ -176,27 +176,57 @@ def collect(
 
 
 def score(
-    student: Annotated[str, typer.Argument(help="Name of the student's folder.")],
-    homework: Homework,
-    problem: Annotated[str, typer.Argument(help='A problem such as "1.15".')],
-    answer: Annotated[str, typer.Argument(help="Variable of the answer, such as a_region.")],
+    student: Annotated[
+        str | None, typer.Argument(help="Name of the student's folder.", show_default=False)
+    ] = None,
+    homework: Annotated[
+        str | None,
+        typer.Argument(metavar="ASSIGNMENT", help="Name of the homework.", show_default=False),
+    ] = None,
+    problem: Annotated[
+        str | None, typer.Argument(help='A problem such as "1.15".', show_default=False)
+    ] = None,
+    answer: Annotated[
+        str | None,
+        typer.Argument(help="Variable of the answer, such as a_region.", show_default=False),
+    ] = None,
     points: Annotated[
         float | None, typer.Argument(help="From 0 to the points of the answer.")
     ] = None,
     comment: Annotated[str, typer.Option(help="For the student, shown on the feedback page.")] = "",
     remove: Annotated[bool, typer.Option("--remove", help="Remove points given by hand.")] = False,
+    export: Annotated[
+        Path | None,
+        typer.Option(help="Write a table (.csv) of all answers that wait for points by hand."),
+    ] = None,
+    import_: Annotated[
+        Path | None, typer.Option("--import", help="Read the points in such a table.")
+    ] = None,
     graded: Annotated[
         Path, typer.Option(help="Folder that workbook grade wrote (its --out).")
     ] = Path("graded"),
 ):
-    """Give points for one answer by hand, which replace the automatic ones until --remove."""
-    from workbook.grading.commands import score_by_hand
+    """Give points by hand, for one answer or by a table; they count until --remove."""
+    from workbook.grading.reports.pages import count
+    from workbook.grading.reports.points_by_hand import export_table, import_table, score_by_hand
 
-    if remove == (points is not None):
-        raise UserError("give either POINTS or --remove")
-    console.print(
-        score_by_hand(graded, student, homework, problem, answer, points, comment), markup=False
-    )
+    one_answer = answer is not None and remove != (points is not None)
+    no_answer = student is None and not remove and not comment
+    if (one_answer, export is not None, import_ is not None).count(True) != 1 or not (
+        one_answer or no_answer
+    ):
+        raise UserError(
+            "give STUDENT ASSIGNMENT PROBLEM ANSWER and either POINTS or --remove, or --export FILE "
+            "alone, or --import FILE alone"
+        )
+    if export is not None:
+        console.print(f"{export}: {count(export_table(graded, export), 'answer')}", markup=False)
+        return
+    if import_ is not None:
+        message = f"{import_}: points by hand for {count(import_table(graded, import_), 'answer')}"
+    else:
+        message = score_by_hand(graded, student, homework, problem, answer, points, comment)
+    console.print(message, markup=False)
     console.print("run workbook grade again to write tables and pages anew")
 
 
@@ -231,6 +261,7 @@ def new(
 ):
     """Make a homework folder: notebooks, a README, and assignment.toml with points and dates."""
     from workbook.grading.course.handing_out import due_date, due_text, make
+    from workbook.grading.reports.pages import count
 
     if own_numbers != (roster is not None):
         raise UserError("--numbers needs the class, --roster class.csv, and only --numbers does")
@@ -251,7 +282,7 @@ def new(
     )
     answers = sum(len(points) for points in homework.points.values())
     console.print(
-        f"{assignments / name}: {len(homework.problems)} problems, {answers} answers, "
+        f"{assignments / name}: {count(len(homework.problems), 'problem')}, {count(answers, 'answer')}, "
         f"{homework.max_points:g} points, "
         + (f"due {due_text(homework.due)}" if homework.due else "no due date"),
         markup=False,

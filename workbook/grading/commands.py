@@ -1,25 +1,34 @@
-"""The commands `workbook grade` and `workbook score`.
+"""The command `workbook grade`.
 
-The first grades with a progress bar, then writes tables and pages; the second gives points by hand.
+It grades with a progress bar, then writes tables and pages.
 """
 
 import hashlib
+import math
 from datetime import datetime
 from pathlib import Path
-from unicodedata import normalize
 
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course import course, record, submissions
+from workbook.grading.course import (
+    copying,
+    course,
+    ledger,
+    objections,
+    record,
+    submissions,
+    text_cells,
+)
 from workbook.grading.course.assignment import InputError
 from workbook.grading.course.store import Store
-from workbook.grading.reports import canvas, console_summary, exporting
+from workbook.grading.reports import canvas, console_summary, exporting, handing_back, statistics
 from workbook.grading.reports.feedback import feedback
 from workbook.grading.reports.pages import count
 from workbook.grading.reports.scores import scores
 from workbook.grading.reports.summary import summary
+from workbook.grading.reports.text_page import text_page
 from workbook.grading.sandbox.sandbox import Limits
 
 
@@ -108,17 +117,27 @@ def grade_course(
         "late": {},
         "to review": {},
         "changes": {},
+        "objections without a reply": {},
         "not in the roster": {},
         "handed in nothing": {},
         "time unknown": {},
     }
     now = datetime.now().astimezone().isoformat(timespec="seconds")
-    files = assignments.files(assignment_folder)
+    files, all_scores = assignments.files(assignment_folder), {}
     with Store(out / "grades.sqlite") as store:
         for name, assignment in homeworks.items():
             students = [*expected, *submissions.students(submitted)]
-            graded = scores(store, assignment, students, plan.aside)
-            changes = write(out / name, assignment, graded, now, roster, site)
+            graded = all_scores[name] = scores(store, assignment, students, plan.aside)
+            changes, waiting = write(
+                out / name,
+                assignment,
+                graded,
+                now,
+                roster,
+                site,
+                submitted,
+                plan.lines.get(name, {}),
+            )
             unknown = [
                 score.student
                 for score in graded
@@ -136,9 +155,10 @@ def grade_course(
                 if score.needs_review
             }
             result["changes"][name] = [vars(change) for change in changes]
+            result["objections without a reply"][name] = waiting
             result["not in the roster"][name] = unknown
             result["handed in nothing"][name] = [
-                score.student for score in graded if not score.handed_in
+                score.student for score in graded if score.is_absent
             ]
             result["time unknown"][name] = {
                 score.student: list(score.untimed) for score in graded if score.untimed
@@ -146,88 +166,70 @@ def grade_course(
             console_summary.print_summary(
                 console, out / name, assignment, graded, changes, files.get(name)
             )
+            console_summary.print_objections(console, out / name, waiting)
             if roster is not None:
                 console_summary.print_roster_differences(console, assignment, roster, unknown)
+    if len(homeworks) > 1:
+        _write_course(out, [(homeworks[name], all_scores[name]) for name in homeworks])
     return result
 
 
-def score_by_hand(graded, student, assignment, problem, answer, points, comment=""):
-    """Store a lecturer's points for one answer.
+def _write_course(out, graded):
+    """Write what concerns all homeworks: [(assignment, scores)]."""
+    in_time = sorted(
+        graded,
+        key=lambda pair: (pair[0].due.timestamp() if pair[0].due else math.inf, pair[0].name),
+    )
+    record.put(out / "course.csv", statistics.course_csv(in_time))
+    record.put(out / "course.html", statistics.course_page(in_time))
 
-    Parameters
-    ----------
-    graded : path
-        Folder of results.
-    student, assignment, problem, answer : str
-        Which answer.
-    points : float or None
-        None removes the points given by hand.
-    comment : str
-        For the student.
 
-    Returns
-    -------
-    str
-        A sentence for the lecturer.
+def write(folder, assignment, graded, now, roster=None, site="", submitted=None, lines=None):
+    """Write tables and pages of a homework into a folder; `lines` are the students' own of code.
 
-    Raises
-    ------
-    InputError
-        If there is no such answer, or it is not worth so many points.
+    Returns (the changes since last time, the students whose objection has no reply). What students
+    wrote beside answers, and the names that the system gave them, are read in `submitted`.
     """
-    student, assignment = normalize("NFC", student), normalize("NFC", assignment)
-    label = f"{student}, {assignment}, {problem} {answer}"
-    students = record.read(Path(graded) / assignment / "grades.json")["students"]
-    if not students:
-        raise InputError(
-            f"there are no grades of {assignment} in {graded}; run workbook grade first, or say "
-            "where with --graded"
+    name = assignment.name
+    texts = handed_in = entries = ()
+    if submitted is not None:
+        entries = [entry for entry in ledger.read(submitted) if entry.assignment == name]
+        handed_in = objections.handed_in(submitted, name)
+        texts = text_cells.read(submitted, name) if assignment.by_hand else ()
+    former = record.objections(folder / "grades.json")
+    all_objections = objections.updated(former, handed_in, folder / "replies", now)
+    changes, all_changes, written = record.compared(
+        folder / "grades.json", assignment, graded, now, all_objections
+    )
+    pages = {
+        score.student: feedback(
+            assignment, score, site, [o for o in all_objections if o.student == score.student]
         )
-    if student not in students:
-        raise InputError(
-            f"{assignment} has no student {student}; a folder of that name beside the others' "
-            "makes one known to workbook grade"
-        )
-    worth = {
-        (row["problem"], row["answer"]): row["max points"] for row in students[student]["answers"]
+        for score in graded
     }
-    if (problem, answer) not in worth:
-        raise InputError(
-            f"{assignment} asks for no {problem} {answer}; there are "
-            f"{', '.join(f'{p} {a}' for p, a in worth)}"
-        )
-    if points is not None and not 0 <= points <= worth[problem, answer]:
-        raise InputError(
-            f"{label} is worth {worth[problem, answer]:g} points; assignment.toml can make it more"
-        )
-    with Store(Path(graded) / "grades.sqlite") as store:
-        if points is not None:
-            store.set_manual(student, assignment, problem, answer, points, comment)
-            return f"{label}: {points:g} of {worth[problem, answer]:g} points by hand"
-        if not store.take_back(student, assignment, problem, answer):
-            raise InputError(f"{label} has no points by hand")
-        return f"{label}: the automatic points count again"
-
-
-def write(folder, assignment, graded, now, roster=None, site=""):
-    """Write tables and pages of a homework into a folder; return the changes since last time."""
-    changes, all_changes, written = record.compared(folder / "grades.json", assignment, graded, now)
+    page_names = {student: f"feedback/{page_name(student)}" for student in pages}
     files = {
         "grades.csv": exporting.grades_csv(assignment, graded),
         "changes.csv": exporting.changes_csv(all_changes),
         "moodle.csv": exporting.moodle_csv(assignment, graded),
         "nbgrader.csv": exporting.nbgrader_csv(assignment, graded),
-        "summary.html": summary(assignment, graded),
+        "mail-merge.csv": handing_back.mail_merge(graded, entries, page_names),
+        "items.csv": statistics.items_csv(assignment, graded),
+        "summary.html": summary(
+            assignment, graded, all_objections, copying.pairs(graded, lines or {})
+        ),
     }
-    files |= {
-        f"feedback/{page_name(score.student)}": feedback(assignment, score, site)
-        for score in graded
-    }
+    files |= {page_names[student]: page for student, page in pages.items()}
+    if assignment.by_hand:
+        files["by_hand.html"] = text_page(assignment, graded, dict(texts))
     if isinstance(roster, canvas.Gradebook):
         files["canvas.csv"] = canvas.canvas_csv(assignment, graded, roster)
-    for name, text in (files | {"grades.json": written}).items():  # grades.json last
-        record.put(folder / name, text)
-    return changes
+    to_hand_back = {score.student: pages[score.student] for score in graded if score.handed_in}
+    for archive, content in handing_back.archives(to_hand_back, entries).items():
+        record.put_bytes(folder / archive, content)
+    for file, text in (files | {"grades.json": written}).items():  # grades.json last
+        record.put(folder / file, text)
+    return changes, [objection.student for objection in all_objections if not objection.reply]
 
 
 def page_name(student):

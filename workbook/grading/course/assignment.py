@@ -14,22 +14,37 @@ It is one file, `assignment.toml`:
     "1.4" = 10                          # with an answer named below: the others share what is left
     "1.4.a_matrix" = 2                  # one answer
 
+    [by_hand]                           # optional: what a lecturer grades, free text or on paper
+    sketch = {points = 2, text = "the phase portrait of 1.4, on paper"}
+
+    [early]                             # optional: a bonus for work that comes early
+    days = 7                            # handed in so long before the due date,
+    share = 1.1                         # right answers have this share of their points
+
     [late]                              # optional; without it lateness is marked and costs nothing
     per_day = 0.1                       # the share of the points that each day begun takes
     floor = 0.5                         # optional: the share that is kept until the cut-off
     cutoff_days = 7                     # optional: later work has no points
+    # steps = [[7, 0.8], [14, 0.5]]     # in place of per_day: the share kept until so many days
 
-    [extensions]                        # optional: due dates of single students
+    [labels]                            # optional: groups of students
+    "extended time" = ["bob@uni.example", "cid@uni.example"]
+
+    [extensions]                        # optional: due dates of single students or labels
     "ann@uni.example" = 2026-10-08T23:59:00+03:00
+    "extended time" = 2026-10-04T23:59:00+03:00
+
+    [exemptions]                        # optional: what is not asked of a student or a label
+    "ann@uni.example" = ["1.15.e_region"]
 """
 
-import datetime
 import re
 import tomllib
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from workbook.grading.course.lateness import LateRule
+from workbook.grading.course import policy as policies
+from workbook.grading.course.policy import Policy
 from workbook.grading.sandbox.sanitising import normalise_name
 from workbook.notebooks import exercises
 
@@ -39,18 +54,25 @@ RESERVED_NAMES = {
     "grades.sqlite-wal",
     "grades.sqlite-shm",
     "grades.sqlite-journal",
+    "points-by-hand.csv",
+    "course.csv",
+    "course.html",
 }
+#: In the place of a problem, for what a lecturer grades by hand.
+BY_HAND = "by_hand"
 FIELDS = {
     "title",
     "problems",
-    "due",
     "attempt",
     "attempts",
     "direction",
     "points",
-    "late",
-    "extensions",
-}
+    BY_HAND,
+} | policies.FIELDS
+
+
+#: No due date, and nothing that depends on one.
+NO_POLICY = Policy()
 
 
 class InputError(ValueError):
@@ -73,37 +95,57 @@ class Assignment:
         The problems' numbers.
     points : dict
         {answer: points} by problem.
-    due : datetime.datetime or None
-        With a time zone.
+    policy : Policy
+        When it is due, for whom, and what the time does to the points.
     attempt : str
         Which attempt counts: "best" or "last".
     attempts : int or None
         How many attempts at a problem count.
-    late_rule : LateRule or None
-        What lateness costs; None is nothing.
-    extensions : dict
-        The due dates of students who have their own.
     direction : bool
         Whether verdicts say in which direction a number is wrong.
     numbers : dict or None
         {student: {problem: row}} where students have numbers of their own (`numbers.csv`).
+    by_hand : dict
+        What a lecturer grades by hand: {name: what it is}; its points are those of `BY_HAND`.
     """
 
     name: str
     title: str
     problems: tuple
     points: dict
-    due: datetime.datetime | None = None
+    policy: Policy = NO_POLICY
     attempt: str = "best"
     attempts: int | None = None
-    late_rule: LateRule | None = None
-    extensions: dict = field(default_factory=dict)
     direction: bool = False
     numbers: dict | None = None
+    by_hand: dict = field(default_factory=dict)
 
-    def due_of(self, student):
-        """Return the due date of a student, or None."""
-        return self.extensions.get(student, self.due)
+    @property
+    def due(self):
+        """The due date of the class, or None."""
+        return self.policy.due
+
+    def points_of(self, student):
+        """Return the points of the answers that are asked of a student.
+
+        The other answers share the points of those from which the student is exempt, each as it is
+        worth: so the homework is worth the same for all.
+        """
+        exempt = self.policy.exempt_of(student)
+        points = {
+            problem: {
+                answer: worth
+                for answer, worth in answers.items()
+                if not exempt & {problem, f"{problem}.{answer}"}
+            }
+            for problem, answers in self.points.items()
+        }
+        remaining = sum(sum(answers.values()) for answers in points.values())
+        factor = self.max_points / remaining if remaining else 1.0
+        return {
+            problem: {answer: worth * factor for answer, worth in answers.items()}
+            for problem, answers in points.items()
+        }
 
     def row(self, problem, student):
         """Return the row of numbers that a student has; 0 is the site's, None that there is none."""
@@ -185,9 +227,6 @@ def from_text(text, path):
         'problems is a list of numbers in quotes, ["1.4", "1.15"]',
     )
     _require(len(set(problems)) == len(problems), path, "problems names a problem twice")
-    due = table.get("due")
-    if due is not None:
-        _require_date(due, path, "due")
     attempt = table.get("attempt", "best")
     _require(attempt in ("best", "last"), path, 'attempt is "best" or "last"')
     attempts = table.get("attempts")
@@ -198,28 +237,20 @@ def from_text(text, path):
     )
     direction = table.get("direction", False)
     _require(type(direction) is bool, path, "direction is true or false, without quotes")
+    by_hand, points_by_hand = _by_hand(path, table.get(BY_HAND, {}))
+    points = _points(path, problems, table.get("points", {})) | points_by_hand
+    try:
+        policy = policies.read(table, points)
+    except policies.PolicyError as error:
+        raise AssignmentError(f"{path}: {error}") from None
     return Assignment(
-        name,
-        title.strip(),
-        tuple(problems),
-        _points(path, problems, table.get("points", {})),
-        due,
-        attempt,
-        attempts,
-        _late_rule(path, due, table.get("late")),
-        _extensions(path, due, table.get("extensions", {})),
-        direction,
+        name, title.strip(), tuple(problems), points, policy, attempt, attempts, direction, by_hand
     )
 
 
 def of_problems(name, problems):
     """Return an assignment without a file: one point an answer, no due date, the best attempt."""
     return Assignment(name, name, tuple(problems), _points(Path(name), problems, {}))
-
-
-def can_be_due(date):
-    """Return whether the date can be shown in every time zone."""
-    return 1970 < date.year < 9999
 
 
 def answers_of(problem):
@@ -282,50 +313,23 @@ def _points(path, problems, table):
     return points
 
 
-def _late_rule(path, due, table):
-    if table is None:
-        return None
+def _by_hand(path, table):
+    """Return ({name: what it is}, its points by `BY_HAND`) of what a lecturer grades."""
     _require(
         isinstance(table, dict)
-        and "per_day" in table
-        and table.keys() <= {"per_day", "floor", "cutoff_days"},
+        and all(
+            isinstance(item, dict)
+            and item.keys() == {"points", "text"}
+            and type(item["points"]) in (int, float)
+            and 0 <= item["points"] < 1e6
+            and isinstance(item["text"], str)
+            for item in table.values()
+        ),
         path,
-        "late is a table: [late], and below it per_day = 0.1, and perhaps floor and cutoff_days",
+        'by_hand is a table: [by_hand], and below it essay = {points = 2, text = "what it is"}',
     )
-    for key, value in table.items():
-        greatest = 10_000 if key == "cutoff_days" else 1
-        _require(
-            type(value) in (int, float) and 0 <= value <= greatest,
-            path,
-            f"late.{key} is a number from 0 to {greatest}",
-        )
-    _require(due is not None, path, "late needs a due date")
-    return LateRule(**table)
-
-
-def _extensions(path, due, table):
-    _require(
-        isinstance(table, dict),
-        path,
-        'extensions is a table: [extensions], and below it "ann" = 2026-10-08T23:59:00+03:00',
-    )
-    for student, date in table.items():
-        _require_date(date, path, f'extensions."{student}"')
-        _require(
-            due is not None and date >= due,
-            path,
-            f'extensions."{student}" is before the due date, or there is none',
-        )
-    return {normalise_name(student): date for student, date in table.items()}
-
-
-def _require_date(date, path, name):
-    _require(
-        isinstance(date, datetime.datetime) and date.tzinfo is not None,
-        path,
-        f"{name} is a date with time and zone, without quotes: 2026-10-01T23:59:00+03:00",
-    )
-    _require(can_be_due(date), path, f"{name} is a date of our time, from 1971 to 9998")
+    points = {name: float(item["points"]) for name, item in table.items()}
+    return {name: item["text"] for name, item in table.items()}, {BY_HAND: points} if points else {}
 
 
 def _require(condition, path, message):

@@ -3,11 +3,11 @@
 import fcntl
 import os
 from contextlib import closing, contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course import matching, numbers, student_folders, submissions
+from workbook.grading.course import copying, matching, numbers, student_folders, submissions
 from workbook.grading.course.store import Store
 from workbook.grading.course.submissions import LeftAside, Submission
 from workbook.grading.pool import grader, worker_pool
@@ -35,11 +35,14 @@ class Plan:
         How many notebooks have a result already.
     aside : tuple of LeftAside
         What is left aside.
+    lines : dict
+        The students' own lines of code: {homework: {student: set of lines}}.
     """
 
     pending: tuple
     graded_before: int
     aside: tuple
+    lines: dict = field(default_factory=dict)
 
 
 def grade(
@@ -122,6 +125,7 @@ def grade(
             _judgements(plan.pending, count, limits, bounds, trusting, cluster, forkserver)
         ) as judgements:
             for done, (task, judgement, task_limits) in enumerate(judgements, start=1):
+                judgement = grader.with_text_cells(judgement, task["names in text"])
                 store.record(
                     task["key"],
                     _version(task["exercise"], judgement.final, task_limits),
@@ -246,9 +250,23 @@ def _plan(copies, aside, homeworks, store, limits):
             "exercise": version,
             "trouble": submission.trouble,
             "sources": exercise.sources_to_run(submission.cells),
+            "names in text": submission.names_in_text,
             "names": list(exercise.about["answers"]),
         }
-    return Plan(tuple(pending.values()), graded_before, tuple(aside))
+    return Plan(tuple(pending.values()), graded_before, tuple(aside), _own_lines(copies))
+
+
+def _own_lines(copies):
+    """Return the own lines of code of each student, by homework and student."""
+    lines = {}
+    pristine = {
+        problem: copying.pristine_lines(exercises.find(problem))
+        for problem in {problem for _, _, problem, _ in copies}
+    }
+    for (student, name, problem, _), (submission, *_) in copies.items():
+        own = copying.own_lines(submission.cells, pristine[problem])
+        lines.setdefault(name, {}).setdefault(student, set()).update(own)
+    return lines
 
 
 def _by_attempt(entries, homeworks, aside_reasons, files):

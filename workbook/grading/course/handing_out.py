@@ -12,6 +12,7 @@ from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course.assignment import AssignmentError
+from workbook.grading.course.policy import can_be_due
 from workbook.notebooks import exercises
 
 #: A date, with or without a time, with or without a zone.
@@ -138,7 +139,7 @@ def due_date(text):
     try:
         # Python reads further forms, such as 2026-W40-4, to which no end of the day is added below.
         due = datetime.datetime.fromisoformat(text) if DATE.fullmatch(text) else None
-        if due is None or not assignments.can_be_due(due):
+        if due is None or not can_be_due(due):
             raise ValueError
     except ValueError:
         raise AssignmentError(
@@ -188,7 +189,9 @@ def _toml(title, problems, due, direction):
         "# floor = 0.5  # the share that is kept until the cut-off\n"
         "# cutoff_days = 7  # later work has no points\n\n"
         "# [extensions]\n"
-        '# "ann" = 2026-10-08T23:59:00+03:00  # a due date of her own\n'
+        '# "ann" = 2026-10-08T23:59:00+03:00  # a due date of her own\n\n'
+        "# [exemptions]\n"
+        f'# "bob" = [{_text(problems[-1])}]  # his other answers share its points\n'
     )
 
 

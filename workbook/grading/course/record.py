@@ -12,6 +12,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from workbook.grading.course.assignment import InputError
+from workbook.grading.course.objections import Objection
 
 
 @dataclass(frozen=True)
@@ -33,15 +34,16 @@ class Change:
 POINTS_CHANGED = "the assignment's points changed"
 LATENESS_CHANGED = "lateness counts otherwise"
 NOT_ASKED, ASKED_AGAIN = "the homework asks for it no longer", "the homework asks for it again"
+EXEMPT = "the student is exempt from it"
 #: In the place of a verdict.
 NO_VERDICT = "not asked for"
 
 
-def compared(path, assignment, scores, when):
+def compared(path, assignment, scores, when, objections=()):
     """Compare the scores with the grades written to `path`.
 
     Returns (changes since then, all changes so far, the text to write there now); `when` is the
-    time of the new changes as text.
+    time of the new changes as text, `objections` are all so far.
     """
     before, students = read(path), _students(scores, assignment.numbers)
     former = [Change(**change) for change in before["changes"]]
@@ -53,18 +55,27 @@ def compared(path, assignment, scores, when):
     )
     new += _asked_again(former, before["students"], students, when)
     all_changes = [*former, *new]
-    text = json.dumps(
-        {
-            "assignment": assignment.name,
-            "title": assignment.title,
-            "max points": assignment.max_points,
-            "students": students,
-            "changes": [vars(change) for change in all_changes],
-        },
-        ensure_ascii=False,
-        indent=1,
-    )
-    return new, all_changes, text + "\n"
+    head = {
+        "assignment": assignment.name,
+        "title": assignment.title,
+        "max points": assignment.max_points,
+    }
+    parts = [
+        *(f"{_json(key)}: {_json(value)}" for key, value in head.items()),
+        f'"students": {{\n{_lines(f"{_json(k)}: {_json(v)}" for k, v in students.items())}}}',
+        f'"changes": [\n{_lines(_json(vars(change)) for change in all_changes)}]',
+        f'"objections": [\n{_lines(_json(vars(objection)) for objection in objections)}]',
+    ]
+    return new, all_changes, f"{{{_lines(parts)}}}\n"
+
+
+def _json(value):
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _lines(entries):
+    """Return entries of JSON, one a line: a student's grades are a line, which can be compared."""
+    return ",\n".join(entries)
 
 
 def read(path):
@@ -97,8 +108,15 @@ def _check(grades):
             ):
                 raise TypeError
             answer["notebook"], answer["by hand"], answer["judged by"]
+    for objection in grades.get("objections", []):
+        Objection(**objection)
     for change in grades["changes"]:
         Change(**change).old_points + change["new_points"] + 0.0
+
+
+def objections(path):
+    """Return the objections on record in a file of grades; raises `InputError`."""
+    return [Objection(**objection) for objection in read(path).get("objections", [])]
 
 
 def put(path, text):
@@ -110,6 +128,9 @@ def put(path, text):
 def put_bytes(path, data):
     """Write a file completely or not at all; raises `InputError`."""
     temporary = path.with_name(f".{path.name[:100]}.writing")
+    with suppress(OSError):
+        if path.read_bytes() == data:  # renaming waits for the disk, once for each page of a class
+            return
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         temporary.write_bytes(data)
@@ -128,6 +149,7 @@ def _students(scores, numbers):
         score.student: {
             "points": score.points,
             "late": list(score.late),
+            "exempt": list(score.exempt),
             "needs review": score.needs_review,
             **({"numbers": numbers.get(score.student, {})} if numbers is not None else {}),
             "answers": [_answer(score, answer) for answer in score.answers],
@@ -167,7 +189,7 @@ def _changes(before, after, current_answers, when):
             was_absent = was["notebook"] is None and was["by hand"] is None
             if name not in now:
                 if was["points"] > 0:
-                    reason = "points by hand taken back" if name in current_answers else NOT_ASKED
+                    reason = _why_gone(name, after.get(student), current_answers)
                     changes.append(
                         Change(
                             when,
@@ -197,6 +219,13 @@ def _changes(before, after, current_answers, when):
                     )
                 )
     return changes
+
+
+def _why_gone(name, student, current_answers):
+    if name not in current_answers:
+        return NOT_ASKED
+    exempt = {name[0], ".".join(name)}.intersection(student["exempt"]) if student else ()
+    return EXEMPT if exempt else "points by hand taken back"
 
 
 def _asked_again(former, before, after, when):

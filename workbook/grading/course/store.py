@@ -1,6 +1,7 @@
 """The grade store: one SQLite file, with one transaction for each notebook.
 
-So a run that is killed loses nothing, and the next one grades nothing twice.
+So a run that is killed loses nothing, and the next one grades nothing twice. Points by hand, which
+no run could find again, are also in a table beside it, from which a new store takes them.
 """
 
 import json
@@ -12,7 +13,13 @@ from pathlib import Path
 
 from workbook.checks.contract.verdict import Verdict
 from workbook.grading.course.assignment import InputError
+from workbook.grading.course.csv_files import BOM, parse, quoted, read_text
 from workbook.grading.course.ledger import KNOWN
+from workbook.grading.course.record import put
+
+#: The table of all points by hand, beside the store.
+COPY = "points-by-hand.csv"
+COPY_HEADER = ["student", "assignment", "problem", "answer", "points", "comment", "entered"]
 
 SCHEMA = """
 CREATE TABLE IF NOT EXISTS attempt (
@@ -106,6 +113,7 @@ class Store:
             # The file may be of an older version.
             self._add_column("result", "hashes", "'{}'")
             self._add_column("attempt", "timing", "'known'")
+            self._restore_manual()
         except sqlite3.Error as error:
             raise self._error(error) from error
 
@@ -126,9 +134,14 @@ class Store:
             raise self._error(error) from error
 
     def _error(self, error):
+        if isinstance(error, sqlite3.OperationalError):
+            return StoreError(
+                f"{self.path}: {error}; what is stored in it is kept, and the same command goes on "
+                "from there"
+            )
         return StoreError(
-            f"{self.path}: {error}; what is stored in it is kept, and the same command goes on "
-            "from there"
+            f"{self.path}: {error}; move it away, with {self.path.name}-wal and -shm beside it, and "
+            f"run workbook grade: it grades all notebooks again, and takes points by hand from {COPY}"
         )
 
     @contextmanager
@@ -238,27 +251,52 @@ class Store:
 
     def set_manual(self, student, assignment, problem, answer, points, comment):
         """Store a lecturer's points, which replace the automatic ones until they are taken back."""
-        self._database.execute(
-            "INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)",
-            (
-                student,
-                assignment,
-                problem,
-                answer,
-                points,
-                comment,
-                datetime.now(UTC).isoformat(timespec="seconds"),
-            ),
-        )
+        self.set_points([(student, assignment, problem, answer, points, comment)])
+
+    def set_points(self, rows):
+        """Store the points of several rows as of `set_manual`, all or none."""
+        now = datetime.now(UTC).isoformat(timespec="seconds")
+        with self.transaction():
+            self._insert_manual([(*row, now) for row in rows])
+            self._write_copy()
 
     def take_back(self, student, assignment, problem, answer):
         """Remove a lecturer's points for an answer; return whether there were any."""
-        cursor = self._database.execute(
-            "DELETE FROM manual WHERE student = ? AND assignment = ? AND problem = ?"
-            " AND answer = ?",
-            (student, assignment, problem, answer),
-        )
+        with self.transaction():
+            cursor = self._database.execute(
+                "DELETE FROM manual WHERE student = ? AND assignment = ? AND problem = ?"
+                " AND answer = ?",
+                (student, assignment, problem, answer),
+            )
+            self._write_copy()
         return cursor.rowcount > 0
+
+    def _insert_manual(self, rows):
+        self._database.executemany(
+            "INSERT OR REPLACE INTO manual VALUES (?, ?, ?, ?, ?, ?, ?)", rows
+        )
+
+    def _write_copy(self):
+        rows = self._database.execute("SELECT * FROM manual ORDER BY entered, rowid").fetchall()
+        put(self.path.with_name(COPY), BOM + quoted([COPY_HEADER, *rows]))
+
+    def _restore_manual(self):
+        """Take points by hand from the table beside a store that has none."""
+        path = self.path.with_name(COPY)
+        empty = self._database.execute("SELECT 1 FROM manual LIMIT 1").fetchone() is None
+        if not empty or not path.exists():
+            return
+        _, lines = parse(read_text(path))
+        try:
+            if not lines or lines[0] != COPY_HEADER:
+                raise ValueError("its columns are not those of points by hand")
+            rows = [(*row[:4], float(row[4]), *row[5:]) for row in lines[1:]]
+        except ValueError as error:
+            raise StoreError(
+                f"{path} is not as workbook score wrote it ({error}): correct it, or move it away"
+            ) from None
+        with self.transaction():
+            self._insert_manual(rows)
 
     def manual(self, assignment):
         """Return {(student, problem, answer): (points, comment)} entered by hand."""

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from workbook.grading.course import ledger
+from workbook.grading.course import ledger, objections
 from workbook.grading.course.assignment import RESERVED_NAMES
 from workbook.grading.course.ledger import KNOWN, UNKNOWN
 from workbook.grading.sandbox import submitted_file
@@ -49,6 +49,8 @@ class Submission:
         Why it cannot be read; else empty.
     timing : str
         What is known of the time: one of those in `ledger`.
+    names_in_text : tuple of str
+        What its cells of text assign, which is not run.
     """
 
     student: str
@@ -60,6 +62,7 @@ class Submission:
     cells: tuple
     trouble: str = ""
     timing: str = KNOWN
+    names_in_text: tuple = ()
 
 
 @dataclass(frozen=True)
@@ -196,6 +199,7 @@ def _of_homework(folder, student, assignment, times):
         sanitise_name(path.name)
         for path in times_by_path
         if not _is_system_file(path)
+        and not objections.is_objection(path)
         and path not in notebooks
         and not (stamped and path.name == TIMESTAMP)
         and not path.is_symlink()
@@ -207,7 +211,10 @@ def _of_homework(folder, student, assignment, times):
         # Other files in it are a student's work, though no notebook.
         owner = (
             (student, assignment)
-            if any(not _is_system_file(path) for path in times_by_path)
+            if any(
+                not (_is_system_file(path) or objections.is_objection(path))
+                for path in times_by_path
+            )
             else ()
         )
         reason = (
@@ -291,11 +298,11 @@ def _misplaced(path, student="", assignment=""):
 
 
 def _read(student, assignment, path):
-    content, cells, trouble, number = b"", (), "", None
+    content, cells, names, trouble, number = b"", (), (), "", None
     try:
         submitted = min(max(path.lstat().st_mtime, 0.0), MAX_TIME)
         content = submitted_file.content(path)
-        number, cells = submitted_file.notebook(content)
+        number, cells, names = submitted_file.notebook(content)
     except submitted_file.UnreadableFileError as error:
         trouble = str(error)
     except OSError as error:  # missing rights or a bad disk: not an attempt of the student's
@@ -315,4 +322,5 @@ def _read(student, assignment, path):
         number or submitted_file.number_of_name(path.stem),
         cells,
         trouble,
+        names_in_text=names,
     )

@@ -20,7 +20,7 @@ from workbook.grading.course import assignment as assignments
 from workbook.grading.course import matching, record, submissions
 from workbook.grading.course.store import Attempt
 from workbook.grading.gradescope.own_user import OwnUser
-from workbook.grading.pool.grader import unreadable_notebook
+from workbook.grading.pool.grader import unreadable_notebook, with_text_cells
 from workbook.grading.pool.judging import Bounds, judge
 from workbook.grading.reports import exporting
 from workbook.grading.reports.feedback import hints
@@ -47,10 +47,12 @@ def main(root=Path("/autograder")):
         attempts = _graded(matched, homework)
     # All that was handed in at once is one attempt: of two notebooks for a problem the better one
     # counts.
+    # Of what a lecturer grades by hand Gradescope knows nothing.
+    points = {problem: homework.points[problem] for problem in homework.problems}
     score = of_student(
         "student",
         dataclasses.replace(
-            homework, attempt="best", attempts=None, due=None, late_rule=None, extensions={}
+            homework, attempt="best", attempts=None, policy=assignments.NO_POLICY, points=points
         ),
         attempts,
         {},
@@ -154,6 +156,7 @@ def _graded(matched, homework):
                     ),
                     bounds,
                 )
+            judgement = with_text_cells(judgement, submission.names_in_text)
             attempts.append(
                 Attempt(
                     number,

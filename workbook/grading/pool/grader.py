@@ -22,6 +22,16 @@ def unreadable_notebook(exercise, trouble):
     )
 
 
+def with_text_cells(judgement, names):
+    """Add a remark on each missing answer among the `names` that cells of text assign."""
+    remarks = tuple(
+        f"notebook: {name} stands in a cell of text, which is not run: make it a code cell again"
+        for name in names
+        if name in judgement.verdicts and judgement.verdicts[name].status == MISSING
+    )
+    return replace(judgement, remarks=judgement.remarks + remarks)
+
+
 class Grader:
     """A sandbox and a judge that grade one task after the other; use it as a context manager.
 

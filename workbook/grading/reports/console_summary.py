@@ -59,11 +59,12 @@ def print_summary(console, folder, assignment, graded, changes, file):
         f"  {handed_in} of {len(graded)} students handed something in, {late} late; tables and "
         f"pages in {folder}"
     )
-    if absent := [score.student for score in graded if not score.handed_in]:
+    if absent := [score.student for score in graded if score.is_absent]:
         print_line(f"  handed in nothing: {', '.join(absent)}")
-    if unknown := assignment.extensions.keys() - {score.student for score in graded}:
+    if unknown := assignment.policy.students - {score.student for score in graded}:
         print_line(
-            f"  extensions in assignment.toml for nobody here: {', '.join(sorted(unknown))}",
+            "  extensions, exemptions or labels in assignment.toml for nobody here: "
+            f"{', '.join(sorted(unknown))}",
             style="yellow",
         )
     if untimed := sum(bool(score.untimed) for score in graded):
@@ -111,6 +112,17 @@ def print_summary(console, folder, assignment, graded, changes, file):
         print_line(f"    {_change_text(change)}", highlight=False)
     if len(changes) > MAX_LISTED:
         print_line(f"    and {len(changes) - MAX_LISTED} more, all in {folder / 'changes.csv'}")
+
+
+def print_objections(console, folder, students):
+    """Print which students' objections have no reply."""
+    if students:
+        console.print(
+            f"  objections without a reply: {', '.join(dict.fromkeys(students))}; "
+            f"{folder / 'summary.html'} has them, {folder / 'replies'}/STUDENT.md takes your reply",
+            markup=False,
+            style="yellow",
+        )
 
 
 def print_roster_differences(console, assignment, roster, unknown):

@@ -24,7 +24,7 @@ def grades_csv(assignment, scores):
     """
     header = [
         "student",
-        *assignment.problems,
+        *assignment.points,
         "total",
         "max",
         "handed in",
@@ -37,7 +37,9 @@ def grades_csv(assignment, scores):
             score.student,
             *(
                 decimal(sum(answer.points for answer in score.of_problem(problem)))
-                for problem in assignment.problems
+                if problem not in score.exempt
+                else "exempt"
+                for problem in assignment.points
             ),
             decimal(score.points),
             decimal(score.max_points),
@@ -48,7 +50,7 @@ def grades_csv(assignment, scores):
         ]
         for score in scores
     ]
-    return BOM + quoted([header, *(map(_without_formula, row) for row in rows)])
+    return BOM + quoted([header, *(map(without_formula, row) for row in rows)])
 
 
 def changes_csv(changes):
@@ -78,10 +80,10 @@ def changes_csv(changes):
         ]
         for change in changes
     ]
-    return BOM + quoted([header, *(map(_without_formula, row) for row in rows)])
+    return BOM + quoted([header, *(map(without_formula, row) for row in rows)])
 
 
-def _without_formula(cell):
+def without_formula(cell):
     """Return a cell that spreadsheets do not run as a formula, as they would =cmd().
 
     A signed number stays a number.
@@ -131,7 +133,7 @@ def nbgrader_csv(assignment, scores):
             if score.needs_review
             else (decimal(score.points + penalty), decimal(score.points))
         )
-        due = assignment.due_of(score.student)
+        due = assignment.policy.due_of(score.student)
         rows.append(
             [
                 assignment.name,
@@ -222,14 +224,20 @@ def _feedback(score):
     return "; ".join(
         f"{answer.problem} {answer.answer}: "
         + (
-            answer.verdict.status
-            + (f", late: {answer.share:.0%} of the points" if answer.late_penalty else "")
+            answer.verdict.status + _timing(answer)
             if answer.manual is None
             else f"{decimal(answer.points)} by hand"
             + (f" ({answer.manual})" if answer.manual else "")
         )
         for answer in score.answers
     )
+
+
+def _timing(answer):
+    """Say what the time of an attempt did to the points of a right answer."""
+    if answer.verdict.status != RIGHT or answer.share == 1:
+        return ""
+    return f", {'late' if answer.share < 1 else 'early'}: {answer.share:.0%} of the points"
 
 
 def _utc(seconds):

@@ -1,5 +1,11 @@
-"""Parts of HTML pages, each a single file without scripts and without external resources."""
+"""Parts of HTML pages, each a single file without external resources.
 
+A page runs no script but the one that it is made with, of which it names the hash: so nothing that a
+student writes can run.
+"""
+
+import base64
+import hashlib
 from html import escape
 
 #: The colours of the workbook's site; every text has a contrast of at least 4.5 to its background.
@@ -23,6 +29,7 @@ code { font: .9em ui-monospace, Menlo, Consolas, monospace; overflow-wrap: anywh
 .answer { background: var(--card); border: 1px solid var(--line); border-left: .3rem solid var(--tone, var(--line));
   border-radius: .3rem; padding: .5rem .8rem; margin: .5rem 0; }
 .answer header { display: flex; flex-wrap: wrap; gap: 0 1rem; justify-content: space-between; align-items: baseline; }
+.typed, pre { white-space: pre-wrap; } fieldset { border: 1px solid var(--line); margin: .4rem 0; }
 .verdict { color: var(--tone); font-weight: 600; } details { margin: .2rem 0; }
 summary { color: var(--accent); cursor: pointer; }
 .right { --tone: var(--right); } .wrong { --tone: var(--wrong); } .missing { --tone: var(--missing); }
@@ -38,15 +45,18 @@ svg { max-width: 100%; height: auto; display: block; } svg text { fill: var(--in
 """
 
 
-def page(title, subtitle, body):
-    """Return a whole page; `body` is HTML."""
+def page(title, subtitle, body, script=""):
+    """Return a whole page; `body` is HTML, `script` the only one that it may run."""
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    allowed = f"; script-src 'sha256-{digest}'" if script else ""
+    element = f"<script>{script}</script>" if script else ""
     return (
         '<!doctype html><html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
         '<meta http-equiv="Content-Security-Policy" content="default-src \'none\'; style-src '
-        f"'unsafe-inline'\"><title>{escape(title)}: "
+        f"'unsafe-inline'{allowed}\"><title>{escape(title)}: "
         f"{escape(subtitle)}</title><style>{STYLE}</style></head><body><h1>{escape(title)}<br><span "
-        f'class="soft">{person(subtitle)}</span></h1>{body}</body></html>\n'
+        f'class="soft">{person(subtitle)}</span></h1>{body}{element}</body></html>\n'
     )
 
 

@@ -8,10 +8,12 @@ pages say. So does the score of a student if something that was left aside may b
 from dataclasses import dataclass, field
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, UNCHECKED, Verdict
-from workbook.grading.course.ledger import KNOWN, LATE, UNKNOWN
+from workbook.grading.course.assignment import BY_HAND
+from workbook.grading.course.ledger import IN_TIME, KNOWN, LATE, UNKNOWN
 from workbook.grading.course.store import Attempt
 
 NOT_SUBMITTED = Verdict(MISSING, "nothing was submitted for this problem")
+FOR_LECTURER = Verdict(UNCHECKED, "your lecturer grades this by hand")
 NOT_FOUND = Verdict(MISSING, "no notebook for this problem was found, but something was left aside")
 
 
@@ -36,7 +38,7 @@ class AnswerScore:
     hash : str
         Of the whole answer: the same for equal answers.
     share : float
-        The share of its automatic points that lateness leaves.
+        The share of its automatic points that its time leaves, above 1 with an early bonus.
     """
 
     problem: str
@@ -54,7 +56,7 @@ class AnswerScore:
     def late_penalty(self):
         """The points that lateness takes."""
         is_right = self.verdict.status == RIGHT and self.by_hand is None
-        return self.max_points * (1 - self.share) if is_right else 0.0
+        return self.max_points * max(1 - self.share, 0.0) if is_right else 0.0
 
     @property
     def is_capped(self):
@@ -85,6 +87,8 @@ class StudentScore:
         What was left aside of the student's work.
     unusable : dict
         By problem, the remarks on the newest attempt if it could not be read or gave no answer.
+    exempt : tuple of str
+        Problems and answers that are not asked of the student.
     untimed : tuple of str
         Problems with a due date of whose counted attempt nobody knows when it was handed in, or by
         how much it is late where that matters.
@@ -99,6 +103,7 @@ class StudentScore:
     aside: tuple = ()
     unusable: dict = field(default_factory=dict)
     untimed: tuple = ()
+    exempt: tuple = ()
 
     @property
     def points(self):
@@ -135,6 +140,11 @@ class StudentScore:
         return bool(self.counted or self.aside) or any(
             answer.manual is not None for answer in self.answers
         )
+
+    @property
+    def is_absent(self):
+        """Whether something was asked of the student, who handed in nothing."""
+        return bool(self.answers) and not self.handed_in
 
     def of_problem(self, problem):
         """Return the `AnswerScore` of each answer of a problem."""
@@ -210,17 +220,22 @@ def of_student(student, assignment, attempts, manual, aside=()):
     """
     answers, counted, attempt_counts, to_review, unusable = [], {}, {}, [], {}
     no_verdict = NOT_FOUND if aside else NOT_SUBMITTED
-    due = assignment.due_of(student)
-    for problem, points in assignment.points.items():
+    policy = assignment.policy
+    due = policy.due_of(student)
+    for problem, points in assignment.points_of(student).items():
+        if not points:
+            continue
         of_problem = [attempt for attempt in attempts if attempt.problem == problem]
-        attempt_counts[problem] = len(of_problem)
+        if problem != BY_HAND:
+            attempt_counts[problem] = len(of_problem)
         graded = [
-            _graded(attempt, problem, points, manual, share=_share(attempt, due, assignment))
+            _graded(attempt, problem, points, manual, share=_share(attempt, policy))
             for attempt in of_problem[: assignment.attempts]
             if attempt.verdicts
         ]
+        waits = problem == BY_HAND and (attempts or aside or manual)
         chosen = _counting(graded, assignment.attempt) or _graded(
-            NO_ATTEMPT, problem, points, manual, no_verdict
+            NO_ATTEMPT, problem, points, manual, FOR_LECTURER if waits else no_verdict
         )
         answers += chosen.answers
         if chosen.attempt is not NO_ATTEMPT:
@@ -229,14 +244,14 @@ def of_student(student, assignment, attempts, manual, aside=()):
             unusable[problem] = of_problem[-1].remarks
         candidates = (
             [chosen]
-            if assignment.attempt == "last"
+            if assignment.attempt == "last" or not graded
             else [attempt for attempt in graded if attempt.possible > chosen.sure]
         )
         # Each answer once: a lecturer's points for it count whichever attempt does.
         to_review += {
             answer.answer: answer for candidate in candidates for answer in candidate.unjudged
         }.values()
-    undecided = {UNKNOWN, LATE} if assignment.late_rule else {UNKNOWN}
+    undecided = {UNKNOWN, *([LATE] if policy.late else []), *([IN_TIME] if policy.early else [])}
     return StudentScore(
         student,
         tuple(answers),
@@ -247,6 +262,7 @@ def of_student(student, assignment, attempts, manual, aside=()):
         tuple(aside),
         unusable,
         tuple(p for p, attempt in counted.items() if due and attempt.timing in undecided),
+        tuple(sorted(policy.exempt_of(student))),
     )
 
 
@@ -257,11 +273,9 @@ def _is_late(attempt, due):
     return attempt.timing == LATE
 
 
-def _share(attempt, due, assignment):
-    """Return the share of its points that an attempt keeps; all, where no time is known."""
-    if assignment.late_rule is None or attempt.timing != KNOWN:
-        return 1.0
-    return assignment.late_rule.share(attempt.submitted - due.timestamp())
+def _share(attempt, policy):
+    """Return the share of its points that an attempt has; all, where no time is known."""
+    return policy.share(attempt.student, attempt.submitted) if attempt.timing == KNOWN else 1.0
 
 
 #: In place of the attempt of a student who handed nothing in.

@@ -10,18 +10,21 @@ from collections import Counter, defaultdict
 from html import escape
 
 from workbook.checks.contract.verdict import MISSING, RIGHT, STATUSES, WRONG
+from workbook.grading.course.assignment import BY_HAND
 from workbook.grading.reports.other_numbers import right_for_others
 from workbook.grading.reports.pages import answer_name, count, page, person, points, table
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?\d+(\.\d*)?(e[-+]?\d+)?")
 
 
-def summary(assignment, scores):
-    """Return the page as HTML, from the scores of the whole class."""
+def summary(assignment, scores, objections=(), pairs=()):
+    """Return the page as HTML, from scores, objections and what pairs share in the whole class."""
     handed_in = [score for score in scores if score.handed_in]
     parts = [_overview(assignment, scores, handed_in)]
     if any(score.to_review for score in scores):
         parts += ["<h2>To be looked at</h2>", _to_review(assignment, scores)]
+    if objections:
+        parts += ["<h2>Objections</h2>", _objections(objections)]
     if any(score.aside for score in scores):
         parts += ["<h2>Left aside</h2>", _aside(scores)]
     if any(score.unusable for score in scores):
@@ -38,6 +41,8 @@ def summary(assignment, scores):
             _failures(handed_in),
             "<h2>Identical wrong answers</h2>",
             _identical(handed_in),
+            "<h2>What two students share and few others have</h2>",
+            _pairs(pairs),
         ]
     if assignment.numbers is not None:
         parts += ["<h2>Right for other numbers</h2>", right_for_others(assignment, handed_in)]
@@ -59,7 +64,7 @@ def _overview(assignment, scores, handed_in):
             f"{points(assignment.max_points)} points, the mean is "
             f"{points(statistics.mean(reached))}"
         )
-    absent = [person(score.student) for score in scores if not score.handed_in]
+    absent = [person(score.student) for score in scores if score.is_absent]
     return f"<p>{'; '.join(sentences)}.</p>" + (
         f"<p>Nothing was handed in by {', '.join(absent)}.</p>" if absent else ""
     )
@@ -78,6 +83,20 @@ def _to_review(assignment, scores):
         "<p>These could not be judged and may still raise the grade. Give points with "
         f"<code>{command}</code>, then grade again.</p>"
         + table(("student", "answer", "what was given, and why it was not judged"), rows)
+    )
+
+
+def _objections(objections):
+    rows = [
+        f"<tr><td>{person(objection.student)}</td><td>{escape(objection.noted)}</td>"
+        f'<td class="typed">{escape(objection.text)}</td>'
+        f'<td class="typed">{escape(objection.reply) or "<em>no reply yet</em>"}</td></tr>'
+        for objection in sorted(objections, key=lambda objection: bool(objection.reply))
+    ]
+    return (
+        "<p>Write your reply to a student into <code>replies/STUDENT.md</code> beside this page, change "
+        "points with <code>workbook score</code> where that is due, then grade again.</p>"
+        + table(("student", "noted", "objection", "reply"), rows)
     )
 
 
@@ -158,6 +177,8 @@ def _hardest(scores):
     statuses = defaultdict(Counter)
     for score in scores:
         for answer in score.answers:
+            if answer.problem == BY_HAND:
+                continue
             statuses[answer.problem, answer.answer][answer.verdict.status] += 1
     rows = []
     for (problem, name), counts in sorted(statuses.items(), key=lambda item: item[1][RIGHT]):
@@ -237,3 +258,29 @@ def _identical(scores):
         for (problem, name, answer_hash), names in shared
     ]
     return table(("times", "answer", "given", "by"), rows)
+
+
+def _pairs(pairs, limit=30, listed=8):
+    """List what pairs share, with the number of students who have it."""
+    rows = []
+    for pair in pairs[:limit]:
+        entries = "".join(
+            f"<li><code>{escape(name)}</code> ({students} students)</li>"
+            for name, students in pair.shared[:listed]
+        )
+        more = len(pair.shared) - listed
+        if more > 0:
+            entries += f"<li>and {more} more</li>"
+        rows.append(
+            f"<tr><td>{' and '.join(map(person, pair.students))}</td>"
+            f"<td>{len(pair.shared)} {pair.kind}</td>"
+            f"<td><ul>{entries}</ul></td></tr>"
+        )
+    more = f"<p>{len(pairs) - limit} more pairs share less.</p>" if len(pairs) > limit else ""
+    return (
+        "<p>Whole notebooks, wrong answers in the same form, and lines of code, as far as at most a "
+        "twentieth of the class or three students have them. This decides nothing: a common source or "
+        "the same thought looks alike.</p>"
+        + table(("students", "share", "what, and how common"), rows)
+        + more
+    )

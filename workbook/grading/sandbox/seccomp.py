@@ -10,9 +10,12 @@ A notebook's process installs it before the first cell. Denied are:
 - limits of the notebook's own making, by which the kernel would kill it in a way that looks like a
   failure of the grader;
 - another treatment of SIGCHLD, since the processor time of children that nobody waits for is not
-  counted.
+  counted;
+- news of what others do with a file: all notebooks see the same libraries, and a lock, a lease or a
+  watch on one of these would pass bits from one running notebook to another.
 
-Everything else is allowed.
+A lock is granted without being taken, for programs that lock their own files. Everything else is
+allowed.
 """
 
 import ctypes
@@ -70,6 +73,8 @@ DENIED = {
     "userfaultfd": (323, 282),
     "fanotify_init": (300, 262),
     "open_by_handle_at": (304, 265),
+    "inotify_init1": (294, 26),
+    "inotify_add_watch": (254, 27),
     "io_uring_setup": (425, 425),
     "io_uring_enter": (426, 426),
     "io_uring_register": (427, 427),
@@ -82,6 +87,10 @@ CLONE, CLONE3, SOCKET, SOCKETPAIR, SETSOCKOPT = (
     (54, 208),
 )
 PRLIMIT, SIGACTION = (302, 261), (13, 134)
+FLOCK, FCNTL = (73, 32), (72, 25)
+#: Commands of `fcntl`: those that lock (two for a process, two for an open file), and those that ask
+#: for locks, leases and news of a folder.
+LOCKING, ASKING = (6, 7, 37, 38), (5, 36, 1024, 1025, 1026)
 #: Any of the flags with which `clone` would make a namespace.
 NEW_NAMESPACE = 0x7E020000
 FAMILIES = (socket.AF_UNIX, socket.AF_INET, socket.AF_INET6)
@@ -158,6 +167,14 @@ def _program(machine):
         SIGACTION[column],
         [_load(FIRST), *_if_equal(signal.SIGCHLD, _if_null(SECOND)), _return(ALLOW)],
     )
+    program += _if_equal(FLOCK[column], [_return(ERRNO)])  # success, without the call
+    commands = [
+        step
+        for numbers, result in ((LOCKING, ERRNO), (ASKING, ERRNO | errno.EPERM))
+        for number in numbers
+        for step in _if_equal(number, [_return(result)])
+    ]
+    program += _if_equal(FCNTL[column], [_load(SECOND), *commands, _return(ALLOW)])
     return b"".join([*program, _return(ALLOW)])
 
 

@@ -29,6 +29,8 @@ FILE_ERRORS = {errno.ELOOP, errno.ENXIO, errno.ENODEV}
 HANDED_OUT_NAME = re.compile(
     r"(?<![a-z0-9])ch0*([0-9]{1,3})(?:[ ._-]p?|p)0*([0-9]{1,3})(?![0-9])", re.IGNORECASE
 )
+#: A line of text that assigns a variable.
+ASSIGNED_NAME = re.compile(r"^[ ]{0,3}([A-Za-z_]\w{0,100})\s{0,9}=(?!=)", re.MULTILINE)
 SHORT_NAME = re.compile(r"0*([0-9]{1,3})[._-]p?0*([0-9]{1,3})(?:[^0-9].*)?", re.DOTALL)
 
 
@@ -62,11 +64,14 @@ def content(path):
 
 
 def notebook(content):
-    """Return (number in its metadata or None, sources of its code cells)."""
+    """Return (number in its metadata or None, sources of its code cells, names in its text cells).
+
+    The names are those that a cell of text assigns, as one does that was a code cell before.
+    """
     if len(content) <= LARGE_FILE:
         return _parse(content)
     try:
-        number, cells, trouble = in_child(_parse_within_limits, content, timeout=6 * SECONDS)
+        number, cells, names, trouble = in_child(_parse_within_limits, content, timeout=6 * SECONDS)
     except RuntimeError:
         raise UnreadableFileError(
             f"the file has {len(content) / 2**20:.0f} MB, and reading it took more time or memory "
@@ -74,7 +79,14 @@ def notebook(content):
         ) from None
     if trouble:
         raise UnreadableFileError(trouble)
-    return number, tuple(cells)
+    return number, tuple(cells), tuple(names)
+
+
+def text_cells(content):
+    """Return the texts of a notebook's cells that are no code, without those of a large file."""
+    if len(content) > LARGE_FILE:
+        return (f"(a notebook of {len(content) / 2**20:.0f} MB: open it to read its text)",)
+    return _parse_json(content)[1]
 
 
 def number_of_name(stem):
@@ -96,7 +108,7 @@ def _parse_within_limits(content):
     try:
         return [*_parse(content), ""]
     except UnreadableFileError as trouble:
-        return [None, [], str(trouble)]
+        return [None, [], [], str(trouble)]
 
 
 def _parse(content):
@@ -104,19 +116,28 @@ def _parse(content):
         raise UnreadableFileError("the file is empty")
     if content.startswith(b"PK\x03\x04"):
         raise UnreadableFileError("the file is a .zip archive with the name of a notebook")
-    try:
-        data = json.loads(content.decode("utf-8-sig"))
-        cells = tuple(_source(cell) for cell in _cells(data) if cell.get("cell_type") == "code")
-    except (UnicodeDecodeError, ValueError, RecursionError):
-        raise UnreadableFileError("the file is not a notebook (no JSON in UTF-8)") from None
-    except (KeyError, TypeError, AttributeError):
-        raise UnreadableFileError("the file is JSON, but not a notebook") from None
+    data, texts, cells = _parse_json(content)
     if sum(map(len, cells)) > MAX_CODE or len(cells) > MAX_CELLS:
         raise UnreadableFileError(
             f"the notebook holds more than {MAX_CODE // 2**20} MB of code, or more than "
             f"{MAX_CELLS} cells of it"
         )
-    return _number(data), cells
+    names = {name for text in texts[:MAX_CELLS] for name in ASSIGNED_NAME.findall(text[:MAX_CODE])}
+    return _number(data), cells, tuple(sorted(names)[:MAX_CELLS])
+
+
+def _parse_json(content):
+    """Return (data, sources of the cells of text, sources of the code cells)."""
+    try:
+        data = json.loads(content.decode("utf-8-sig"))
+        sources = {True: [], False: []}
+        for cell in _cells(data):
+            sources[cell.get("cell_type") == "code"].append(_source(cell))
+        return data, tuple(sources[False]), tuple(sources[True])
+    except (UnicodeDecodeError, ValueError, RecursionError):
+        raise UnreadableFileError("the file is not a notebook (no JSON in UTF-8)") from None
+    except (KeyError, TypeError, AttributeError):
+        raise UnreadableFileError("the file is JSON, but not a notebook") from None
 
 
 def _cells(data):

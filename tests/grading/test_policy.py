@@ -1,0 +1,174 @@
+"""Policies in `assignment.toml`: due dates, bonus, late credit, extensions, exemptions."""
+
+import sys
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+from classroom import an_assignment, graded
+
+from workbook.checks.contract.verdict import RIGHT, WRONG
+from workbook.grading.course import record
+from workbook.grading.reports import exporting
+from workbook.grading.reports.feedback import feedback
+from workbook.grading.reports.scores import scores
+
+#: The scenarios on dates and credit in PrairieLearn's documentation of its access control (June
+#: 2026): file, and the share of the points by student and time. Passwords, time limits within an
+#: exam and what is shown when are affairs of the system that hands out and takes in the work.
+HOMEWORK = 'problems = ["1.17"]\n'
+DUE = f"{HOMEWORK}due = 2025-02-15T23:59:59Z\n"
+SCENARIOS = {
+    "homework with a due date": (
+        DUE + "[late]\ncutoff_days = 0\n",
+        [("ann", "2025-02-15T23:59:59", 1), ("ann", "2025-02-16T00:00:00", 0)],
+    ),
+    "always open practice": (HOMEWORK, [("ann", "2025-01-15", 1), ("ann", "2031-01-15", 1)]),
+    "early bonus and late credit in steps": (
+        DUE + "[early]\ndays = 14\nshare = 1.1\n[late]\nsteps = [[7, 0.8], [14, 0.5]]\n",
+        [
+            ("ann", "2025-02-01T23:59:59", 1.1),
+            ("ann", "2025-02-02T00:00:00", 1),
+            ("ann", "2025-02-15T23:59:59", 1),
+            ("ann", "2025-02-16T00:00:00", 0.8),
+            ("ann", "2025-02-22T23:59:59", 0.8),
+            ("ann", "2025-02-23T00:00:00", 0.5),
+            ("ann", "2025-03-01T23:59:59", 0.5),
+            ("ann", "2025-03-02T00:00:00", 0),
+        ],
+    ),
+    "extended due date for a label": (
+        DUE
+        + '[late]\ncutoff_days = 0\n[labels]\n"Extended time" = ["bob"]\n'
+        + '[extensions]\n"Extended time" = 2025-02-22T23:59:59Z\n',
+        [("ann", "2025-02-20", 0), ("bob", "2025-02-20", 1), ("bob", "2025-02-23", 0)],
+    ),
+    "extended due date for a student, which goes before that of a label": (
+        DUE
+        + '[late]\ncutoff_days = 0\n[labels]\nA = ["ann", "bob"]\nB = ["ann", "cid", "bob"]\n'
+        + "[extensions]\nbob = 2025-02-18T00:00:00Z\n"
+        + "A = 2025-03-01T00:00:00Z\nB = 2025-02-22T00:00:00Z\n",
+        [
+            ("bob", "2025-02-17", 1),
+            ("bob", "2025-02-20", 0),
+            ("ann", "2025-02-21", 1),
+            ("ann", "2025-02-23", 0),  # of two labels the lower in the file
+            ("cid", "2025-02-21", 1),
+            ("dan", "2025-02-17", 0),
+        ],
+    ),
+}
+
+
+def seconds(text):
+    return datetime.fromisoformat(
+        f"{text}+00:00" if "T" in text else f"{text}T00:00:00+00:00"
+    ).timestamp()
+
+
+@pytest.mark.parametrize("name", SCENARIOS)
+def test_points_tables_and_pages_follow_the_policy(tmp_path, store, name):
+    text, rows = SCENARIOS[name]
+    homework = an_assignment(tmp_path, text)
+    for student, submitted, share in rows:
+        row = f"{student} {submitted}"
+        attempt = graded(
+            store, student, "1.17", {"a_region": RIGHT, "b_region": WRONG}, seconds(submitted)
+        )
+        (score,) = [s for s in scores(store, homework) if s.student == student]
+        assert score.points == pytest.approx(share), row
+        (line,) = [r for r in exporting.grades_csv(homework, [score]).split("\r\n") if student in r]
+        assert f'"{share:.2f}","{share:.2f}","2.00"' in line, row
+        assert (f"{share:.0%} of the points" in exporting.moodle_csv(homework, [score])) == (
+            share != 1
+        )
+        page = feedback(homework, score)
+        assert (" after the due date" in page or " before the due date" in page) == (share != 1), (
+            row
+        )
+        store._database.execute("DELETE FROM result WHERE attempt = ?", (attempt,))
+        store._database.execute("DELETE FROM attempt WHERE id = ?", (attempt,))
+
+
+def test_the_page_explains_what_the_time_did(tmp_path, store):
+    homework = an_assignment(tmp_path, SCENARIOS["early bonus and late credit in steps"][0])
+    for student, submitted in [("ann", "2025-01-31"), ("bob", "2025-02-18"), ("cid", "2025-04-01")]:
+        graded(store, student, "1.17", {"a_region": RIGHT, "b_region": RIGHT}, seconds(submitted))
+    ann, bob, cid = (feedback(homework, score) for score in scores(store, homework))
+    assert "at least 14 days before the due date: right answers have 1.1 times their points" in ann
+    assert "3 days after the due date (a day begun counts): right answers have 80% of their" in bob
+    assert "right answers have 0% of their points" in cid
+
+
+def test_an_extension_moves_the_bonus_and_is_on_the_page(tmp_path, store):
+    text = SCENARIOS["early bonus and late credit in steps"][0]
+    homework = an_assignment(tmp_path, text + "[extensions]\nbob = 2025-02-20T23:59:59Z\n")
+    assert homework.policy.share("bob", seconds("2025-02-06")) == 1.1
+    assert homework.policy.share("bob", seconds("2025-02-25")) == 0.8
+    graded(store, "bob", "1.17", {"a_region": RIGHT, "b_region": RIGHT}, seconds("2025-02-25"))
+    (score,) = scores(store, homework)
+    assert "by an extension from 2025-02-15 23:59" in feedback(homework, score)
+
+
+@pytest.mark.parametrize("timing, untimed", [("in time", True), ("known", False)])
+def test_a_bonus_needs_a_time(tmp_path, store, timing, untimed):
+    homework = an_assignment(tmp_path, DUE + "[early]\ndays = 1\nshare = 1.5\n")
+    graded(store, "ann", "1.17", {"a_region": RIGHT, "b_region": RIGHT}, content="x")
+    store.note_attempt("ann", "hw1", "1.17", "x", 0.0, timing)
+    (score,) = scores(store, homework)
+    assert (score.points, bool(score.untimed)) == (2 if untimed else 3, untimed)
+    assert ("has no bonus" in feedback(homework, score)) == untimed
+
+
+# Exemptions
+
+EXEMPT = (
+    'problems = ["1.17", "1.18"]\n[points]\n"1.17.a_region" = 3\n[labels]\nill = ["cid"]\n'
+    '[exemptions]\nbob = ["1.18"]\nill = ["1.17.a_region", "1.18"]\n"dan" = ["1.17", "1.18"]\n'
+)
+
+
+def test_other_answers_share_the_points_of_what_is_not_asked(tmp_path, store):
+    homework = an_assignment(tmp_path, EXEMPT)
+    for student in ("ann", "bob", "cid"):
+        graded(store, student, "1.17", {"a_region": RIGHT, "b_region": RIGHT})
+    ann, bob, cid, dan = scores(store, homework, students=["dan"])
+    assert [score.max_points for score in (ann, bob, cid, dan)] == [6, 6, 6, 0]
+    assert [score.points for score in (ann, bob, cid, dan)] == [4, 6, 6, 0]
+    assert [answer.points for answer in bob.answers] == [4.5, 1.5]
+    assert (ann.is_absent, dan.is_absent) == (False, False) and not dan.handed_in
+    assert "You are exempt from 1.18." in feedback(homework, bob)
+    assert "exempt" not in feedback(homework, ann)
+    lines = exporting.grades_csv(homework, [ann, bob, cid, dan]).split("\r\n")
+    assert lines[2].startswith('"bob","6.00","exempt","6.00","6.00"')
+    assert "dan" not in exporting.moodle_csv(homework, [ann, bob, cid, dan])
+
+
+def test_an_exemption_is_the_reason_of_a_change(tmp_path, store):
+    graded(store, "bob", "1.17", {"a_region": RIGHT, "b_region": RIGHT})
+    graded(store, "bob", "1.18", {"a_region": RIGHT, "b_region": RIGHT})
+    path = tmp_path / "grades.json"
+    before = an_assignment(tmp_path, EXEMPT.split("[labels]")[0])
+    path.write_text(record.compared(path, before, scores(store, before), "1")[2])
+    after = an_assignment(tmp_path, EXEMPT)
+    changes, _, _ = record.compared(path, after, scores(store, after), "2")
+    assert {(change.problem, change.why) for change in changes} == {
+        ("1.18", "the student is exempt from it"),
+        ("1.17", "the assignment's points changed"),
+    }
+
+
+def test_names_of_nobody_are_known(tmp_path):
+    homework = an_assignment(tmp_path, EXEMPT)
+    assert homework.policy.students == {"bob", "cid", "dan"}
+
+
+def test_the_policy_of_the_guide_is_one(tmp_path):
+    guide = Path(__file__).resolve().parents[2] / "book" / "guides" / "lecturer.md"
+    blocks = [block.split("```")[0] for block in guide.read_text().split("```toml\n")[1:]]
+    text = 'problems = ["1.15", "1.17"]\ndue = 2026-10-01T23:59:00+03:00\n'
+    homework = an_assignment(tmp_path, text + "\n".join(blocks))
+    assert homework.policy.early and homework.policy.late.steps and homework.by_hand
+    assert homework.policy.due_of("cid").day == 4 and homework.policy.due_of("ann").day == 8
