@@ -15,13 +15,13 @@ CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs page serve test test-quick test-page test-problem test-units clean
+.PHONY: help book book-student outputs mistakes page serve test test-quick test-page test-problem test-units clean
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 # Sphinx warns about a page only when it reads it: after a failed build all are to be read again.
-book: outputs page _build/wheels  ## execute what is stale and build the site in _build/html
+book: outputs mistakes page _build/wheels  ## execute what is stale and build the site in _build/html
 	$(BIN)/python book/build.py site || { rm -rf _build/.doctrees; exit 1; }
 	@rm -rf _build/html/wheels _build/html/run && cp -R _build/wheels $$(ls -d _build/run 2>/dev/null) _build/html
 
@@ -39,6 +39,10 @@ book-student: outputs page _build/wheels  ## build the edition without solutions
 
 outputs: $(INSTALLED)
 	$(BIN)/python book/build.py outputs
+
+# Each uses all cores: one after the other.
+mistakes: outputs
+	$(BIN)/python book/build.py mistakes
 
 # Python for the answer boxes of the pages, in _build/run.
 page: $(INSTALLED)

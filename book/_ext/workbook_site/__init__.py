@@ -4,6 +4,7 @@ catalogue         the problems of the edition that is being built, from their fr
 problem_pages     a problem's page: title, chips, download, answers and hints, labels for both editions
 listings          the list of all problems and the index by topic, made from the catalogue
 downloads         the students' notebooks and the wheel
+common_mistakes   wrong answers with their verdicts, folded after the checks of solved problems
 answer_boxes      boxes for answers that are checked in the page
 folding           statements; solutions, hints and code folded with the browser's own <details>
 figures           pictures with their number, their caption and alternative text
@@ -29,6 +30,7 @@ from workbook_site import (
     catalogue,
     cell_output,
     check_cases,
+    common_mistakes,
     downloads,
     explorers,
     figures,
@@ -51,6 +53,7 @@ EXTENSIONS = (
     problem_pages,
     listings,
     downloads,
+    common_mistakes,
     answer_boxes,
     folding,
     figures,
