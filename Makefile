@@ -25,11 +25,11 @@ book: outputs mistakes page _build/wheels  ## execute what is stale and build th
 	$(BIN)/python book/build.py site || { rm -rf _build/.doctrees; exit 1; }
 	@rm -rf _build/html/wheels _build/html/run && cp -R _build/wheels $$(ls -d _build/run 2>/dev/null) _build/html
 
-# The page of the checks stays out, its tables hold right answers, and so do the lectures, which work problems out.
+# The tables of the checks stay out, they hold right answers, and so do the lectures, which work problems out.
 # By plain sphinx-build, so that the book does not depend on Jupyter Book's own command.
 book-student: outputs page _build/wheels  ## build the edition without solutions in _build/student/html
 	@mkdir -p _build/student
-	@sed 's|solutions/|exercises/|; \|guides/checks|d; \|file: book/lectures|,\|glob: book/lectures|d' _toc.yml > _build/student/_toc.yml
+	@sed 's|solutions/|exercises/|; \|file: book/guides/cases|,\|glob: book/guides/cases|d; \|file: book/lectures|,\|glob: book/lectures|d' _toc.yml > _build/student/_toc.yml
 	@$(BIN)/jupyter-book config sphinx . >/dev/null
 	PYTHONPATH=book/_ext $(BIN)/sphinx-build $(SPHINX_FLAGS) -q -d _build/student/.doctrees \
 	  -D external_toc_path=_build/student/_toc.yml -D html_title="Controlled Motion, student edition" . _build/student/html || \

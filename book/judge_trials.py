@@ -22,6 +22,8 @@ from pathlib import Path
 
 import sympy as sp
 from execute import CURVE, EXECUTION, import_for, modules_loaded, run_in_parallel, shared_digest
+from sympy.core.relational import Relational
+from sympy.logic.boolalg import BooleanAtom, BooleanFunction
 
 from workbook import checks
 from workbook.authoring.master import master_paths, read
@@ -36,6 +38,8 @@ LEAST, MOST = 2, 4
 NUMBER = re.compile(r"-?\d[\w./]*")
 #: The value of a symbol in a message.
 VALUE = re.compile(r"(\w+) = (-?\d+(?:\.\d+)?(?:e-?\d+)?(?:/\d+)?)(?=[,;:]? )")
+#: Symbols are of SymPy's type Boolean, too.
+CONDITIONS = (Relational, BooleanFunction, BooleanAtom)
 INEQUALITIES = (sp.Gt, sp.Ge, sp.Lt, sp.Le)
 
 
@@ -205,12 +209,9 @@ def is_region(value, names):
     """Return whether an answer is a condition that compares two symbols of these names."""
     condition = _condition(value)
     return (
-        isinstance(condition, sp.logic.boolalg.Boolean)
+        isinstance(condition, CONDITIONS)
         and {symbol.name for symbol in condition.free_symbols} <= set(names)
-        and all(
-            isinstance(atom, INEQUALITIES)
-            for atom in condition.atoms(sp.core.relational.Relational)
-        )
+        and all(isinstance(atom, INEQUALITIES) for atom in condition.atoms(Relational))
         and not condition.has(sp.Not)
     )
 
@@ -237,7 +238,11 @@ def draw(answer, right, point):
 
 
 def _condition(value):
-    return sp.And(*value) if isinstance(value, (list, tuple)) and value else value
+    """Return a list of conditions as one; other values as they are."""
+    is_list = isinstance(value, (list, tuple)) and all(
+        isinstance(part, CONDITIONS) for part in value
+    )
+    return sp.And(*value) if is_list else value
 
 
 def _plain(condition, symbols):

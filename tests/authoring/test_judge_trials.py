@@ -92,6 +92,8 @@ def test_different_messages_are_selected_first(messages, selected):
         (sp.Ne(x, y), False),  # all but a line: nothing to hatch
         (sp.And(x > 0, z > 0), False),
         (x + y, False),
+        ([x, y], False),
+        ([[1, 0], [0, 1]], False),
         (sp.Interval(0, 1), False),
     ],
 )

@@ -15,7 +15,7 @@ numbering         numbers of equations and theorems follow their labels
 library           the pages of the library, by autodoc and numpydoc (`docstrings`)
 uses              links between the names of the library and the pages that use them
 lectures          blocks that only the notebook of a lecture shows
-check_cases       the page of the checks, from the tables that are their tests
+check_cases       answers that checks accept and reject, from the tables that are their tests
 search_index      the entries of the search, read by book/_static/search.js
 invalidation      what makes a page outdated, beyond its own text
 slim_environment  less of each page is kept from one build to the next
