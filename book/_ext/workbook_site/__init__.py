@@ -14,6 +14,7 @@ punctuation       a comma stays with the formula before it
 numbering         numbers of equations and theorems follow their labels
 library           the pages of the library, by autodoc and numpydoc (`docstrings`)
 uses              links between the names of the library and the pages that use them
+tiles             pages with their titles and pictures, for the front page
 lectures          blocks that only the notebook of a lecture shows
 check_cases       answers that checks accept and reject, from the tables that are their tests
 search_index      the entries of the search, read by book/_static/search.js
@@ -45,6 +46,7 @@ from workbook_site import (
     punctuation,
     search_index,
     slim_environment,
+    tiles,
     uses,
 )
 
@@ -64,6 +66,7 @@ EXTENSIONS = (
     uses,
     library,
     lectures,
+    tiles,
     check_cases,
     search_index,
     invalidation,
