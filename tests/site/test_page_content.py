@@ -230,3 +230,16 @@ def test_mistakes_are_only_in_the_edition_with_solutions(editions):
     assert seen > 1400
     for path in editions.student.rglob("*.html"):
         assert "common-mistake" not in path.read_text(encoding="utf-8"), path
+
+
+def test_the_front_page_has_tiles_with_pictures(editions):
+    for edition, count in ((editions.full, 9 + 11), (editions.student, 9)):
+        page = BeautifulSoup((edition / "book" / "index.html").read_text("utf-8"), "html.parser")
+        tiles = page.select(".tile")
+        assert len(tiles) == count and all(tile.img and tile.a for tile in tiles)
+        assert [mark.get_text(strip=True) for mark in page.select(".two-verdicts .mark")] == [
+            "✗",
+            "✓",
+        ]
+        preview = page.select_one("meta[property='og:image']")["content"]
+        assert (edition / "book" / preview).resolve().is_file()
