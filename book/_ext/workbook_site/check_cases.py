@@ -12,6 +12,7 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
+from trajlib.typesetting import typeset
 from workbook import checks
 from workbook.checks.contract.encoding import describe
 from workbook.checks.contract.reporting import MARKS
@@ -104,7 +105,8 @@ class WhatCounts(SphinxDirective):
         )
         shown = []
         for question, cases in module.QUESTIONS.items():
-            shown += [nodes.paragraph("", "", nodes.strong("", question)), _table(cases)]
+            title = f"<p><strong>{typeset(question)}</strong></p>"
+            shown += [nodes.raw("", title, format="html"), _table(cases)]
         return shown
 
 

@@ -18,7 +18,7 @@ def _rows(check, data, *rows):
 
 #: What is asked -> answers to it.
 QUESTIONS = {
-    "All equilibria of x' = y, y' = (6x − 43)(x + 1)": _rows(
+    "All equilibria of x' = y, y' = (6*x - 43)*(x + 1)": _rows(
         "equilibria",
         POINTS,
         ([[-1, 0], [sp.Rational(43, 6), 0]], "right", "exact, in any order"),
@@ -28,7 +28,7 @@ QUESTIONS = {
         ([{x: -1, y: 0}, {x: 7.17, y: 0}], "right", "dicts, as solve gives them"),
         ([[7.17, 0]], "wrong", "one of two"),
     ),
-    "For which p, q is x'' + (p − 2)x' + qx = 0 asymptotically stable?": _rows(
+    "For which p, q is x'' + (p - 2)*x' + q*x = 0 asymptotically stable?": _rows(
         "stability_region",
         REGION,
         (sp.And(p > 2, q > 0), "right", "a condition"),
@@ -39,7 +39,7 @@ QUESTIONS = {
         (p > 2, "wrong", "a necessary condition alone"),
         (p - 2, "invalid", "an expression instead of a condition"),
     ),
-    "A first integral of x' = y, y' = −4x": _rows(
+    "A first integral of x' = y, y' = -4*x": _rows(
         "first_integral",
         INTEGRAL,
         (2 * x**2 + y**2 / 2, "right", "the energy"),
@@ -47,7 +47,7 @@ QUESTIONS = {
         (x**2 + y**2, "wrong", "not constant along the motions"),
         (..., "missing", "the stub as it was"),
     ),
-    "Basis of the unobservable states for x' = 0, z = 2x₁ + x₂": _rows(
+    "Basis of the unobservable states for x' = 0, z = 2*x1 + x2": _rows(
         "unobservable_states",
         BASIS,
         ([[1, -2]], "right", "a list of one vector"),
