@@ -15,21 +15,23 @@ CORES := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help book book-student outputs page serve pdf bundle test test-quick test-page test-pdf test-problem test-units clean
+.PHONY: help book book-student outputs mistakes page serve pdf bundle test test-quick test-page test-pdf test-problem \
+  test-units clean
 
 help:  ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-14s%s\n", $$1, $$2}' $(MAKEFILE_LIST)
 
 # Sphinx warns about a page only when it reads it: after a failed build all are to be read again.
-book: outputs page _build/wheels  ## execute what is stale and build the site in _build/html
+book: outputs mistakes page _build/wheels  ## execute what is stale and build the site in _build/html
 	$(BIN)/python book/build.py site || { rm -rf _build/.doctrees; exit 1; }
 	@cd _build && rm -rf html/wheels html/run html/pdf html/bundle && cp -R wheels $$(ls -d run pdf bundle 2>/dev/null) html
 
-# The page of the checks stays out, its tables hold right answers, and so do the lectures, which work problems out.
+# The tables of the checks stay out, they hold right answers, and so do the lectures, which work problems out.
 # By plain sphinx-build, so that the book does not depend on Jupyter Book's own command.
 book-student: outputs page _build/wheels  ## build the edition without solutions in _build/student/html
 	@mkdir -p _build/student
-	@sed 's|solutions/|exercises/|; \|guides/checks\|book/downloads|d; \|file: book/lectures|,\|glob: book/lectures|d' _toc.yml > _build/student/_toc.yml
+	@sed 's|solutions/|exercises/|; \|file: book/guides/cases|,\|glob: book/guides/cases|d; \|book/downloads|d; \|file: book/lectures|,\|glob: book/lectures|d' \
+	  _toc.yml > _build/student/_toc.yml
 	@$(BIN)/jupyter-book config sphinx . >/dev/null
 	PYTHONPATH=book/_ext $(BIN)/sphinx-build $(SPHINX_FLAGS) -q -d _build/student/.doctrees \
 	  -D external_toc_path=_build/student/_toc.yml -D html_title="Controlled Motion, student edition" . _build/student/html || \
@@ -39,6 +41,10 @@ book-student: outputs page _build/wheels  ## build the edition without solutions
 
 outputs: $(INSTALLED)
 	$(BIN)/python book/build.py outputs
+
+# Each uses all cores: one after the other.
+mistakes: outputs
+	$(BIN)/python book/build.py mistakes
 
 # Python for the answer boxes of the pages, in _build/run.
 page: $(INSTALLED)

@@ -1,6 +1,7 @@
-"""The three steps that `make` calls to build the site; no module is loaded that no page needs.
+"""The steps that `make` calls to build the site; no module is loaded that no page needs.
 
     python book/build.py outputs    execute the pages that are stale (book/execute.py)
+    python book/build.py mistakes   judge the trials that are stale (book/judge_trials.py)
     python book/build.py page       pack Python for the answer boxes of the pages (book/engine/pack.py)
     python book/build.py site       read and write the pages that changed, as `jupyter-book build` does
 
@@ -24,12 +25,24 @@ sys.modules["debugpy"] = None
 
 def outputs():
     """Execute the stale pages; return the exit code."""
-    # some settings are read at the start of the interpreter
-    if not SETTINGS.items() <= os.environ.items():
-        os.execve(sys.executable, [sys.executable, *sys.argv], os.environ | SETTINGS)
+    _set_environment()
     from execute import main
 
     return main(ROOT)
+
+
+def mistakes():
+    """Judge the stale trials; return the exit code."""
+    _set_environment()
+    from judge_trials import main
+
+    return main(ROOT)
+
+
+def _set_environment():
+    """Begin anew with the settings: some are read at the start of the interpreter."""
+    if not SETTINGS.items() <= os.environ.items():
+        os.execve(sys.executable, [sys.executable, *sys.argv], os.environ | SETTINGS)
 
 
 def page():
@@ -61,4 +74,4 @@ def site():
 
 
 if __name__ == "__main__":
-    sys.exit({"outputs": outputs, "page": page, "site": site}[sys.argv[1]]())
+    sys.exit({"outputs": outputs, "mistakes": mistakes, "page": page, "site": site}[sys.argv[1]]())

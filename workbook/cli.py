@@ -146,7 +146,7 @@ def write_exercises(
     """Put student notebooks into a folder (--to), or regenerate them (in a checkout)."""
     if to is not None:
         changed = [str(path) for path in _copy_exercises(to, numbers)]
-        unchanged = "nothing is written: all these notebooks are there already"
+        summary = _copied_text(changed)
     elif (exercises.CHECKOUT / "solutions").is_dir():
         from workbook import authoring
 
@@ -154,13 +154,13 @@ def write_exercises(
             str(path.relative_to(exercises.CHECKOUT))
             for path in authoring.write_exercises(exercises.CHECKOUT, numbers or ())
         ]
-        unchanged = "all notebooks are in step with their masters"
+        summary = "\n".join(changed) or "all notebooks are in step with their masters"
     else:
         raise UserError(
             "there are no masters here; workbook exercises --to my-folder gives you notebooks to "
             "work on"
         )
-    print(json.dumps({"changed": changed}) if as_json else "\n".join(changed) or unchanged)
+    print(json.dumps({"changed": changed}) if as_json else summary)
 
 
 @app.command(name="new")
@@ -314,6 +314,14 @@ def _copy_exercises(folder, numbers):
             except OSError as error:
                 raise UserError(f"{path} cannot be written: {error.strerror}") from None
             yield path
+
+
+def _copied_text(paths):
+    """Return how many notebooks were written, and what to do with the first."""
+    if not paths:
+        return "nothing is written: all these notebooks are there already"
+    count = "1 notebook" if len(paths) == 1 else f"{len(paths)} notebooks"
+    return f"wrote {count}; open {paths[0]} in Jupyter, or check it by: workbook check {paths[0]}"
 
 
 def _print_verdict(name, verdict):

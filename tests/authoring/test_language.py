@@ -38,6 +38,7 @@ PHRASES = {
     r"canonical form by (control|observation)": "controllable canonical form",
     r"(theorem|test|condition|polynomial|criterion|transversality) is silent": "critical case",
     r"(lives?|living) alone": "decoupled systems",
+    r"(systems?|sticks?|equations?) (falls?|fall) apart": "decoupled systems",
     r"remembers? (itself|its past)": "coloured noise",
     r"(time|moment) of turning": "switching time",
 }
@@ -61,7 +62,9 @@ def private(phrase):
     return re.compile(rf"\b(?:{phrase})\b".replace(" ", r"\s+(?:#:?\s+)?"), re.IGNORECASE)
 
 
-PRIVATE = [private(phrase) for phrase in PHRASES]
+#: Phrases for which any plain sentence is better.
+ODD = r"filters? believes?|are to each other as|back into step|whoever (is|has|wants|takes|knows|begins|starts)"
+PRIVATE = [private(phrase) for phrase in (*PHRASES, ODD)]
 
 
 def private_phrases(text):
@@ -94,6 +97,7 @@ def test_the_glossary_lists_the_standard_terms():
         ("the method of Euler's time", []),
         ("the conditions of Theorem 1.4", []),
         ("where $M[q_i] = 0$", ["M[q"]),
+        ("the system falls apart; whoever knows $x$", ["system falls apart", "whoever knows"]),
         ("the Hurwitz criterion; $E[q_i] = 0$; the rest of the proof", []),
     ],
 )

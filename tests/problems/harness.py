@@ -11,7 +11,7 @@ from call_recorder import recorded_calls, recording_codes
 from forms import each_form
 
 from workbook import checks
-from workbook.checks.contract.check_cells import reported_names
+from workbook.checks.contract.check_cells import reported_names, with_one_answer
 from workbook.checks.contract.decoding import decode
 from workbook.checks.contract.encoding import encode
 from workbook.systems import Controlled
@@ -136,7 +136,7 @@ def data_of(master):
 def alone(master):
     """Return the check cell of each answer with its report reduced to this answer, compiled."""
     return {
-        name: compile(_only(source, name), "<check cell>", "exec")
+        name: compile(with_one_answer(source, name), "<check cell>", "exec")
         for source in master.code("check")
         for name in reported_names(source)
     }
@@ -220,11 +220,3 @@ def from_checks(module, caller):
         or caller.f_code.co_filename == "<check cell>"
         or caller.f_globals.get("__name__", "").startswith("workbook.checks")
     )
-
-
-def _only(source, name):
-    """Return the check cell with its report reduced to one answer."""
-    tree = ast.parse(source)
-    report = tree.body[-1].value
-    report.keywords = [keyword for keyword in report.keywords if keyword.arg == name]
-    return tree

@@ -212,3 +212,34 @@ def test_a_problem_without_items_has_one_solution_without_a_letter(pages):
             if len(titles) == 1
             else all("item" in title for title in titles)
         ), (path.name, titles)
+
+
+def test_mistakes_are_only_in_the_edition_with_solutions(editions):
+    """There each answer has a named fold of two to four; on paper only those the reader opened."""
+    seen = 0
+    for path in sorted(editions.full.glob(PROBLEM)):
+        page = BeautifulSoup(path.read_text(encoding="utf-8"), "html.parser")
+        for fold in page.select("details.mistakes"):
+            assert fold.summary.code.get_text() in fold.pre.get_text(), path
+            mistakes = fold.select(".common-mistake")
+            assert 1 <= len(mistakes) <= 4, path
+            for mistake in mistakes:
+                assert mistake.select_one(".workbook-verdict.wrong"), path
+                assert mistake.select_one(".question").get_text().startswith("Ask yourself: ")
+            seen += 1
+    assert seen > 1400
+    for path in editions.student.rglob("*.html"):
+        assert "common-mistake" not in path.read_text(encoding="utf-8"), path
+
+
+def test_the_front_page_has_tiles_with_pictures(editions):
+    for edition, count in ((editions.full, 9 + 11), (editions.student, 9)):
+        page = BeautifulSoup((edition / "book" / "index.html").read_text("utf-8"), "html.parser")
+        tiles = page.select(".tile")
+        assert len(tiles) == count and all(tile.img and tile.a for tile in tiles)
+        assert [mark.get_text(strip=True) for mark in page.select(".two-verdicts .mark")] == [
+            "✗",
+            "✓",
+        ]
+        preview = page.select_one("meta[property='og:image']")["content"]
+        assert (edition / "book" / preview).resolve().is_file()

@@ -9,9 +9,16 @@ name is loaded on first use.
 Conventions, those of the book: H = psi^T f - lambda_0 f_0 is maximised by the optimal control, psi'
 = -dH/dy, lambda_0 >= 0, and H = 0 along the extremal when the final time is free.
 
->>> from trajlib import pontryagin
->>> "Problem" in dir(pontryagin)
-True
+The fastest transfer of x1'' = u, |u| <= 1, from rest at x1 = 1 to rest at the origin takes two units
+of time:
+
+>>> import sympy as sp
+>>> from trajlib.pontryagin import Problem
+>>> x1, x2, u = sp.symbols("x1 x2 u")
+>>> cart = Problem({x1: x2, x2: u}, {u: (-1, 1)}, {x1: 1, x2: 0}, terminal=[x1, x2])
+>>> extremal = cart.solve()
+>>> round(extremal.duration, 9)
+2.0
 """
 
 from trajlib._lazy import lazy_names

@@ -4,6 +4,7 @@ catalogue         the problems of the edition that is being built, from their fr
 problem_pages     a problem's page: title, chips, download, answers and hints, labels for both editions
 listings          the list of all problems and the index by topic, made from the catalogue
 downloads         the students' notebooks and the wheel
+common_mistakes   wrong answers with their verdicts, folded after the checks of solved problems
 answer_boxes      boxes for answers that are checked in the page
 folding           statements; solutions, hints and code folded with the browser's own <details>
 figures           pictures with their number, their caption and alternative text
@@ -13,8 +14,9 @@ punctuation       a comma stays with the formula before it
 numbering         numbers of equations and theorems follow their labels
 library           the pages of the library, by autodoc and numpydoc (`docstrings`)
 uses              links between the names of the library and the pages that use them
+tiles             pages with their titles and pictures, for the front page
 lectures          blocks that only the notebook of a lecture shows
-check_cases       the page of the checks, from the tables that are their tests
+check_cases       answers that checks accept and reject, from the tables that are their tests
 search_index      the entries of the search, read by book/_static/search.js
 invalidation      what makes a page outdated, beyond its own text
 slim_environment  less of each page is kept from one build to the next
@@ -29,6 +31,7 @@ from workbook_site import (
     catalogue,
     cell_output,
     check_cases,
+    common_mistakes,
     downloads,
     explorers,
     figures,
@@ -43,6 +46,7 @@ from workbook_site import (
     punctuation,
     search_index,
     slim_environment,
+    tiles,
     uses,
 )
 
@@ -51,6 +55,7 @@ EXTENSIONS = (
     problem_pages,
     listings,
     downloads,
+    common_mistakes,
     answer_boxes,
     folding,
     figures,
@@ -61,6 +66,7 @@ EXTENSIONS = (
     uses,
     library,
     lectures,
+    tiles,
     check_cases,
     search_index,
     invalidation,

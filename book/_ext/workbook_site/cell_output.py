@@ -1,4 +1,4 @@
-"""Formulas typeset in what cells print; lines and columns stay as they are."""
+"""Formulas in outputs: what cells print is typeset, lines and columns stay; fractions are of full size."""
 
 from docutils import nodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
@@ -28,5 +28,21 @@ class TypesetPrinted(SphinxPostTransform):
                 )
 
 
+class FullSizeFractions(SphinxPostTransform):
+    """Shows fractions in the lines of outputs as large as in formulas of their own."""
+
+    default_priority = 150
+    formats = ("html",)
+
+    def run(self, **kwargs):
+        for output in self.document.findall(nodes.container):
+            if "cell_output" in output["classes"]:
+                for formula in output.findall(nodes.math):
+                    if r"\frac" in formula.astext():
+                        text = nodes.Text(rf"\displaystyle {formula.astext()}")
+                        formula.children = [text]
+
+
 def setup(app):
+    app.add_post_transform(FullSizeFractions)
     app.add_post_transform(TypesetPrinted)

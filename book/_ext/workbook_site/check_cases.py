@@ -1,4 +1,7 @@
-"""The page of the checks: accepted and rejected answers, from their tables of tests."""
+"""Accepted and rejected answers, from the tables of tests of the checks.
+
+`{what-counts}` shows students twenty rows, `{check-cases} structure` a theme to contributors.
+"""
 
 import importlib.util
 import re
@@ -9,35 +12,38 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
+from trajlib.typesetting import typeset
 from workbook import checks
 from workbook.checks.contract.encoding import describe
 from workbook.checks.contract.reporting import MARKS
 from workbook_site.docstrings import spans
 
+#: The folder of the rows for students.
+GUIDE = "guide"
+
 
 class CheckCases(SphinxDirective):
-    """Shows a section for each theme: a table for each check, then the known limits.
+    """Shows a section for each module of a theme: a table for each check, then the known limits.
 
-    A check is described in the theme of its module, or else in the first that has cases of it; the
+    A check is described in the section of its module, or else in the first that has cases of it; the
     others refer there.
     """
 
+    required_arguments = 1
+
     def run(self):
-        folder = Path(self.env.srcdir) / "tests" / "checks"
-        self.env.note_dependency(str(folder / "case.py"))
-        modules = {}
-        for path in sorted((folder / "cases").glob("*/*.py")):
-            self.env.note_dependency(str(path))
-            modules[path] = _load(path, folder)
+        modules = {
+            path: module for path, module in _modules(self.env).items() if path.parent.name != GUIDE
+        }
         described_in = find_descriptions(modules)
         return [
-            self._theme(
-                module, path.stem, {name for name in described_in if described_in[name] == path}
-            )
+            self._section(module, path, described_in)
             for path, module in modules.items()
+            if path.parent.name == self.arguments[0]
         ]
 
-    def _theme(self, module, theme, described):
+    def _section(self, module, path, described_in):
+        theme = path.stem
         section = nodes.section(
             "",
             nodes.title("", theme.replace("_", " ").capitalize()),
@@ -45,15 +51,16 @@ class CheckCases(SphinxDirective):
         )
         for name in dict.fromkeys(case.check for case in module.CASES):
             code = nodes.literal("", f"checks.{name}")
-            if name in described:
+            home = described_in[name]
+            if home == path:
                 purpose, *more = _paragraphs(attrgetter(name)(checks).__doc__)
                 anchor = nodes.target("", "", ids=[_anchor(name)])
                 section += nodes.paragraph("", "", anchor, code, *spans(f": {purpose}"))
                 section += [nodes.paragraph("", "", *spans(part)) for part in more]
             else:
-                section += nodes.paragraph(
-                    "", "", nodes.reference("", "", code, refid=_anchor(name), internal=True)
-                )
+                address = f"{home.parent.name}.html#{_anchor(name)}"
+                reference = nodes.reference("", "", code, refuri=address, internal=True)
+                section += nodes.paragraph("", "", reference)
             section += _table([case for case in module.CASES if case.check == name])
         if module.LIMITS:
             section += nodes.paragraph("", "", nodes.strong("", "Known limits"))
@@ -87,6 +94,29 @@ def find_descriptions(modules):
                 described_in[name] = path
             described_in.setdefault(name, path)
     return described_in
+
+
+class WhatCounts(SphinxDirective):
+    """Shows the rows for students: a table for each question."""
+
+    def run(self):
+        (module,) = (
+            module for path, module in _modules(self.env).items() if path.parent.name == GUIDE
+        )
+        shown = []
+        for question, cases in module.QUESTIONS.items():
+            title = f"<p><strong>{typeset(question)}</strong></p>"
+            shown += [nodes.raw("", title, format="html"), _table(cases)]
+        return shown
+
+
+def _modules(env):
+    """Return the tables of cases by their paths, and make the page depend on them."""
+    folder = Path(env.srcdir) / "tests" / "checks"
+    paths = sorted((folder / "cases").glob("*/*.py"))
+    for path in (folder / "case.py", *paths):
+        env.note_dependency(str(path))
+    return {path: _load(path, folder) for path in paths}
 
 
 def _table(cases):
@@ -126,3 +156,4 @@ def _load(path, folder):
 
 def setup(app):
     app.add_directive("check-cases", CheckCases)
+    app.add_directive("what-counts", WhatCounts)

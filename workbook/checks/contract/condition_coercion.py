@@ -14,7 +14,7 @@ from workbook.checks.contract.magnitude import grows_too_fast
 from workbook.checks.contract.verdict import Invalid, remark
 
 #: What a condition looks like, and no condition that any problem has for its answer.
-EXAMPLE_OF_CONDITION = "such as `x + 77 < y` or `sp.And(x + 77 < y, y < 99)`"
+EXAMPLE_OF_CONDITION = "such as `x < y` or `sp.And(x < y, y < z)`"
 #: Conditions are tried far out, at numbers of so many bits, and their powers are written out.
 FAR_BITS, LARGEST_POWER = 20, 200
 #: No answer has nearly as many relations; to work with more takes a time that grows faster than

@@ -1,0 +1,99 @@
+"""Tiles of the front page: pages with their titles and a picture each.
+
+Each line of `{tiles}` names a page, and where it has no picture of its own, the page to take one from:
+
+    ch1 ch1/lyapunov
+    lectures/basins
+
+The picture is the first that the page's cells draw, but rather one that is not wide. Pages that are
+not in the edition are left out, and with all of them the section.
+"""
+
+import re
+from pathlib import Path
+
+from docutils import nodes
+from jupyter_cache import get_cache
+from sphinx import addnodes
+from sphinx.util.docutils import SphinxDirective
+
+FOLDER = "_build/tiles"
+#: Width and height of a picture.
+SIZE = re.compile(r"""viewBox=["']\S+ \S+ ([\d.]+) ([\d.]+)""")
+
+
+class Tiles(SphinxDirective):
+    """Shows a section of tiles: its title, and a sentence about it if there is one."""
+
+    has_content = True
+    required_arguments = 1
+    final_argument_whitespace = True
+    option_spec = {"about": str}
+
+    def run(self):
+        tiles = nodes.container(classes=["tiles"])
+        for line in self.content:
+            page, *source = (f"book/{name}" for name in line.split())
+            if page in self.env.found_docs:
+                tiles += self._tile(page, *source or [page])
+        if not tiles.children:
+            return []
+        title = self.arguments[0]
+        section = nodes.section("", nodes.title("", title), ids=[nodes.make_id(title)])
+        if "about" in self.options:
+            section += nodes.paragraph("", self.options["about"])
+        section += tiles
+        return [section]
+
+    def _tile(self, page, source):
+        tile = nodes.container(classes=["tile"])
+        if picture := self._picture(source):
+            classes = (
+                ["wide"] if _is_wide(Path(self.env.srcdir, picture).read_text("utf-8")) else []
+            )
+            tile += nodes.image(uri=f"/{picture}", alt="", classes=classes)
+        title = addnodes.pending_xref(
+            "",
+            nodes.inline("", page),
+            refdomain="std",
+            reftype="doc",
+            reftarget=f"/{page}",
+            refexplicit=False,
+            refwarn=True,
+            refdoc=self.env.docname,
+        )
+        tile += nodes.paragraph("", "", title)
+        return tile
+
+    def _picture(self, page):
+        """Write the first picture of a page that was executed; return its path from the root."""
+        source = Path(self.env.doc2path(page))
+        self.env.note_dependency(str(source))
+        cache = get_cache(self.config.nb_execution_cache_path)
+        for record in cache.list_cache_records():
+            if record.uri == str(source):
+                pictures = _pictures(cache.get_cache_bundle(record.pk).nb)
+                for picture in sorted(pictures, key=_is_wide):
+                    file = Path(self.env.srcdir, FOLDER, f"{page.replace('/', '-')}.svg")
+                    file.parent.mkdir(parents=True, exist_ok=True)
+                    file.write_text(picture, encoding="utf-8")
+                    return file.relative_to(self.env.srcdir).as_posix()
+        return None
+
+
+def _pictures(notebook):
+    """Yield the drawn pictures; the stills of interactive figures have no viewBox."""
+    for cell in notebook.cells:
+        for output in cell.get("outputs", ()):
+            picture = output.get("data", {}).get("image/svg+xml", "")
+            if SIZE.search(picture):
+                yield picture
+
+
+def _is_wide(picture):
+    width, height = map(float, SIZE.search(picture).groups())
+    return width > 1.7 * height
+
+
+def setup(app):
+    app.add_directive("tiles", Tiles)
