@@ -11,7 +11,7 @@ import mpmath
 import sympy as sp
 from sympy.core.relational import Relational
 
-from workbook.checks.tools.conditions.decomposition import columns
+from workbook.checks.tools.conditions.decomposition import Cell, Decomposition
 from workbook.checks.tools.conditions.elimination import Elimination, half_tangent
 from workbook.checks.tools.conditions.evaluation import NOTHING, OPERATORS, sign
 from workbook.checks.tools.conditions.polynomial_form import (
@@ -21,9 +21,6 @@ from workbook.checks.tools.conditions.polynomial_form import (
     terms,
 )
 from workbook.checks.tools.conditions.real_roots import DIGITS
-
-#: A decomposition is made in so many variables.
-MOST_VARIABLES = 2
 
 
 def points_of_difference(readings, parameters, case, holds, restriction):
@@ -80,38 +77,39 @@ class _Search:
         }
 
     def points(self, claimed, condition):
+        """Yield points as `points_of_difference` does."""
+        every = self.case.every
         borders = self.elimination.borders([*claimed, condition])
         borders |= {s for s in self.variables.values() if _has_sign(s)}
         used = set().union(*(factor.free_symbols for factor in borders))
+        inner = {self.variables.get(s) for s in self.case.unknowns} if every else set()
         symbols = [t for t in self.variables.values() if t in used]
-        if (
-            used - set(symbols)
-            or len(symbols) > MOST_VARIABLES
-            or any(s.is_integer for s in symbols)
-        ):
+        # one that occurs in low powers only is projected away first
+        symbols.sort(key=lambda s: (s in inner, -_degree(borders, s)))
+        if used - set(symbols) or any(s.is_integer for s in symbols):
             raise Undecidable
-        inner = {self.variables.get(s) for s in self.case.unknowns} if self.case.every else set()
-        if (
-            not inner
-            and len(symbols) == 2
-            and _degree(borders, symbols[0]) < _degree(borders, symbols[1])
-        ):
-            symbols.reverse()  # resultants of smaller degree
-        factors = sorted(borders, key=lambda f: (len(f.free_symbols), str(f)))
-        for column in columns(factors, symbols):
-            cells = [_Values(cell, self) for cell in column]
-            if self.case.every:
-                # within a column only the unknown varies, if there is one
-                groups = [cells] if symbols and symbols[-1] in inner else [[cell] for cell in cells]
-                if len(inner & set(symbols)) == 2:
-                    raise Undecidable
-            else:
-                groups = [[cell] for cell in cells]
-            for group in groups:
-                if all(group[0].truth(claim) for claim in claimed) and all(
-                    cell.truth(condition) for cell in group
-                ):
-                    yield group[0].exact()
+        space = Decomposition(borders, symbols)
+        outer = len([s for s in symbols if s not in inner])
+        found = [*claimed] if every else [*claimed, condition]
+
+        def search(cell):
+            values = _Values(cell, space, self)
+            truths = [values.truth(part) for part in found]
+            if False in truths:
+                return
+            if len(cell.coordinates) < outer:
+                for upper in space.above(cell):
+                    yield from search(upper)
+            elif not every or holds_above(cell):
+                yield values.exact()
+
+        def holds_above(cell):
+            truth = _Values(cell, space, self).truth(condition)
+            return all(map(holds_above, space.above(cell))) if truth is None else truth
+
+        yield from search(Cell())
+        if not space.is_complete:
+            raise Undecidable
 
 
 def _has_sign(symbol):
@@ -131,51 +129,47 @@ def _degree(factors, symbol):
 
 
 class _Values:
-    """Values of all symbols of a polynomial form at the point of a cell."""
+    """Values of the symbols of a polynomial form at the point of a cell, as far as it has any."""
 
-    def __init__(self, cell, search):
-        self.cell, self._search, self._signs = cell, search, {}
+    def __init__(self, cell, space, search):
+        self._cell, self._search, self._signs = cell, search, {}
+        self.coordinates = dict(zip(space.symbols, cell.coordinates))
+        self._open = set(space.symbols[len(cell.coordinates) :])
 
     @functools.cached_property
     def _numbers(self):
-        form, numbers = (
-            self._search.form,
-            {symbol: coordinate.number for symbol, coordinate in self.cell.point.items()},
-        )
+        """Numbers of the symbols that have one; None of those that have none yet."""
+        numbers = {symbol: x.number for symbol, x in self.coordinates.items()}
         for symbol in self._search.variables.values():
-            numbers.setdefault(symbol, mpmath.mpf(_default(symbol)))
-        for angle, (cosine, sine) in form.circles.items():
+            free = None if symbol in self._open else mpmath.mpf(_default(symbol))
+            numbers.setdefault(symbol, free)
+        for angle, (cosine, sine) in self._search.form.circles.items():
             if angle in self._search.straight:
                 numbers[cosine], numbers[sine] = mpmath.mpf(-1), mpmath.mpf(0)
             else:
                 t = numbers[half_tangent(angle)]
-                numbers[cosine], numbers[sine] = (1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)
+                numbers[cosine] = None if t is None else (1 - t**2) / (1 + t**2)
+                numbers[sine] = None if t is None else 2 * t / (1 + t**2)
         return numbers
 
     def _number(self, symbol):
         if symbol not in self._numbers:
-            kind, base, *degree = self._search.form.definitions[symbol]
-            size, direction = self._fraction(base)
-            self._numbers[symbol] = (
-                size
-                if kind == "number"
-                else mpmath.mpf(direction)
-                if kind == "sign"
-                else abs(size)
-                if kind == "size"
-                else mpmath.root(size, degree[0])
-                if direction > 0
-                else mpmath.mpf(0)
-            )
+            self._numbers[symbol] = self._defined(*self._search.form.definitions[symbol])
         return self._numbers[symbol]
 
-    def _fraction(self, expression):
-        """Return value and sign of a rational function; zero where it has no value."""
-        numerator, denominator = as_fraction(expression)
-        if self.sign(numerator) * self.sign(denominator) == 0:
-            return mpmath.mpf(0), 0
+    def _defined(self, kind, base, degree=1):
+        numerator, denominator = as_fraction(base)
+        signs = self.sign(numerator), self.sign(denominator)
+        if None in signs:
+            return None
+        if 0 in signs:  # zero, or without a value
+            return mpmath.mpf(0)
+        if kind == "sign":
+            return mpmath.mpf(signs[0] * signs[1])
         value = self._value(numerator) / self._value(denominator)
-        return value, sign(value)
+        if kind == "root":
+            return mpmath.root(value, degree) if value > 0 else mpmath.mpf(0)
+        return abs(value) if kind == "size" else value
 
     def _value(self, polynomial):
         return sum(
@@ -186,18 +180,21 @@ class _Values:
     def sign(self, polynomial):
         """Return the sign of a polynomial; with a root in it a value of 60 zeros is zero."""
         if polynomial not in self._signs:
-            search, value = self._search, self._value(polynomial)
-            if polynomial.free_symbols & search.form.definitions.keys():
-                is_zero = abs(value) < NOTHING
-            else:
-                is_zero = (
-                    polynomial == 0 or search.elimination.factors(polynomial) & self.cell.vanishing
-                )
-            self._signs[polynomial] = 0 if is_zero else sign(value)
+            self._signs[polynomial] = self._sign(polynomial)
         return self._signs[polynomial]
 
+    def _sign(self, polynomial):
+        search = self._search
+        if any(self._number(symbol) is None for symbol in polynomial.free_symbols):
+            return None
+        value = self._value(polynomial)
+        if polynomial.free_symbols & search.form.definitions.keys():
+            return 0 if abs(value) < NOTHING else sign(value)
+        is_zero = polynomial == 0 or search.elimination.factors(polynomial) & self._cell.vanishing
+        return 0 if is_zero else sign(value)
+
     def truth(self, node):
-        """Return whether a condition in polynomial form holds."""
+        """Return whether a condition in polynomial form holds; None if that is open."""
         with mpmath.workdps(DIGITS):
             return self._truth(node)
 
@@ -205,19 +202,30 @@ class _Values:
         if node in (sp.true, sp.false):
             return bool(node)
         if isinstance(node, Relational):
-            numerator, denominator = as_fraction(node.lhs - node.rhs)
-            below = self.sign(denominator)
-            return below != 0 and OPERATORS[type(node)](self.sign(numerator) * below, 0)
-        if isinstance(node, sp.And):
-            return all(map(self._truth, node.args))
-        if isinstance(node, sp.Or):
-            return any(map(self._truth, node.args))
-        if isinstance(node, sp.Not):
-            return not self._truth(node.args[0])
-        if isinstance(node, sp.Xor):
-            return sum(map(self._truth, node.args)) % 2 == 1
+            numerator, denominator = map(self.sign, as_fraction(node.lhs - node.rhs))
+            if denominator == 0:
+                return False
+            if numerator is None or denominator is None:
+                return None
+            return OPERATORS[type(node)](numerator * denominator, 0)
+        if isinstance(node, (sp.And, sp.Or)):
+            absorbing = isinstance(node, sp.Or)
+            truths = set()
+            for part in node.args:
+                truths.add(self._truth(part))
+                if absorbing in truths:
+                    return absorbing
+            return None if None in truths else not absorbing
         if isinstance(node, sp.ITE):
-            return self._truth(node.args[1 if self._truth(node.args[0]) else 2])
+            test, yes, no = node.args
+            return self._truth(sp.Or(sp.And(test, yes), sp.And(sp.Not(test), no)))
+        truths = list(map(self._truth, node.args))
+        if None in truths:
+            return None
+        if isinstance(node, sp.Not):
+            return not truths[0]
+        if isinstance(node, sp.Xor):
+            return sum(truths) % 2 == 1
         raise Undecidable
 
     def exact(self):
@@ -233,8 +241,8 @@ class _Values:
             return sp.pi
         variable = self._search.variables[symbol]
         number = (
-            self.cell.point[variable].exact
-            if variable in self.cell.point
+            self.coordinates[variable].exact
+            if variable in self.coordinates
             else sp.Integer(_default(variable))
         )
         if variable is symbol:

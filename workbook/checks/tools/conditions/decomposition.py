@@ -1,9 +1,10 @@
-"""Cylindrical algebraic decomposition of the line and the plane, to decide a condition exactly.
+"""Cylindrical algebraic decomposition of a space into cells on which polynomials keep their signs.
 
-Collins 1975, with McCallum's projection, which in the plane is always valid: above a cell of the
-line between the zeros of all leading coefficients, discriminants and resultants the curves are
-graphs that do not meet. On every cell all polynomials have one sign, so that one point of it
-decides.
+Collins 1975, with Lazard's projection (leading and trailing coefficients, discriminants, resultants)
+and Lazard's evaluation, valid in any number of variables (McCallum, Parusinski and Paunescu 2019):
+above a cell of the projection the zeros of all polynomials are graphs that do not meet. Where the
+projection or the numbers above which zeros are looked for become too large some cells are left out;
+the others are still exact samples, also on the zeros of the polynomials.
 """
 
 import itertools
@@ -11,102 +12,136 @@ from dataclasses import dataclass
 
 import sympy as sp
 
+from workbook.checks.tools.conditions.elimination import irreducible_factors
 from workbook.checks.tools.conditions.evaluation import allowed, sign
 from workbook.checks.tools.conditions.polynomial_form import Undecidable
-from workbook.checks.tools.conditions.real_roots import (
-    cells_of_line,
-    cells_over,
-)
+from workbook.checks.tools.conditions.real_roots import cells_of_line, cells_over
 
-#: The most polynomials in two variables, their greatest degree in one of them, and the greatest
-#: degree of all polynomials in the projection together.
-MOST_CURVES, LARGEST_DEGREE, LARGEST_PROJECTION = 12, 12, 120
+#: The most polynomials with the same last variable, their greatest degree in one variable and their
+#: most terms; and the most cells above which others are made.
+MOST_POLYNOMIALS, LARGEST_DEGREE, MOST_TERMS, MOST_STACKS = 20, 12, 150, 400
 
 
 @dataclass(frozen=True)
 class Cell:
-    """A point of a cell.
+    """A point of a cell of the space of the first variables.
 
     Parameters
     ----------
-    point : dict
-        {symbol: Coordinate}.
+    coordinates : tuple of Coordinate
+        Their values.
     vanishing : frozenset of sympy.Expr
-        The polynomials of the decomposition that are zero there.
+        The polynomials in these variables that are zero there.
     """
 
-    point: dict
-    vanishing: frozenset
+    coordinates: tuple = ()
+    vanishing: frozenset = frozenset()
 
 
-def columns(factors, symbols):
-    """Yield the cells of a decomposition, those above one cell of the first symbol together.
+class Decomposition:
+    """The decomposition for irreducible polynomials; its cells are made when they are asked for.
 
     Parameters
     ----------
-    factors : list of sympy.Expr
-        Irreducible polynomials in the symbols.
+    factors : iterable of sympy.Expr
+        The polynomials.
     symbols : list of sympy.Symbol
-        At most two.
-
-    Yields
-    ------
-    list of Cell
-        All cells of one column; those over rational numbers come first.
-
-    Raises
-    ------
-    Undecidable
-        If there are too many polynomials, or too large ones.
+        The variables; the last one is projected away first.
     """
-    if not symbols:
-        yield [Cell({}, frozenset())]
-    elif len(symbols) == 1:
-        (symbol,) = symbols
-        cells = cells_of_line([sp.Poly(f, symbol) for f in factors])
-        for coordinate, indices in _allowed_cells(symbol, cells):
-            yield [Cell({symbol: coordinate}, frozenset(factors[k] for k in indices))]
-    elif len(symbols) == 2:
-        yield from _columns_of_plane(factors, *symbols)
-    else:
-        raise Undecidable
 
-
-def _columns_of_plane(factors, first, second):
-    curves = [f for f in factors if f.has(second)]
-    points = [f for f in factors if not f.has(second)]
-    polynomials = [sp.Poly(f, second) for f in curves]
-    if len(curves) > MOST_CURVES or any(
-        sp.degree(f, symbol) > LARGEST_DEGREE for f in curves for symbol in (first, second)
-    ):
-        raise Undecidable
-    projection = [sp.Poly(f, first) for f in [*points, *_projected(polynomials)] if f.has(first)]
-    if sum(p.degree() for p in projection) > LARGEST_PROJECTION:
-        raise Undecidable
-    for coordinate, indices in _allowed_cells(first, cells_of_line(projection)):
-        below = frozenset(points[k] for k in indices if k < len(points))
-        if coordinate.is_rational:
-            at = [sp.Poly(f.subs(first, coordinate.rational), second) for f in curves]
-            stack = cells_of_line(at)
-        else:
-            stack = cells_over(coordinate, [sp.Poly(f, first, second) for f in curves], second)
-        yield [
-            Cell({first: coordinate, second: height}, below | {curves[k] for k in vanishing})
-            for height, vanishing in _allowed_cells(second, stack)
+    def __init__(self, factors, symbols):
+        self.symbols, self.is_complete, self._stacks = list(symbols), True, 0
+        self._levels = [set() for _ in symbols]
+        self._add(factors)
+        for level in range(len(symbols) - 1, 0, -1):
+            polynomials = [sp.Poly(f, symbols[level]) for f in self._simplest(level)]
+            for polynomial in _projected(polynomials):
+                if _is_small(polynomial):
+                    self._add(irreducible_factors(polynomial))
+                else:
+                    self.is_complete = False
+        self._levels = [
+            [(f, sp.Poly(f, *self.symbols[: level + 1])) for f in self._simplest(level)]
+            for level in range(len(symbols))
         ]
+
+    def _add(self, factors):
+        for factor in factors:
+            level = max(map(self.symbols.index, factor.free_symbols))
+            self._levels[level].add(factor)
+
+    def _simplest(self, level):
+        factors = sorted(
+            self._levels[level], key=lambda f: (len(f.free_symbols), sp.count_ops(f), str(f))
+        )
+        if len(factors) > MOST_POLYNOMIALS:
+            self.is_complete = False
+        return factors[:MOST_POLYNOMIALS]
+
+    def above(self, cell):
+        """Return the cells above one of the space of fewer variables, over rational numbers first."""
+        level, self._stacks = len(cell.coordinates), self._stacks + 1
+        if self._stacks > MOST_STACKS:
+            self.is_complete = False
+            return []
+        symbol, factors = self.symbols[level], [f for f, _ in self._levels[level]]
+        try:
+            stack, vanishing = self._stack(cell, level)
+        except Undecidable:
+            self.is_complete = False
+            return []
+        return [
+            Cell(
+                (*cell.coordinates, coordinate),
+                cell.vanishing | vanishing | {factors[k] for k in indices},
+            )
+            for coordinate, indices in sorted(stack, key=lambda item: not item[0].is_rational)
+            if allowed(symbol, sign(coordinate.number))
+        ]
+
+    def _stack(self, cell, level):
+        """Return the cells of the line above a point, and the polynomials that vanish on all of it."""
+        involved = set().union(*(f.free_symbols for f, _ in self._levels[level]))
+        values = dict(zip(self.symbols, cell.coordinates))
+        irrational = [s for s, x in values.items() if s in involved and not x.is_rational]
+        if len(irrational) > 1:
+            raise Undecidable
+        vanishing, restricted = set(), []
+        for factor, polynomial in self._levels[level]:
+            for s in self.symbols[:level]:
+                if s in irrational:
+                    continue
+                number = values[s].rational if s in involved else sp.Integer(0)
+                value = polynomial.eval(s, number)
+                while value.is_zero:
+                    if irrational:
+                        raise Undecidable
+                    vanishing.add(factor)
+                    polynomial = polynomial.quo(sp.Poly(s - number, *polynomial.gens))
+                    value = polynomial.eval(s, number)
+                polynomial = value
+            restricted.append(polynomial)
+        if irrational:
+            return cells_over(values[irrational[0]], restricted, self.symbols[level]), vanishing
+        return cells_of_line(restricted), vanishing
+
+
+def _is_small(polynomial):
+    symbols = polynomial.free_symbols
+    if not symbols:
+        return True
+    polynomial = sp.Poly(polynomial, *symbols)
+    return max(polynomial.degree_list()) <= LARGEST_DEGREE and len(polynomial.terms()) <= MOST_TERMS
 
 
 def _projected(polynomials):
-    """Return leading coefficients, discriminants and resultants."""
-    yield from (p.LC() for p in polynomials)
-    yield from (p.discriminant() for p in polynomials if p.degree() > 1)
+    """Yield leading and trailing coefficients, discriminants and resultants that are not zero."""
+    for p in polynomials:
+        yield p.LC()
+        if p.TC() != 0:
+            yield p.TC()
+        if p.degree() > 1:
+            yield p.discriminant()
     for p, q in itertools.combinations(polynomials, 2):
-        yield p.resultant(q)
-
-
-def _allowed_cells(symbol, cells):
-    """Return the cells where a symbol has a sign that it may have; rational numbers first."""
-    return sorted(
-        (cell for cell in cells if allowed(symbol, sign(cell[0].number))),
-        key=lambda cell: not cell[0].is_rational,
-    )
+        if p.degree() * q.degree() <= LARGEST_DEGREE:
+            yield p.resultant(q)

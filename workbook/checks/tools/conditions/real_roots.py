@@ -153,7 +153,11 @@ def _root_over(alpha, polynomial, symbol, number):
     """Return the coordinate of a root over Q(alpha): a root of the norm of its polynomial."""
     (generator,) = alpha.polynomial.gens
     norm = sp.Poly(sp.resultant(alpha.polynomial, polynomial.as_expr(), generator), symbol)
-    return Coordinate(number, polynomial=norm)
+    for factor, _ in norm.factor_list()[1]:
+        for root in _rational_field_roots(factor):
+            if abs(root.number - number) < APART:
+                return root
+    raise Undecidable
 
 
 def _square_free(coefficients, field):
@@ -183,7 +187,7 @@ def _simple_roots(coefficients):
         return []
     try:
         roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=400)
-    except mpmath.NoConvergence:
+    except mpmath.libmp.NoConvergence:
         raise Undecidable from None
     if any(abs(a - b) < 10 * APART for a, b in itertools.combinations(roots, 2)):
         raise Undecidable
