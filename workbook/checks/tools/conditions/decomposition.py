@@ -18,8 +18,11 @@ from workbook.checks.tools.conditions.polynomial_form import Undecidable
 from workbook.checks.tools.conditions.real_roots import cells_of_line, cells_over
 
 #: The most polynomials with the same last variable, their greatest degree in one variable and their
-#: most terms; and the most cells above which others are made.
-MOST_POLYNOMIALS, LARGEST_DEGREE, MOST_TERMS, MOST_STACKS = 20, 12, 150, 400
+#: most terms; and the most coefficients, discriminants and resultants.
+MOST_POLYNOMIALS, LARGEST_DEGREE, MOST_TERMS, MOST_PROJECTED = 20, 12, 150, 200
+#: The most work on the lines above points: one for each, and over an irrational number the product
+#: of its degree and that of all polynomials.
+MOST_WORK = 500
 
 
 @dataclass(frozen=True)
@@ -50,12 +53,17 @@ class Decomposition:
     """
 
     def __init__(self, factors, symbols):
-        self.symbols, self.is_complete, self._stacks = list(symbols), True, 0
+        self.symbols, self.is_complete, self._work = list(symbols), True, 0
         self._levels = [set() for _ in symbols]
         self._add(factors)
+        projected = 0
         for level in range(len(symbols) - 1, 0, -1):
             polynomials = [sp.Poly(f, symbols[level]) for f in self._simplest(level)]
             for polynomial in _projected(polynomials):
+                projected += 1
+                if projected > MOST_PROJECTED:
+                    self.is_complete = False
+                    break
                 if _is_small(polynomial):
                     self._add(irreducible_factors(polynomial))
                 else:
@@ -80,10 +88,7 @@ class Decomposition:
 
     def above(self, cell):
         """Return the cells above one of the space of fewer variables, over rational numbers first."""
-        level, self._stacks = len(cell.coordinates), self._stacks + 1
-        if self._stacks > MOST_STACKS:
-            self.is_complete = False
-            return []
+        level = len(cell.coordinates)
         symbol, factors = self.symbols[level], [f for f, _ in self._levels[level]]
         try:
             stack, vanishing = self._stack(cell, level)
@@ -102,8 +107,8 @@ class Decomposition:
     def _stack(self, cell, level):
         """Return the cells of the line above a point, and the polynomials that vanish on all of it."""
         involved = set().union(*(f.free_symbols for f, _ in self._levels[level]))
-        values = dict(zip(self.symbols, cell.coordinates))
-        irrational = [s for s, x in values.items() if s in involved and not x.is_rational]
+        values = {s: x.resolved() for s, x in zip(self.symbols, cell.coordinates) if s in involved}
+        irrational = [s for s, x in values.items() if not x.is_rational]
         if len(irrational) > 1:
             raise Undecidable
         vanishing, restricted = set(), []
@@ -121,6 +126,10 @@ class Decomposition:
                     value = polynomial.eval(s, number)
                 polynomial = value
             restricted.append(polynomial)
+        degrees = sum(p.degree(self.symbols[level]) for p in restricted)
+        self._work += values[irrational[0]].polynomial.degree() * degrees if irrational else 1
+        if self._work > MOST_WORK:
+            raise Undecidable
         if irrational:
             return cells_over(values[irrational[0]], restricted, self.symbols[level]), vanishing
         return cells_of_line(restricted), vanishing
@@ -143,5 +152,4 @@ def _projected(polynomials):
         if p.degree() > 1:
             yield p.discriminant()
     for p, q in itertools.combinations(polynomials, 2):
-        if p.degree() * q.degree() <= LARGEST_DEGREE:
-            yield p.resultant(q)
+        yield p.resultant(q)

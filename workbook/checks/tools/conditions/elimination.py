@@ -76,7 +76,10 @@ class Elimination:
 def irreducible_factors(polynomial):
     """Return the irreducible factors of a polynomial over the rationals, without numbers."""
     terms(polynomial)  # raises Undecidable if it is none, or too large
-    return frozenset(factor for factor, _ in sp.factor_list(polynomial)[1])
+    if not polynomial.free_symbols:
+        return frozenset()
+    factors = sp.Poly(polynomial, *sorted(polynomial.free_symbols, key=str)).factor_list()[1]
+    return frozenset(factor.as_expr() for factor, _ in factors)
 
 
 def _without(polynomial, symbol, definition):

@@ -12,9 +12,9 @@ import functools
 import itertools
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
 
 import mpmath
+import numpy as np
 import sympy as sp
 from sympy.polys.densearith import dup_mul, dup_quo
 from sympy.polys.densetools import dup_diff
@@ -23,44 +23,71 @@ from sympy.polys.euclidtools import dup_gcd
 from workbook.checks.tools.conditions.polynomial_form import Undecidable
 
 #: Digits to which a root is computed, and by how much different ones differ at least.
-DIGITS, APART = 110, mpmath.mpf(10) ** -40
+DIGITS, APART = 90, mpmath.mpf(10) ** -40
 #: The greatest degree of a polynomial over a field with an algebraic number.
 LARGEST_OVER_FIELD = 24
 
 
 @dataclass(frozen=True)
 class Coordinate:
-    """A real number: rational, or a root of an irreducible polynomial with rational coefficients.
+    """A real number: rational, or an irrational root of a polynomial over the rationals.
 
     Parameters
     ----------
     number : mpmath.mpf
         Its value to `DIGITS` digits.
     rational : sympy.Rational or None
-        Its value, if it is rational.
+        Its value, if it is known to be rational.
     polynomial : sympy.Poly or None
-        A polynomial over the rationals with this root otherwise.
+        An irreducible polynomial with this root otherwise.
     """
 
     number: object
     rational: object = None
     polynomial: object = None
 
-    @cached_property
-    def exact(self):
-        """Its value as a SymPy number."""
-        if self.rational is not None:
-            return self.rational
-        for factor, _ in self.polynomial.factor_list()[1]:
-            for root in factor.real_roots():
-                with mpmath.workdps(DIGITS):
-                    if abs(mpmath.mpmathify(root.evalf(60)) - self.number) < APART:
-                        return root
-        raise Undecidable
+    def resolved(self):
+        """Return itself, with what is known of it."""
+        return self
 
     @property
     def is_rational(self):
         return self.rational is not None
+
+    @property
+    def exact(self):
+        """Its value as a SymPy number."""
+        if self.is_rational:
+            return self.rational
+        for root in self.polynomial.real_roots():
+            with mpmath.workdps(DIGITS):
+                if abs(mpmath.mpmathify(root.evalf(60)) - self.number) < APART:
+                    return root
+        raise Undecidable
+
+
+@dataclass(frozen=True)
+class RootOver(Coordinate):
+    """A root of a polynomial over Q(alpha): whether it is rational costs a resultant to know."""
+
+    alpha: object = None
+    symbol: object = None
+
+    def resolved(self):
+        """Return the root of the norm of its polynomial with this value."""
+        (generator,) = self.alpha.polynomial.gens
+        norm = sp.resultant(self.alpha.polynomial, self.polynomial.as_expr(), generator)
+        for factor, _ in sp.Poly(norm, self.symbol).factor_list()[1]:
+            for root in _roots_of_irreducible(factor):
+                with mpmath.workdps(DIGITS):
+                    if abs(root.number - self.number) < APART:
+                        return root
+        raise Undecidable
+
+    @property
+    def exact(self):
+        """Its value as a SymPy number."""
+        return self.resolved().exact
 
 
 def rational_coordinate(number):
@@ -90,7 +117,7 @@ def cells_of_line(polynomials):
     roots = [
         (root, frozenset(indices))
         for factor, indices in owners.items()
-        for root in _rational_field_roots(factor)
+        for root in _roots_of_irreducible(factor)
     ]
     return _with_intervals(roots)
 
@@ -112,7 +139,7 @@ def cells_over(alpha, polynomials, symbol):
     list of (Coordinate, frozenset)
         As for `cells_of_line`.
     """
-    field = sp.QQ.algebraic_field(alpha.exact)
+    field = _field(alpha.exact)
     (generator,) = alpha.polynomial.gens
 
     def at_alpha(coefficient):
@@ -142,22 +169,19 @@ def cells_over(alpha, polynomials, symbol):
             for j in zeros:
                 vanishing[j].add(k)
         roots = [
-            (_root_over(alpha, polynomials[min(indices)], symbol, root.real), frozenset(indices))
+            (
+                RootOver(root.real, None, polynomials[min(indices)], alpha, symbol),
+                frozenset(indices),
+            )
             for root, indices in zip(complex_roots, vanishing)
             if abs(root.imag) < APART
         ]
     return _with_intervals(roots)
 
 
-def _root_over(alpha, polynomial, symbol, number):
-    """Return the coordinate of a root over Q(alpha): a root of the norm of its polynomial."""
-    (generator,) = alpha.polynomial.gens
-    norm = sp.Poly(sp.resultant(alpha.polynomial, polynomial.as_expr(), generator), symbol)
-    for factor, _ in norm.factor_list()[1]:
-        for root in _rational_field_roots(factor):
-            if abs(root.number - number) < APART:
-                return root
-    raise Undecidable
+@functools.lru_cache(maxsize=64)
+def _field(number):
+    return sp.QQ.algebraic_field(number)
 
 
 def _square_free(coefficients, field):
@@ -186,7 +210,11 @@ def _simple_roots(coefficients):
     if len(coefficients) == 1:
         return []
     try:
-        roots = mpmath.polyroots(coefficients, maxsteps=200, extraprec=400)
+        near = np.roots([float(c) for c in coefficients])
+        distinct = near * (1 + 1e-12 * np.arange(len(near)))
+        roots = mpmath.polyroots(
+            coefficients, maxsteps=100, extraprec=100, roots_init=[mpmath.mpc(x) for x in distinct]
+        )
     except mpmath.libmp.NoConvergence:
         raise Undecidable from None
     if any(abs(a - b) < 10 * APART for a, b in itertools.combinations(roots, 2)):
@@ -194,7 +222,7 @@ def _simple_roots(coefficients):
     return [mpmath.mpc(root) for root in roots]
 
 
-def _rational_field_roots(factor):
+def _roots_of_irreducible(factor):
     """Yield the real roots of an irreducible polynomial over the rationals."""
     if factor.degree() == 1:
         yield rational_coordinate(-factor.nth(0) / factor.nth(1))
