@@ -82,10 +82,11 @@ class _Search:
         borders = self.elimination.borders([*claimed, condition])
         borders |= {s for s in self.variables.values() if _has_sign(s)}
         used = set().union(*(factor.free_symbols for factor in borders))
-        inner = {self.variables.get(s) for s in self.case.unknowns} if every else set()
+        unknowns = {self.variables.get(s) for s in self.case.unknowns}
+        inner = unknowns if every else set()
         symbols = [t for t in self.variables.values() if t in used]
-        # one that occurs in low powers only is projected away first
-        symbols.sort(key=lambda s: (s in inner, -_degree(borders, s)))
+        # unknowns are projected away first, and what occurs in low powers only
+        symbols.sort(key=lambda s: (s in unknowns, -_degree(borders, s)))
         if used - set(symbols) or any(s.is_integer for s in symbols):
             raise Undecidable
         space = Decomposition(borders, symbols)
