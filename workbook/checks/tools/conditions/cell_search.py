@@ -15,12 +15,14 @@ from workbook.checks.tools.conditions.decomposition import Cell, Decomposition
 from workbook.checks.tools.conditions.elimination import Elimination, half_tangent
 from workbook.checks.tools.conditions.evaluation import NOTHING, OPERATORS, sign
 from workbook.checks.tools.conditions.polynomial_form import (
+    PolynomialForm,
     Undecidable,
     as_fraction,
     polynomial_case,
     terms,
 )
 from workbook.checks.tools.conditions.real_roots import DIGITS
+from workbook.checks.tools.conditions.reference_condition import Case
 
 
 def points_of_difference(readings, parameters, case, holds, restriction):
@@ -63,6 +65,22 @@ def points_of_difference(readings, parameters, case, holds, restriction):
             yield from search.points(claimed, condition)
 
 
+def points_of_cells(condition, parameters):
+    """Yield points of cells on which a condition does not change: dicts of exact numbers."""
+    try:
+        form = PolynomialForm()
+        search = _Search(form, frozenset(), parameters, Case(sp.true), ())
+        condition = form.condition(condition)
+        space = Decomposition(*search.borders([condition]))
+        cells = [Cell()]
+        for _ in space.symbols:
+            cells = itertools.chain.from_iterable(map(space.above, cells))
+        for cell in cells:
+            yield dict(zip(parameters, _Values(cell, space, search).exact()))
+    except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
+        return
+
+
 class _Search:
     """The decomposition for one case, with some of its angles equal to pi."""
 
@@ -76,19 +94,23 @@ class _Search:
             if s not in straight
         }
 
+    def borders(self, conditions):
+        """Return the polynomials on whose zeros conditions may change, and their variables."""
+        borders = self.elimination.borders(conditions)
+        borders |= {s for s in self.variables.values() if _has_sign(s)}
+        used = set().union(*(factor.free_symbols for factor in borders))
+        symbols = [t for t in self.variables.values() if t in used]
+        if used - set(symbols) or any(s.is_integer for s in symbols):
+            raise Undecidable
+        # unknowns are projected away first, and what occurs in low powers only
+        unknowns = {self.variables.get(s) for s in self.case.unknowns}
+        return borders, sorted(symbols, key=lambda s: (s in unknowns, -_degree(borders, s)))
+
     def points(self, claimed, condition):
         """Yield points as `points_of_difference` does."""
         every = self.case.every
-        borders = self.elimination.borders([*claimed, condition])
-        borders |= {s for s in self.variables.values() if _has_sign(s)}
-        used = set().union(*(factor.free_symbols for factor in borders))
-        unknowns = {self.variables.get(s) for s in self.case.unknowns}
-        inner = unknowns if every else set()
-        symbols = [t for t in self.variables.values() if t in used]
-        # unknowns are projected away first, and what occurs in low powers only
-        symbols.sort(key=lambda s: (s in unknowns, -_degree(borders, s)))
-        if used - set(symbols) or any(s.is_integer for s in symbols):
-            raise Undecidable
+        borders, symbols = self.borders([*claimed, condition])
+        inner = {self.variables.get(s) for s in self.case.unknowns} if every else set()
         space = Decomposition(borders, symbols)
         outer = len([s for s in symbols if s not in inner])
         found = [*claimed] if every else [*claimed, condition]
