@@ -1,7 +1,8 @@
 """Decide whether a condition agrees with its reference by one point of each cell of a decomposition.
 
-It serves where z3 is absent or gives up, for conditions in at most two variables. A value at a point
-is computed to many digits; that a polynomial vanishes there is known from the decomposition, exactly.
+It serves where z3 is absent or gives up. A value at a point is computed to many digits; that a
+polynomial vanishes there is known from the decomposition, exactly. Where a condition is false at a
+point of the first variables already, no cells above it are made.
 """
 
 import functools
@@ -59,8 +60,10 @@ def points_of_difference(readings, parameters, case, holds, restriction):
     claimed.append(form.condition(restriction))
     written = set().union(*(part.free_symbols for part in (*readings, restriction, case.condition)))
     others = sorted(written.difference(parameters, case.unknowns), key=str)
-    for count in range(len(form.circles) + 1):
-        for straight in itertools.combinations(form.circles, count):
+    # what holds for every angle holds for those that are not pi
+    angles = [a for a in form.circles if not (case.every and a in case.unknowns)]
+    for count in range(len(angles) + 1):
+        for straight in itertools.combinations(angles, count):
             search = _Search(form, frozenset(straight), parameters, case, others)
             yield from search.points(claimed, condition)
 
@@ -113,11 +116,11 @@ class _Search:
         inner = {self.variables.get(s) for s in self.case.unknowns} if every else set()
         space = Decomposition(borders, symbols)
         outer = len([s for s in symbols if s not in inner])
-        found = [*claimed] if every else [*claimed, condition]
+        required = [*claimed] if every else [*claimed, condition]
 
         def search(cell):
             values = _Values(cell, space, self)
-            truths = [values.truth(part) for part in found]
+            truths = [values.truth(part) for part in required]
             if False in truths:
                 return
             if len(cell.coordinates) < outer:

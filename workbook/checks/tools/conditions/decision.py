@@ -1,8 +1,8 @@
-"""Decide whether a condition agrees with its reference everywhere, by z3 (nlsat).
+"""Decide whether a condition agrees with its reference everywhere, by z3 (nlsat) or by cells.
 
 Jovanovic and de Moura 2012. A question has a fixed number of z3's own steps, so the same one always
-ends the same way. A difference that z3 finds is evaluated again, exactly, before it is reported:
-"wrong" never rests on a solver.
+ends the same way. Where it is undecided, or z3 absent, `cell_search` is asked. A difference is
+evaluated again, exactly, before it is reported: "wrong" never rests on a solver.
 """
 
 import functools

@@ -187,6 +187,8 @@ def _field(number):
 def _square_free(coefficients, field):
     while coefficients and not coefficients[0]:
         coefficients = coefficients[1:]
+    if not coefficients:
+        raise Undecidable
     common = dup_gcd(coefficients, dup_diff(coefficients, 1, field), field)
     return dup_quo(coefficients, common, field)
 
@@ -210,7 +212,10 @@ def _simple_roots(coefficients):
     if len(coefficients) == 1:
         return []
     try:
-        near = np.roots([float(c) for c in coefficients])
+        floats = np.array([float(c) for c in coefficients])
+        if not np.isfinite(floats).all():
+            raise Undecidable
+        near = np.roots(floats)
         distinct = near * (1 + 1e-12 * np.arange(len(near)))
         roots = mpmath.polyroots(
             coefficients, maxsteps=100, extraprec=100, roots_init=[mpmath.mpc(x) for x in distinct]
