@@ -84,6 +84,38 @@ def points_of_cells(condition, parameters):
         return
 
 
+def cells_of_symbol(symbol, claim, parameters, case):
+    """Return numbers of a symbol, one of each cell off whose ends agreement does not change.
+
+    Parameters
+    ----------
+    symbol : sympy.Symbol
+        A symbol of the claim.
+    claim : sympy condition
+        The claim in this symbol, the parameters and others.
+    parameters : list of sympy.Symbol
+        The parameters.
+    case : Case
+        The case of the reference.
+
+    Returns
+    -------
+    tuple
+        The exact numbers, and whether all cells are among them.
+    """
+    form, condition = polynomial_case(case.condition, case.angles)
+    form = form.copy()
+    claimed = form.condition(claim)
+    others = claim.free_symbols.difference(parameters)
+    search = _Search(form, frozenset(), parameters, case, sorted(others, key=str))
+    borders, symbols = search.borders([claimed, condition])
+    ordered = sorted(symbols, key=lambda s: s is not symbol)
+    space = Decomposition(borders, ordered)
+    if ordered[:1] != [symbol]:
+        return [], True
+    return [cell.coordinates[0].exact for cell in space.above(Cell())], space.is_complete
+
+
 class _Search:
     """The decomposition for one case, with some of its angles equal to pi."""
 

@@ -7,13 +7,14 @@ evaluated again, exactly, before it is reported: "wrong" never rests on a solver
 
 import functools
 import itertools
+import math
 import operator
 from contextlib import suppress
 
 import sympy as sp
 from sympy.core.relational import Relational
 
-from workbook.checks.tools.conditions.cell_search import points_of_difference
+from workbook.checks.tools.conditions.cell_search import cells_of_symbol, points_of_difference
 from workbook.checks.tools.conditions.evaluation import OPERATORS, allowed, prepared, sign
 from workbook.checks.tools.conditions.polynomial_form import (
     PolynomialForm,
@@ -29,6 +30,8 @@ from workbook.checks.tools.conditions.polynomial_form import (
 STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
 #: Points that may differ, of which so many are evaluated exactly.
 MOST_POINTS = 20
+#: Combinations of numbers that decimals may stand for, of which so many are tried.
+MOST_COMBINED = 60
 
 
 def find_difference(readings, parameters, reference, restriction=sp.true):
@@ -112,7 +115,34 @@ def find_numbers(claim, intervals, parameters, reference):
         model = first.model(formulas, quantified=True)
         return True, model and {symbol: first.value(model, symbol) for symbol in intervals}
     except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
+        pass
+    try:
+        return _find_numbers_by_cells(claim, intervals, parameters, reference)
+    except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
         return False, None
+
+
+def _find_numbers_by_cells(claim, intervals, parameters, reference):
+    """Return what `find_numbers` does, by trying a number of each cell in each interval."""
+    if not reference.inside or not reference.outside:
+        return False, None
+    is_decided, lines = len([e for e in intervals.values() if e != (0, 1)]) == 1, []
+    for symbol, (low, high) in intervals.items():
+        numbers = {sp.sympify(low), sp.sympify(high)}
+        for case, _ in reference.cases if (low, high) != (0, 1) else ():
+            cells, is_complete = cells_of_symbol(symbol, claim, parameters, case)
+            numbers.update(number for number in cells if low < number < high)
+            is_decided = is_decided and is_complete
+        lines.append(sorted(numbers))
+    if math.prod(map(len, lines)) > MOST_COMBINED:
+        return False, None
+    for chosen in itertools.product(*lines):
+        numbers = dict(zip(intervals, chosen))
+        decided, difference = find_difference([claim.xreplace(numbers)], parameters, reference)
+        if decided and difference is None:
+            return True, numbers
+        is_decided = is_decided and decided
+    return is_decided, None
 
 
 def _confirmed(point, readings, parameters, case, holds, reference):

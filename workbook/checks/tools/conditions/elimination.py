@@ -87,6 +87,8 @@ def _without(polynomial, symbol, definition):
     kind, base, *degree = definition
     if kind == "number":
         return {polynomial.xreplace({symbol: base})}
+    if kind == "algebraic":
+        return {sp.resultant(polynomial, degree[0], symbol)}
     if kind == "root":
         numerator, denominator = as_fraction(base)
         # one factor for each branch: that of sqrt(x^2) is x or -x

@@ -37,12 +37,10 @@ class PolynomialForm:
     def definitions(self):
         """What each symbol stands for, in the order in which one may depend on others.
 
-        {symbol: ("root", base, degree), ("size", base), ("sign", base) or ("number", near value)}.
+        {symbol: ("root", base, degree), ("size", base), ("sign", base), ("number", near value) or
+        ("algebraic", near value, polynomial in the symbol)}.
         """
-        return {
-            symbol: key if isinstance(key, tuple) else ("number", _near(key))
-            for key, symbol in self._symbols.items()
-        }
+        return {symbol: _definition(key, symbol) for key, symbol in self._symbols.items()}
 
     @property
     def numbers(self):
@@ -245,6 +243,14 @@ def polynomial_case(condition, angles):
     """Return a polynomial condition and its form, cached so that its symbols stay the same."""
     form = PolynomialForm(angles)
     return form, form.condition(condition)
+
+
+def _definition(key, symbol):
+    if isinstance(key, tuple):
+        return key
+    if isinstance(key, sp.CRootOf):
+        return "algebraic", _near(key), key.poly.as_expr().subs(key.poly.gen, symbol)
+    return "number", _near(key)
 
 
 def _near(number):
