@@ -24,6 +24,7 @@ from workbook.checks.tools.conditions import (
     ReferenceCondition,
     compare,
     decision,
+    decomposition,
     exactly,
 )
 from workbook.systems import Linear
@@ -190,12 +191,20 @@ def test_a_false_difference_of_the_solver_is_never_told(monkeypatch):
 
 
 @pytest.mark.parametrize("hindrance", ["no solver", "too few steps"])
-def test_without_a_decision_the_verdict_says_so(hindrance, monkeypatch):
+def test_without_the_solver_cells_decide(hindrance, monkeypatch):
     if hindrance == "no solver":
         monkeypatch.setitem(sys.modules, "z3", None)
     else:
         monkeypatch.setattr(decision, "STEPS", 1)
         monkeypatch.setattr(decision, "TIMES_SIZE", 1)
+    assert judged(sp.And(x > 0, x * y > 1)) == "proved for all values"
+    assert judged(sp.And(x > 0, y > 0)).startswith("False at")
+    assert judged(sp.And(x > 0, x * y >= 1)).startswith("False at")
+
+
+def test_without_a_decision_the_verdict_says_so(monkeypatch):
+    monkeypatch.setitem(sys.modules, "z3", None)
+    monkeypatch.setattr(decomposition, "MOST_WORK", 0)
     told = judged(sp.And(x > 0, x * y > 1))
     assert told.startswith("agrees at ") and int(told.split()[2]) > 100
     assert judged(sp.And(x > 0, y > 0)).startswith("False at")

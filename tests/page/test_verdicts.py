@@ -26,25 +26,6 @@ NUMBERS = list(PROBLEMS) if os.environ.get("WORKBOOK_ALL_PROBLEMS") else SAMPLE
 ABSENT = ("casadi", "control", "flint", "matplotlib", "z3")
 
 
-#: Wrong trials that a page takes for right: they differ on a thin set, which only z3 finds.
-THIN = {
-    "1.4": ["wrong trial 7 b_null"],
-    "1.6": ["wrong trial 18 b_sign", "wrong trial 21 b_saddle"],
-    "2.4": ["wrong trial 3 a_observable"],
-    "2.5": ["wrong trial 28 j_region"],
-    "2.16": ["wrong trial 26 d_state"],
-    "2.17": ["wrong trial 10 region"],
-    "2.24": ["wrong trial 11 c_region"],
-    "2.26": [f"wrong trial {number} c_region" for number in (13, 16, 17)],
-    "3.13": ["wrong trial 4 margins"],
-    "3.24": ["wrong trial 22 observer_margins"],
-    "4.3": ["wrong trial 0 determined"],
-    "4.34": ["wrong trial 8 exists"],
-    "5.1": ["wrong trial 14 reached"],
-    "7.2": ["wrong trial 5 b_condition"],
-}
-
-
 @functools.cache
 def task(number):
     """Return the arguments of `judging.judged_problem`."""
@@ -104,7 +85,7 @@ def test_no_right_answer_is_refused_and_no_wrong_one_accepted(number, judged_in_
         for what, (status, message) in rows.items()
         if status != expected[what] and not needs_notebook(status, message)
     }
-    assert bad.keys() == set(THIN.get(number, ())), bad
+    assert not bad
 
 
 def needs_notebook(status, message):
@@ -118,6 +99,6 @@ def needs_notebook(status, message):
 def test_verdicts_are_those_of_a_native_python(number, judged_in_page):
     """Python, NumPy and SciPy are newer in the page, and compiled for another machine."""
     rows = natively("judged_problem", *task(number), absent=ABSENT)
-    native = {what: status for what, status, *_ in rows if what not in THIN.get(number, ())}
+    native = {what: status for what, status, *_ in rows}
     page = {what: status for what, (status, _) in judged_in_page(number).items() if what in native}
     assert page == native

@@ -2,7 +2,9 @@
 
 `reference_condition` states where a condition has to hold, `decimals` what a number in decimals
 stands for, `evaluation` whether a condition holds at one point. `decision` asks the solver z3 about
-all points, after `polynomial_form` has made conditions polynomial; `sampling` tries points where
+all points, after `polynomial_form` has made conditions polynomial. Where z3 is absent or gives up,
+`cell_search` tries one point of each cell of a `decomposition` on which nothing changes, whose
+polynomials `elimination` finds and whose coordinates are `real_roots`. `sampling` tries points where
 nothing can be decided, and the verdict then says at how many points it agrees. `comparison` joins
 them.
 """

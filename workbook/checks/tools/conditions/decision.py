@@ -1,26 +1,37 @@
-"""Decide whether a condition agrees with its reference everywhere, by z3 (nlsat).
+"""Decide whether a condition agrees with its reference everywhere, by z3 (nlsat) or by cells.
 
 Jovanovic and de Moura 2012. A question has a fixed number of z3's own steps, so the same one always
-ends the same way. A difference that z3 finds is evaluated again, exactly, before it is reported:
-"wrong" never rests on a solver.
+ends the same way. Where it is undecided, or z3 absent, `cell_search` is asked. A difference is
+evaluated again, exactly, before it is reported: "wrong" never rests on a solver.
 """
 
 import functools
+import itertools
 import math
 import operator
+from contextlib import suppress
 
 import sympy as sp
 from sympy.core.relational import Relational
 
+from workbook.checks.tools.conditions.cell_search import cells_of_symbol, points_of_difference
 from workbook.checks.tools.conditions.evaluation import OPERATORS, allowed, prepared, sign
-from workbook.checks.tools.conditions.polynomial_form import PolynomialForm, Undecidable
+from workbook.checks.tools.conditions.polynomial_form import (
+    PolynomialForm,
+    Undecidable,
+    as_fraction,
+    polynomial_case,
+    terms,
+)
 
 #: z3's own steps before a question counts as undecided: so many, or more where its polynomials are
 #: small, so many times their size; and its megabytes. What is decided takes hundreds of them, at
 #: most some 40,000. With large polynomials a single step may take so long that minutes would go by.
 STEPS, TIMES_SIZE, MEGABYTES = 200_000, 5_000_000, 300
-#: Terms larger than this a solver is not asked about.
-LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
+#: Points that may differ, of which so many are evaluated exactly.
+MOST_POINTS = 20
+#: Combinations of numbers that decimals may stand for, of which so many are tried.
+MOST_COMBINED = 60
 
 
 def find_difference(readings, parameters, reference, restriction=sp.true):
@@ -42,17 +53,30 @@ def find_difference(readings, parameters, reference, restriction=sp.true):
     tuple
         Whether it could be decided, and (values, what holds) or None.
     """
-    try:
-        if not reference.inside or not reference.outside:
-            raise Undecidable
-        for case, holds in reference.cases:
-            point = _Question(parameters, case).answer(readings, holds, restriction)
-            if point is not None:
-                difference = _simplified(point, readings, parameters, case, holds, reference)
-                return (True, difference) if difference else (False, None)
-    except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
+    if not reference.inside or not reference.outside:
         return False, None
-    return True, None
+    decided = True
+    for case, holds in reference.cases:
+        try:
+            for point in _points(readings, parameters, case, holds, restriction):
+                with suppress(ArithmeticError):  # a point that cannot be evaluated exactly
+                    difference = _simplified(point, readings, parameters, case, holds, reference)
+                    if difference:
+                        return True, difference
+                decided = False
+        except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
+            decided = False
+    return decided, None
+
+
+def _points(readings, parameters, case, holds, restriction):
+    """Return points where all readings are wrong in a case; if there are none, none exists."""
+    try:
+        point = _Question(parameters, case).answer(readings, holds, restriction)
+    except Undecidable:
+        points = points_of_difference(readings, parameters, case, holds, restriction)
+        return itertools.islice(points, MOST_POINTS)
+    return [] if point is None else [point]
 
 
 def find_numbers(claim, intervals, parameters, reference):
@@ -91,7 +115,34 @@ def find_numbers(claim, intervals, parameters, reference):
         model = first.model(formulas, quantified=True)
         return True, model and {symbol: first.value(model, symbol) for symbol in intervals}
     except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
+        pass
+    try:
+        return _find_numbers_by_cells(claim, intervals, parameters, reference)
+    except (Undecidable, sp.PolynomialError, ArithmeticError, NotImplementedError):
         return False, None
+
+
+def _find_numbers_by_cells(claim, intervals, parameters, reference):
+    """Return what `find_numbers` does, by trying a number of each cell in each interval."""
+    if not reference.inside or not reference.outside:
+        return False, None
+    is_decided, lines = len([e for e in intervals.values() if e != (0, 1)]) == 1, []
+    for symbol, (low, high) in intervals.items():
+        numbers = {sp.sympify(low), sp.sympify(high)}
+        for case, _ in reference.cases if (low, high) != (0, 1) else ():
+            cells, is_complete = cells_of_symbol(symbol, claim, parameters, case)
+            numbers.update(number for number in cells if low < number < high)
+            is_decided = is_decided and is_complete
+        lines.append(sorted(numbers))
+    if math.prod(map(len, lines)) > MOST_COMBINED:
+        return False, None
+    for chosen in itertools.product(*lines):
+        numbers = dict(zip(intervals, chosen))
+        decided, difference = find_difference([claim.xreplace(numbers)], parameters, reference)
+        if decided and difference is None:
+            return True, numbers
+        is_decided = is_decided and decided
+    return is_decided, None
 
 
 def _confirmed(point, readings, parameters, case, holds, reference):
@@ -155,7 +206,7 @@ class _Question:
         """Return exact numbers of the parameters and the unknowns, or None without such a point."""
         z3, case = self.z3, self.case
         if not case.every:
-            self.form, condition = _polynomial_case(case.condition, case.angles)
+            self.form, condition = polynomial_case(case.condition, case.angles)
             self.form = self.form.copy()
         claims = [self._formula(self.form.condition(reading)) for reading in readings]
         conditions = [z3.Not(claim) if holds else claim for claim in claims]
@@ -243,7 +294,7 @@ class _Question:
             return z3.BoolVal(bool(node), self.context)
         if isinstance(node, Relational):
             numerator, denominator = (
-                self._polynomial(part) for part in _as_fraction(node.lhs - node.rhs)
+                self._polynomial(part) for part in as_fraction(node.lhs - node.rhs)
             )
             side = numerator if isinstance(node, (sp.Eq, sp.Ne)) else numerator * denominator
             return z3.And(denominator != 0, OPERATORS[type(node)](side, 0))
@@ -258,7 +309,7 @@ class _Question:
         return join(*parts)
 
     def _polynomial(self, expression):
-        terms, written = [], _terms(expression)
+        summands, written = [], terms(expression)
         self.size = max(
             self.size, len(written) * max((len(symbols) for _, symbols in written), default=0)
         )
@@ -266,8 +317,8 @@ class _Question:
             term = self.z3.RealVal(coefficient, self.context)
             for symbol in symbols:
                 term = term * self._real(symbol)
-            terms.append(term)
-        return functools.reduce(lambda a, b: a + b, terms)
+            summands.append(term)
+        return functools.reduce(lambda a, b: a + b, summands)
 
     def _real(self, symbol):
         if symbol not in self.names:
@@ -306,45 +357,3 @@ class _Question:
             return sp.Rational(str(value.as_fraction()))
         coefficients = [int(str(c)) for c in value.poly()]
         return sp.rootof(sp.Poly(coefficients[::-1], sp.Symbol("t")), value.index() - 1)
-
-
-@functools.lru_cache(maxsize=128)  # one reference judges many answers
-def _polynomial_case(condition, angles):
-    """Return a polynomial condition and its form, cached so that its symbols stay the same."""
-    form = PolynomialForm(angles)
-    return form, form.condition(condition)
-
-
-@functools.lru_cache(maxsize=512)
-def _as_fraction(expression):
-    return sp.fraction(sp.together(expression))
-
-
-@functools.lru_cache(maxsize=512)
-def _terms(expression):
-    """Return the terms of a polynomial: (coefficient, symbols as often as they are factors)."""
-    symbols = sorted(expression.free_symbols, key=str)
-    if not expression.is_polynomial(*symbols) or _size(expression) > MOST_WRITTEN_OUT:
-        raise Undecidable
-    poly = sp.Poly(expression, *symbols or [sp.Dummy()])
-    if (
-        poly.domain not in (sp.ZZ, sp.QQ)
-        or poly.total_degree() > LARGEST_DEGREE
-        or len(poly.terms()) > MOST_TERMS
-    ):
-        raise Undecidable
-    return [
-        (str(coefficient), [symbol for symbol, power in zip(symbols, powers) for _ in range(power)])
-        for powers, coefficient in poly.terms()
-    ]
-
-
-def _size(expression):
-    """Return how many terms a polynomial may have when its powers and products are expanded."""
-    if isinstance(expression, sp.Add):
-        return sum(map(_size, expression.args))
-    if isinstance(expression, sp.Mul):
-        return math.prod(map(_size, expression.args))
-    if isinstance(expression, sp.Pow) and expression.exp.is_Integer and expression.exp > 0:
-        return math.comb(_size(expression.base) + int(expression.exp) - 1, int(expression.exp))
-    return 1

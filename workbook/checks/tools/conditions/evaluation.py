@@ -202,7 +202,9 @@ class _Sign:
             roots = [root for root, _ in line.real_roots(multiple=False)]
         else:
             return
-        yield from (root for root in roots if root.is_algebraic and not root.is_Rational)
+        yield from (
+            root for root in roots if root.is_real and root.is_algebraic and not root.is_Rational
+        )
 
     def _crossings(self, base, varied):
         """Yield where the difference goes through zero or infinity between neighbours of a grid."""

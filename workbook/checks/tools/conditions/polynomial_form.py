@@ -13,6 +13,8 @@ from workbook.checks.tools.conditions.evaluation import OPERATORS
 REVERSED = {sp.Gt: sp.Lt, sp.Ge: sp.Le, sp.Lt: sp.Gt, sp.Le: sp.Ge}
 #: The greatest of more terms would be written with twice as many absolute values for each.
 MOST_COMPARED = 5
+#: Terms larger than this are not decided about.
+LARGEST_DEGREE, MOST_TERMS, MOST_WRITTEN_OUT = 40, 4000, 20_000
 
 
 class Undecidable(Exception):
@@ -30,6 +32,15 @@ class PolynomialForm:
     def __init__(self, angles=()):
         self.sides, self.circles, self._symbols = [], {}, {}
         self._bare, self._angles = set(), angles
+
+    @property
+    def definitions(self):
+        """What each symbol stands for, in the order in which one may depend on others.
+
+        {symbol: ("root", base, degree), ("size", base), ("sign", base), ("number", near value) or
+        ("algebraic", near value, polynomial in the symbol)}.
+        """
+        return {symbol: _definition(key, symbol) for key, symbol in self._symbols.items()}
 
     @property
     def numbers(self):
@@ -148,7 +159,7 @@ class PolynomialForm:
             # A number with so many digits distinguishes from zero what a student writes; a difference
             # is evaluated again.
             near, w = (
-                sp.Rational(str(node.evalf(50))),
+                _near(node),
                 self._symbols.setdefault(node, sp.Dummy("number", real=True)),
             )
             if isinstance(node, sp.CRootOf):
@@ -225,6 +236,67 @@ class PolynomialForm:
         if isinstance(node, sp.tan):
             defined.append(sp.Ne(c, 0))
         return {sp.cos: c, sp.sin: s, sp.tan: s / c}[node.func]
+
+
+@functools.lru_cache(maxsize=128)  # one reference judges many answers
+def polynomial_case(condition, angles):
+    """Return a polynomial condition and its form, cached so that its symbols stay the same."""
+    form = PolynomialForm(angles)
+    return form, form.condition(condition)
+
+
+def _definition(key, symbol):
+    if isinstance(key, tuple):
+        return key
+    if isinstance(key, sp.CRootOf):
+        return "algebraic", _near(key), key.poly.as_expr().subs(key.poly.gen, symbol)
+    return "number", _near(key)
+
+
+def _near(number):
+    return sp.Rational(str(number.evalf(50)))
+
+
+@functools.lru_cache(maxsize=512)
+def as_fraction(expression):
+    """Return numerator and denominator of a rational function."""
+    return sp.fraction(sp.together(expression))
+
+
+@functools.lru_cache(maxsize=512)
+def terms(expression):
+    """Return the terms of a polynomial: (coefficient, symbols as often as they are factors).
+
+    Raises
+    ------
+    Undecidable
+        If it is no polynomial with rational coefficients, or too large.
+    """
+    symbols = sorted(expression.free_symbols, key=str)
+    if not expression.is_polynomial(*symbols) or _size(expression) > MOST_WRITTEN_OUT:
+        raise Undecidable
+    poly = sp.Poly(expression, *symbols or [sp.Dummy()])
+    if (
+        poly.domain not in (sp.ZZ, sp.QQ)
+        or poly.total_degree() > LARGEST_DEGREE
+        or len(poly.terms()) > MOST_TERMS
+    ):
+        raise Undecidable
+    return [
+        (str(coefficient), [symbol for symbol, power in zip(symbols, powers) for _ in range(power)])
+        for powers, coefficient in poly.terms()
+    ]
+
+
+def _size(expression):
+    """Return how many terms a polynomial may have when its powers and products are expanded."""
+    if isinstance(expression, sp.Add):
+        return sum(map(_size, expression.args))
+    if isinstance(expression, sp.Mul):
+        return math.prod(map(_size, expression.args))
+    if isinstance(expression, sp.Pow) and expression.exp.is_Integer and expression.exp > 0:
+        return math.comb(_size(expression.base) + int(expression.exp) - 1, int(expression.exp))
+    return 1
 
 
 def _squares(expression):

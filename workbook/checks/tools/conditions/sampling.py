@@ -1,16 +1,20 @@
 """Comparison of a condition with its reference at samples, where it cannot be decided."""
 
 import itertools
+from contextlib import suppress
 from fractions import Fraction
 
 import numpy as np
 import sympy as sp
 
+from workbook.checks.tools.conditions.cell_search import points_of_cells
 from workbook.checks.tools.conditions.evaluation import allowed, prepared, sign
 
 #: Angles at which equations with trigonometric functions are tried: there they hold exactly, or
 #: not.
 TURNS = [k * sp.pi / 6 for k in range(-12, 13)]
+#: The most cells of a claim that are tried.
+MOST_CELLS = 60
 
 
 def try_samples(readings, parameters, reference):
@@ -34,7 +38,8 @@ def try_samples(readings, parameters, reference):
     -----
     Along lines on which one parameter varies, the points where the reference changes are found by
     bisection; it is evaluated there, on both sides, far out, and on and between all points where the
-    claim or the reference can change.
+    claim or the reference can change. Points of the cells on which the claim does not change come
+    first: values that it names are among them.
     """
     symbols = tuple(parameters)
     claims = [prepared(reading, symbols) for reading in readings]
@@ -44,7 +49,12 @@ def try_samples(readings, parameters, reference):
     def at(values):
         point = tuple(values.values())
         if point not in cache:
-            cache[point] = holds_at(values)
+            try:
+                cache[point] = holds_at(values)
+            except (ArithmeticError, NotImplementedError, sp.PolynomialError):
+                if all(x.is_Rational for x in point):
+                    raise
+                cache[point] = None  # at this irrational point the reference is not computed
         return cache[point]
 
     case_conditions = [
@@ -53,10 +63,13 @@ def try_samples(readings, parameters, reference):
     points = (
         reference.points()
         if reference.points
-        else (
-            dict(zip(parameters, (*base[:varied], x, *base[varied + 1 :])))
-            for base, varied in _lines(parameters)
-            for x in _along(base, varied, parameters, [claims[0], *case_conditions], at)
+        else itertools.chain(
+            itertools.islice(points_of_cells(readings[0], parameters), MOST_CELLS),
+            (
+                dict(zip(parameters, (*base[:varied], x, *base[varied + 1 :])))
+                for base, varied in _lines(parameters)
+                for x in _along(base, varied, parameters, [claims[0], *case_conditions], at)
+            ),
         )
     )
     count = 0
@@ -64,9 +77,10 @@ def try_samples(readings, parameters, reference):
         holds = at(values)
         if holds is None:
             continue
-        count += 1
-        if all(claim.holds(values[p] for p in parameters) != holds for claim in claims):
-            return (values, holds), count
+        with suppress(ArithmeticError):  # numbers of too high a degree to be computed with
+            if all(claim.holds(values[p] for p in parameters) != holds for claim in claims):
+                return (values, holds), count + 1
+            count += 1
     if not count:
         raise RuntimeError("no point was found to try this condition at")
     return None, count
