@@ -1,18 +1,13 @@
-"""The same problem in other units, with the answers to it, by the name of the check.
+"""The same problem in other units.
 
 States x become l x, times T t, costs s J + c. What is multiplied by a factor is the symbol itself:
 `x` in the rescaled problem is the number of the new units.
 """
 
 import dataclasses
-import inspect
 
 import sympy as sp
 from sympy.logic.boolalg import Boolean, BooleanAtom
-
-from workbook import checks
-from workbook.checks.references.singular_arcs import singular_arcs
-from workbook.systems import Quadratic
 
 
 @dataclasses.dataclass(frozen=True)
@@ -94,12 +89,6 @@ class Rescaled:
             return domain
         return {s: _scaled(values, self.factors.get(s, 1)) for s, values in domain.items()}
 
-    def points(self, points):
-        """Return points of the plane, or expressions that vanish on a target."""
-        if all(isinstance(point, (list, tuple)) for point in points):
-            return [self.value(list(point), self.of_state) for point in points]
-        return self.value(list(points))
-
     @property
     def of_state(self):
         """The factors of the states, a list."""
@@ -111,9 +100,9 @@ class Rescaled:
         return self.factors[self.control[0]]
 
     def _of_record(self, arguments, units):
-        problem = arguments.get("problem", arguments.get("system"))
+        problem = arguments["problem"]
         self.state, self.control = list(problem.dynamics), list(problem.controls)
-        running, final = getattr(problem, "running", 1), getattr(problem, "final", 0)
+        running, final = problem.running, problem.final
         if running == 1 and final == 0 and units.cost == 1:
             self.cost = units.time  # the cost is the time, in its units
         self._of_states(problem.dynamics, sp.Tuple(*problem.field, running, final), units)
@@ -139,10 +128,9 @@ class Rescaled:
                 x, factor = dynamics[x], factor / units.time
 
     def _of_parameters(self, problem, parameters):
-        initial = getattr(problem, "initial", {})
         for value, factor in [
-            *((value, self.factors[x]) for x, value in initial.items()),
-            (getattr(problem, "duration", None), self.time),
+            *((value, self.factors[x]) for x, value in problem.initial.items()),
+            (problem.duration, self.time),
             *((b, self.factors[u]) for u, pair in problem.controls.items() for b in pair),
         ]:
             if value in parameters and value not in self.factors:
@@ -168,10 +156,6 @@ class Rescaled:
             duration=tuple(times) if pair else times[0],
         )
 
-    def system(self, system):
-        """Return a `Controlled` system in the new units."""
-        return dataclasses.replace(system, **self._motion(system))
-
     def _motion(self, record):
         return {
             "dynamics": {
@@ -194,7 +178,7 @@ class RescaledField(Rescaled):
         field = sp.Tuple(*arguments["field"])
         self._of_states(dict(zip(self.state, field)), field, units)
 
-    def system(self, field):
+    def field(self, field):
         """Return the right-hand sides in the new units."""
         return self.value(list(field), [f / self.time for f in self.of_state])
 
@@ -239,6 +223,9 @@ class RescaledQuadratic(Rescaled):
 
     def _of_record(self, arguments, units):
         self.length = units.length
+        self.factors |= dict.fromkeys(
+            sp.Tuple(*arguments.get("start", ())).free_symbols, units.length
+        )
         if self.constant:
             raise NoRule("a quadratic cost has no constant term")
 
@@ -261,48 +248,15 @@ class RescaledQuadratic(Rescaled):
 #: What becomes of an argument of a check, by its name.
 ARGUMENTS = {
     "problem": lambda new, problem: new.problem(problem),
-    "system": lambda new, system: new.system(system),
-    "field": lambda new, field: new.system(field),
+    "field": lambda new, field: new.field(field),
     "functional": lambda new, functional: new.functional(functional),
     "parameters": Rescaled.domain,
     "domain": Rescaled.domain,
     "unknown": Rescaled.domain,
-    "target": Rescaled.points,
-    "ends": lambda new, ends: new.value(ends, new.of_state),
-    "curve": lambda new, curve: (
-        curve[0],
-        new.value(curve[1], new.of_state[0]),
-        new.value(curve[2], new.of_state),
-        *curve[3:],
-    ),
     "law": lambda new, law: new.value(law, new.of_control),
     "quantity": Rescaled.value,
     "expression": Rescaled.value,
 }
-
-
-def rescaled(name, answer, data, options, units):
-    """Return an answer and the data of the check `name` in other units.
-
-    Raises
-    ------
-    NoRule
-        If no rule is known for the check, or for this form of answer.
-    """
-    if name not in RULES:
-        raise NoRule(name)
-    bound = inspect.signature(getattr(checks, name)).bind(answer, *data, **options)
-    bound.apply_defaults()
-    arguments = dict(list(bound.arguments.items())[1:])
-    record = Rescaled
-    if isinstance(arguments.get("problem"), Quadratic):
-        record = RescaledQuadratic
-    elif "field" in arguments:
-        record = RescaledField
-    elif "functional" in arguments:
-        record = RescaledFunctional
-    new = record(arguments, units)
-    return RULES[name](new, answer, new.arguments), new.arguments
 
 
 def _scaled(values, factor):
@@ -313,148 +267,3 @@ def _scaled(values, factor):
     return sp.Interval(
         factor * values.start, factor * values.end, values.left_open, values.right_open
     )
-
-
-def _times(factor):
-    """Return the rule of an answer that is multiplied by a factor, or by one for each entry."""
-    return lambda new, answer, arguments: new.value(answer, factor(new))
-
-
-def _control(new, answer, arguments):
-    if isinstance(answer, (list, tuple)):  # arcs: [value, until]
-        return [new.value(list(arc), [new.of_control, new.time]) for arc in answer]
-    return new.value(answer, new.of_control)
-
-
-def _several(factors):
-    """Return the rule of an answer with one entry for each state; of one alone, no list."""
-
-    def rule(new, answer, arguments):
-        several = isinstance(answer, (list, tuple, sp.MatrixBase))
-        return new.value(answer, factors(new) if several else factors(new)[0])
-
-    return rule
-
-
-def _curve(new, answer, arguments):
-    ((variable, _),) = arguments["domain"].items()
-    (other,) = set(new.state) - {variable}
-    return new.value(answer, new.factors[other])
-
-
-def _arc(new, answer, arguments):
-    arguments["value"] = new.value(arguments["value"], new.factors[arguments["control"]])
-    return new.value(answer, new.time)
-
-
-def _gain(new, answer, arguments):
-    return new.value(answer, 1 / new.length)
-
-
-def _maximum(new, answer, arguments):
-    if isinstance(answer, (list, tuple)):
-        return new.value(answer, [new.factors[u] for u in new.control])
-    return new.value(answer, new.of_control)
-
-
-def _slopes(new):
-    first, second = new.of_state
-    return second / first
-
-
-def _matrix(new, answer, arguments):
-    factors = new.of_state
-    return new.value(answer, [f / g / new.time for f in factors for g in factors])
-
-
-def _crossing(new):
-    first, second = new.of_state
-    return first * second / new.time
-
-
-def _singular(new, answer, arguments):
-    return new.value(answer, new.factors[arguments["control"] or new.control[0]])
-
-
-def _kelley(new, answer, arguments):
-    control = arguments["control"] or new.control[0]
-    order = singular_arcs(arguments["problem"], control, tuple(arguments["costates"])).order
-    return new.value(answer, new.cost / new.factors[control] ** 2 / new.time ** (2 * order + 1))
-
-
-UNCHANGED, TIME = _times(lambda new: 1), _times(lambda new: new.time)
-COST, CONTROL = _times(lambda new: new.cost), _times(lambda new: new.of_control)
-RATE_OF_COST = _times(lambda new: new.cost / new.time)
-COSTATES = _several(lambda new: [new.cost / f for f in new.of_state])
-
-RULES = {
-    # processes
-    "optimal_control": _control,
-    "extremal_control": _control,
-    "optimal_motion": _several(lambda new: new.of_state),
-    "motion_under_law": _several(lambda new: new.of_state),
-    "optimal_costate": COSTATES,
-    "optimal_law": CONTROL,
-    "optimal_cost": lambda new, answer, _: new.value(answer, new.cost) + new.constant,
-    "optimal_duration": TIME,
-    "optimal_range": UNCHANGED,
-    "initial_arc_duration": _arc,
-    "arc_transition_curve": _curve,
-    "final_value_under_law": UNCHANGED,
-    "duration_equation": UNCHANGED,
-    # the maximum principle
-    "pontryagin_function": RATE_OF_COST,
-    "maximised_hamiltonian": RATE_OF_COST,
-    "adjoint_equations": _several(lambda new: [new.cost / f / new.time for f in new.of_state]),
-    "transversality": UNCHANGED,
-    "maximising_control": _maximum,
-    "control_equation": _times(lambda new: new.of_control / new.time),
-    "switching_function": RATE_OF_COST,
-    "switching_rate": _times(lambda new: new.cost / new.of_control / new.time**2),
-    "singular_control": _singular,
-    "singular_surface": UNCHANGED,
-    "singular_costates": COSTATES,
-    "singular_order": UNCHANGED,
-    "kelley_expression": _kelley,
-    "kelley_holds": UNCHANGED,
-    # feedback in least time
-    "time_optimal_law": CONTROL,
-    "minimal_time": TIME,
-    "reachable_initial_states": UNCHANGED,
-    "reached_target_points": UNCHANGED,
-    "minimal_time_continuous": UNCHANGED,
-    "switching_curve": _curve,
-    "barrier": _curve,
-    "dispersal_curve": _curve,
-    "switching_points": _times(lambda new: new.of_state),
-    "switching_curve_crossing": _times(_crossing),
-    "other_extremal_exists": UNCHANGED,
-    "other_extremal_time": TIME,
-    # transfers in least time
-    "optimal_switching": _times(lambda new: new.cost / new.time / new.of_control),
-    "isochrone_radius": _several(lambda new: new.of_state),
-    "switching_interval": TIME,
-    "switching_count": UNCHANGED,
-    "transferable_initial_states": UNCHANGED,
-    "reachable_in_time": UNCHANGED,
-    "meeting_time": TIME,
-    "polar_angle_rate": None,
-    "least_rate": _times(lambda new: 1 / new.time),
-    # the calculus of variations
-    "extremum_motion": _times(lambda new: new.motion),
-    "extremum_value": lambda new, answer, _: new.value(answer, new.cost) + new.constant,
-    "extremum_exists": UNCHANGED,
-    "stationary_duration": TIME,
-    # quadratic costs
-    "optimal_gain": _gain,
-    "optimal_eigenvalues": _times(lambda new: 1 / new.time),
-    "cost_matrix": _times(lambda new: new.cost / new.length**2),
-    # phase planes
-    "first_integral": UNCHANGED,
-    "stationary_points": UNCHANGED,
-    "stationary_type": UNCHANGED,
-    "stationary_stability": UNCHANGED,
-    "stationary_linearisation": _matrix,
-    "equilibrium_types": UNCHANGED,
-    "saddle_slopes": _times(_slopes),
-}
