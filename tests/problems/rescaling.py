@@ -112,6 +112,8 @@ class Rescaled:
         for name in ("parameters", "unknown"):
             if isinstance(arguments.get(name), dict):
                 self._of_parameters(problem, arguments[name])
+        if isinstance(arguments.get("start"), sp.Symbol):  # the value with which a control begins
+            self.factors[arguments["start"]] = self.of_control
 
     def _of_states(self, dynamics, expressions, units):
         """A state whose rate is another state, or 1, has units that go with these; an angle none."""
