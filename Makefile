@@ -94,7 +94,7 @@ test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of al
 	$(PYTEST) -n logical -m "not waits and not slow and not site"
 
 test-units: $(INSTALLED)  ## all problems of optimal control in other units and from other origins
-	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n $(CORES) tests/library/test_pontryagin_units.py
+	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n $(CORES) tests/library/test_pontryagin_units.py tests/problems/test_rescaling.py
 
 clean:  ## remove everything built, but not the environment
 	rm -rf _build conf.py

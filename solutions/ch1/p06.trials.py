@@ -49,12 +49,15 @@ a_exists = sp.Interval.Ropen(-sp.Rational(3, 4), 0)  # as an interval
 a_exists = sp.Abs(4 * sp.Symbol("k") / 3) <= 1  # by the modulus of the sine, with a plain symbol
 # one formula with a sign that alternates
 a_stationary = [(-1) ** n * sp.asin(4 * k / 3) / 2 + sp.pi * n / 2]
-# four angles of one turn
+# each of the four angles of one turn by itself
 a_stationary = [
-    sp.asin(4 * k / 3) / 2,
-    sp.asin(4 * k / 3) / 2 + sp.pi,
-    sp.pi / 2 - sp.asin(4 * k / 3) / 2,
-    3 * sp.pi / 2 - sp.asin(4 * k / 3) / 2,
+    angle + 2 * sp.pi * n
+    for angle in (
+        sp.asin(4 * k / 3) / 2,
+        sp.asin(4 * k / 3) / 2 + sp.pi,
+        sp.pi / 2 - sp.asin(4 * k / 3) / 2,
+        3 * sp.pi / 2 - sp.asin(4 * k / 3) / 2,
+    )
 ]
 # a common factor taken out
 a_deviation = Omega * (3 * Omega * psi * (1 - 2 * sp.sin(phi0) ** 2) - 2 * k * dpsi)
@@ -70,10 +73,16 @@ a_foci = sp.And(k >= -sp.Rational(3, 4), k**2 - 3 * sp.sqrt(1 - 16 * k**2 / 9) <
 # with the cosine of the single angle
 b_deviation = -2 * k1 * Omega * dpsi + 3 * Omega**2 * (2 * sp.cos(phi0) ** 2 - 1) * psi
 # two opposite directions, by the arccosine
-b_stable = {3 * sp.pi / 4 - sp.acos(-4 * k / 3) / 2, 7 * sp.pi / 4 - sp.acos(-4 * k / 3) / 2}
+b_stable = {
+    3 * sp.pi / 4 - sp.acos(-4 * k / 3) / 2 + 2 * sp.pi * n,
+    7 * sp.pi / 4 - sp.acos(-4 * k / 3) / 2 + 2 * sp.pi * n,
+}
 b_unstable = [sp.asin(4 * k / 3) / 2 - sp.pi * n]  # counted backwards
-# two opposite directions between 0 and 2 pi
-b_unstable = [sp.pi + sp.asin(4 * k / 3) / 2, 2 * sp.pi + sp.asin(4 * k / 3) / 2]
+# two opposite directions
+b_unstable = [
+    sp.pi + sp.asin(4 * k / 3) / 2 + 2 * sp.pi * n,
+    sp.asin(4 * k / 3) / 2 - 2 * sp.pi * n,
+]
 b_sign = sp.sin(phi0) ** 2 > sp.Rational(1, 2)  # by the sine
 b_sign = sp.cos(phi0) ** 2 < sp.sin(phi0) ** 2  # by squares, turned round
 b_saddle = sp.sin(phi0) ** 2 < sp.Rational(1, 2)  # by the sine

@@ -32,8 +32,8 @@ b_curve = sp.sqrt(-g * sp.sin(theta) / k)  # Was the thrust forgotten? (hint 1)
 b_curve = sp.sqrt((P + g) / k)  # Is this the speed of the dive, whatever the angle? (hint 1)
 
 # %% right
-# the angle modulo 2 pi and in decimals, the point as a dict
-a_point = {v: (g / k) ** sp.Rational(1, 2), theta: 4.71}
+# the angle in decimals, the point as a dict
+a_point = {v: (g / k) ** sp.Rational(1, 2), theta: -1.571}
 # for these angles the sine is negative
 a_curve = sp.sqrt(sp.Symbol("g") * sp.Abs(sp.sin(sp.Symbol("theta"))) / sp.Symbol("k"))
 # as dicts, in the other order
@@ -41,8 +41,8 @@ b_points = [
     {theta: sp.pi / 2, v: sp.sqrt(P - g) / sp.sqrt(k)},
     {theta: -sp.pi / 2, v: sp.sqrt(P + g) / sp.sqrt(k)},
 ]
-# the rows of a matrix, another image of the lower angle
-b_points = sp.Matrix([[sp.pi / 2, sp.sqrt(P / k - g / k)], [3 * sp.pi / 2, sp.sqrt(P / k + g / k)]])
+# the rows of a matrix, the fractions divided out
+b_points = sp.Matrix([[sp.pi / 2, sp.sqrt(P / k - g / k)], [-sp.pi / 2, sp.sqrt(P / k + g / k)]])
 # the square of the speed, plain symbols
 b_up_exists = (sp.Symbol("P") - sp.Symbol("g")) / sp.Symbol("k") > 0
 b_up_exists = P / g > 1  # the ratio of thrust and weight

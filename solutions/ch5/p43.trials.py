@@ -54,6 +54,6 @@ a_rate = (
     b * (1 - 1 / c) / r * sp.cos(alpha) * sp.sin(alpha - beta)
     - (sp.sin(alpha) - b * sp.sin(beta)) / r
 )
-b_rest = [(-sp.pi, 0), (0, -sp.pi), (0, 0), (sp.pi, -sp.pi)]  # other turns of the angles
+b_rest = [(3.1416, 0), (0, 3.1416), (0, 0), (3.1416, 3.1416)]  # in decimals
 b_straight = (1 - r_T) / (b - 1)  # both signs turned round
 b_time = sp.Float("0.9679")  # four digits

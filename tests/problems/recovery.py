@@ -23,7 +23,7 @@ FACTORS = (sp.Rational(15, 11), sp.Rational(9, 14))
 #: A candidate nearer to the right coefficient than this share of it is judged.
 NEAR = 0.01
 #: Terms, and numbers, of an expression that are made wrong.
-MOST = 4
+MOST = 8
 NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:e[-+]?\d+)?(?:/\d+)?"
 #: A number that is no part of a name, as in `x1`.
 NUMBERS = re.compile(rf"(?<![\w.])(?:{NUMBER})(?!\w)")
@@ -162,6 +162,8 @@ def _of_expression(value):
         yield "factor", sp.S.One, lambda q: value * q
         for term in value.args[:MOST] if isinstance(value, sp.Add) else ():
             yield f"factor of {term}", sp.S.One, lambda q, term=term: value + (q - 1) * term
+    if isinstance(value, sp.Eq) and 0 not in value.args:
+        yield "factor of a side", sp.S.One, lambda q: sp.Eq(q * value.lhs, value.rhs)
     if isinstance(value, (sp.Expr, Boolean)) and value.free_symbols:
         for number in sorted(value.atoms(sp.Rational, sp.Float) - {0, 1, -1}, key=str)[:MOST]:
             if _with(value, number, 2 * number) != value:

@@ -1,15 +1,13 @@
-"""The same problem in other units, with the answers to it, by the name of the check.
+"""The same problem in other units.
 
 States x become l x, times T t, costs s J + c. What is multiplied by a factor is the symbol itself:
 `x` in the rescaled problem is the number of the new units.
 """
 
 import dataclasses
-import inspect
 
 import sympy as sp
-
-from workbook import checks
+from sympy.logic.boolalg import Boolean, BooleanAtom
 
 
 @dataclasses.dataclass(frozen=True)
@@ -39,40 +37,97 @@ class NoRule(Exception):
 
 
 class Rescaled:
-    """A problem of optimal control in other units."""
+    """The data of a check in other units.
 
-    def __init__(self, problem, parameters, units):
+    `factors` are those of symbols: of states, controls, costates, time, and of the parameters that
+    are initial values, durations or bounds. All other parameters stay numbers.
+    """
+
+    def __init__(self, arguments, units):
         self.time, self.cost, self.constant = units.time, units.cost, units.constant
-        if problem.running == 1 and problem.final == 0 and units.cost == 1:
+        self.factors = {}
+        self._of_record(arguments, units)
+        if "costates" in arguments:
+            self.factors |= dict(
+                zip(arguments["costates"], (self.cost / self.factors[x] for x in self.state))
+            )
+        for name in ("time", "duration"):
+            if isinstance(arguments.get(name), sp.Symbol):
+                self.factors[arguments[name]] = self.time
+        self.arguments = {
+            name: ARGUMENTS[name](self, value) if name in ARGUMENTS and value is not None else value
+            for name, value in arguments.items()
+        }
+
+    def value(self, written, factor=1):
+        """Return an answer, or a part of one, in the new units, times a factor or factors."""
+        if isinstance(written, (bool, str, BooleanAtom, type(None))):
+            return written
+        if isinstance(written, (list, tuple)):
+            factors = factor if isinstance(factor, list) else [factor] * len(written)
+            return type(written)(self.value(*pair) for pair in zip(written, factors))
+        if isinstance(written, dict):
+            return {key: self.value(part, factor) for key, part in written.items()}
+        if isinstance(written, sp.MatrixBase):
+            factors = factor if isinstance(factor, list) else [factor] * len(written)
+            return type(written)(
+                *written.shape, [self.value(*pair) for pair in zip(written, factors)]
+            )
+        if isinstance(written, sp.Set):
+            return _scaled(written, factor)
+        put = {s: s / f for s, f in self.factors.items() if f != 1}
+        written = sp.sympify(written)
+        if isinstance(written, sp.Eq):
+            return sp.Eq(*(e.subs(put, simultaneous=True) for e in written.args), evaluate=False)
+        written = written.subs(put, simultaneous=True)
+        holds = isinstance(written, Boolean) and not written.is_Symbol
+        return written if holds else factor * written
+
+    def domain(self, domain):
+        """Return intervals or sets of symbols in the new units."""
+        if not isinstance(domain, dict):
+            return domain
+        return {s: _scaled(values, self.factors.get(s, 1)) for s, values in domain.items()}
+
+    @property
+    def of_state(self):
+        """The factors of the states, a list."""
+        return [self.factors[x] for x in self.state]
+
+    @property
+    def of_control(self):
+        """The factor of the first control."""
+        return self.factors[self.control[0]]
+
+    def _of_record(self, arguments, units):
+        problem = arguments["problem"]
+        self.state, self.control = list(problem.dynamics), list(problem.controls)
+        running, final = problem.running, problem.final
+        if running == 1 and final == 0 and units.cost == 1:
             self.cost = units.time  # the cost is the time, in its units
-        self.factors = self._of_states(problem, units)
-        for u in problem.control:
+        self._of_states(problem.dynamics, sp.Tuple(*problem.field, running, final), units)
+        for u in self.control:
             rates = [x for x, f in problem.dynamics.items() if f == u]
             self.factors[u] = self.factors[rates[0]] / units.time if rates else sp.S.One
-        if isinstance(parameters, dict):
-            self._of_parameters(problem, parameters)
-        self.problem = self._problem(problem)
-        self.parameters = (
-            {p: _scaled(domain, self.factors.get(p, 1)) for p, domain in parameters.items()}
-            if isinstance(parameters, dict)
-            else parameters
-        )
+        for name in ("parameters", "unknown"):
+            if isinstance(arguments.get(name), dict):
+                self._of_parameters(problem, arguments[name])
+        if isinstance(arguments.get("start"), sp.Symbol):  # the value with which a control begins
+            self.factors[arguments["start"]] = self.of_control
 
-    def _of_states(self, problem, units):
+    def _of_states(self, dynamics, expressions, units):
         """A state whose rate is another state, or 1, has units that go with these; an angle none."""
-        factors = {}
-        arguments = sp.Tuple(*problem.field, problem.running, problem.final).atoms(sp.Function)
-        for x in problem.state:
-            if x in factors:
+        arguments = expressions.atoms(sp.Function)
+        for x in dynamics:
+            if x in self.factors:
                 continue
             angle = any(x in f.free_symbols and not isinstance(f, sp.Abs) for f in arguments)
             factor = sp.S.One if angle else units.length
-            if problem.dynamics[x] == 1:
+            if dynamics[x] == 1:
                 factor = units.time
-            while x in problem.dynamics and x not in factors:
-                factors[x] = factor
-                x, factor = problem.dynamics[x], factor / units.time
-        return factors
+            while x in dynamics and x not in self.factors:
+                self.factors[x] = factor
+                x, factor = dynamics[x], factor / units.time
 
     def _of_parameters(self, problem, parameters):
         for value, factor in [
@@ -83,8 +138,9 @@ class Rescaled:
             if value in parameters and value not in self.factors:
                 self.factors[value] = factor
 
-    def _problem(self, problem):
-        value, factors = self.expression, self.factors
+    def problem(self, problem):
+        """Return a problem in the new units."""
+        value, factors = self.value, self.factors
         pair = isinstance(problem.duration, tuple)
         times = [
             None if d is None else value(d, self.time)
@@ -92,11 +148,7 @@ class Rescaled:
         ]
         return dataclasses.replace(
             problem,
-            dynamics={x: value(f, factors[x] / self.time) for x, f in problem.dynamics.items()},
-            controls={
-                u: tuple(value(b, factors[u]) for b in bounds)
-                for u, bounds in problem.controls.items()
-            },
+            **self._motion(problem),
             initial={
                 x: None if v is None else value(v, factors[x]) for x, v in problem.initial.items()
             },
@@ -106,112 +158,114 @@ class Rescaled:
             duration=tuple(times) if pair else times[0],
         )
 
-    def expression(self, written, factor=1, time=None):
-        """Return an expression of the old units as one of the new ones, times a factor."""
-        factors = self.factors if time is None else self.factors | {time: self.time}
-        put = {s: s / f for s, f in factors.items() if f != 1}
-        return factor * sp.sympify(written).subs(put, simultaneous=True)
+    def _motion(self, record):
+        return {
+            "dynamics": {
+                x: self.value(f, self.factors[x] / self.time) for x, f in record.dynamics.items()
+            },
+            "controls": {
+                u: tuple(self.value(b, self.factors[u]) for b in bounds)
+                for u, bounds in record.controls.items()
+            },
+        }
 
 
-def rescaled(name, answer, data, options, units):
-    """Return an answer and the data of the check `name` in other units.
+class RescaledField(Rescaled):
+    """The data of a check on the vector field of a phase plane in other units."""
 
-    Raises
-    ------
-    NoRule
-        If no rule is known for the check, or for this form of answer.
-    """
-    rule = RULES.get(name)
-    if rule is None:
-        raise NoRule(name)
-    bound = inspect.signature(getattr(checks, name)).bind(answer, *data, **options)
-    bound.apply_defaults()
-    _, *rest = bound.arguments
-    arguments = {key: bound.arguments[key] for key in rest}
-    parameters = arguments.get("parameters")
-    new = Rescaled(arguments["problem"], parameters, units)
-    arguments["problem"] = new.problem
-    if "parameters" in arguments:
-        arguments["parameters"] = new.parameters
-    return rule(new, answer, arguments), arguments
+    def _of_record(self, arguments, units):
+        if units.length != 1:
+            raise NoRule("points of a phase plane have no common form of an answer")
+        self.state = list(arguments["state"])
+        field = sp.Tuple(*arguments["field"])
+        self._of_states(dict(zip(self.state, field)), field, units)
+
+    def field(self, field):
+        """Return the right-hand sides in the new units."""
+        return self.value(list(field), [f / self.time for f in self.of_state])
 
 
-def _control(new, answer, arguments):
-    (u,), time = new.problem.control, arguments["time"]
-    if not isinstance(answer, (list, tuple)):
-        return _expression(new, answer, new.factors[u], time)
-    return [
-        [_expression(new, value, new.factors[u], time), _expression(new, until, new.time)]
-        for value, until in answer
-    ]
+class RescaledFunctional(Rescaled):
+    """The data of a check on a `Functional` in other units."""
+
+    def _of_record(self, arguments, units):
+        self.motion = units.length
+        self.factors[arguments["functional"].time] = units.time
+
+    def functional(self, functional):
+        """Return the functional in the new units."""
+        time, begin, end = functional.interval
+        rates = [self.motion / self.time**k for k in range(functional.order + 1)]
+
+        def value(written, at, factor):
+            parts = {
+                (d if at is None else d.subs(time, at)): sp.Dummy() for d in functional.derivatives
+            }
+            written = written.subs(dict(reversed(parts.items())))
+            written = self.value(written, factor)
+            back = functional.derivatives
+            if at is not None:
+                back = [d.subs(time, self.value(at, self.time)) for d in back]
+            return written.subs(
+                {s: d / f for s, d, f in zip(parts.values(), back, rates)}, simultaneous=True
+            )
+
+        return dataclasses.replace(
+            functional,
+            integrand=value(functional.integrand, None, self.cost / self.time),
+            interval=(time, self.value(begin, self.time), self.value(end, self.time)),
+            start=self.value(functional.start, rates),
+            end=self.value(functional.end, rates),
+            final=value(functional.final, end, self.cost) + self.constant,
+        )
 
 
-def _each_state(new, answer, arguments, factors):
-    time = arguments["time"]
-    several = isinstance(answer, (list, tuple, sp.MatrixBase))
-    parts = list(answer) if several else [answer]
-    found = [_expression(new, part, f, time) for part, f in zip(parts, factors)]
-    return found if several else found[0]
+class RescaledQuadratic(Rescaled):
+    """The data of a check on a `Quadratic` problem in other units; all states have the same."""
+
+    def _of_record(self, arguments, units):
+        self.length = units.length
+        self.factors |= dict.fromkeys(
+            sp.Tuple(*arguments.get("start", ())).free_symbols, units.length
+        )
+        if self.constant:
+            raise NoRule("a quadratic cost has no constant term")
+
+    def problem(self, problem):
+        """Return the problem in the new units; the control keeps its own."""
+        square = self.cost / self.length**2
+        return dataclasses.replace(
+            problem,
+            A=self.value(problem.A, 1 / self.time),
+            B=self.value(problem.B, self.length / self.time),
+            G=self.value(problem.G, square / self.time),
+            N=self.value(problem.N, self.cost / self.time),
+            F=self.value(problem.F, square),
+            duration=problem.duration
+            if problem.duration == sp.oo
+            else self.value(problem.duration, self.time),
+        )
 
 
-def _motion(new, answer, arguments):
-    return _each_state(new, answer, arguments, [new.factors[x] for x in new.problem.state])
-
-
-def _costate(new, answer, arguments):
-    return _each_state(
-        new, answer, arguments, [new.cost / new.factors[x] for x in new.problem.state]
-    )
-
-
-def _law(new, answer, arguments):
-    (u,), time = new.problem.control, arguments["time"]
-    if isinstance(answer, sp.Eq):
-        return sp.Eq(*(_expression(new, side, 1, time) for side in answer.args), evaluate=False)
-    return _expression(new, answer, new.factors[u], time)
-
-
-def _transition(new, answer, arguments):
-    ((given, domain),) = arguments["domain"].items()
-    arguments["domain"] = {given: _scaled(domain, new.factors[given])}
-    (other,) = set(new.problem.state) - {given}
-    return _expression(new, answer, new.factors[other])
-
-
-def _arc(new, answer, arguments):
-    arguments["value"] = new.expression(arguments["value"], new.factors[arguments["control"]])
-    return _expression(new, answer, new.time)
-
-
-def _range(new, answer, arguments):
-    arguments["quantity"] = new.expression(arguments["quantity"])
-    return _expression(new, answer)
-
-
-def _expression(new, written, factor=1, time=None):
-    if not isinstance(written, (sp.Expr, int, float)):
-        raise NoRule(type(written).__name__)
-    return new.expression(written, factor, time)
-
-
-def _scaled(domain, factor):
-    if factor == 1:
-        return domain
-    if isinstance(domain, sp.FiniteSet):
-        return sp.FiniteSet(*(factor * value for value in domain))
-    return sp.Interval(
-        factor * domain.start, factor * domain.end, domain.left_open, domain.right_open
-    )
-
-
-RULES = {
-    "optimal_control": _control,
-    "optimal_motion": _motion,
-    "optimal_costate": _costate,
-    "optimal_law": _law,
-    "optimal_cost": lambda new, answer, _: _expression(new, answer, new.cost) + new.constant,
-    "optimal_duration": lambda new, answer, _: _expression(new, answer, new.time),
-    "initial_arc_duration": _arc,
-    "optimal_range": _range,
-    "arc_transition_curve": _transition,
+#: What becomes of an argument of a check, by its name.
+ARGUMENTS = {
+    "problem": lambda new, problem: new.problem(problem),
+    "field": lambda new, field: new.field(field),
+    "functional": lambda new, functional: new.functional(functional),
+    "parameters": Rescaled.domain,
+    "domain": Rescaled.domain,
+    "unknown": Rescaled.domain,
+    "law": lambda new, law: new.value(law, new.of_control),
+    "quantity": Rescaled.value,
+    "expression": Rescaled.value,
 }
+
+
+def _scaled(values, factor):
+    if factor == 1:
+        return values
+    if isinstance(values, sp.FiniteSet):
+        return sp.FiniteSet(*(factor * value for value in values))
+    return sp.Interval(
+        factor * values.start, factor * values.end, values.left_open, values.right_open
+    )

@@ -709,4 +709,6 @@ ROWS = [
         "r0/sp.sqrt(r0**2 + (1 - r0)*(1 + r0)*(sp.cosh(2*t) - sp.sinh(2*t)))",
         "hyperbolic functions",
     ),
+    wrong("1.2", "a_rest", "[sp.S(0), sp.pi]", "of one turn alone"),
+    right("1.2", "a_rest", "[sp.pi*n]", "one family for both"),
 ]

@@ -1080,4 +1080,12 @@ ROWS = [
     ),
     right("3.1", "c_margins", "mu <= 1.004", "a border to three digits"),
     wrong("3.1", "c_margins", "mu < 1.004", "mu = 1 belongs to them"),
+    wrong(
+        "3.10",
+        "rest",
+        "[[(-sp.pi if y == sp.pi else y) for y in p] for p in rest]",
+        "angles that lie outside the domain",
+    ),
+    wrong("3.3", "a_angles", "[-sp.atan(w/g), sp.pi - sp.atan(w/g)]", "of one turn alone"),
+    wrong("3.3", "a_unstable", "[sp.pi - sp.atan(w/g)]", "of one turn alone"),
 ]

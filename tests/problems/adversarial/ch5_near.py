@@ -477,4 +477,19 @@ ROWS = [
     wrong("5.66", "b_cost", "[[sp.sqrt(5), 2], [2, -sp.sqrt(5)]]", "the other root in one entry"),
     right("5.68", "a_cost", "[[2.83, 1], [1, 1.41]]", "three digits"),
     wrong("5.70", "controller", "[e2, -e1 - 3*e2 - 2*z]", "the measurement with the wrong sign"),
+    *(
+        wrong(problem, name, control, "too large for floats")
+        for problem, name, large in (
+            ("5.20", "control", "a*sp.exp(400*t)"),
+            ("5.20", "fixed_control", "a*sp.exp(400*t)"),
+            ("5.21", "a_control", "sp.exp(400*t)"),
+            ("5.22", "a_control", "xi1*sp.exp(400*t)"),
+            ("5.65", "control", "sp.exp(400*t)"),
+        )
+        for control in ("1e160", large)
+    ),
+    wrong("5.20", "trajectory", "[1e160*t, 1e160]", "too large for squares"),
+    wrong("5.21", "a_motion", "[1e160*t**2, 2e160*t]", "too large for squares"),
+    wrong("5.65", "motion", "1e160*t", "too large for squares"),
+    wrong("5.65", "costate", "1e160", "too large for squares"),
 ]

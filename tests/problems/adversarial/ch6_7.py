@@ -186,4 +186,5 @@ ROWS = [
         "sp.sin(sp.sqrt(g/R)*t), sp.sqrt(g/R)*t < 50), (0, True))",
         "nothing after many periods",
     ),
+    right("6.1", "a_polynomial", "transition.charpoly(lam)", "as SymPy returns it"),
 ]

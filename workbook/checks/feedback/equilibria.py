@@ -62,16 +62,17 @@ def equilibrium_gains(claim, field, state, controls, domain=None, zeros=None):
     (equilibria,) = family.points(np.zeros((0, 1)))
     unmatched = list(equilibria)
     for point, gain in claim:
-        position = family.reduced(numbers_at(point, {}, [f"coordinate {x}" for x in state]).real)
+        position = numbers_at(point, {}, [f"coordinate {x}" for x in state]).real
+        if not family.inside(family.rounded_inside(position, point)):
+            raise Wrong(f"your point {point_text(position)} lies outside the domain")
         matches = [
             k
             for k, equilibrium in enumerate(unmatched)
-            if family.is_same_point(position.copy(), equilibrium, point)
+            if family.is_same_point(position, equilibrium, point)
         ]
         if not matches:
             if any(
-                family.is_same_point(position.copy(), equilibrium, point)
-                for equilibrium in equilibria
+                family.is_same_point(position, equilibrium, point) for equilibrium in equilibria
             ):
                 raise Wrong(f"the point {point_text(position)} stands twice in your list")
             rates = flow([*position, *[0.0] * len(controls)])

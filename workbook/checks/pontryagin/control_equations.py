@@ -14,6 +14,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import EXACT, agree
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.numeric_functions import real_function
@@ -102,8 +103,12 @@ class _Rate:
         low, high = self._problem.controls[self._problem.control[0]]
         if low.is_number and high.is_number and low.is_finite and high.is_finite:
             domain = {self._problem.control[0]: sp.Interval(low, high)} | (domain or {})
+        units = sample_units(self._problem, domain=domain)
         for _ in range(ATTEMPTS):
-            values = {s: random_value(generator, s, domain) for s in self._symbols}
+            values = {
+                s: random_value(generator, s, domain, unit=float(units.get(s, 1)))
+                for s in self._symbols
+            }
             rate = self._rate_at(values, generator)
             if rate is not None:
                 yield values, *rate

@@ -23,7 +23,7 @@ from workbook.checks.contract.tolerance import (
     rounds_to,
 )
 from workbook.checks.contract.verdict import Wrong, judged
-from workbook.checks.references.optima.functional_optimum import FunctionalOptimum
+from workbook.checks.references.optima.functional_optimum import FunctionalOptimum, units_of
 from workbook.checks.tools.comparisons import SameValue, SameWord
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import sample_values
@@ -124,13 +124,14 @@ def extremum_exists(claim, functional, duration=None):
         reason += ", tried for steps of a fortieth of the interval"
     else:
         sign = -1 if functional.maximise else 1
+        durations = DURATIONS * float(units_of(functional).time)
         series = [
-            sign * _optimum(functional.subs({duration: sp.Float(T)})).value for T in DURATIONS
+            sign * _optimum(functional.subs({duration: sp.Float(T)})).value for T in durations
         ]
         exists = int(np.argmin(series)) not in (0, len(series) - 1)
         reason = (
-            f"its {word} values for {len(series)} durations from {DURATIONS[0]:.3g} to "
-            f"{DURATIONS[-1]:.3g} "
+            f"its {word} values for {len(series)} durations from {durations[0]:.3g} to "
+            f"{durations[-1]:.3g} "
             f"{'have a best one among them' if exists else 'only get better towards one side'}"
         )
     yield SameWord(claim, exists, reason, "look at how the functional behaves: ")
@@ -143,9 +144,9 @@ def stationary_duration(claim, functional, duration):
 
     The symbol `duration` stands in the end of the interval.
     """
-    T = float(claim)
-    if not 0 < T < DURATIONS[-1]:
-        raise Wrong(f"expected a duration between 0 and {DURATIONS[-1]:g}")
+    T, longest = float(claim), DURATIONS[-1] * float(units_of(functional).time)
+    if not 0 < T < longest:
+        raise Wrong(f"expected a duration between 0 and {longest:g}")
     rate, size = _rate(functional, duration, T)
     if abs(rate) <= STILL * size:
         return "the best value does not change with the duration there, to first order"

@@ -27,6 +27,7 @@ from workbook.checks.pontryagin.sample_points import (
     points_near_switching,
     sample_points,
 )
+from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates, singular_arcs
 from workbook.checks.tools.conditions import decide, exactly
 from workbook.checks.tools.numeric_functions import real_function
@@ -146,6 +147,8 @@ def maximising_control(answer, problem, costates, domain=None):
         else coercion.as_expressions(answer, symbols, len(controls))
     )
     H = real_function([*symbols, *controls], [hamiltonian(problem, costates)])
+    units = sample_units(problem, costates, domain)
+    control_units = [float(units[u]) for u in controls]
     for values in (
         *sample_points(problem, costates, domain, controls=False),
         *points_near_switching(problem, costates, domain),
@@ -153,8 +156,10 @@ def maximising_control(answer, problem, costates, domain=None):
         numbers, bounds = [float(values[s]) for s in symbols], control_bounds(problem, values)
         claimed = np.array([value_at(claim, values, str(u)) for claim, u in zip(claims, controls)])
         uncertainties = entry_uncertainties(sp.Matrix(claims), values).ravel()
-        for u, value, (low, high), uncertainty in zip(controls, claimed, bounds, uncertainties):
-            slack = EXACT * (1 + abs(value)) + uncertainty
+        for u, unit, value, (low, high), uncertainty in zip(
+            controls, control_units, claimed, bounds, uncertainties
+        ):
+            slack = EXACT * (unit + abs(value)) + uncertainty
             if not low - slack <= value <= high + slack:
                 raise Wrong(
                     f"for {rounded_text(values)} your {u} is {value:.4g}, which is not admissible"
@@ -167,7 +172,10 @@ def maximising_control(answer, problem, costates, domain=None):
                     np.clip(value + uncertainty * np.linspace(-1, 1, 21), *pair)
                     for value, uncertainty, pair in zip(claimed, uncertainties, bounds)
                 ],
-                [_rivals(value, *pair) for value, pair in zip(claimed, bounds)],
+                [
+                    unit * _rivals(value / unit, *np.array(pair) / unit)
+                    for unit, value, pair in zip(control_units, claimed, bounds)
+                ],
             )
         )
         claimed_values, rival_values = (
@@ -268,8 +276,9 @@ def _require_sign(claim, slope, control, costate_values, domain):
 def _require_common_zeros(claim, slope, problem, costates, domain):
     costate_values = known_costates(problem, costates)
     symbols = [s for s in (*costates, *problem.state) if s not in costate_values]
+    units = sample_units(problem, costates, domain)
     claimed_zeros, true_zeros = (
-        ZeroSet([e.subs(costate_values)], symbols, [*problem.parameters, *problem.control])
+        ZeroSet([e.subs(costate_values)], symbols, [*problem.parameters, *problem.control], units)
         for e in (claim, slope)
     )
     for values in sample_points(problem, costates, domain, use_known_costates=True):

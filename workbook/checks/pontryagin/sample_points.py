@@ -11,6 +11,7 @@ from workbook.checks.contract.tolerance import (
     in_decimals,
     perturbed,
 )
+from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian, known_costates
 from workbook.checks.tools.domains import endpoints, random_value
 from workbook.checks.tools.numeric_functions import real_function
@@ -27,9 +28,16 @@ NEXT_TO = 1e-4
 
 
 class ZeroSet:
-    """The set of common zeros of several expressions in `symbols`."""
+    """The set of common zeros of several expressions in `symbols`.
 
-    def __init__(self, claims, symbols, parameters):
+    Its points are computed in `units`, those of the symbols that have others than one.
+    """
+
+    def __init__(self, claims, symbols, parameters, units=None):
+        self._units = np.array([float((units or {}).get(s, 1)) for s in symbols])
+        if (self._units != 1).any():
+            put = {s: units[s] * s for s in symbols if s in units}
+            claims = [e.subs(put, simultaneous=True) for e in claims]
         self._symbols, self._parameters, self._count = symbols, parameters, len(claims)
         self._values = real_function([*symbols, *parameters], claims)
         self._slopes = real_function(
@@ -46,7 +54,7 @@ class ZeroSet:
         """Return the `distance` that a point may have because of the decimals."""
         if not self._perturbed:
             return self._largest_uncertainty
-        numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
+        numbers = self._numbers(values)
         residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
         changes = sum(
             np.fmax(*(abs(side(*numbers) - residuals) for side in sides))
@@ -65,7 +73,7 @@ class ZeroSet:
 
         It is infinite where an expression is undefined.
         """
-        numbers = [float(values[s]) for s in (*self._symbols, *self._parameters)]
+        numbers = self._numbers(values)
         residuals, slopes = self._values(*numbers), self._slopes(*numbers).reshape(self._count, -1)
         if not (np.isfinite(residuals).all() and np.isfinite(slopes).all()):
             return np.inf
@@ -75,10 +83,16 @@ class ZeroSet:
         ]
         return max(steps) / (1 + np.linalg.norm(numbers[: len(self._symbols)]))
 
+    def _numbers(self, values):
+        return [
+            *(float(values[s]) / unit for s, unit in zip(self._symbols, self._units)),
+            *(float(values[s]) for s in self._parameters),
+        ]
+
     def zero_near(self, values):
         """Return a zero close to a point, as a dict, or None."""
-        parameter_values = [float(values[s]) for s in self._parameters]
-        point = np.array([float(values[s]) for s in self._symbols])
+        numbers = self._numbers(values)
+        point, parameter_values = np.split(np.array(numbers), [len(self._symbols)])
         for _ in range(80):  # at double zeros each step halves the distance
             residuals, slopes = (
                 self._values(*point, *parameter_values),
@@ -89,7 +103,7 @@ class ZeroSet:
             step = np.linalg.lstsq(slopes, residuals, rcond=1e-12)[0]
             point = point - step
             if np.linalg.norm(step) <= 1e-12 * (1 + np.linalg.norm(point)):
-                zero = values | dict(zip(self._symbols, point))
+                zero = values | dict(zip(self._symbols, self._units * point))
                 return zero if self.distance(zero) < 1e-9 else None
         return None
 
@@ -110,13 +124,17 @@ def sample_points(problem, costates, domain, controls=True, use_known_costates=F
         *problem.parameters,
         *(problem.control if controls else ()),
     ]
+    units = sample_units(problem, costates, domain)
     # Each symbol takes values all over its range.
     shares = {
         s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
         for s in symbols
     }
     for k in range(SAMPLES):
-        position = {s: random_value(generator, s, domain, shares[s][k]) for s in symbols}
+        position = {
+            s: random_value(generator, s, domain, shares[s][k], float(units.get(s, 1)))
+            for s in symbols
+        }
         if controls and k < 2:
             position |= {
                 u: pair[k]
@@ -136,7 +154,8 @@ def points_near_switching(problem, costates, domain):
     for slope in (sp.diff(hamiltonian(problem, costates), u) for u in problem.control):
         if slope.free_symbols & set(problem.control):
             continue
-        zeros = ZeroSet([slope], symbols, list(problem.parameters))
+        units = sample_units(problem, costates, domain)
+        zeros = ZeroSet([slope], symbols, list(problem.parameters), units)
         for values in itertools.islice(sample_points(problem, costates, domain, controls=False), 2):
             position = zeros.zero_near(values)
             if position is not None and is_in_domain(position, domain):

@@ -24,6 +24,7 @@ from workbook.checks.pontryagin.sample_points import (
     control_bounds,
     is_in_domain,
 )
+from workbook.checks.references.natural_units import COST, TIME
 from workbook.checks.references.singular_arcs import singular_arcs
 from workbook.checks.tools.comparisons import SameWord
 from workbook.checks.tools.domains import random_value
@@ -65,7 +66,7 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
             answer, "an equation in the states, or several", single=(sp.Expr, sp.Eq, sp.Or)
         )
     ]
-    surface = ZeroSet(claims, list(problem.state), list(problem.parameters))
+    surface = ZeroSet(claims, list(problem.state), list(problem.parameters), arcs.units)
     angles = [x for x in problem.state if _is_angle(x, problem)]
     for values in _points(arcs, domain):
         if not any(
@@ -76,7 +77,9 @@ def singular_surface(answer, problem, costates, control=None, domain=None):
     count = 0
     generator = np.random.default_rng(23)
     for _ in range(6 * SAMPLES):
-        values = {s: random_value(generator, s, domain) for s in symbols}
+        values = {
+            s: random_value(generator, s, domain, unit=float(arcs.units.get(s, 1))) for s in symbols
+        }
         point = surface.zero_near(values)
         if point is None or not is_in_domain(point, domain):
             continue
@@ -109,9 +112,11 @@ def singular_control(claim, problem, costates, control=None, domain=None):
     arcs = _arcs(problem, costates, control)
     without_control, slope = arcs.highest.subs(arcs.control, 0), sp.diff(arcs.highest, arcs.control)
     _without_control(claim, arcs)
+    unit = float(arcs.units[arcs.control])
+    rate = float(arcs.units[COST] / arcs.units[TIME] ** (2 * arcs.order + 1)) / unit
     for values in _points(arcs, domain):
         a, b = (real_at(e, values) for e in (without_control, slope))
-        if b is None or abs(b) < POINT_ACCURACY * (1 + abs(a)):
+        if b is None or abs(b) * unit < POINT_ACCURACY * (rate + abs(a)):
             continue
         claimed = value_at(claim, values, f"the singular {arcs.control}")
         low, high = control_bounds(problem, values)[list(problem.control).index(arcs.control)]

@@ -11,6 +11,7 @@ import sympy as sp
 from workbook.checks.contract.members import members
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.pontryagin.sample_points import SAMPLES, ZeroSet, as_difference
+from workbook.checks.references.optima.units import sample_units
 from workbook.checks.tools.domains import random_value
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import cached_points
@@ -37,12 +38,16 @@ def transversality(answer, problem, costates):
         [*problem.state, *problem.parameters],
         [sp.diff(g, y) for g in problem.terminal for y in problem.state],
     )
+    units = sample_units(problem, costates)
+    state_units, costate_units = (
+        np.array([float(units[s]) for s in symbols]) for symbols in (problem.state, costates)
+    )
     for values in _on_target(problem):
         normals = target(*(float(values[s]) for s in (*problem.state, *problem.parameters)))
-        tangents = _kernel(normals.reshape(-1, len(problem.state)))
-        gradient = np.array([float(sp.diff(problem.final, y).subs(values)) for y in problem.state])
-        true = np.column_stack([tangents, sign * tangents @ gradient])
-        claimed = _affine_rows(claims, costates, values)
+        tangents = _kernel(normals.reshape(-1, len(problem.state)) * state_units)
+        gradient = [float(sp.diff(problem.final, y).subs(values)) for y in problem.state]
+        true = np.column_stack([tangents, sign * tangents @ (gradient / costate_units)])
+        claimed = _affine_rows(claims, costates, values) * [*costate_units, 1]
         extra, missing = (
             _rank(claimed) - _rank(true),
             _rank(np.vstack([claimed, true])) - _rank(claimed),
@@ -63,8 +68,9 @@ def transversality(answer, problem, costates):
 @cached_points
 def _on_target(problem):
     """Return states at the end, with parameters, as dicts."""
+    units = sample_units(problem)
     zeros = (
-        ZeroSet(list(problem.terminal), list(problem.state), list(problem.parameters))
+        ZeroSet(list(problem.terminal), list(problem.state), list(problem.parameters), units)
         if problem.terminal
         else None
     )
@@ -75,7 +81,10 @@ def _on_target(problem):
                 s: (generator.permutation(SAMPLES) + generator.uniform(size=SAMPLES)) / SAMPLES
                 for s in symbols
             }
-        values = {s: random_value(generator, s, None, shares[s][k % SAMPLES]) for s in symbols}
+        values = {
+            s: random_value(generator, s, None, shares[s][k % SAMPLES], float(units.get(s, 1)))
+            for s in symbols
+        }
         point = zeros.zero_near(values) if zeros else values
         if point is not None and len(points) < SAMPLES:
             points.append(point)

@@ -13,7 +13,8 @@ import itertools
 import numpy as np
 import sympy as sp
 
-from workbook.checks.tools.domains import random_value
+from workbook.checks.references.optima.units import in_units, sample_units
+from workbook.checks.tools.domains import random_value, scaled_interval
 from workbook.checks.tools.numeric_functions import real_function
 from workbook.checks.tools.samples import cached_points
 
@@ -56,7 +57,7 @@ def known_costates(problem, costates):
 @functools.lru_cache(maxsize=32)
 def singular_arcs(problem, control, costates):
     """Return the `SingularArcs` of a control; `costates` is a tuple of symbols."""
-    return SingularArcs(problem, control, costates)
+    return SingularArcs(problem, control, costates, sample_units(problem, costates))
 
 
 class SingularArcs:
@@ -66,7 +67,12 @@ class SingularArcs:
     none holds it; `highest`: the derivative of order 2q, or None.
     """
 
-    def __init__(self, problem, control, costates):
+    def __init__(self, problem, control, costates, units=None):
+        #: The units in which points are computed, and the arcs of the problem in these units.
+        self.units = units
+        self._scaled = None
+        if any(unit != 1 for unit in (units or {}).values()):
+            self._scaled = SingularArcs(in_units(problem, units), control, costates)
         self.problem, self.control, self.costates = problem, control, list(costates)
         self.state, self.parameters = list(problem.state), list(problem.parameters)
         self.other_controls = [u for u in problem.control if u != control]
@@ -117,6 +123,14 @@ class SingularArcs:
         They are values of states, costates, parameters and other controls; the symbols range over the
         intervals of `domain`, or what their assumptions allow.
         """
+        if self._scaled is not None:
+            domain = {
+                s: scaled_interval(i, 1 / self.units.get(s, 1)) for s, i in (domain or {}).items()
+            }
+            return [
+                {s: float(self.units.get(s, 1)) * number for s, number in values.items()}
+                for values in self._scaled.points(domain)
+            ]
         random, samples = np.random.default_rng(17), []
         for k in range(STARTS):
             values = {p: random_value(random, p, domain) for p in self.parameters}
@@ -161,6 +175,9 @@ class SingularArcs:
 
         `values` holds all symbols but these.
         """
+        if self._scaled is not None:
+            scaled = {s: number / float(self.units.get(s, 1)) for s, number in values.items()}
+            return self._scaled.multipliers_exist(scaled, share)
         unknown_costates = [s for s in self._unknown if s in self.costates]
         for bound_values in itertools.product(
             *(

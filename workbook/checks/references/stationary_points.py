@@ -11,7 +11,7 @@ import math
 import numpy as np
 import sympy as sp
 
-from workbook.checks.contract.tolerance import agree
+from workbook.checks.contract.tolerance import agree, half_unit, in_decimals
 from workbook.checks.tools.domains import (
     endpoints,
     interval_of,
@@ -158,14 +158,24 @@ class StationaryPoints:
         return points
 
     def inside(self, points):
-        """Return which points lie in the domain; angles always do."""
+        """Return which points lie in the domain, with their angles as they are."""
         result = np.ones(np.shape(points)[1:], dtype=bool)
         for k, (low, high) in enumerate(self._intervals):
-            if not self._angles[k]:
-                interval = interval_of(self.state[k], self.domain)
-                result &= points[k] > low + (END if interval.left_open else -END)
-                result &= points[k] < high - (END if interval.right_open else -END)
+            interval = interval_of(self.state[k], self.domain)
+            result &= points[k] > low + (END if interval.left_open else -END)
+            result &= points[k] < high - (END if interval.right_open else -END)
         return result
+
+    def rounded_inside(self, position, written):
+        """Move a position that decimals put just outside the domain back onto its border."""
+        for k, (symbol, coordinate) in enumerate(zip(self.state, written)):
+            low, high = endpoints(symbol, self.domain)
+            for end in (
+                (low, high) if in_decimals(coordinate) and not low <= position[k] <= high else ()
+            ):
+                if math.isfinite(end) and abs(position[k] - end) <= half_unit(end):
+                    position[k] = end
+        return position
 
     def is_same_point(self, point, reference, written, uncertain=None):
         """Return whether a claimed point is this stationary point.
@@ -174,9 +184,6 @@ class StationaryPoints:
         `uncertain`.
         """
         difference = point - reference
-        for k, angle in enumerate(self._angles):
-            if angle:
-                difference[k] = (difference[k] + math.pi) % (2 * math.pi) - math.pi
         size = max(np.abs(reference).max(), 1e-12)
         uncertain = [None] * len(reference) if uncertain is None else uncertain
         return all(

@@ -21,8 +21,12 @@ from workbook.checks.tools.conditions import (
     contradiction_message,
     exactly,
 )
+from workbook.checks.tools.turns import finite_list_text, members_of
 from workbook.checks.tools.values import number_at, uncertainty_at
 from workbook.checks.tools.wording import other_text, roots_text, values_text
+
+#: Turns in which angles are looked for, and the size of the angles in them.
+TURNS, ALL_TURNS = (-1, 0, 1), 4 * np.pi
 
 
 @judged
@@ -52,7 +56,7 @@ def equilibrium_angles_exist(answer, field, state, parameters):
 def equilibrium_angles(answer, field, state, parameters, integer):
     """Check all stationary angles, as expressions in the parameters and an integer.
 
-    Angles that differ by 2 pi are the same.
+    Those of all turns are asked for.
     """
     return _judge_angle_lists(answer, field, state, parameters, integer, "stationary")
 
@@ -152,13 +156,8 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
         ]
         matched = set()
         for family in claims:
-            for number in range(-3, 4) if family.has(integer) else (0,):
-                at = values | {integer: sp.Integer(number)}
-                claimed, uncertainty = (
-                    number_at(family, at, "your angle"),
-                    uncertainty_at(family, at),
-                )
-                member = f" ({integer} = {number})" if family.has(integer) else ""
+            for member, claimed, at in members_of(family, values, integer, ALL_TURNS):
+                uncertainty = uncertainty_at(family, at)
                 if abs(claimed.imag) > 1e-9 * (1 + abs(claimed)):
                     raise Wrong(
                         f"your value{member} is not real for {values_text(values)}, where there "
@@ -169,7 +168,7 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
                     for phi in reference_angles
                 ]
                 matching = [
-                    phi
+                    (phi, round((true - phi) / (2 * np.pi)))
                     for phi, true in zip(reference_angles, turned)
                     if agree(claimed.real, true, family, 2 * np.pi, uncertain=uncertainty)
                 ]
@@ -179,21 +178,33 @@ def _judge_angle_lists(answer, field, state, parameters, integer, word):
                         f"{values_text(values)}: f(phi, 0) is "
                         f"{angles.force(values, claimed.real):.4g} there"
                     )
-                if matching[0] not in chosen:
+                if matching[0][0] not in chosen:
                     raise Wrong(
                         f"your angle {claimed.real:.4g} for {values_text(values)} is "
                         "stationary, but not "
-                        f"{word}: {_roots_text(*angles.derivatives(values, matching[0]))}"
+                        f"{word}: {_roots_text(*angles.derivatives(values, matching[0][0]))}"
                     )
                 matched.add(matching[0])
-        if len(matched) < len(chosen):
+        missing = [
+            phi + 2 * np.pi * turn for turn in TURNS for phi in chosen if (phi, turn) not in matched
+        ]
+        if missing and any(phi not in {match for match, _ in matched} for phi in chosen):
             raise Wrong(
                 f"not all angles are there: between 0 and 2 pi there is one that is {word} for "
-                f"{values_text(values)} and that your answer does not give"
+                f"{values_text(values)} and that your answer does not give, not even in another turn"
             )
-    # Angles that differ by 2 pi are the same here.
-    turned = [claim if claim.has(integer) else claim + 2 * sp.pi * integer for claim in claims]
-    proof_text = agreement(turned, integer, field, state, parameters, sp.true, word)
+        if missing and not any(claim.has(integer) for claim in claims):
+            raise Wrong(
+                finite_list_text(
+                    f"angles that are {word}", missing[0], f" for {values_text(values)}", integer
+                )
+            )
+        if missing:
+            raise Wrong(
+                f"not all angles are there: in some turns your answer gives one that is {word} for "
+                f"{values_text(values)}, and in others it does not"
+            )
+    proof_text = agreement(claims, integer, field, state, parameters, sp.true, word)
     return (
         f"these angles are {word} for several sets of parameters, and a search of the circle finds "
         f"no other{proof_text}"

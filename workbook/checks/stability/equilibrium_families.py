@@ -25,6 +25,7 @@ from workbook.checks.tools.conditions import (
     contradiction_message,
 )
 from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
+from workbook.checks.tools.turns import finite_list_text, members_of
 from workbook.checks.tools.values import matrix_at, number_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, point_text, where_text
 
@@ -255,7 +256,7 @@ def first_coordinate(part, state, symbols):
 def _judge_values(claims, values, flow, equilibria, expected, integer, noun):
     claimed = []
     for family in claims:
-        for member_text, number, member_values in _members(family, values, integer):
+        for member_text, number, member_values in members_of(family, values, integer, REACH):
             if abs(number.imag) > 1e-9 * (1 + abs(number)):
                 raise Wrong(f"your value{member_text} is not real{where_text(values)}")
             number = number.real
@@ -286,31 +287,7 @@ def _judge_values(claims, values, flow, equilibria, expected, integer, noun):
     for point in expected:  # a finite list for an equation that is periodic in x
         next_turn = np.array([point[0] + 20 * np.pi, *point[1:]])
         if np.all(abs(flow(next_turn)) < 1e-9 * (1 + abs(next_turn[0]))):
-            raise Wrong(
-                f"not all {noun} are there: {next_turn[0]:.4g} is one too{where_text(values)}, and a "
-                f"list has an end; write the family with the integer {integer}"
-            )
-
-
-def _members(family, values, integer):
-    """Return triples (text, number, values): the members of a family between -REACH and REACH.
-
-    A few beyond either end are included.
-    """
-
-    def member(k):
-        member_values = values | {s: sp.Integer(k) for s in _symbols(integer)}
-        return number_at(family, member_values, "your value"), member_values
-
-    if integer is None or not family.has(integer):
-        return [("", *member(0))]
-    (start, _), (following, _) = member(0), member(1)
-    step = abs(following - start)
-    centre = round((start / (start - following)).real) if step > 1e-9 else 0
-    extent = min(int(REACH / step) + 3, 60) if step > 1e-9 else 12
-    return [
-        (f" ({integer} = {k})", *member(k)) for k in range(centre - extent, centre + extent + 1)
-    ]
+            raise Wrong(finite_list_text(noun, next_turn[0], where_text(values), integer))
 
 
 def _growth(flow, point):

@@ -9,20 +9,17 @@ check is the only one in the domain: a data cell that leaves room for two makes 
 unchecked. A circular cycle is a stationary point of the radial equation r' = R(r), r > 0.
 """
 
-import math
-
 import numpy as np
 import sympy as sp
 
 from workbook.checks.contract import coercion
 from workbook.checks.contract.claims import Choice, Expression
 from workbook.checks.contract.members import VECTORS, in_order
-from workbook.checks.contract.tolerance import agree, half_unit, in_decimals
+from workbook.checks.contract.tolerance import agree
 from workbook.checks.contract.verdict import Invalid, Wrong, judged
 from workbook.checks.references.stationary_points import stationary_points_of
 from workbook.checks.stability.equilibrium_angles import is_angle_equation, judge_angle_roots
 from workbook.checks.tools.conditions import Case, ReferenceCondition, compare, exactly
-from workbook.checks.tools.domains import endpoints
 from workbook.checks.tools.substitution import real_at
 from workbook.checks.tools.values import uncertainty_at
 from workbook.checks.tools.wording import (
@@ -201,7 +198,7 @@ def _judge_points(answer, family, noun, searched=None):
             if any(coordinate is None for coordinate in position):
                 outside = "; what your answer gives is not real"
                 continue
-            position = _rounded_inside(family.reduced(np.array(position)), point, family)
+            position = family.rounded_inside(np.array(position, dtype=float), point)
             if not family.inside(position):
                 outside = (
                     f"; {_position_text(family.state, position)}, which your answer gives, lies "
@@ -245,18 +242,6 @@ def _judge_points(answer, family, noun, searched=None):
             "values"
         )
     return f"it gives every {noun} in the domain and nothing else{tried_text(family.parameters)}"
-
-
-def _rounded_inside(position, written, family):
-    """Move a position that decimals put just outside the domain back onto its border."""
-    for k, (symbol, coordinate) in enumerate(zip(family.state, written)):
-        low, high = endpoints(symbol, family.domain)
-        for end in (
-            (low, high) if in_decimals(coordinate) and not low <= position[k] <= high else ()
-        ):
-            if math.isfinite(end) and abs(position[k] - end) <= half_unit(end):
-                position[k] = end
-    return position
 
 
 def _judge_existence(answer, family, noun):

@@ -58,6 +58,15 @@ def endpoints(symbol, domain):
     return _ends_of(interval_of(symbol, domain))
 
 
+def scaled_interval(interval, factor):
+    """Return an interval, or finite set, times a positive factor."""
+    if isinstance(interval, sp.FiniteSet):
+        return sp.FiniteSet(*(factor * value for value in interval))
+    return sp.Interval(
+        factor * interval.start, factor * interval.end, interval.left_open, interval.right_open
+    )
+
+
 @functools.lru_cache(maxsize=64)
 def _ends_of(interval):
     return float(interval.start), float(interval.end)
@@ -69,7 +78,7 @@ def lies_inside(value, symbol, domain):
     return low < value < high
 
 
-def random_value(random, symbol, domain, share=None):
+def random_value(random, symbol, domain, share=None, unit=1.0):
     """Return a random value of a symbol, of a moderate size.
 
     Parameters
@@ -82,6 +91,8 @@ def random_value(random, symbol, domain, share=None):
         Intervals of symbols.
     share : float, optional
         Instead of a random value, the one at this share, between 0 and 1, of all values.
+    unit : float
+        The size that is moderate, where the interval is infinite.
     """
     low, high = endpoints(symbol, domain)
     share = random.uniform() if share is None else share
@@ -89,10 +100,10 @@ def random_value(random, symbol, domain, share=None):
         return low + (0.02 + 0.96 * share) * (high - low)
     smallest, largest = math.log(0.15), math.log(8)
     if math.isfinite(low) or math.isfinite(high):
-        size = math.exp(smallest + share * (largest - smallest))
+        size = unit * math.exp(smallest + share * (largest - smallest))
         return low + size if math.isfinite(low) else high - size
     sign, share = (1, 2 * share - 1) if share > 0.5 else (-1, 1 - 2 * share)
-    return sign * math.exp(smallest + share * (largest - smallest))
+    return sign * unit * math.exp(smallest + share * (largest - smallest))
 
 
 def rational(value):

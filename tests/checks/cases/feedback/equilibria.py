@@ -19,10 +19,17 @@ CASES = [
     Case("equilibrium_gains", [HANGING, STANDING], PENDULUM, "right", "a pair for each point"),
     Case(
         "equilibrium_gains",
-        [[(-pi, 0.0), M([[-3.5, -2]])], [M([0, 0]), (1 / sp.Integer(2), -1)]],
+        [[(pi, 0.0), M([[-3.5, -2]])], [M([0, 0]), (1 / sp.Integer(2), -1)]],
         PENDULUM,
         "right",
-        "another order, a turn away, matrices and decimals",
+        "another order, matrices and decimals",
+    ),
+    Case(
+        "equilibrium_gains",
+        [[(-pi, 0), [-3.5, -2]], HANGING],
+        PENDULUM,
+        "wrong",
+        "an angle on the border that is left out",
     ),
     Case(
         "equilibrium_gains",

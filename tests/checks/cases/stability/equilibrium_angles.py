@@ -41,7 +41,21 @@ CASES = [
         "right",
         "two families",
     ),
-    Case("equilibrium_angles", [BOTTOM, TOP], (*TURNED, n), "right", "the angles of one turn"),
+    Case("equilibrium_angles", [BOTTOM, TOP], (*TURNED, n), "wrong", "those of one turn alone"),
+    Case(
+        "equilibrium_angles",
+        [BOTTOM + 4 * sp.pi * n, TOP + 2 * sp.pi * n],
+        (*TURNED, n),
+        "wrong",
+        "one in every other turn alone",
+    ),
+    Case(
+        "equilibrium_angles",
+        [BOTTOM + 4 * sp.pi * n, BOTTOM + 2 * sp.pi + 4 * sp.pi * n, TOP + 2 * sp.pi * n],
+        (*TURNED, n),
+        "right",
+        "even turns and odd ones",
+    ),
     Case(
         "equilibrium_angles", (-1) ** n * BOTTOM + sp.pi * n, (*TURNED, n), "right", "one formula"
     ),
@@ -72,7 +86,7 @@ CASES = [
         "right",
         "the lower ones",
     ),
-    Case("stable_equilibrium_angles", {BOTTOM}, (*TURNED, n), "right", "a Python set"),
+    Case("stable_equilibrium_angles", {BOTTOM}, (*TURNED, n), "wrong", "that of one turn alone"),
     Case(
         "stable_equilibrium_angles",
         [],
@@ -93,10 +107,10 @@ CASES = [
     ),
     Case(
         "unstable_equilibrium_angles",
-        sp.Matrix([TOP, TOP - 2 * sp.pi]),
+        sp.Matrix([TOP + 2 * sp.pi * n, TOP - 2 * sp.pi * n]),
         (*TURNED, n),
         "right",
-        "a column, one angle twice",
+        "a column, one family twice",
     ),
     Case("unstable_equilibrium_angles", [BOTTOM, TOP], (*TURNED, n), "wrong", "all of them"),
     Case("unstable_equilibrium_angles", [], (*TURNED, n), "wrong", "none"),

@@ -7,12 +7,15 @@ has an error in even powers of the step, and three grids remove the first two of
 """
 
 import functools
+import itertools
+from types import SimpleNamespace
 from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
 
 from trajlib._lazy import casadi as ca
+from workbook.checks.references.natural_units import COST, TIME, natural_units
 
 #: Intervals of the three grids.
 GRIDS = (20, 40, 80)
@@ -38,13 +41,22 @@ class FunctionalOptimum:
         self.functional = functional
         _, begin, end = functional.interval
         self.begin, self.duration = float(begin), float(end - begin)
+        self._units = units_of(functional)
+        #: The part of the value that is the same for all motions.
+        self.constant = float(constant_of(functional))
+
+    @property
+    def value(self):
+        """The optimal value."""
+        return self.constant + self.varying_value
 
     @functools.cached_property
-    def value(self):
+    def varying_value(self):
+        """The optimal value without the constant."""
         value, before = _extrapolated([self._on(count) for count in GRIDS])
         if not abs(value - before) <= KNOWN * (1e-3 + abs(value)):
             raise RuntimeError("the optimum was not found: the grids disagree")
-        return -value if self.functional.maximise else value
+        return float(self._units.cost) * (-value if self.functional.maximise else value)
 
     def convex(self, count=40):
         """Return whether the discrete functional, with its sign, is strictly convex.
@@ -68,15 +80,17 @@ class FunctionalOptimum:
 
     @functools.cached_property
     def _form(self):
-        functional = self.functional
-        motion = dict(zip(functional.derivatives, _symbols(functional.order)))
+        functional, units = self.functional, self._units
+        rates = zip(functional.derivatives, _symbols(functional.order), units.rates)
+        motion = {d: unit * symbol for d, symbol, unit in rates}
         at_end = {
             d.subs(functional.time, functional.interval[2]): symbol for d, symbol in motion.items()
         }
+        integrand = functional.integrand.subs(dict(reversed(motion.items())))
         return _Form(
             functional.time,
-            functional.integrand.subs(dict(reversed(motion.items()))),
-            functional.final.subs(at_end),
+            integrand.subs(functional.time, units.time * functional.time) * units.time / units.cost,
+            (functional.final.subs(at_end) - constant_of(functional)) / units.cost,
             functional.order,
             -1 if functional.maximise else 1,
             *(
@@ -88,27 +102,74 @@ class FunctionalOptimum:
     @functools.cached_property
     def _numbers(self):
         """The parameters of the programme: begin, duration and the values given at both ends."""
+        starts, ends = self._ends
         return [
-            self.begin,
-            self.duration,
-            *(
-                float(value)
-                for value in (*self.functional.start, *self.functional.end)
-                if value is not None
-            ),
+            self.begin / float(self._units.time),
+            self.duration / float(self._units.time),
+            *(value for value in (*starts, *ends) if value is not None),
+        ]
+
+    @property
+    def _ends(self):
+        return [
+            [
+                None if value is None else float(value / unit)
+                for value, unit in zip(values, self._units.rates)
+            ]
+            for values in (self.functional.start, self.functional.end)
         ]
 
     def _guess(self, count):
         n = self.functional.order
-        level = next(
-            (
-                float(ends[0])
-                for ends in (self.functional.start, self.functional.end)
-                if ends[0] is not None
-            ),
-            0.0,
-        )
+        level = next((ends[0] for ends in self._ends if ends[0] is not None), 0.0)
         return np.concatenate([np.tile([level] + [0.0] * (n - 1), count + 1), np.zeros(count)])
+
+
+class MotionUnits(NamedTuple):
+    """Units of time, of the motion and its derivatives, and of the functional."""
+
+    time: sp.Rational
+    rates: tuple
+    cost: sp.Rational
+
+
+def units_of(functional):
+    """Return the `MotionUnits` in which the numbers of a functional are near one.
+
+    An end of the interval that is a symbol says nothing of them.
+    """
+    symbols, clock = _symbols(functional.order), sp.Dummy("clock")
+    motion = dict(zip(functional.derivatives, symbols))
+    time, begin, end = functional.interval
+    at_end = {d.subs(time, end): symbol for d, symbol in motion.items()}
+    record = SimpleNamespace(
+        state=[clock, *symbols[:-1]],
+        control=[symbols[-1]],
+        dynamics={clock: sp.S.One, **dict(itertools.pairwise(symbols))},
+        controls={},
+        initial={clock: begin, **dict(zip(symbols, functional.start))},
+        running=functional.integrand.subs(dict(reversed(motion.items()))).subs(time, clock),
+        final=functional.final.subs(at_end) - constant_of(functional),
+        terminal=[s - value for s, value in zip(symbols, functional.end) if value is not None],
+        duration=None if end.free_symbols else end - begin,
+    )
+    units = natural_units(record)
+    rates = [units[symbols[0]] / units[TIME] ** k for k in range(functional.order + 1)]
+    return MotionUnits(units[TIME], tuple(rates), units[COST])
+
+
+def constant_of(functional):
+    """Return the part of a functional that is the same for all motions."""
+    symbols = _symbols(functional.order)
+    time, begin, end = functional.interval
+
+    def constant(expression, at):
+        motion = {d.subs(time, at): symbol for d, symbol in zip(functional.derivatives, symbols)}
+        bare = sp.expand(expression.subs(dict(reversed(motion.items()))))
+        return bare.as_independent(*symbols, as_Add=True)[0]
+
+    running = constant(functional.integrand, time)
+    return constant(functional.final, end) + sp.integrate(running, (time, begin, end))
 
 
 class _Form(NamedTuple):

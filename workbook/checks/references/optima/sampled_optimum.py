@@ -88,6 +88,8 @@ class SampledOptimum(SampledStarts):
         if "near" not in self.cache:
             count = 100 if len(self.cases) == 1 else 24
             spread_batch = self._safe(self.solve(*self._points(count)))
+            if not len(spread_batch.x):
+                raise RuntimeError("no sample start reaches the target within the horizon")
             self.cache["spread"] = spread_batch
             self.cache["near"] = self._between(
                 spread_batch, lambda batch: batch.control, 28 if len(self.cases) == 1 else 7

@@ -21,7 +21,7 @@ import sympy as sp
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_transfers import LinearTransfer
 from workbook.checks.references.optima.transfer_systems import HomogeneousTransfer, ScalarTransfer
-from workbook.checks.references.optima.units import Units
+from workbook.checks.references.optima.units import Units, is_time_optimal
 
 #: For how many sets of parameters an answer is tried.
 SAMPLES = 10
@@ -59,12 +59,13 @@ class Transfer:
             x if value is None and x in self.parameters else value
             for x, value in problem.initial.items()
         ]
-        self.terminal, state = list(problem.terminal), list(problem.dynamics)
+        state = list(problem.dynamics)
+        self.terminal = [  # without factors
+            sp.sympify(gap).as_independent(*state, as_Add=False)[1] for gap in problem.terminal
+        ]
         bounds = [bound for pair in problem.controls.values() for bound in pair]
         if (
-            problem.running != 1
-            or problem.final != 0
-            or problem.duration is not None
+            not is_time_optimal(problem)
             or len(bounds) != 2
             or any(bound.is_infinite for bound in bounds)
             or None in self.initial

@@ -9,20 +9,12 @@ stated. A constant in the cost is left out.
 
 import dataclasses
 import functools
-import itertools
 from typing import NamedTuple
 
 import numpy as np
 import sympy as sp
 
-from workbook.checks.tools.domains import sample_cases
-
-#: A unit whose logarithm is smaller than this is one: the search is robust enough. Others are powers
-#: of ten.
-PLAIN = 1.5
-#: So many terms of a product of sums are looked at.
-MOST_TERMS = 64
-TIME, COST = sp.Dummy("time"), sp.Dummy("cost")
+from workbook.checks.references.natural_units import COST, TIME, Sizes, natural_units
 
 
 class Units(NamedTuple):
@@ -102,72 +94,77 @@ def scaled_problem(problem, parameters, only_cost=False):
         Whether the units of the states are to be kept, whose symbols stand for initial values, too.
     """
     bare, constant = without_constant(problem), constant_of(problem)
+    only_cost = only_cost or len(problem.control) > 1
     factors = _factors(bare, dict(parameters), only_cost)
     if all(factor == 1 for factor in factors.values()):
         terminal = [_normalised_gap(gap, problem.state, parameters) for gap in problem.terminal]
         if terminal != list(problem.terminal):
             bare = dataclasses.replace(bare, terminal=terminal)
         return bare, Units(), constant
-    replacements = {s: s * f for s, f in factors.items() if f != 1 and s not in (TIME, COST)}
+    scaled = in_units(bare, factors)
+    gaps = [_normalised_gap(gap, problem.state, parameters) for gap in scaled.terminal]
+    return (
+        dataclasses.replace(scaled, terminal=gaps),
+        Units(
+            float(factors[TIME]),
+            np.array([float(factors[x]) for x in problem.state]),
+            float(factors[problem.control[0]]),
+            float(factors[COST]),
+        ),
+        constant,
+    )
+
+
+def in_units(problem, units):
+    """Return a problem in other units, given by symbol, with `TIME` and `COST` among them."""
+    replacements = {s: s * f for s, f in units.items() if f != 1 and s not in (TIME, COST)}
 
     def value(expression, factor=1):
         expression = sp.sympify(expression)
-        return (
-            expression.subs(replacements, simultaneous=True) / factor
-            if replacements
-            else expression / factor
-        )
+        if replacements:
+            expression = expression.subs(replacements, simultaneous=True)
+        return expression / factor
 
-    time, cost = factors[TIME], factors[COST]
-    pair = isinstance(problem.duration, tuple)
-    ends = [
-        None if end is None else end / time
-        for end in (problem.duration if pair else (problem.duration,))
-    ]
-    states = {x: factors[x] for x in problem.state}
-    scaled = dataclasses.replace(
-        bare,
-        dynamics={x: value(f, states[x] / time) for x, f in problem.dynamics.items()},
+    time, cost = units[TIME], units[COST]
+    ends = tuple(None if end is None else end / time for end in _ends(problem))
+    return dataclasses.replace(
+        problem,
+        dynamics={x: value(f, units[x] / time) for x, f in problem.dynamics.items()},
         controls={
-            u: tuple(bound / factors[u] for bound in bounds)
-            for u, bounds in problem.controls.items()
+            u: tuple(bound / units[u] for bound in bounds) for u, bounds in problem.controls.items()
         },
-        initial={x: None if v is None else v / states[x] for x, v in problem.initial.items()},
-        terminal=[
-            _normalised_gap(value(gap), problem.state, parameters) for gap in problem.terminal
-        ],
-        running=value(bare.running, cost / time),
-        final=value(bare.final, cost),
-        duration=tuple(ends) if pair else ends[0],
+        initial={x: None if v is None else v / units[x] for x, v in problem.initial.items()},
+        terminal=[value(gap) for gap in problem.terminal],
+        running=value(problem.running, cost / time),
+        final=value(problem.final, cost),
+        duration=ends if isinstance(problem.duration, tuple) else ends[0],
     )
-    numbers = np.array([float(f) for f in states.values()])
-    return (
-        scaled,
-        Units(float(time), numbers, float(factors[problem.control[0]]), float(cost)),
-        constant,
-    )
+
+
+def sample_units(problem, costates=(), domain=None):
+    """Return the units of states, controls, time, cost and costates in which conditions are tried.
+
+    Parameters
+    ----------
+    problem : pontryagin.Problem
+        The problem.
+    costates : list of sympy.Symbol
+        The costates, in the order of the states.
+    domain : dict, optional
+        Intervals of symbols, those of parameters among them.
+    """
+    parameters = {p: domain[p] for p in problem.parameters if p in (domain or {})}
+    units = _factors(without_constant(problem), parameters, False)
+    return units | {psi: units[COST] / units[x] for psi, x in zip(costates, problem.state)}
 
 
 def _factors(problem, parameters, only_cost):
     """Return the units as exact numbers, by symbol."""
     symbols = [*problem.state, *problem.control, TIME, COST]
-    logs = dict.fromkeys(symbols, 0.0)
-    if len(problem.control) == 1 and not only_cost:
-        logs = _Sizes(problem, parameters).solution(symbols)
-    factors = {s: _unit(log) for s, log in logs.items()}
-    _keep_plain(problem, factors)
+    factors = dict.fromkeys(symbols, sp.S.One) if only_cost else natural_units(problem, parameters)
     if is_time_optimal(problem):
         factors[COST] = problem.running * factors[TIME]
     return factors
-
-
-def _keep_plain(problem, factors):
-    """Change units so that x1' = x2, x' = u and x' = 1 are so in these units, too."""
-    for x, rate in problem.dynamics.items():
-        if rate == 1:
-            factors[x] = factors[TIME]
-        elif rate in factors and rate != x:
-            factors[rate] = factors[x] / factors[TIME]
 
 
 def _normalised_gap(gap, state, parameters):
@@ -175,7 +172,7 @@ def _normalised_gap(gap, state, parameters):
 
     Then a tolerance of the states is one of it.
     """
-    sizes = _Sizes(None, dict(parameters))
+    sizes = Sizes(None, dict(parameters))
     logs = [
         log
         for part in sp.Add.make_args(sp.expand(gap))
@@ -183,89 +180,6 @@ def _normalised_gap(gap, state, parameters):
         for log, _ in sizes.terms(part)
     ]
     return gap / sp.Integer(10) ** round(max(logs)) if logs else gap
-
-
-def _unit(log):
-    return sp.Integer(10) ** round(log) if abs(log) > PLAIN else sp.S.One
-
-
-class _Sizes:
-    """Equations for the logarithms of units: each term of the statement should have size one."""
-
-    def __init__(self, problem, parameters):
-        cases = np.abs(np.array(sample_cases(parameters), dtype=float))
-        self._log_sizes = {
-            p: float(np.mean(np.log10(column[column > 0]))) if (column > 0).any() else 0.0
-            for p, column in zip(parameters, cases.T)
-        }
-        self._equations = []
-        self._units = {TIME, COST} if problem is None else {*problem.state, *problem.control}
-        if problem is None:
-            return
-        for x, rate in problem.dynamics.items():
-            self._equate(rate, {x: 1, TIME: -1})
-        for s, value in [
-            *problem.initial.items(),
-            *((u, bound) for u, pair in problem.controls.items() for bound in pair),
-            *((TIME, end) for end in _ends(problem)),
-        ]:
-            if value is not None and value.is_finite is not False:
-                self._equate(value, {s: 1})
-        self._equate(problem.running, {COST: 1, TIME: -1})
-        self._equate(problem.final, {COST: 1})
-        for gap in problem.terminal:
-            self._equate(gap, {sp.Dummy(): 1})
-
-    def solution(self, symbols):
-        """Return the logarithms of the units of symbols, the smallest that fit best."""
-        unknowns = list(dict.fromkeys([*symbols, *(s for _, w in self._equations for s in w)]))
-        rows = np.array([[float(w.get(s, 0)) for s in unknowns] for _, w in self._equations])
-        right = -np.array([log for log, _ in self._equations])
-        logarithms = np.linalg.lstsq(rows, right, rcond=1e-9)[0]
-        return dict(zip(unknowns, logarithms[: len(symbols)]))
-
-    def _equate(self, expression, unit):
-        for log, weights in self.terms(sp.sympify(expression)):
-            self._equations.append(
-                (log, {s: weights.get(s, 0) - unit.get(s, 0) for s in {**weights, **unit}})
-            )
-
-    def terms(self, expression):
-        """Return the terms of an expression: pairs of a logarithm and {symbol: exponent}."""
-        if expression.is_number:
-            size = abs(complex(expression))
-            return [(float(np.log10(size)), {})] if 0 < size < np.inf else []
-        if expression.is_Symbol:
-            if expression in self._units:
-                return [(0.0, {expression: 1.0})]
-            return [(self._log_sizes.get(expression, 0.0), {})]
-        if isinstance(expression, (sp.Add, sp.Max, sp.Min)):
-            return [term for part in expression.args for term in self.terms(part)]
-        if isinstance(expression, sp.Piecewise):
-            return [term for part, _ in expression.args for term in self.terms(part)]
-        if isinstance(expression, sp.Abs):
-            return self.terms(expression.args[0])
-        if isinstance(expression, sp.Mul):
-            chosen = itertools.product(*map(self.terms, expression.args))
-            return [_product(terms) for terms in itertools.islice(chosen, MOST_TERMS)]
-        if isinstance(expression, sp.Pow) and expression.exp.is_number:
-            power = float(expression.exp)
-            return [
-                (power * log, {s: power * w for s, w in weights.items()})
-                for log, weights in self.terms(expression.base)
-            ]
-        if not isinstance(expression, (sp.sign, sp.Heaviside)):
-            for part in expression.args:
-                self._equate(part, {})
-        return [(0.0, {})]
-
-
-def _product(terms):
-    weights = {}
-    for _, term_weights in terms:
-        for s, w in term_weights.items():
-            weights[s] = weights.get(s, 0.0) + w
-    return sum(log for log, _ in terms), weights
 
 
 def _ends(problem):
