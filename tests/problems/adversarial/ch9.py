@@ -41,4 +41,51 @@ ROWS = [
     right("9.2", "a_least", "sp.Abs(D/T - b*T/2)", "its absolute value: the speed is positive"),
     wrong("9.2", "b_first", "D/T + b*T**2/2", "a way added to a speed"),
     right("9.2", "b_first", "(D/T - b*T/2) + b*T", "by the end"),
+    wrong("9.3", "a_forecast", "[a]*8", "the initial square without normals"),
+    wrong(
+        "9.3",
+        "a_forecast",
+        "[6.66*a, 6.24*a, 3*a, -0.57*a, -3.83*a, -0.586*a, 3*a, 6.24*a]",
+        "one value three per cent off",
+    ),
+    right(
+        "9.3",
+        "a_forecast",
+        "[6.657*a, 6.243*a, 3*a, -0.5858*a, -3.828*a, -0.5858*a, 3*a, 6.243*a]",
+        "four digits",
+    ),
+    wrong(
+        "9.3",
+        "b_measured",
+        "[6.657*a, 6.243*a, 3*a, -2.243*a, -6*a, -4.95*a, -a, 4*a]",
+        "one side left loose",
+    ),
+    wrong("9.3", "c_east", "c <= 5*a", "far too high"),
+    wrong(
+        "9.3",
+        "c_east",
+        "sp.And((2*sp.sqrt(2) - 1)*a < c, c < (2*sp.sqrt(2) + 3)*a)",
+        "without the squares that touch",
+    ),
+    right("9.3", "c_east", "(c/a - 2*sp.sqrt(2) - 1)**2 <= 4", "squared"),
+    wrong("9.4", "a_east", "1 - sp.cos(theta) + theta**4/100", "a hundredth of the fourth power"),
+    right("9.4", "a_east", "sp.sin(theta)*sp.tan(theta/2)", "by half the angle"),
+    wrong("9.4", "b_north", "theta**2 - theta**4/12 + theta**6/100", "a wrong series"),
+    right("9.4", "b_north", "sp.Abs(2*sp.cos(theta) - 2)", "an absolute value"),
+    wrong("9.4", "c_covered", "t < s/(2*delta)", "without the sections that touch"),
+    wrong("9.4", "c_covered", "t <= 0.49*s/delta", "two per cent too few"),
+    right("9.4", "c_covered", "2*sp.log(2*t*delta/s) <= 0", "by logarithms"),
+    wrong("9.5", "a_adjoint", "[0, 0, V*py*sp.sin(psi), 0]", "half of the third alone"),
+    wrong("9.5", "b_controls", "[sp.sign(ppsi*V), mu2]", "the acceleration all the time"),
+    right(
+        "9.5", "b_controls", "[sp.sign(ppsi*V), sp.Piecewise((mu1, pV < 0), (mu2, True))]", "the cases in the other order"
+    ),
+    wrong("9.5", "c_long", "sp.Max(T - phi, sp.sin(phi))", "the greater part alone"),
+    right("9.5", "c_long", "sp.cos(sp.pi/2 - phi) + sp.Abs(T - phi)", "an absolute value"),
+    wrong("9.5", "d_short", "sp.sin(phi)*sp.sin(T)", "a product"),
+    right(
+        "9.5", "d_short", "sp.sin(phi)*(1 - sp.cos(T)) + sp.cos(phi)*sp.sin(T)", "east and north"
+    ),
+    wrong("9.5", "e_section", "2*(1 - sp.cos(T/2))", "the formula for short flights"),
+    right("9.5", "e_section", "T - 1.1416", "five digits"),
 ]
