@@ -78,7 +78,10 @@ ROWS = [
     wrong("9.5", "a_adjoint", "[0, 0, V*py*sp.sin(psi), 0]", "half of the third alone"),
     wrong("9.5", "b_controls", "[sp.sign(ppsi*V), mu2]", "the acceleration all the time"),
     right(
-        "9.5", "b_controls", "[sp.sign(ppsi*V), sp.Piecewise((mu1, pV < 0), (mu2, True))]", "the cases in the other order"
+        "9.5",
+        "b_controls",
+        "[sp.sign(ppsi*V), sp.Piecewise((mu1, pV < 0), (mu2, True))]",
+        "the cases in the other order",
     ),
     wrong("9.5", "c_long", "sp.Max(T - phi, sp.sin(phi))", "the greater part alone"),
     right("9.5", "c_long", "sp.cos(sp.pi/2 - phi) + sp.Abs(T - phi)", "an absolute value"),
