@@ -91,4 +91,12 @@ ROWS = [
     ),
     wrong("8.2", "d_weights", "[(q - 1)/2/(1 - q), 0, sp.Rational(1, 2)]", "those without a drift"),
     right("8.2", "d_weights", "sp.Matrix([q, -1 - q, 1])/(1 - q)", "a column times a factor"),
+    wrong("8.3", "a_product", "0.38*h**3", "one per cent too small"),
+    right("8.3", "a_product", "0.3849*h**3", "four digits"),
+    wrong("8.3", "b_bound", "2*h**3/(9*sp.sqrt(3))*(1 + h/100)", "slightly more for long steps"),
+    right("8.3", "b_bound", "sp.Max(h**3, 2*h**3)/(9*sp.sqrt(3))", "the greater curve"),
+    wrong("8.3", "c_chebyshev", "h**3/12 + h**4/1000", "another power added"),
+    wrong("8.3", "d_quotient", "1 + 2*h + 2*h**2", "three terms of the series"),
+    right("8.3", "d_quotient", "1/sp.exp(-2*h)", "an inverse"),
+    wrong("8.3", "e_rate", "2*h**2/3*sp.exp(-2*h)", "the least third derivative"),
 ]

@@ -14,8 +14,14 @@ __getattr__, __dir__, __all__ = lazy_names(
             "greatest_row_count",
             "nearly_dependent_condition_number",
         ],
-        "infosets": ["common_point_exists", "support_values"],
-        "interpolation": ["interpolant_quantity"],
+        "infosets": [
+            "common_point_exists",
+            "greatest_distance",
+            "section_meets",
+            "section_values",
+            "support_values",
+        ],
+        "interpolation": ["greatest_magnitude", "interpolant_quantity"],
         "invariance": ["invariant_weights"],
         "reconstruction": [
             "boundary_decay",

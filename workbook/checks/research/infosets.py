@@ -2,24 +2,33 @@
 
 A polygon {p: a_i p <= b_i} is judged by its corners, which are found where two sides meet and no
 other is violated; whether it has a point at all by Farkas' lemma, over pairs and triples of sides.
-Sides are not made tight.
+Sides are not made tight. How far a vehicle comes is found by quadrature over its headings.
 """
 
 import functools
 import itertools
+import math
 
 import numpy as np
 import sympy as sp
+from scipy.integrate import quad
 
-from workbook.checks.contract.claims import Expressions
+from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.tools.comparisons import SameValue
 from workbook.checks.tools.conditions import compare, exactly
-from workbook.checks.tools.samples import in_every_case, random_values
+from workbook.checks.tools.samples import (
+    allowed_values,
+    conjunction,
+    in_every_case,
+    random_values,
+)
 from workbook.checks.tools.wording import values_text
 
 #: By how much of its size a side may seem violated at a corner that lies on it.
 ROUNDING = 1e-9
+#: Number of durations and directions for which a distance is compared.
+DISTANCES = 8
 
 
 @judged(Expressions("bounds", length=lambda data: data["directions"].rows))
@@ -28,6 +37,65 @@ def support_values(claims, sides, bounds, directions):
 
     For the rows n it is the greatest n p over the set.
     """
+    yield from _same_support(claims, sides, bounds, directions)
+    return "they are the greatest over all corners, for random values of the symbols"
+
+
+@judged(Expressions("points", "bounds", length=lambda data: data["directions"].rows))
+def section_values(claims, points, directions, sides=None, bounds=()):
+    """Check the support function of a section in each direction.
+
+    The section is the smallest polygon with these normals around the points; with sides, the part
+    of it where sides p <= bounds.
+    """
+    yield from _same_support(claims, *_cut_section(points, directions, sides, bounds), directions)
+    return "they are the greatest over all corners, for random values of the symbols"
+
+
+@judged
+def common_point_exists(answer, sides, bounds):
+    """Check the condition for {p: sides p <= bounds} to have a point.
+
+    The symbols of the bounds have positive values.
+    """
+    return _common_point_agreement(answer, sides, bounds)
+
+
+@judged
+def section_meets(answer, points, directions, sides, bounds):
+    """Check the condition for a section to have a point with sides p <= bounds.
+
+    The section is the smallest polygon with the normals `directions` around the points. The
+    symbols have positive values.
+    """
+    return _common_point_agreement(answer, *_cut_section(points, directions, sides, bounds))
+
+
+@judged(Expression("duration", "direction"))
+def greatest_distance(claim, duration, direction, given, final=None):
+    """Check how far a vehicle with the turning radius 1 comes in a direction.
+
+    It starts at the origin with the heading 0 and the speed 1. With `final` its last heading is
+    given. At each time the heading is the possible one that is nearest to the direction.
+    """
+    symbols = _symbols([duration, direction])
+    for values in in_every_case(
+        allowed_values(symbols, given, DISTANCES), claim, conjunction(given)
+    ):
+        total, towards = (float(sp.sympify(part).subs(values)) for part in (duration, direction))
+
+        def rate(s):
+            turned = s if final is None else min(s, total - s + final)
+            return math.cos(max(towards - turned, 0))
+
+        kinks = [towards, total - towards, total / 2]
+        true, _ = quad(rate, 0, total, points=[s for s in kinks if 0 < s < total])
+        yield SameValue(claim, true, "the greatest distance", values, total)
+    return "it is the distance with the best possible heading at each time"
+
+
+def _same_support(claims, sides, bounds, directions):
+    """Yield comparisons of the claims with the greatest values over all corners."""
     symbols = _symbols(bounds)
     for values in in_every_case(random_values(symbols, 91), sp.Matrix(claims)):
         corners = _corners(sides, bounds, values)
@@ -40,15 +108,10 @@ def support_values(claims, sides, bounds, directions):
                 values,
                 np.abs(corners).max(),
             )
-    return "they are the greatest over all corners, for random values of the symbols"
 
 
-@judged
-def common_point_exists(answer, sides, bounds):
-    """Check the condition for {p: sides p <= bounds} to have a point.
-
-    The symbols of the bounds have positive values.
-    """
+def _common_point_agreement(answer, sides, bounds):
+    """Return the agreement of a condition with Farkas' lemma."""
     symbols = _symbols(bounds)
     domain = sp.And(*(symbol > 0 for symbol in symbols))
 
@@ -62,6 +125,18 @@ def common_point_exists(answer, sides, bounds):
     needed = _necessary(sides.as_immutable(), tuple(map(sp.sympify, bounds)))
     agreement = compare(answer, symbols, exactly(needed, domain), reason)
     return f"it agrees with the bounds on all pairs and triples of sides: {agreement}"
+
+
+def _cut_section(points, directions, sides, bounds):
+    """Return sides and bounds of the polygon around points, and those that cut it."""
+    around = [
+        sp.Max(*(sp.expand(directions.row(i).dot(sp.Matrix(point).T)) for point in points))
+        for i in range(directions.rows)
+    ]
+    return (
+        directions if sides is None else sp.Matrix.vstack(directions, sides),
+        [*around, *bounds],
+    )
 
 
 def _symbols(bounds):

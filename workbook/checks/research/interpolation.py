@@ -1,20 +1,24 @@
 """Formulas that agree with a table of motions.
 
 The polynomial of the table is found here by its powers, from linear equations, and not by
-fundamental polynomials.
+fundamental polynomials. Bounds of their errors are maxima in boxes.
 """
 
+import itertools
 import math
 
 import numpy as np
 import sympy as sp
+from scipy.optimize import minimize
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import judged
 from workbook.checks.tools.comparisons import SameValue
-from workbook.checks.tools.samples import in_every_case
+from workbook.checks.tools.samples import in_every_case, random_values
 
 SAMPLES, SEED = 8, 81
+#: Points of the grid on each side of a box in which a maximum is sought.
+GRID = 25
 
 
 @judged(Expression("nodes"))
@@ -46,6 +50,36 @@ def interpolant_quantity(claim, quantity, motion, nodes, level, slope=None, plac
             abs(true) + max(map(abs, interpolant_values.values())),
         )
     return f"the polynomial through the table gives the same at {SAMPLES} places"
+
+
+@judged(Expression(lambda data: _parameters(data["quantity"], data["box"])))
+def greatest_magnitude(claim, quantity, box):
+    """Check the greatest absolute value of a quantity in a box.
+
+    The ends of the sides and the quantity may depend on further, positive symbols.
+    """
+    for values in in_every_case(random_values(_parameters(quantity, box), SEED), claim):
+        sides = [
+            tuple(float(sp.sympify(end).subs(values)) for end in side) for side in box.values()
+        ]
+        function = sp.lambdify([list(box)], sp.Abs(sp.sympify(quantity).subs(values)))
+        true = _greatest(function, sides)
+        yield SameValue(claim, true, "the greatest magnitude in the box", values, true)
+    return "no magnitude in the box is greater, for random values of the symbols, and one is equal"
+
+
+def _parameters(quantity, box):
+    """Return the symbols of a quantity and of the ends of a box, without its variables."""
+    symbols = sp.Tuple(quantity, *(end for side in box.values() for end in side)).free_symbols
+    return sorted(symbols - set(box), key=str)
+
+
+def _greatest(function, sides):
+    """Return the maximum of a function in a box: the best point of a grid, improved."""
+    grid = itertools.product(*(np.linspace(*side, GRID) for side in sides))
+    best = max(grid, key=function)
+    improved = minimize(lambda point: -function(point), best, bounds=sides, tol=1e-13)
+    return float(max(function(best), -improved.fun))
 
 
 def _powers(motion, nodes):

@@ -12,7 +12,39 @@ SQUARES = (sp.Matrix.vstack(AXES, AXES), [p, p, a, a, a + p, a + p, 0, 0], OCTAG
 TRIANGLE = sp.Matrix([[-1, 0], [0, -1], [3, 4]])
 r = sp.sqrt(2)
 
+SQUARE = [(x, y) for x in (-p, p) for y in (-p, p)]
+TWO_SQUARES = [(x + shift, y) for x, y in SQUARE for shift in (0, 2 * p)]
+HULL = (TWO_SQUARES, AXES)
+CUT = (TWO_SQUARES, AXES, sp.Matrix([[1, 1]]), [p])
+MEETS = (SQUARE, AXES, AXES, [2 * s, s, -s, s])
+T, phi = sp.symbols("T phi", positive=True)
+LONG = (T, phi, [phi <= sp.pi, T >= phi])
+NORTH = (T, sp.pi / 2, [T <= sp.pi], 0)
+cosine = sp.cos(T / 2)
+
 CASES = [
+    Case("research.section_values", [p, 3 * p, p, p], HULL, "right", "by the farthest square"),
+    Case("research.section_values", [p, 2 * p, p, p], HULL, "wrong", "the mean square"),
+    Case("research.section_values", [p, 3 * p, p], HULL, "invalid", "three of four"),
+    Case("research.section_values", ..., HULL, "missing", "the untouched stub"),
+    Case("research.section_values", [p, 2 * p, p, p], CUT, "right", "cut by a diagonal"),
+    Case("research.section_values", [p, 3 * p, p, p], CUT, "wrong", "the cut is forgotten"),
+    Case("research.section_meets", s <= p, MEETS, "right", "touching counts"),
+    Case("research.section_meets", s / p <= 1, MEETS, "right", "as a quotient"),
+    Case("research.section_meets", s < p, MEETS, "wrong", "touching does not count"),
+    Case("research.section_meets", s <= 2 * p, MEETS, "wrong", "too many"),
+    Case("research.section_meets", s - p, MEETS, "invalid", "an expression"),
+    Case("research.section_meets", ..., MEETS, "missing", "the untouched stub"),
+    Case("research.greatest_distance", sp.sin(phi) + T - phi, LONG, "right", "turn, then straight"),
+    Case(
+        "research.greatest_distance", T - (phi - sp.sin(phi)), LONG, "right", "the cost of the turn"
+    ),
+    Case("research.greatest_distance", T, LONG, "wrong", "without a turn"),
+    Case("research.greatest_distance", sp.sin(phi) + T - 1.01 * phi, LONG, "wrong", "nearly"),
+    Case("research.greatest_distance", s, LONG, "invalid", "another symbol"),
+    Case("research.greatest_distance", ..., LONG, "missing", "the untouched stub"),
+    Case("research.greatest_distance", 2 - 2 * cosine, NORTH, "right", "a turn and back"),
+    Case("research.greatest_distance", 1 - sp.cos(T), NORTH, "wrong", "without turning back"),
     Case("research.support_values", [0, w, 2 * w, w, 0, -w], TIGHT, "right", "exact"),
     Case("research.support_values", sp.Matrix([0, w, 2 * w, w, 0, -w]), TIGHT, "right", "a column"),
     Case("research.support_values", [w, w, 3 * w, w, w, -w], TIGHT, "wrong", "the given bounds"),
@@ -98,5 +130,6 @@ LIMITS = [
     "Support values are compared at six random places with positive values of the symbols; one "
     "that is right there and wrong for other signs would pass.",
     "A polygon without a corner, a point at infinity, has no support values and is refused.",
+    "A distance is compared for eight durations and directions.",
     "Whether bounds have a common point is decided for positive values of their symbols.",
 ]

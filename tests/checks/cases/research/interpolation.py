@@ -14,7 +14,19 @@ DEFECT = (rate + x**2, MOTION, NODES, x, rate, {t: 0})
 DECIMALS = (x, sp.exp(-t), {t: [0, sp.Float("0.1"), sp.Rational(1, 3)]}, x)
 found = sp.interpolate([(0, 1), (0.1, sp.exp(-0.1)), (1 / 3, sp.exp(-1 / 3))], t)
 
+h = sp.Symbol("h", positive=True)
+CUBIC = (t * (t - h) * (t - 2 * h), {t: (0, 2 * h)})
+DECAY = (x0 * sp.exp(-t) * (t - 1), {t: (0, 3), x0: (-1, 2)})
+
 CASES = [
+    Case("research.greatest_magnitude", 2 * h**3 / sp.sqrt(27), CUBIC, "right", "inside"),
+    Case("research.greatest_magnitude", 0.385 * h**3, CUBIC, "right", "three digits"),
+    Case("research.greatest_magnitude", -2 * h**3 / sp.sqrt(27), CUBIC, "wrong", "the least value"),
+    Case("research.greatest_magnitude", 3 * h**3 / 8, CUBIC, "wrong", "halfway between the zeros"),
+    Case("research.greatest_magnitude", t**3, CUBIC, "invalid", "a variable of the box"),
+    Case("research.greatest_magnitude", ..., CUBIC, "missing", "the untouched stub"),
+    Case("research.greatest_magnitude", 2, DECAY, "right", "a corner of two variables"),
+    Case("research.greatest_magnitude", 2 * sp.exp(-2), DECAY, "wrong", "the other extreme"),
     Case("research.interpolant_quantity", 4 * t * (1 - t), MIDDLE, "right", "by its zeros"),
     Case("research.interpolant_quantity", 1 - (2 * t - 1) ** 2, MIDDLE, "right", "by its vertex"),
     Case("research.interpolant_quantity", t * (1 - t), MIDDLE, "wrong", "not 1 at its own node"),
@@ -86,6 +98,7 @@ CASES = [
     Case("research.interpolant_quantity", ..., TABLE, "missing", "the untouched stub"),
 ]
 LIMITS = [
+    "A maximum is sought on a grid of 25 points on each side and improved from the best of them.",
     "Agreement is tried at eight places between the nodes; two polynomials of these degrees that "
-    "agree there are taken for equal."
+    "agree there are taken for equal.",
 ]
