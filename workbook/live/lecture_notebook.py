@@ -31,7 +31,7 @@ SLIDES = {
     "width": "100%",
     "height": "100%",
     "transition": "none",
-    "auto_select_timeout": 50,
+    "auto_select": "none",
 }
 
 

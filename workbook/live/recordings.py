@@ -51,11 +51,16 @@ class Recordings:
         """Run a cell out of sight, unless it is recorded as it is; return its error, if any."""
         source = source.strip()
         names = self._shell.user_ns
-        before, inputs = dict(names), self._inputs(source)
-        with capture_output() as shown:
+        try:
+            inputs = self._inputs(source)
+        except SyntaxError:  # also magics of IPython, which are run and not recorded
+            inputs = None
+        before = dict(names)
+        # entered before, so that the run does not replace the display hook that captures
+        with self._shell.display_trap, capture_output() as shown:
             outcome = self._shell.run_cell(source, store_history=False)
         error = outcome.error_before_exec or outcome.error_in_exec
-        if error is None and not self._is_current(source, inputs):
+        if error is None and inputs is not None and not self._is_current(source, inputs):
             assigned = {
                 name: value
                 for name, value in names.items()

@@ -8,20 +8,25 @@
 
    Its slides are made for a desk: slides.css makes them for a hall, and each slide below a title repeats the title.
 
-   A cell that a magic inserts belongs to no slide there; here it gets one, below the one of the magic.
+   A cell that a magic inserts belongs to no slide there; here it gets one, below the one of the magic. Code is chosen by its place in the notebook, which
+   such cells change; here the first code of the slide is chosen.
 
    On slides and in the notebook, Alt+C opens the folded code of a cell and folds it again. */
 {
 let shared;
 const slides = location.pathname.includes("/rise/");
 
+// Longer code that a magic inserts is folded on its slide, and code that draws.
+const MOST_LINES = 12;
 const source = document.currentScript.src;
 
 async function run(app) {
   const versions = Object.values(shared["@jupyterlab/notebook"]);
   const {NotebookActions} = (await versions[0].get())();
   const {content, context} = app.shell.currentWidget;
-  return NotebookActions.run(content, context.sessionContext);
+  const {dataset} = content.activeCell.node;
+  dataset.state = "running";
+  try { return await NotebookActions.run(content, context.sessionContext); } finally { dataset.state = "ran"; }
 }
 
 function fold(app) {
@@ -37,20 +42,32 @@ function repeatTitle(slide) {
   slide.prepend(copy);
 }
 
-function addSlide(cell) {
+function addSlide(node, content) {
   const present = document.querySelector("section section.present");
-  const slide = Object.assign(document.createElement("section"), {id: `${present.id}-${cell.id || Date.now()}`, className: "future"});
-  slide.append(cell);
+  const slide = Object.assign(document.createElement("section"), {id: `${present.id}-below`, className: "future"});
+  slide.append(node);
   present.after(slide);
   repeatTitle(slide);
+  const cell = content.widgets.find(widget => widget.node === node);
+  const code = cell.model.sharedModel.source;
+  cell.inputHidden = code.includes("plt.") || code.split("\n").length > MOST_LINES;
+}
+
+/* Shift+Enter runs the first code of the slide. */
+function select(slide, content) {
+  const node = slide.querySelector(".jp-CodeCell");
+  if (node) content.activeCellIndex = content.widgets.findIndex(widget => widget.node === node);
 }
 
 /* Once the slides are there; whether they are. */
-function prepareSlides() {
-  if (!document.querySelector(".reveal.ready")) return false;
+function prepareSlides(app) {
+  const reveal = document.querySelector(".reveal.ready");
+  if (!reveal) return false;
+  const {content} = app.shell.currentWidget;
+  reveal.addEventListener("slidechanged", event => select(event.currentSlide, content));
   document.querySelectorAll("section.stack > section").forEach(repeatTitle);
   const notebook = document.querySelector(".reveal .jp-Notebook");
-  const loose = () => notebook.querySelectorAll(".jp-Cell:not(section .jp-Cell)").forEach(addSlide);
+  const loose = () => notebook.querySelectorAll(".jp-Cell:not(section .jp-Cell)").forEach(node => addSlide(node, content));
   new MutationObserver(loose).observe(notebook, {childList: true, subtree: true});
   return true;
 }
@@ -69,7 +86,11 @@ function activate(app) {
     app.commands.addKeyBinding({command: "workbook:run", keys: ["Shift Enter"], args: {},
                                 selector: `body .lm-Widget.reveal .jp-Notebook.jp-mod-${mode}Mode`});
   }
-  const waiting = setInterval(() => prepareSlides() && clearInterval(waiting), 200);
+  // the change to another slide leaves the focus nowhere
+  for (const [command, keys] of [["workbook:run", "Shift Enter"], ["workbook:fold", "Alt C"]]) {
+    app.commands.addKeyBinding({command, keys: [keys], args: {}, selector: "body.rise-enabled"});
+  }
+  const waiting = setInterval(() => prepareSlides(app) && clearInterval(waiting), 200);
 }
 
 (window._JUPYTERLAB ??= {})["workbook-live"] = {
