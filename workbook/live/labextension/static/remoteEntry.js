@@ -42,6 +42,11 @@ function repeatTitle(slide) {
   slide.prepend(copy);
 }
 
+function shrink(node, slide) {
+  const excess = slide.scrollHeight - slide.clientHeight;
+  if (excess > 0) node.style.zoom = Math.max(0.5, (node.style.zoom || 1)*(1 - excess/node.offsetHeight));
+}
+
 function addSlide(node, content) {
   const present = document.querySelector("section section.present");
   const slide = Object.assign(document.createElement("section"), {id: `${present.id}-below`, className: "future"});
@@ -50,6 +55,8 @@ function addSlide(node, content) {
   repeatTitle(slide);
   const cell = content.widgets.find(widget => widget.node === node);
   const code = cell.model.sharedModel.source;
+  // a worked solution is not written for slides
+  new ResizeObserver(() => shrink(node, slide)).observe(node);
   cell.inputHidden = code.includes("plt.") || code.split("\n").length > MOST_LINES;
 }
 
