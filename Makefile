@@ -93,6 +93,9 @@ test-pdf: $(INSTALLED)  ## print all chapters as PDF and look at every sheet
 test-quick: $(INSTALLED)  ## the fast layers: without the site, the proofs of all problems, and what waits or is slow
 	$(PYTEST) -n logical -m "not waits and not slow and not site"
 
+test-lectures: $(INSTALLED)  ## play every lecture to the end, as slides and in JupyterLab
+	WORKBOOK_EVERY_LECTURE=1 $(PYTEST) -n 0 tests/live/test_playing.py
+
 test-units: $(INSTALLED)  ## all problems of optimal control in other units and from other origins
 	WORKBOOK_ALL_PROBLEMS=1 $(PYTEST) -n $(CORES) tests/library/test_pontryagin_units.py tests/problems/test_rescaling.py
 

@@ -247,6 +247,9 @@ def live(
     discard: Annotated[
         bool, typer.Option("--discard", help="Throw the notebook away without asking.")
     ] = False,
+    prepare: Annotated[
+        bool, typer.Option("--prepare", help="Compute everything first, so that no step waits.")
+    ] = False,
 ):
     """Open a problem or a lecture in JupyterLab for a class, on a copy (in a checkout)."""
     from workbook.live import LiveError, find_presentation, lectures, present
@@ -257,7 +260,7 @@ def live(
         if name:
             presentation = find_presentation(name)
             print_line = partial(print, flush=True)
-            present(presentation, port, browser, keep, discard, print_line)
+            present(presentation, port, browser, keep, discard, prepare, print_line)
             return
         listed = lectures()
     except LiveError as error:

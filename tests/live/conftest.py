@@ -53,6 +53,8 @@ def lecture(tmp_path):
         )
         try:
             line = process.stdout.readline()
+            while "http" not in line and "--prepare" in arguments and line:
+                line = process.stdout.readline()
             address = re.search(r"http://127\.0\.0\.1:\S+", line)
             assert address, line
             yield Lecture(process, address[0])

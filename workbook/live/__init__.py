@@ -30,7 +30,9 @@ __getattr__, __dir__, __all__ = lazy_names(
 def load_ipython_extension(shell):
     """Register the magics of a lecture in an IPython shell."""
     from workbook.live.magics import LectureMagics  # loads ipywidgets
+    from workbook.live.preparing import prepare_once
 
     lecture = LectureMagics(shell)
     shell.register_magics(lecture)
     shell.events.register("post_run_cell", lecture.after_cell)
+    prepare_once(lecture)

@@ -21,6 +21,15 @@ RUN_THEN_DOWN = {"commands": ["notebook:run-cell", "notebook:move-cursor-down"]}
 SETTINGS = {
     "@jupyterlab/shortcuts-extension/shortcuts": {
         "shortcuts": [
+            # on slides it would go on to the next one before anybody has seen the result
+            {
+                "command": "RISE:smart-exec",
+                "keys": ["Shift Enter"],
+                "selector": ".lm-Widget.reveal .jp-Notebook:focus",
+                "disabled": True,
+            },
+        ]
+        + [
             shortcut
             for mode in ("edit", "command")
             for selector in [f".jp-Notebook.jp-mod-{mode}Mode"]

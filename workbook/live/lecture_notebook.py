@@ -7,7 +7,8 @@ the student would work. A lecture is a page of the book; what the site leaves ou
     %mistake 1.15 a_region
     ```
 
-and becomes a cell. A heading begins a slide; each computation is a slide below it.
+and becomes a cell. A heading begins a slide; below it are slides of at most forty words and one for
+each computation or picture. The code of a picture is folded, its caption stands below it.
 """
 
 import json
@@ -15,12 +16,23 @@ import re
 
 from workbook.authoring.plain_markdown import plain_markdown
 from workbook.checks.contract.check_cells import reported_names
+from workbook.live.slide_texts import HEADING, slide_texts
 from workbook.notebooks.new_cells import new_code_cell, new_markdown_cell, new_notebook
 
 LIVE = re.compile(r"^(`{3,})\{live\}[ \t]*\n(.*?)^\1[ \t]*$\n?", re.M | re.S)
-HEADING = re.compile(r"^(?=#{1,3} )", re.M)
+NEW_TITLE = re.compile(r"^(?=#{1,3} )", re.M)
+CAPTION = re.compile(r"\*[^*].*?[^*]\*(?=\n\n|\Z)", re.S)
+FOLDED = {"jupyter": {"source_hidden": True}}
 #: Settings of jupyterlab-rise: a theme that loads no fonts from another host.
-SLIDES = {"theme": "white", "scroll": True, "center": False, "width": "100%", "height": "100%"}
+SLIDES = {
+    "theme": "white",
+    "scroll": True,
+    "center": False,
+    "width": "100%",
+    "height": "100%",
+    "transition": "none",
+    "auto_select": "none",
+}
 
 
 def lecture_notebook(presentation):
@@ -58,21 +70,35 @@ def _lecture_cells(text):
     cells = []
     for cell in myst_to_notebook(text).cells:
         if cell.cell_type == "code":
-            cells.append(new_code_cell(cell.source, **_slide("subslide")))
+            folded = FOLDED if "figure" in cell.metadata.get("tags", []) else {}
+            cells.append(new_code_cell(cell.source, **_place_of_code(cells), **folded))
             continue
         end = 0
         for live in (*LIVE.finditer(cell.source), None):
-            cells += _slides(cell.source[end : live.start() if live else None])
+            cells += _slides(cell.source[end : live.start() if live else None], cells)
             if live:
-                cells.append(new_code_cell(live[2].strip(), **_slide("subslide")))
+                cells.append(new_code_cell(live[2].strip(), **_place_of_code(cells)))
                 end = live.end()
     return cells
 
 
-def _slides(text):
-    for part in HEADING.split(text):
-        if markdown := plain_markdown(part)[0]:
-            yield new_markdown_cell(markdown, **_slide("slide" if HEADING.match(part) else "-"))
+def _slides(text, before):
+    """Yield the Markdown cells of a text; the caption of a picture stays on its slide."""
+    text = plain_markdown(text)[0].strip()
+    caption = CAPTION.match(text)
+    if caption and before and before[-1]["cell_type"] == "code":
+        yield new_markdown_cell(caption[0], **_slide("-"))
+        text = text[caption.end() :]
+    for part in filter(str.strip, NEW_TITLE.split(text)):
+        for k, slide in enumerate(slide_texts(part.strip())):
+            is_first = k == 0 and HEADING.match(part)
+            yield new_markdown_cell(slide, **_slide("slide" if is_first else "subslide"))
+
+
+def _place_of_code(before):
+    """Return where code goes: below a title that has no text, else to a slide of its own."""
+    title_alone = before and not HEADING.sub("", before[-1]["source"] + "\n", count=1)
+    return _slide("-" if title_alone else "subslide")
 
 
 def _slide(kind):

@@ -1,29 +1,37 @@
 """The magics of a lecture, as an IPython extension.
 
-They are `%answer`, `%catchup`, `%hint`, `%check`, `%mistake`, `%poll` and `%explore`.
+They are `%answer`, `%catchup`, `%hint`, `%check`, `%mistake`, `%poll`, `%explore` and `%%solution`.
 
-All but the last are followed by the name of an answer, `a_region`, with its problem where several
-problems of the lecture have it, `1.16 a_region`. Bad input ends in one line.
+All but the last two are followed by the name of an answer, `a_region`, with its problem where several
+problems of the lecture have it, `1.16 a_region`. Whatever fails in a magic ends in one line.
+
+A lecture and the solutions that it shows have names in common, `target` or `n`. The cells of
+a solution begin with `%%solution 1.16` there and have the names of that problem only.
 """
 
 import builtins
+import itertools
 import os
+from collections import defaultdict
 from contextlib import contextmanager, suppress
 
+import ipywidgets
 from IPython.core.error import UsageError
-from IPython.core.magic import Magics, line_magic, magics_class, no_var_expand
+from IPython.core.magic import Magics, cell_magic, line_magic, magics_class, no_var_expand
 from IPython.display import Markdown, display
 from IPython.utils.capture import capture_output
 
 from workbook.authoring.plain_markdown import plain_markdown
+from workbook.authoring.statements import assigned_names
 from workbook.checks.contract.reporting import NotYet
 from workbook.live import steps
 from workbook.live.catch_up import cells_above
 from workbook.live.errors import LiveError
+from workbook.live.recordings import Recordings
 from workbook.live.worked_problem import WorkedProblem, choose_answer
 from workbook.mistakes.reporting import report
 
-MAGICS = ("answer", "catchup", "hint", "check", "mistake", "poll", "explore")
+MAGICS = ("answer", "catchup", "hint", "check", "mistake", "poll", "explore", "solution")
 
 
 @magics_class
@@ -36,6 +44,11 @@ class LectureMagics(Magics):
             number: WorkedProblem(number)
             for number in os.environ.get("WORKBOOK_LIVE_PROBLEMS", "").split()
         }
+        #: The names of the solutions beside a lecture, by problem; those of a problem that is
+        #: presented itself are the lecturer's own.
+        is_problem = os.environ.get("WORKBOOK_LIVE_NAME", "") in self._problems
+        self._names = None if is_problem else defaultdict(dict)
+        self._recordings = None
         self._counts = {}
         self._last_answer = ""
         self._inserted = None
@@ -57,9 +70,21 @@ class LectureMagics(Magics):
                 if k + 1 < len(all_steps):
                     self.shell.set_next_input(f"%answer {self._last_answer}")
             else:
-                self._prepare(problem, name, step.text)
-                self.shell.set_next_input(step.text)
-                self._inserted = step.text if k + 1 < len(all_steps) else None
+                with self._names_of(problem):
+                    self._prepare(problem, name, step.text)
+                head = f"%%solution {problem.number}\n" if self._names is not None else ""
+                self.shell.set_next_input(head + step.text)
+                self._inserted = head + step.text if k + 1 < len(all_steps) else None
+
+    @cell_magic
+    def solution(self, line, cell):
+        """%%solution 1.16: run a cell of its solution, with the names of that problem."""
+        with _errors_in_one_line():
+            problem = self._problems.setdefault(line.strip(), WorkedProblem(line.strip()))
+            _ = problem.exercise  # raises if there is none
+        with self._names_of(problem):
+            if not self.shell.run_cell(cell).success:
+                self._inserted = None
 
     @no_var_expand
     @line_magic
@@ -81,16 +106,11 @@ class LectureMagics(Magics):
         with _errors_in_one_line():
             name, equals, expression = line.partition("=")
             problem, name = self._choose_answer(name)
-            if equals:
-                if not expression.strip():
-                    raise LiveError(f"write what is to be judged: %check {name} = ...")
-                try:
-                    self.shell.user_ns[name] = self.shell.ev(expression.strip())
-                except Exception as error:
-                    raise LiveError(
-                        f"{expression.strip()} cannot be computed: {type(error).__name__}: {error}"
-                    ) from None
-            verdict = problem.verdict(name, self.shell.user_ns.get(name, ...))
+            with self._names_of(problem):
+                if equals:
+                    self._assign(problem, name, expression.strip())
+                value = self.shell.user_ns.get(name, ...)
+            verdict = problem.verdict(name, value)
             with suppress(NotYet):
                 report(**{name: verdict})
 
@@ -155,6 +175,39 @@ class LectureMagics(Magics):
             else:
                 print(list_explorers())
 
+    def prepare(self, cells):
+        """Compute beforehand what cells of a lecture show; return a line for each that fails."""
+        self._recordings, failures = Recordings(self.shell), []
+        for source in cells:
+            try:
+                if is_lecture_magic(source):
+                    self._prepare_magic(*source.lstrip("%").split(maxsplit=1))
+                else:
+                    self._run_quietly([source])
+            except LiveError as error:
+                failures.append(str(error))
+        ipywidgets.Widget.close_all()
+        _replace(self.shell.user_ns, _own_names(self.shell), {})
+        self._names = self._names if self._names is None else defaultdict(dict)
+        self._counts, self._recordings = {}, None
+        return failures
+
+    def _prepare_magic(self, magic, line):
+        if magic == "explore":
+            self.explore(line)
+            return
+        problem, name = self._choose_answer(line)
+        _ = problem.solved
+        if magic in ("mistake", "poll"):
+            for _ in problem.trials(name):
+                getattr(self, magic)(line)
+        elif magic == "answer":
+            with self._names_of(problem):
+                for step in problem.steps[name]:
+                    if step.kind != steps.TEXT:
+                        self._prepare(problem, name, step.text)
+                        self._run_quietly([step.text])
+
     def after_cell(self, result):
         """Insert `%answer` below an inserted cell that has run without an error."""
         run = (result.info.raw_cell or "").strip() if result.info else ""
@@ -162,6 +215,33 @@ class LectureMagics(Magics):
             self._inserted = None
             if result.success:
                 self.shell.set_next_input(f"%answer {self._last_answer}")
+
+    def _assign(self, problem, name, expression):
+        if not expression:
+            raise LiveError(f"write what is to be judged: %check {name} = ...")
+        if self._names is not None:
+            self._run_quietly(source for _, source in problem.exercise.code("data"))
+        try:
+            self.shell.user_ns[name] = self.shell.ev(expression)
+        except Exception as error:
+            raise LiveError(
+                f"{expression} cannot be computed: {type(error).__name__}: {error}"
+            ) from None
+
+    @contextmanager
+    def _names_of(self, problem):
+        """Put the names of a problem for those of the lecture."""
+        names = self.shell.user_ns
+        if self._names is None:
+            yield
+            return
+        lecture = _own_names(self.shell)
+        _replace(names, lecture, self._names[problem.number])
+        try:
+            yield
+        finally:
+            self._names[problem.number] = _own_names(self.shell)
+            _replace(names, self._names[problem.number], lecture)
 
     def _choose_answer(self, words):
         problem, name = choose_answer(self._problems, words)
@@ -180,19 +260,27 @@ class LectureMagics(Magics):
     def _prepare(self, problem, name, source):
         """Run the imports of the cells before an inserted cell, and the cells if it uses them."""
         before = problem.cells_before(name)
-        self._run_quietly([steps.needed_imports([*before, *problem.master.code("figure")])])
-        missing = steps.names_used(source) - set(self.shell.user_ns) - set(dir(builtins))
-        if missing & set(problem.solved):
+        figures = problem.master.code("figure")
+        self._run_quietly([steps.needed_imports([*before, *figures])])
+        if missing := self._missing(source) & set(problem.solved):
             self._run_quietly([*(source for _, source in problem.exercise.code("data")), *before])
-            print(
-                f"worked out before, and run now: {', '.join(sorted(missing & set(problem.solved)))}"
-            )
+            print(f"worked out before, and run now: {', '.join(sorted(missing))}")
+        # a picture may use a function that an earlier one defines
+        for figure in itertools.takewhile(lambda figure: figure != source, figures):
+            if assigned_names(figure, self._missing(source)):
+                self._run_quietly([figure])
+
+    def _missing(self, source):
+        return steps.names_used(source) - set(self.shell.user_ns) - set(dir(builtins))
 
     def _run_quietly(self, cells):
         for source in cells:
-            with capture_output():
-                outcome = self.shell.run_cell(source, store_history=False)
-            error = outcome.error_before_exec or outcome.error_in_exec
+            if self._recordings is not None:
+                error = self._recordings.record(source)
+            else:
+                with capture_output():
+                    outcome = self.shell.run_cell(source, store_history=False)
+                error = outcome.error_before_exec or outcome.error_in_exec
             if error is not None:
                 first = source.strip().split("\n")[0]
                 raise LiveError(
@@ -206,6 +294,21 @@ def is_lecture_magic(source):
     return first.lstrip("%") in MAGICS and first.startswith("%")
 
 
+def _own_names(shell):
+    """Return what the user of a shell has assigned, by name."""
+    return {
+        name: value
+        for name, value in shell.user_ns.items()
+        if not name.startswith("_") and name not in shell.user_ns_hidden
+    }
+
+
+def _replace(names, old, new):
+    for name in old:
+        del names[name]
+    names.update(new)
+
+
 def _show_markdown(problem, text):
     display(Markdown(plain_markdown(text, number=problem.number)[0]))
 
@@ -214,5 +317,8 @@ def _show_markdown(problem, text):
 def _errors_in_one_line():
     try:
         yield
-    except LiveError as error:
+    except (LiveError, UsageError) as error:
         raise UsageError(str(error)) from None
+    except Exception as error:
+        message = str(error).partition("\n")[0]
+        raise UsageError(f"this does not work: {type(error).__name__}: {message}") from None

@@ -19,12 +19,15 @@ from workbook.live.errors import LiveError
 from workbook.live.keeping import keep_notebook, validate_destination
 from workbook.live.kernel_forkserver import SOCKET, modules_of_problems
 from workbook.live.lecture_notebook import lecture_notebook
+from workbook.live.preparing import PREPARED, wait_until_prepared
 
 #: Seconds in which JupyterLab answers on a slow machine.
 TIMEOUT = 60
 
 
-def present(presentation, port=None, browser=True, keep=None, discard=False, print_line=print):
+def present(
+    presentation, port=None, browser=True, keep=None, discard=False, prepare=False, print_line=print
+):
     """Open a problem or a lecture in JupyterLab, on a copy, until it is shut down.
 
     Ctrl-C or JupyterLab's own Shut Down ends it.
@@ -41,6 +44,8 @@ def present(presentation, port=None, browser=True, keep=None, discard=False, pri
         File or folder to keep the notebook in (`workbook.live.keeping`).
     discard : bool
         Whether the notebook is thrown away without asking.
+    prepare : bool
+        Whether everything is computed before the address is printed.
     print_line : callable
         Prints a line for the lecturer.
 
@@ -63,10 +68,14 @@ def present(presentation, port=None, browser=True, keep=None, discard=False, pri
         _signals_as_interrupts(),
     ):
         folder = Path(path)
-        with _running(folder, presentation, port) as (server, address, notebook, original):
+        with _running(folder, presentation, port, prepare) as (server, address, notebook, original):
             try:
                 _wait_until_ready(server, folder)
                 _start_kernel(address, notebook.name)
+                if prepare:
+                    wait_until_prepared(
+                        folder / "prepared", lambda: server.poll() is None, print_line
+                    )
                 print_line(f"{presentation.title}: {address}")
                 print_line("Ctrl-C here, or File, Shut Down there, ends the lecture.")
                 if browser:
@@ -80,7 +89,7 @@ def present(presentation, port=None, browser=True, keep=None, discard=False, pri
 
 
 @contextmanager
-def _running(folder, presentation, port):
+def _running(folder, presentation, port, prepare):
     """Start JupyterLab and the kernel forkserver at the same time; both end with this context."""
     token = secrets.token_hex(16)
     environment = (
@@ -91,6 +100,8 @@ def _running(folder, presentation, port):
             SOCKET: "kernels",
             "JUPYTER_TOKEN": token,
             "WORKBOOK_LIVE_PROBLEMS": " ".join(presentation.problems),
+            "WORKBOOK_LIVE_NAME": presentation.name,
+            **({PREPARED: str(folder / "prepared")} if prepare else {}),
             "PYTHONPATH": os.environ.get("PYTHONPATH", ""),
             "MPLBACKEND": "module://matplotlib_inline.backend_inline",
         }

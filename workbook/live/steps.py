@@ -83,10 +83,10 @@ def _steps(role, source):
         return [Step(FIGURE, source)]
     if role:
         return [Step(CODE, source)]
-    return [Step(TEXT, text) for text in _paragraphs(source)]
+    return [Step(TEXT, text) for text in paragraphs(source)]
 
 
-def _paragraphs(text):
+def paragraphs(text):
     """Split a text into paragraphs, each with the formulas, lists and boxes that follow it."""
     paragraphs = []
     for part in BLANK_LINES.split(text):

@@ -31,6 +31,7 @@ class WorkedProblem:
 
     def __init__(self, number):
         self.number = number
+        self._verdicts = {}
 
     @cached_property
     def master(self):
@@ -94,9 +95,14 @@ class WorkedProblem:
     def verdict(self, name, value):
         """Return the verdict of the check cell on a value of an answer."""
         try:
-            value = ... if value is ... else decode(encode(value))
+            key = name, "" if value is ... else encode(value)
         except EncodingError as error:
-            value = Unusable(str(error))
+            return self._judged(name, Unusable(str(error)))
+        if key not in self._verdicts:
+            self._verdicts[key] = self._judged(name, ... if value is ... else decode(key[1]))
+        return self._verdicts[key]
+
+    def _judged(self, name, value):
         cell = next(
             source for _, source in self.exercise.code("check") if name in reported_names(source)
         )

@@ -1,0 +1,126 @@
+"""Lectures from their documented command to the end, as a class sees them.
+
+Here two are played as slides and one in JupyterLab; `make test-lectures` plays all.
+"""
+
+import itertools
+import os
+import time
+
+import pytest
+
+from workbook.live import find_presentation, lectures
+from workbook.live.lecture_notebook import lecture_notebook
+from workbook.live.slide_texts import MOST_WORDS, word_count
+
+SLUGS = [lecture.name for lecture in lectures()]
+PLAYED = SLUGS if "WORKBOOK_EVERY_LECTURE" in os.environ else ["limit-cycles", "stability-regions"]
+IN_LAB = SLUGS if "WORKBOOK_EVERY_LECTURE" in os.environ else ["stability-regions"]
+#: Seconds that a step may take, and lines of code that fit on a slide with what they show.
+LONGEST_STEP, MOST_LINES = 3, 23
+FAILED = "[data-mime-type='application/vnd.jupyter.error'], [data-mime-type='application/vnd.jupyter.stderr']"
+SLIDE = "document.querySelector('section section.present')"
+CELLS = "[...document.querySelectorAll('.jp-Notebook .jp-CodeCell')]"
+
+
+@pytest.mark.parametrize("slug", SLUGS)
+def test_a_slide_has_at_most_forty_words_or_a_screen_of_code(slug):
+    for cell in lecture_notebook(find_presentation(slug))["cells"]:
+        if cell["cell_type"] == "markdown":
+            assert word_count(cell["source"]) <= MOST_WORDS, cell["source"]
+        elif not cell["metadata"].get("jupyter", {}).get("source_hidden"):
+            assert len(cell["source"].split("\n")) <= MOST_LINES, cell["source"]
+
+
+@pytest.mark.parametrize("slug", SLUGS)
+def test_no_title_is_alone_and_the_code_of_pictures_is_folded(slug):
+    cells = lecture_notebook(find_presentation(slug))["cells"]
+    for cell, after in itertools.pairwise(cells):
+        if word_count(cell["source"]) == 0 and cell["cell_type"] == "markdown":
+            assert after["metadata"]["slideshow"]["slide_type"] == "-", cell["source"]
+    drawing = [cell for cell in cells if "plt.subplots" in cell["source"]]
+    assert drawing and all(cell["metadata"]["jupyter"]["source_hidden"] for cell in drawing)
+
+
+def shift_enter(browser):
+    from selenium.webdriver import ActionChains
+    from selenium.webdriver.common.keys import Keys
+
+    ActionChains(browser.driver).key_down(Keys.SHIFT).send_keys(Keys.ENTER).key_up(
+        Keys.SHIFT
+    ).perform()
+
+
+def run_step(browser, cell, done):
+    """Run the chosen cell, which is `cell` in JavaScript, and wait until `done` is true."""
+    began = time.monotonic()
+    shift_enter(browser)
+    assert browser.wait_for(done, 30), (
+        f"did not run: {browser.run(f'{cell}.textContent.slice(0, 200)')}"
+    )
+    seconds = time.monotonic() - began
+    text = browser.run(f"{cell}.innerText")
+    assert seconds < LONGEST_STEP, f"{seconds:.1f} s: {text}"
+    assert "Traceback" not in text and "UsageError" not in text, text
+    assert browser.run(f'{cell}.querySelector("{FAILED}") === null'), text
+
+
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("slug", PLAYED)
+def test_a_lecture_plays_as_slides(slug, lecture, browser):
+    with lecture(slug, "--prepare", "--discard") as live:
+        browser.resize(1280, 800)
+        browser.open(live.address.replace("/doc/tree/", "/rise/"))
+        assert browser.wait_for("!!document.querySelector('.workbook-title')", 90)
+        visited = set()
+        while (slide := browser.run(f"{SLIDE}.id")) not in visited:
+            visited.add(slide)
+            cell = f"document.getElementById('{slide}').querySelector('.jp-CodeCell')"
+            if browser.run(f"{cell} !== null"):
+                # it is chosen when the slide comes
+                assert browser.wait_for(f"{cell}.classList.contains('jp-mod-active')", 10), slide
+                run_step(browser, cell, f"{cell}.dataset.state === 'ran'")
+                assert browser.run(f"{SLIDE}.id") == slide, "Shift+Enter left the slide"
+                time.sleep(0.3)  # what it shows is laid out, what it inserts has its slide
+            assert browser.run(
+                f"{SLIDE}.scrollHeight <= {SLIDE}.clientHeight + 1 && "
+                f"{SLIDE}.scrollWidth <= {SLIDE}.clientWidth + 1"
+            ), browser.run(f"{SLIDE}.innerText")
+            browser.driver.switch_to.active_element.send_keys(" ")
+            browser.wait_for(f"{SLIDE}.id !== {slide!r}", 1)
+        assert len(visited) > 20
+        size = "parseFloat(getComputedStyle(document.querySelector('.reveal .jp-RenderedMarkdown p')).fontSize)"
+        assert browser.run(size) >= 28
+        heading = "getComputedStyle(document.querySelector('.reveal h1')).textTransform"
+        assert browser.run(heading) == "none"
+        assert browser.foreign_requests() == []
+        browser.open("about:blank")
+        live.end()
+
+
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("slug", IN_LAB)
+def test_a_lecture_plays_in_lab(slug, lecture, browser):
+    with lecture(slug, "--prepare", "--discard") as live:
+        browser.resize(1280, 800)
+        browser.open(live.address)
+        assert browser.wait_for(f"{CELLS}.length > 8 && !!window.jupyterapp", 90)
+        assert browser.wait_for(
+            "document.querySelector('.jp-Notebook-ExecutionIndicator')?.dataset.status === 'idle'",
+            60,
+        )
+        notebook = "window.jupyterapp.shell.currentWidget.content"
+        browser.run(f"void ({notebook}.activeCellIndex = 0, {notebook}.activate())")
+        last = None
+        while (k := browser.run(f"{notebook}.activeCellIndex")) != last:
+            last = k
+            if browser.run(f"{notebook}.activeCell.model.type") == "code":
+                cell = f"{notebook}.widgets[{k}]"
+                done = f"{cell}.model.executionCount && {cell}.model.executionState === 'idle'"
+                run_step(browser, f"{cell}.node", done)
+            else:
+                shift_enter(browser)
+            browser.wait_for(f"{notebook}.activeCellIndex !== {k}", 1)
+        assert last > 20
+        browser.open("about:blank")
+        live.end()

@@ -1,0 +1,72 @@
+"""Cut the text of a lecture into slides of at most forty words."""
+
+import re
+
+from workbook.live.steps import paragraphs
+
+#: What a hall reads while somebody speaks.
+MOST_WORDS = 40
+HEADING = re.compile(r"#{1,3} [^\n]*\n*")
+FORMULA = re.compile(r"\$\$.*?\$\$|\$[^$]*\$", re.S)
+#: Blanks within a formula do not end a sentence; they stand as this meanwhile.
+JOINT = "\0"
+SENTENCE_END = re.compile(r"(?<=[.?!])(?<!e\.g\.)(?<!i\.e\.)(?<!cf\.)\s+|(?<=[.?!]\*\*)\s+")
+LIST_ITEM = re.compile(r"\n(?=[-*] |\d+\. )")
+BLANK_LINES = re.compile(r"\n{2,}")
+
+
+def word_count(text):
+    """Return the number of words that a slide shows, a formula being one; titles do not count."""
+    words = HEADING.sub("", FORMULA.sub(" x ", text)).split()
+    return sum(any(letter.isalnum() for letter in word) for word in words)
+
+
+def slide_texts(text):
+    """Cut Markdown into slides: whole paragraphs where they fit, else sentences or list items.
+
+    Parameters
+    ----------
+    text : str
+        A title, if any, and the paragraphs below it.
+
+    Returns
+    -------
+    list of str
+        The texts of the slides; only a sentence that has too many words itself exceeds the limit.
+    """
+    title = HEADING.match(text)
+    slides = []
+    for paragraph in paragraphs(text[title.end() :] if title else text):
+        pieces = [paragraph] if word_count(paragraph) <= MOST_WORDS else _pieces(paragraph)
+        for k, piece in enumerate(pieces):
+            joint = "\n\n" if k == 0 else "" if piece.startswith("\n") else " "
+            joined = slides[-1] + joint + piece if slides else piece
+            if slides and word_count(joined) <= MOST_WORDS:
+                slides[-1] = joined
+            else:
+                slides.append(piece.strip())
+    if title:
+        slides[:1] = ["\n\n".join([title[0].strip(), *slides[:1]])]
+    return slides
+
+
+def _pieces(paragraph):
+    """Split a paragraph into sentences and list items, each with the formulas that follow it."""
+    pieces = []
+    for block in BLANK_LINES.split(FORMULA.sub(_hide_blanks, paragraph)):
+        if block.startswith("$$") and pieces:
+            pieces[-1] += "\n\n" + block
+            continue
+        for k, item in enumerate(LIST_ITEM.split(block)):
+            sentences = SENTENCE_END.split(item) if not _is_list(item) else [item]
+            start = "\n\n" if k == 0 and pieces else "\n" if k else ""
+            pieces += [start + sentences[0], *sentences[1:]]
+    return [piece.replace(JOINT + "n", "\n").replace(JOINT + "s", " ") for piece in pieces]
+
+
+def _hide_blanks(formula):
+    return formula[0].replace("\n", JOINT + "n").replace(" ", JOINT + "s")
+
+
+def _is_list(item):
+    return re.match(r"[-*] |\d+\. ", item) is not None
