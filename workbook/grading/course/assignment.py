@@ -244,7 +244,15 @@ def from_text(text, path):
     except policies.PolicyError as error:
         raise AssignmentError(f"{path}: {error}") from None
     return Assignment(
-        name, title.strip(), tuple(problems), points, policy, attempt, attempts, direction, by_hand
+        name,
+        title.strip(),
+        tuple(problems),
+        points,
+        policy,
+        attempt,
+        attempts,
+        direction,
+        by_hand=by_hand,
     )
 
 
