@@ -44,8 +44,8 @@ NOT_RESCALED = {
     "steady_gain": "units of the measurement and of its noise, chapter 4",
     "polar_angle_rate": "the direction of a state has no meaning for states in different units",
 }
-#: Syntheses in the plane are judged from sample starts and up to a horizon of size one. In other
-#: units they are unchecked, never right or wrong; their cost is the time, without a factor.
+#: Syntheses in the plane are judged from sample starts and up to a horizon of size one, which in other
+#: units may lie outside the motions: then they are unchecked. Their cost is the time, without a factor.
 NUMBERS_NEAR_ONE = {
     "time_optimal_law",
     "minimal_time",

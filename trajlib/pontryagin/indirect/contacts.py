@@ -133,9 +133,9 @@ def with_boundary_labels(numeric, solution, columns, chosen):
             raise Chattering(
                 f"{g} is a state constraint of order {order}: a boundary arc has "
                 f"{2 * order} conditions where it begins, more than two times and two jumps of the "
-                "costate can satisfy, so that contacts with the boundary accumulate before it. No "
-                "list of arcs describes such an extremal; give the control a cost, or constrain a "
-                "derivative."
+                "costate can satisfy except by chance, and contacts with the boundary accumulate before "
+                "it. No list of arcs was found for this extremal; give the control a cost, or constrain "
+                "a derivative."
             )
         inside = slice(first, last)
         acting = _acting_controls(numeric, contact.constraint)

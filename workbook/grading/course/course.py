@@ -253,18 +253,17 @@ def _plan(copies, aside, homeworks, store, limits):
             "names in text": submission.names_in_text,
             "names": list(exercise.about["answers"]),
         }
-    return Plan(tuple(pending.values()), graded_before, tuple(aside), _own_lines(copies))
+    return Plan(tuple(pending.values()), graded_before, tuple(aside), _own_lines(copies, homeworks))
 
 
-def _own_lines(copies):
+def _own_lines(copies, homeworks):
     """Return the own lines of code of each student, by homework and student."""
-    lines = {}
-    pristine = {
-        problem: copying.pristine_lines(exercises.find(problem))
-        for problem in {problem for _, _, problem, _ in copies}
-    }
+    lines, pristine = {}, {}
     for (student, name, problem, _), (submission, *_) in copies.items():
-        own = copying.own_lines(submission.cells, pristine[problem])
+        variant = homeworks[name].variant(problem, student)
+        if variant not in pristine:
+            pristine[variant] = copying.pristine_lines(exercises.find(variant))
+        own = copying.own_lines(submission.cells, pristine[variant])
         lines.setdefault(name, {}).setdefault(student, set()).update(own)
     return lines
 
