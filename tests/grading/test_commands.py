@@ -979,11 +979,11 @@ def the_class_is_known(folder):
 
 def friends_hand_in(folder):
     """Ann her own work, Bob hers, Cid the site's answers with the site's data cell."""
-    lines = (folder / "assignments" / "hw2" / "numbers.csv").read_text("utf-8").split()
+    lines = (folder / "assignments" / "hw3" / "numbers.csv").read_text("utf-8").split()
     row = dict(line.split(",") for line in lines)["ann"]
     for student in ("ann", "bob"):
-        hand_in(folder, student, f"2.4~{row}", RIGHT_2_4, "hw2", name="ch2-p04.ipynb")
-    hand_in(folder, "cid", "2.4", SITE_2_4, "hw2")
+        hand_in(folder, student, f"2.4~{row}", RIGHT_2_4, "hw3", name="ch2-p04.ipynb")
+    hand_in(folder, "cid", "2.4", SITE_2_4, "hw3")
 
 
 #: What people do between the commands, at the beginning of a section.
@@ -1039,7 +1039,7 @@ def test_every_command_of_the_lecturers_guide(tmp_path):
         )
         commands_run.append(command)
     assert waiting == {} and len(commands_run) > 15
-    grades = json.loads((tmp_path / "graded" / "hw2" / "grades.json").read_text("utf-8"))
+    grades = json.loads((tmp_path / "graded" / "hw3" / "grades.json").read_text("utf-8"))
     earned = {name: score["points"] for name, score in grades["students"].items()}
     # an answer may be the same for two rows
     assert (earned["ann"], earned["cid"], earned["dan"]) == (3, 0, 0) and earned["bob"] <= 1
