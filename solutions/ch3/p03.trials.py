@@ -25,7 +25,7 @@ c_speed_gain = sp.Matrix([1 + beta2 / k, beta1])  # Was a sign lost in the deter
 # Does a correction of the first equation damp the errors here? (hint 1)
 c_speed_observer = [e2 + (z - e2), -k * e1]
 c_speed_observer = [e2, -k * e1 + (z - e1)]  # Is a rate compared with an angle here? (hint 1)
-# Does the error of the beginning die out if the measured rate is only integrated? (hint 1)
+# Does the initial error decay if the measured rate is only integrated? (hint 1)
 c_speed_observer = [z, -k * e1 + 7 * (z - e2)]
 
 # %% right

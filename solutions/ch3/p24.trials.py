@@ -23,7 +23,7 @@ regulator_region = k1 < 0  # What does too strong a push with the velocity do?
 regulator_region = (k1 > 0) & (k2 > -1)  # Is the feedback taken with a minus sign?
 # What becomes of a delay without a feedback of the place?
 regulator_region = (k1 <= 0) & (k2 < 1)
-place_margins = mu <= 1  # Is the root of the friction out of reach, or hidden? (hint 1)
+place_margins = mu <= 1  # Is the root of the friction uncontrollable or unobservable? (hint 1)
 # Was the velocity thought to be needed? What does a record of the place tell of it?
 place_margins = sp.false
 speed_margins = sp.true  # Which column of the matrix N is zero? (hint 1)
