@@ -1,8 +1,8 @@
 # %% wrong
-# Does one measurement tell only one number? Think of its derivative. (hint 1)
+# Does one measurement give only one number? Think of its derivative. (hint 1)
 a_observable = False
 a_unseen = [[0, 1]]  # Are these the states with zero output at a single instant only? (hint 1)
-# Does a speed tell nothing of the position here? The body is not free. (hint 1)
+# Is the position not determined by a speed here? The body is not free. (hint 1)
 b_observable = False
 b_unseen = [[1, 0]]  # Are these the states with zero output at a single instant only? (hint 1)
 c_observable = True  # Is it enough that both states enter the measurement? (hint 1)
@@ -10,7 +10,7 @@ c_unseen = [[1, 1]]  # Is this the eigenvector that is seen? (hint 2)
 c_unseen = [[0, 0]]  # Can the zero vector belong to a basis? (hint 1)
 d_observable = False  # Do imaginary eigenvalues hide a motion? (hint 1)
 d_unseen = [[0, 1]]  # Does this motion really keep z at zero? (hint 1)
-# Does one measurement tell only one number? Think of its derivative. (hint 1)
+# Does one measurement give only one number? Think of its derivative. (hint 1)
 e_observable = False
 e_unseen = [[1, 0]]  # Are these the states with zero output at a single instant only? (hint 1)
 f_observable = False  # The output is that of item c, but is the system? (hint 1)

@@ -1,5 +1,5 @@
 # %% wrong
-# Must there be as many measurements as unknowns? What do the derivatives of the measurement tell?
+# Must there be as many measurements as unknowns? What do the derivatives of the measurement show?
 # (hint 1)
 a_observable = False
 # Are these the states with zero output at one instant? Follow them a little longer. (hint 1)
@@ -49,14 +49,14 @@ h_region = sp.Ne(alpha, 2)  # Was a sign lost in the factor of the determinant? 
 h_unseen = {-2: [[-1, 2, 1]]}
 # Is anything lost at all at each of the values named here? Compute the determinant there. (hint 1)
 h_unseen = {-2: [[1, 0, 0], [0, 2, 1]], 0: [[1, 0, 0]]}
-# Is this what a single minor says? All of them have to vanish together. (hint 1)
+# Is this the condition of a single minor? All of them have to vanish together. (hint 1)
 i_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, 3))
 # Is this what the first output alone does not see? Ask the second output too, and check the value.
 # (hint 1)
 i_unseen = {3: [[0, 1, -1]]}
 # Is this eigenvector really without any trace in both outputs? (hint 1)
 i_unseen = {1: [[1, 1, 0]]}
-# Is this what a single minor says? The others may still be different from zero there. (hint 1)
+# Is this the condition of a single minor? The others may still be different from zero there. (hint 1)
 j_region = sp.And(sp.Ne(alpha, -1), sp.Ne(alpha, -sp.Rational(1, 2)))
 j_region = True  # Does the minor really never vanish? Factor it. (hint 1)
 # Is this the eigenvector that the first output alone does not see? Ask the second one at this

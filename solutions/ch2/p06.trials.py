@@ -1,11 +1,11 @@
 # %% wrong
-# Does the longitude tell nothing of the height? Differentiate it. (hint 1)
+# Does the longitude not depend on the height? Differentiate it. (hint 1)
 a_observable = False
 # Does the longitude stay at rest when the height is constant? (hint 1)
 a_unseen = [[0, 1, 0, 0]]
 # Does the rank fall wherever the upper square is singular? There is one row more. (hint 2)
 a_lost = {0, sp.I * Omega, -sp.I * Omega}
-b_observable = True  # Does the height tell all that the longitude does? (hint 1)
+b_observable = True  # Does the height determine all that the longitude does? (hint 1)
 # Does an altimeter really not see this orbit? (hint 2)
 b_unseen = [[1, 0, 0, 0], [0, 2 * r0, -3 * Omega, 0]]
 b_unseen = [[0, 0, 1, 0]]  # Do the equations allow a steady rate at height zero? (hint 2)

@@ -40,7 +40,7 @@ away_time = sp.Float("1.7321")  # Is this the time without any thrust? (hint 1)
 away_time = sp.Integer(1)  # Is the speed constant? (hint 1)
 closer_gain = sp.Integer(1)  # Does a faster turn push in or out? (hint 1)
 closer_gain = sp.Integer(0)  # Can the gain do nothing against the turn? (hint 1)
-closer_time = half  # Does the speed at the beginning last? (hint 1)
+closer_time = half  # Does the initial speed last? (hint 1)
 closer_time = sp.Float("1.1939")  # Is this the time of the other item? (hint 1)
 
 # %% right

@@ -243,7 +243,7 @@ def initial_arc_duration(claim, problem, control, value, parameters):
                     if true > claimed
                     else "for a shorter time"
                     if true
-                    else "at no time in the beginning",
+                    else "at no time at the start",
                     "not just so long",
                 )
             )
