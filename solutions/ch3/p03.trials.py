@@ -18,7 +18,7 @@ c_angle_observer = [e2, -k * e1]  # Do the errors decay without any correction? 
 c_angle_observer = [e2, -k * e1 + (z - e1)]
 # Is the measurement fed in, or its difference from what is expected? (hint 1)
 c_angle_observer = [e2 + z, -k * e1]
-c_speed_observable = sp.true  # Does the rate tell the angle whatever the equation is? (hint 2)
+c_speed_observable = sp.true  # Does the rate determine the angle whatever the equation is? (hint 2)
 c_speed_observable = k > 0  # Does a pendulum have to hang to be observable? (hint 1)
 c_speed_gain = sp.Matrix([beta1, beta2 - k])  # Is this the gain for a measured angle? (hint 1)
 c_speed_gain = sp.Matrix([1 + beta2 / k, beta1])  # Was a sign lost in the determinant? (hint 1)

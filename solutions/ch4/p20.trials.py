@@ -2,7 +2,7 @@
 # Has the noise reached both coordinates within one step? (hint 1)
 first = sp.diag(alpha**2 * Q, Q)
 first = sp.diag(alpha * p22, Q)  # How does a factor enter a variance? (hint 1)
-# Does the new $x_2$ know anything of the old state? (hint 2)
+# Does the new $x_2$ depend on the old state? (hint 2)
 first = sp.Matrix([[alpha**2 * p22, alpha * p12], [alpha * p12, Q]])
 later = sp.diag(alpha**2 * p22, Q)  # What is $p_{22}$ one step later? (hint 1)
 later = sp.diag(alpha ** (2 * i) * p22, Q)  # Does $\alpha$ come in again with every step? (hint 1)
