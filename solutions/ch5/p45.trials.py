@@ -1,5 +1,5 @@
 # %% wrong
-# Was the time counted with the sign that this aim asks for? (hint 1)
+# Was the time counted with the sign that this aim requires? (hint 1)
 pontryagin = psi1 * v + psi2 * rho * omega**2 + psi3 * (k - 2 * v) * omega / rho + 1
 # Where is the Coriolis term? (hint 1)
 pontryagin = psi1 * v + psi2 * rho * omega**2 + psi3 * k * omega / rho - 1
