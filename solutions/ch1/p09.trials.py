@@ -31,7 +31,7 @@ no_cycles = [v, v * (g * sp.sin(theta) / v - 2 * k * v)]
 integral = v**2 / 2  # Does the speed alone keep its energy? What about the height? (hint 1)
 # Was the multiplier left out, so that a square stands where a cube belongs? (hint 1)
 integral = k1 * v**2 / 2 - g * sp.cos(theta) * sp.log(v)
-integral = g / k1  # A constant keeps its value, but does it distinguish one motion from another? (hint 2)
+integral = g / k1  # Does a constant distinguish one motion from another? (hint 2)
 # Is this the curve where the angle rests? It is no motion. (hint 1)
 border = sp.sqrt(g * sp.cos(theta) / k1)
 border = 3 * sp.sqrt(g * sp.cos(theta) / k1)  # Does this factor belong inside the root? (hint 2)

@@ -47,7 +47,7 @@ b_rest = [
 b_chase = sp.Matrix([[b / c, -1 / c], [b / c, b - 1 - b / c]])
 # Was the product in the last term differentiated too? (hint 1)
 b_chase = sp.Matrix([[-1, b], [-1 / c, b / c]])
-b_chase_type = "stable node"  # What follows from the product of the two roots for their signs? (hint 1)
+b_chase_type = "stable node"  # What is the sign of the product of the roots? (hint 1)
 b_chase_type = "unstable focus"  # Are the roots complex? (hint 1)
 # Does the cosine of the target's angle stand in the product that vanishes? (hint 1)
 b_collision = sp.sqrt(b**2 - 1) * sp.Matrix([[0, 1], [0, 1 / c]])
