@@ -5,7 +5,7 @@ a_middle = 1 - 2 * sp.Abs(t - half)  # Is a hat made of straight lines a polynom
 b_formula = x0 / (1 + x0 * t)
 # Does each curve have its own initial value? (hint 2)
 b_formula = (x0 - 1) * (1 - 5 * t / 6 + t**2 / 3) + (2 - x0) * (2 - 8 * t / 3 + 4 * t**2 / 3)
-# Does a series about t = 0 use the values at the later times? (hint 1)
+# Does a series about $t = 0$ use the values at the later times? (hint 1)
 b_formula = x0 - x0**2 * t + x0**3 * t**2
 b_formula = 1 - 5 * t / 6 + t**2 / 3  # Where is the initial value? (hint 2)
 c_curve = -t * (2 * t - 1) * (t - 1) / (6 * (1 + t))  # Is it the formula less the motion? (hint 2)
