@@ -11,7 +11,7 @@ a_spectra = [
 ]
 # Was the argument of the logarithm differentiated as well? (hint 1)
 a_spectra = [[c, c, *sp.Matrix([[0, 1], [sp.exp(c), -sp.exp(c)]]).eigenvals()] for c in (1, -1)]
-# Is a negative trace enough? What does the determinant say at each point? (hint 1)
+# Is a negative trace enough? What is the sign of the determinant at each point? (hint 1)
 a_stable = [[1, 1], [-1, -1]]
 # Have the two points changed places? Compare trace and determinant at each of them. (hint 1)
 a_stable = [[-1, -1]]

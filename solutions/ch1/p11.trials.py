@@ -28,7 +28,7 @@ focus = b < 1  # Are the roots complex for every ratio of the speeds? (hint 1)
 node = b < 2 / sp.sqrt(5)  # Is this the condition for the other type of point? (hint 1)
 # Was the root taken at the end? The condition is about b, not about its square.
 node = b > sp.Rational(4, 5)
-# Does this divergence keep its sign? Without a multiplier it tells nothing. (hint 1)
+# Does this divergence keep its sign? Without a multiplier no conclusion follows. (hint 1)
 no_cycles = [sp.Integer(1), sp.cos(beta) / rho]
 # Is there one power too many in the multiplier? (hint 2)
 no_cycles = [rho**2, rho * (2 * b - sp.cos(beta))]

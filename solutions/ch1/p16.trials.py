@@ -25,7 +25,7 @@ d_region = sp.And(k2 < 0, k1 < 0)
 e_region = sp.And(k1 > -1, k1 + k2 > 0)
 # Is this the determinant before the shift? (hint 1)
 e_region = sp.And(k1 >= 2 * margin - 1, k1 + k2 >= 0)
-# Is this plain asymptotic stability? The margin asks for more. (hint 1)
+# Is this plain asymptotic stability? The margin requires more. (hint 1)
 f_region = 2 * k1 - 3 * k2 + k1 * k2 - 4 < 0
 # Was the determinant looked at alone, without the trace? (hint 1)
 f_region = (1 + margin) * (margin - 2) - (2 + k2) * (k1 - 3) >= 0

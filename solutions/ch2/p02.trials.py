@@ -9,7 +9,7 @@ possible = sp.And(alpha > -sp.Rational(1, 4), sp.Ne(alpha, 2))
 possible = sp.true
 unseen = {2: [[1, 2]]}  # Is this the motion that the measurement does see? (hint 1)
 unseen = {-2: [[1, -1]]}  # Was a root put into the equation with its sign lost? (hint 1)
-# Does z stay zero here for ever, or only for a moment? (hint 1)
+# Does z stay zero here for ever, or only at one instant? (hint 1)
 unseen = {2: [[1, -1]], 0: [[1, -1]]}
 # Which sign do the coefficients of the polynomial have in this form? (hint 1)
 canonical = sp.Matrix([[-1, 1], [-alpha, 0]])

@@ -1,8 +1,8 @@
 # %% wrong
-# Must there be as many measurements as unknowns? What do the derivatives of the measurement tell?
+# Must there be as many measurements as unknowns? What do the derivatives of the measurement show?
 # (hint 1)
 a_observable = False
-# Are these the states that one moment does not show? Watch them a little longer. (hint 1)
+# Are these the states with zero output at one instant? Follow them a little longer. (hint 1)
 a_unseen = [[0, 1, 0], [0, 0, 1]]
 # Is one sign in the equations read as in example 3 of the chapter? Write the derivatives of z out
 # once more. (hint 1)
@@ -15,7 +15,7 @@ c_observable = True
 # Was a sign lost when z and its derivative were put to zero? Test the vector with both equations.
 # (hint 1)
 c_unseen = [[0, 1, 1]]
-# Do these states stay unobservable as time goes on, or only at the first moment? (hint 2)
+# Do these states stay unobservable as time goes on, or only at the initial time? (hint 2)
 c_unseen = [[0, 1, 0], [0, 0, 1]]
 c_unseen = [[0, 0, 0]]  # Can the zero vector belong to a basis? (hint 1)
 # Is it enough that all three coordinates enter z or its derivative? They may enter in one
@@ -31,7 +31,7 @@ e_unseen = [[2, -1, 1]]
 e_unseen = [[1, 0, 1], [0, 1, 0]]
 # Does a coordinate that listens to the others have to be seen? Ask whom it acts on. (hint 1)
 f_observable = True
-# Are these the states with zero output at the first moment only? (hint 1)
+# Are these the states with zero output at the initial time only? (hint 1)
 f_unseen = [[1, -1, 0], [0, 0, 1]]
 g_region = sp.Ne(alpha, -1)  # Was one factor of the determinant overlooked? (hint 1)
 # Are these the values at which something is lost, instead of those at which nothing is? (hint 1)
@@ -49,14 +49,14 @@ h_region = sp.Ne(alpha, 2)  # Was a sign lost in the factor of the determinant? 
 h_unseen = {-2: [[-1, 2, 1]]}
 # Is anything lost at all at each of the values named here? Compute the determinant there. (hint 1)
 h_unseen = {-2: [[1, 0, 0], [0, 2, 1]], 0: [[1, 0, 0]]}
-# Is this what a single minor says? All of them have to vanish together. (hint 1)
+# Is this the condition of a single minor? All of them have to vanish together. (hint 1)
 i_region = sp.And(sp.Ne(alpha, 1), sp.Ne(alpha, 3))
 # Is this what the first output alone does not see? Ask the second output too, and check the value.
 # (hint 1)
 i_unseen = {3: [[0, 1, -1]]}
 # Is this eigenvector really without any trace in both outputs? (hint 1)
 i_unseen = {1: [[1, 1, 0]]}
-# Is this what a single minor says? The others may still be different from zero there. (hint 1)
+# Is this the condition of a single minor? The others may still be different from zero there. (hint 1)
 j_region = sp.And(sp.Ne(alpha, -1), sp.Ne(alpha, -sp.Rational(1, 2)))
 j_region = True  # Does the minor really never vanish? Factor it. (hint 1)
 # Is this the eigenvector that the first output alone does not see? Ask the second one at this

@@ -13,7 +13,7 @@ b_region = k > p**2 / 4  # Must the roots be complex? (hint 1)
 c_unseen = [[1, 0, -1, -q]]
 c_unseen = [[2, 0, -q, -(q**2)]]  # Have the two amounts changed places? (hint 2)
 c_unseen = [[q, 0, 2, 2 * q]]  # Do the outputs add up here instead of cancelling? (hint 2)
-# Does the theorem speak of two outputs that are measured separately? (hint 1)
+# Is the theorem about two outputs that are measured separately? (hint 1)
 d_observable = False
 
 # %% right

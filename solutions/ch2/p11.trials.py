@@ -1,7 +1,7 @@
 # %% wrong
 a_observable = True  # Is it enough that z and its derivative contain all states? (hint 1)
 a_unseen = [[1, 0, -1]]  # Is this a row of what is seen instead of an unobservable state? (hint 1)
-# Are these the states that a single moment does not show? (hint 1)
+# Are these the states with zero output at a single instant only? (hint 1)
 a_unseen = [[1, 0, 0], [0, 0, 1]]
 a_split = sp.Matrix([[0, 1, 0], [1, 0, -1], [-1, 0, 1]])  # Has this matrix an inverse? (hint 1)
 # Which coordinates have to stand first? (hint 1)
@@ -12,7 +12,7 @@ b_unseen = [[1, 0, 1]]  # Was a sign lost? Put the state into z and its derivati
 # Does the integral of z belong to the observable part, or its derivative? (hint 1)
 b_split = sp.Matrix([[0, 1, 0], [1, 0, 0], [1, 1, 1]])
 c_observable = True  # Does it follow from a regular matrix that all is seen? (hint 1)
-# Are these the states that a single moment does not show? (hint 1)
+# Are these the states with zero output at a single instant only? (hint 1)
 c_unseen = [[1, 0, -1], [0, 1, 0]]
 # Were the new coordinates written into the columns? (hint 2)
 c_split = sp.Matrix([[1, 1, 1], [0, 1, 0], [1, 0, 0]])

@@ -1,7 +1,7 @@
 # %% wrong
 a_observable = True  # Is it enough that each block has a variable in z? (hint 1)
 a_unseen = [[0, 1, 0, 0], [0, 0, 1, 0]]  # Must a variable stand in z to be seen? (hint 1)
-a_unseen = [[1, 0, 0, -1]]  # Does z stay zero here, or only at the first moment? (hint 1)
+a_unseen = [[1, 0, 0, -1]]  # Does z stay zero here, or only at the initial time? (hint 1)
 a_split = sp.eye(4)  # Can the order stay as it is? Ask which coordinate is unobservable. (hint 1)
 # Which variables are seen, though they do not stand in z? (hint 1)
 a_split = sp.Matrix([[1, 0, 0, 0], [0, 0, 0, 1], [0, 0, 1, 0], [0, 1, 0, 0]])
@@ -11,7 +11,7 @@ a_split_system = [sp.diag(sp.Matrix([[2, 1], [0, 2]]), 1, 1), sp.Matrix([[1, 0, 
 a_split_system = [a_matrix, a_output]
 b_observable = True  # Is it enough that the eigenvalues of the blocks differ? (hint 1)
 b_unseen = [[0, 0, 1, 0]]  # Is a variable unobservable because it rests? (hint 1)
-# Does z stay zero here, or only at the first moment? (hint 1)
+# Does z stay zero here, or only at the initial time? (hint 1)
 b_unseen = [[0, 0, 0, 1], [1, 0, 0, 0]]
 # Which coordinates have to stand first? (hint 1)
 b_split = sp.Matrix([[0, 0, 0, 1], [1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]])

@@ -9,7 +9,7 @@ a_change = sp.Matrix([[1, 0, 1, 0], [0, 2, 0, 0], [1, 0, -1, 0], [0, 0, 0, 2]]) 
 b_observable = False  # If neither instrument sees all, can both together not see it? (hint 2)
 b_unseen_z1 = [[1, 0, 1, 0]]  # Is this the eigenvector that $z_1$ does see? (hint 1)
 b_unseen_z1 = []  # Does $z_1$ see both chains because both exponentials occur in it? (hint 1)
-# Are these the states that $z_2$ does not show at a single moment? (hint 1)
+# Are these the states with $z_2 = 0$ at a single instant only? (hint 1)
 b_unseen_z2 = [[1, 0, 1, 0], [0, 0, 0, 1]]
 # Does $z_2$ show this last coordinate without any of the others? (hint 2)
 c_sequential = sp.Matrix([[1, 0, 1, 0], [0, 1, 0, 0], [0, 0, 0, 1], [1, 0, -1, 0]])

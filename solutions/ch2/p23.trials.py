@@ -21,9 +21,9 @@ c_uncontrolled = {2: [[2, 0, -1]], 3: [[0, 2, -1]]}
 c_uncontrolled = {2: [[2, 0, -1]]}  # Was only one of the tanks compared with y? (hint 1)
 # Are these motions, columns, where rows are asked for? (hint 1)
 c_uncontrolled = {2: [[1, 2, -2]], 3: [[0, 1, -1]]}
-d_own_pipe = False  # Does the theorem used here speak of two controls of this kind? (hint 1)
+d_own_pipe = False  # Does the theorem used here hold for two controls of this kind? (hint 1)
 d_lower_pipe = sp.true  # Does any second control repair a common eigenvalue? (hint 1)
-# Does the theorem used here speak of a pipe into this tank? (hint 1)
+# Does the theorem used here hold for a pipe into this tank? (hint 1)
 d_lower_pipe = sp.And(sp.Ne(r, 2), sp.Ne(r, 3))
 # Does the pipe collide with the rate of the tank that it fills? (hint 1)
 d_lower_pipe = sp.Ne(r, 3)

@@ -10,7 +10,7 @@ a_uncontrolled = [[0, -2 * Omega / r0, 1, 0]]  # Was a sign lost in the integrat
 a_uncontrolled = [[0, 2 * Omega, 1, 0]]
 # Is the angle itself lost as well? (hint 1)
 a_uncontrolled = [[1, 0, 0, 0], [0, 2 * Omega / r0, 1, 0]]
-b_controllable = False  # Is the height out of reach of a thrust along the orbit? (hint 1)
+b_controllable = False  # Is the height uncontrollable by a thrust along the orbit? (hint 1)
 b_lost = [0]  # Is this the root that is lost in the other case? (hint 1)
 # Are these numbers roots of the determinant? (hint 1)
 b_lost = [sp.sqrt(3) * Omega, -sp.sqrt(3) * Omega]

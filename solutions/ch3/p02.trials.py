@@ -9,7 +9,7 @@ a_margins = mu <= 1  # Is this the best of all choices, or only one of them? (hi
 b_gain = sp.Matrix([beta1, beta2 + 2, beta1 - beta2 + beta3])
 # Was a factor lost in the determinant? (hint 1)
 b_gain = sp.Matrix([beta3 + 1, beta1, beta2 - beta1 - beta3 + 1])
-b_margins = sp.false  # Does a rate tell nothing of the place in this system? (hint 1)
+b_margins = sp.false  # Is the position not observable from a rate in this system? (hint 1)
 # Were all three coefficients compared, or only two? (hint 1)
 c_gain = sp.Matrix([beta1 + 2, beta2, beta1 + 2])
 c_margins = sp.true  # Were only the two roots looked at that move? (hint 1)

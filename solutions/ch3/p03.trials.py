@@ -18,14 +18,14 @@ c_angle_observer = [e2, -k * e1]  # Do the errors decay without any correction? 
 c_angle_observer = [e2, -k * e1 + (z - e1)]
 # Is the measurement fed in, or its difference from what is expected? (hint 1)
 c_angle_observer = [e2 + z, -k * e1]
-c_speed_observable = sp.true  # Does the rate tell the angle whatever the equation is? (hint 2)
+c_speed_observable = sp.true  # Does the rate determine the angle whatever the equation is? (hint 2)
 c_speed_observable = k > 0  # Does a pendulum have to hang to be observable? (hint 1)
 c_speed_gain = sp.Matrix([beta1, beta2 - k])  # Is this the gain for a measured angle? (hint 1)
 c_speed_gain = sp.Matrix([1 + beta2 / k, beta1])  # Was a sign lost in the determinant? (hint 1)
 # Does a correction of the first equation damp the errors here? (hint 1)
 c_speed_observer = [e2 + (z - e2), -k * e1]
 c_speed_observer = [e2, -k * e1 + (z - e1)]  # Is a rate compared with an angle here? (hint 1)
-# Does the error of the beginning die out if the measured rate is only integrated? (hint 1)
+# Does the initial error decay if the measured rate is only integrated? (hint 1)
 c_speed_observer = [z, -k * e1 + 7 * (z - e2)]
 
 # %% right

@@ -28,7 +28,7 @@ angle_gain = sp.Matrix([beta1, beta2])
 angle_gain = sp.Matrix([beta1, beta2 - kappa])
 # Is a correction of the first line alone enough for a motion that grows? (hint 2)
 angle_observer = [e2 + (z - e1), kappa * e1 - b * u]
-# Does the copy know what is done to the pendulum? (hint 1)
+# Does the copy contain the control of the pendulum? (hint 1)
 angle_observer = [e2 + (z - e1), kappa * z + (z - e1)]
 # Mind a sign: what is the determinant of the matrix of the errors? (hint 1)
 speed_gain = sp.Matrix([1 - beta2 / kappa, beta1])
@@ -42,7 +42,7 @@ speed_observer = [2 * z - e2, kappa * e1 + b * u + (z - e2)]
 a_gain = sp.Matrix([beta1 - beta3 / kappa, beta2 + kappa, beta3 / kappa])
 # Is the system in canonical form? Compare the coefficients one by one. (hint 1)
 a_gain = sp.Matrix([beta1, beta2 + kappa, beta3])
-# Which sign must the product of the roots have, and what does it ask of the third gain? (hint 1)
+# Which sign must the product of the roots have, and what follows for the third gain? (hint 1)
 a_observer = [e2 + 3 * (z - e1 - e3), kappa * e1 - b * u + 2 * kappa * (z - e1 - e3), z - e1 - e3]
 # What would the instrument show if the estimates were right? (hint 1)
 a_observer = [e2 + 3 * (z - e1), kappa * e1 - b * u + 2 * kappa * (z - e1), -(z - e1)]

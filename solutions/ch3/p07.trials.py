@@ -11,13 +11,13 @@ gain = sp.Matrix([0, 0, 0])  # Do the errors decay if the system is left to itse
 gain = sp.Matrix([0, -3, -8])
 # Were the corrections of the new coordinate taken for those of x? (hint 1)
 gain = sp.Matrix([3, 11, 0])
-# Is it impossible because the system is not observable? Ask how fast the hidden motion decays.
+# Is it impossible because the system is not observable? How fast does the hidden motion decay?
 # (hint 1)
 gain = []
 gain = sp.Matrix([0, sp.Rational(5, 2), 6])  # Do all roots lie far enough to the left? (hint 1)
 # Was the factor of the measurement forgotten? (hint 1)
 family = sp.Matrix([0, beta1 + 2, beta1 + beta2])
-family = []  # Is a polynomial with the right factor out of reach? (hint 1)
+family = []  # Is a polynomial with the right factor impossible? (hint 1)
 
 # %% right
 printed_obstacle = {1.0: sp.Matrix([-2, -2, -2])}  # another multiple, decimals

@@ -27,7 +27,7 @@ c_margins = mu <= sp.Rational(1, 2)
 # Is the rate of the friction fixed, or does the control reach the velocity? (hint 1)
 c_margins = mu <= 1
 d_gain = sp.Matrix([[1, -3]])  # Which equation does the control enter? (hint 1)
-d_gain = []  # Does what is out of reach have to be moved? (hint 1)
+d_gain = []  # Do the uncontrollable roots have to be moved? (hint 1)
 d_region = (k1 < 0) & (k2 < 0)  # Do both gains stand in the characteristic polynomial? (hint 2)
 # Has the control entered the same equation as in the system before? (hint 1)
 d_region = (k1 < 0) & (k2 < 1)

@@ -16,7 +16,7 @@ matrices = [sp.diag(m[0, 1], m[1, 0]) for m in matrices[:4]] + [sp.zeros(2, 2)]
 region = sp.And(k1 > -1, k2 < 0)
 # Is the control strong enough to overcome the free motion? (hint 1)
 region = sp.And(k1 < 0, k2 < 0)
-region = k1 < -1  # What does the coefficient of $\lambda$ ask for? (hint 1)
+region = k1 < -1  # What does the coefficient of $\lambda$ require? (hint 1)
 region = sp.And(k1 > 1, k2 > 0)  # Which sign has the feedback in the statement?
 # Has the polynomial the same signs everywhere? (hint 1)
 gains = [[place, [-2, -2]] for place in rest[:4]] + [[rest[4], []]]

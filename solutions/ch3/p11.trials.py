@@ -18,7 +18,7 @@ integral = sp.cot(y1 / 2) + sp.cot(y2 / 2) + y1 + y2
 integral = sp.cot(y2 / 2) - sp.cot(y1 / 2)
 # Were the factors in front of the cosines taken along? (hint 1)
 integral = sp.sin(y1) - sp.sin(y2)
-integral = sp.Integer(1)  # Does this tell one motion from another?
+integral = sp.Integer(1)  # Does this distinguish one motion from another?
 # Are the signs the same everywhere? (hint 1)
 gains = [[place, [-2, -2]] for place in rest[:4]] + [[rest[4], []]]
 # What becomes of a small positive deviation of $y_1$? (hint 3)

@@ -8,7 +8,7 @@ gain = sp.Matrix([[-2, 0]])
 gain = sp.Matrix([[-2, 2 - 1 / epsilon]])
 # With which sign does the parameter enter the polynomial? (hint 1)
 gain = sp.Matrix([[-2, 2 + epsilon]])
-gain = []  # Does the part out of reach not decay by itself?
+gain = []  # Does the uncontrollable part not decay by itself?
 # Which sign has the feedback in the statement? (hint 1)
 prescribed = sp.Matrix([[gamma1 - 1, -2 + (4 + gamma2 - 2 * gamma1) / epsilon]])
 # Does one of the gains stand in both coefficients? (hint 1)

@@ -5,7 +5,7 @@ controllable = V0 > 0  # Does the sign of the determinant matter?
 # Left of the track, which way has the robot to turn?
 gain = sp.Matrix([[1, k1 + k2 * V0 - k1 * V0 / (k3 * k0) - 1]])
 gain = sp.Matrix([[-1, -1]])  # What if the robot is fast, or $k_0$ short?
-gain = sp.Matrix([[-1, k1 + k2 * V0 - 1]])  # What does the second Hurwitz minor ask for?
+gain = sp.Matrix([[-1, k1 + k2 * V0 - 1]])  # What does the second Hurwitz minor require?
 gain = []  # Do the consequences of the angle not show in y?
 # Has the measured point to be ahead of the axis?
 general = (V0 * k_eps < 0) & (k_omega < k1 + k2 * V0 - k1 * V0 / (k3 * k0))
@@ -19,7 +19,7 @@ region = (k_eps < 0) & (k_omega < 1 - 3 * V0 / 10)
 region = (V0 > 0) & (k_eps < 0) & (k_omega < 1 + V0 / 5)
 # Which sign has the last coefficient?
 region = (V0 > 0) & (k_eps > 0) & (k_omega < 1 - 3 * V0 / 10)
-region = (V0 > 0) & (k_eps < 0) & (k_omega < 0)  # How much damping does the speed ask for?
+region = (V0 > 0) & (k_eps < 0) & (k_omega < 0)  # How much damping does the speed require?
 
 # %% right
 controllable = sp.Or(V0 > 0, V0 < 0)  # either direction

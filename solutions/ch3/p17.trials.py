@@ -1,5 +1,5 @@
 # %% wrong
-a_region = k < 0  # Is this the condition on the stiffness alone? The friction has a say, too.
+a_region = k < 0  # Is this the condition on the stiffness alone? The friction matters, too.
 a_region = k > 0  # Was the sign of the control in the second equation lost?
 # Is the feedback thought to act on the rate? It is the position that is measured.
 a_region = k > 1

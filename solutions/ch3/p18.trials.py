@@ -20,7 +20,7 @@ gains = [sp.Matrix([[0, -2]]), sp.Matrix([4, 3])]
 gains = [sp.Matrix([[-2, 0]]), sp.Matrix([4, -3])]
 # Does the correction act on the first estimate at all?
 gains = [sp.Matrix([[0, -2]]), sp.Matrix([0, -3])]
-# Does the copy know what the control does to the plant?
+# Does the copy contain the control of the plant?
 equations = [-e2 + 4 * (z - e1), e1 - 3 * (z - e1)]
 # Is the measurement itself the correction, or what is new in it?
 equations = [-e2 + 4 * z, e1 + u - 3 * z]

@@ -23,7 +23,7 @@ gains = [sp.Matrix([[-2, -3, -1]]), sp.Matrix([247, 634, 41]) / 384]
 gains = [sp.Matrix([[0, -2, 0]]), sp.Matrix([5, 10, 1])]
 # Is the feedback taken with a minus sign, $u = -Ke$?
 gains = [sp.Matrix([[2, 3, 1]]), sp.Matrix([5, 10, 1])]
-# Does the copy know what the control does to the plant?
+# Does the copy contain the control of the plant?
 equations = [e2 + 5 * (z - e1 - e3), e1 + e2 + e3 + 10 * (z - e1 - e3), e1 - e3 + (z - e1 - e3)]
 # What would the copy measure: the first coordinate alone?
 equations = [e2 + 5 * (z - e1), e1 + e2 + e3 + u + 10 * (z - e1), e1 - e3 + (z - e1)]

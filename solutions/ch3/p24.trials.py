@@ -12,7 +12,7 @@ correction = sp.Matrix([1 - g1, g1 - g2 - 1])  # Which sign has L in the observe
 model = [v, -v + k1 * e1 + k2 * e2, *model[2:]]
 # Is the measurement compared with an estimate of the same thing? (hint 2)
 model = [*model[:2], e2 + l1 * (y - e1), -e2 + k1 * e1 + k2 * e2 + l2 * (y - e1)]
-model = [*model[:3], -e2 + l2 * (y - t - e1)]  # Does the observer know of the control? (hint 2)
+model = [*model[:3], -e2 + l2 * (y - t - e1)]  # Does the observer contain the control? (hint 2)
 # Are the coordinates of the observer velocities or deviations of them?
 model = [*model[:3], -e2 + 1 + k1 * e1 + k2 * e2 + l2 * (y - t - e1)]
 # Who measures the velocity? The control can use what is estimated. (hint 1)
@@ -23,8 +23,8 @@ regulator_region = k1 < 0  # What does too strong a push with the velocity do?
 regulator_region = (k1 > 0) & (k2 > -1)  # Is the feedback taken with a minus sign?
 # What becomes of a delay without a feedback of the place?
 regulator_region = (k1 <= 0) & (k2 < 1)
-place_margins = mu <= 1  # Is the root of the friction out of reach, or hidden? (hint 1)
-# Was the velocity thought to be needed? What does a record of the place tell of it?
+place_margins = mu <= 1  # Is the root of the friction uncontrollable or unobservable? (hint 1)
+# Was the velocity thought to be needed? What does a record of the position show of it?
 place_margins = sp.false
 speed_margins = sp.true  # Which column of the matrix N is zero? (hint 1)
 speed_margins = mu <= 1  # Which of the two motions is the hidden one? (hint 1)
@@ -35,7 +35,7 @@ observer_margins = sp.Ne(a, 0)  # Look at $a = b$. Is every margin possible? (hi
 observer_margins = sp.Ne(b, 0)
 # Is the velocity of the decaying motion in step with its place, or against it? (hint 1)
 observer_margins = sp.And(sp.Ne(a, 0), sp.Or(sp.Ne(b, -a), mu <= 1))
-# What does an instrument for the velocity alone say of a delay?
+# Does the measured velocity alone show a delay?
 observer_margins = sp.Or(sp.Ne(a, b), mu <= 1)
 
 # %% right

@@ -1,6 +1,6 @@
 # %% wrong
 a_printed_margins = mu <= 1  # Is this the system as it is printed? Compute both ranks for it.
-a_printed_margins = sp.false  # Is anything out of reach, or hidden, in the printed system?
+a_printed_margins = sp.false  # Is any mode of the printed system uncontrollable or unobservable?
 # Which coordinates are to come first?
 a_control_split = sp.Matrix([[-7, 1, 0], [1, 0, 1], [10, -1, 0]])
 # Does A leave the plane of the first two columns?

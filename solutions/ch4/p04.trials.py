@@ -1,5 +1,5 @@
 # %% wrong
-# Do the two errors know nothing of each other? (hint 1)
+# Are the two errors uncorrelated? (hint 1)
 before = sp.Matrix([[Q * T**3 / 3, 0], [0, Q * T]])
 # Was a 2 lost on the way up? (hint 1)
 before = sp.Matrix([[Q * T**3 / 6, Q * T**2 / 2], [Q * T**2 / 2, Q * T]])
@@ -7,7 +7,7 @@ before = sp.Matrix([[Q * T**3 / 6, Q * T**2 / 2], [Q * T**2 / 2, Q * T]])
 before = sp.Matrix([[Q * T**4 / 4, Q * T**3 / 2], [Q * T**3 / 2, Q * T**2]])
 before_deviations = [333.33, 0.001]  # Are these variances? (hint 1)
 before_deviations = [18.26, 31.6]  # Which unit has the second one? (hint 1)
-correction = [0, Q * T * z / (Q * T + R)]  # Does the speed tell nothing about the place? (hint 2)
+correction = [0, Q * T * z / (Q * T + R)]  # Are the two errors uncorrelated here? (hint 2)
 correction = [T * z / 2, z]  # Is the reading free of errors? (hint 1)
 # Is this the variance of what is corrected? (hint 2)
 correction = [Q * T**3 * z / (3 * (Q * T + R)), Q * T * z / (Q * T + R)]

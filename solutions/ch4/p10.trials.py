@@ -1,5 +1,5 @@
 # %% wrong
-# Is this where the first two lines meet? What does the third one say? (hint 1)
+# Is this where the first two lines meet? Is the third equation satisfied? (hint 1)
 z1, z2, z3 = map(sp.Integer, readings)
 estimate = [(z1 + z2) / 2, (z1 - z2) / 2]
 # Is a plain mean of the three crossings the least sum? (hint 2)

@@ -11,7 +11,7 @@ variance = (P0 - Q / (2 * a)) * sp.exp(2 * a * t) + Q / (2 * a)
 variance = Q * (sp.exp(2 * a * t) - 1) / (2 * a)
 # Is the intensity already a square?
 variance = P0 * sp.exp(2 * a * t) + Q**2 * (sp.exp(2 * a * t) - 1) / (2 * a)
-# Do steps that know nothing of each other add up, or their squares? (hint 1)
+# Do uncorrelated steps add up, or their squares? (hint 1)
 wiener = P0 + Q * t**2
 wiener = Q * t  # What was there at the start? (hint 1)
 wiener = P0  # Does the noise stop when the motion does? (hint 1)

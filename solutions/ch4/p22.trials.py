@@ -18,7 +18,7 @@ prior = sp.diag(root - Q, root)
 # Is it the matrix before the measurement? (hint 1)
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 posterior = sp.Matrix([[root - Q, root - Q], [root - Q, root]])
-# Does a measurement of $x_2$ say nothing of the past of $x_2$? (hint 1)
+# Is a measurement of $x_2$ uncorrelated with the past of $x_2$? (hint 1)
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 posterior = sp.diag(root - Q, root - Q)
 # A coordinate that is not measured: does the innovation not help it? (hint 1)

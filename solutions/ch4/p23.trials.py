@@ -15,7 +15,7 @@ posterior = sp.Matrix([[root, root], [root, root + Q]])
 # Is only the measured coordinate improved?
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 posterior = sp.Matrix([[root - Q, root - Q], [root - Q, root + Q]])
-# Does the measurement say nothing about the other coordinate? (hint 1)
+# Is the measurement uncorrelated with the other coordinate? (hint 1)
 root = (Q + sp.sqrt(Q**2 + 4 * Q * R)) / 2
 gain = [root / (root + R), 0]
 # Is it the first column of the matrix that is divided? (hint 1)

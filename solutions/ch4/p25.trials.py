@@ -14,7 +14,7 @@ decay = [0, R / (Q + R)]  # Is the second number on the diagonal of the matrix? 
 decay = [1]  # Does an error of the start stay for ever? (hint 1)
 estimate = [z1, z2]  # Is a measurement believed in full? (hint 1)
 estimate = [Q * z2 / (Q + R), Q * z2 / (Q + R)]  # When was $x_1$ measured, if ever? (hint 1)
-estimate = [m2, Q * z2 / (Q + R)]  # What does the mean at the start know of a later noise? (hint 2)
+estimate = [m2, Q * z2 / (Q + R)]  # Does the initial mean depend on a later noise? (hint 2)
 
 # %% right
 prior = sp.diag(1 / (1 / Q + 1 / R), Q)  # informations add up

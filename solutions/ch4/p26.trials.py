@@ -1,7 +1,7 @@
 # %% wrong
 # Is this what one expects before anything is measured? (hint 1)
 estimate = [position + moment * speed, speed]
-# Does the measured position say nothing about the speed? (hint 2)
+# Is the measured position uncorrelated with the speed? (hint 2)
 estimate = [estimate[0], speed]
 # Was the noise left out of the covariance? (hint 2)
 surprise = sp.Rational(reading - position - moment * speed, 1 + moment**2 + variance)

@@ -9,7 +9,7 @@ estimate = 3  # Is the measurement without an error?
 deviation = sp.Rational(3, 4)  # Is this the variance? (hint 1)
 deviation = sp.sqrt(3)  # Is this before the measurement? (hint 1)
 deviation = sp.sqrt(3 - sp.Rational(9, 4) * sp.exp(-2))  # At which time is it measured here?
-deviation = 1  # Does one know nothing more than the measurement says?
+deviation = 1  # Is the measurement the only source of information?
 
 # %% right
 estimate = (sp.exp(-1) / 3 + 3) / (sp.Rational(1, 3) + 1)  # weights inverse to the variances

@@ -6,11 +6,11 @@ estimate = sp.Rational(5, 4)  # Are the weights of the two pieces of evidence in
 deviation = sp.Rational(3, 4)  # Is this the variance? (hint 1)
 deviation = sp.sqrt(3)  # Is this before the measurement? (hint 1)
 deviation = sp.sqrt(sp.Rational(1, 2))  # Has the variance stayed as it was at the start?
-start_estimate = 1  # Does the later measurement say nothing about the start? (hint 1)
+start_estimate = 1  # Is the later measurement uncorrelated with the initial value? (hint 1)
 # Is the noise on the way an error for this estimate? (hint 1)
 start_estimate = sp.Rational(3, 2)
 start_estimate = sp.Rational(7, 4)  # Is this the end of the interval? (hint 1)
-start_deviation = 1  # Does the later measurement say nothing about the start?
+start_deviation = 1  # Is the later measurement uncorrelated with the initial value?
 start_deviation = sp.Rational(3, 4)  # Is this the variance?
 # Is the noise on the way an error for this estimate? (hint 1)
 start_deviation = sp.sqrt(sp.Rational(1, 2))

@@ -27,7 +27,7 @@ riccati = sp.Matrix(
 )
 exists = b > 0  # Can an unstable motion be followed too? (hint 1)
 exists = sp.And(a > 0, b > 0)  # Must the system itself be stable? (hint 1)
-exists = sp.true  # Is there a position that no measured speed tells of? (hint 2)
+exists = sp.true  # Is there a position that no measured speed shows? (hint 2)
 # Does an error of the position decay without a spring, however strong the damping?
 exists = sp.Or(sp.Ne(b, 0), a > 0)
 # Does $P_{12}$ vanish for both signs of $b$? (hint 1)
@@ -40,7 +40,7 @@ negative = sp.Matrix(
 )
 # Which root of the quadratic equation is a variance? (hint 2)
 positive = sp.diag(-R * (sp.sqrt(a**2 + Q / R) + a) / b, -R * (sp.sqrt(a**2 + Q / R) + a))
-# What does the equation for $P_{12}$ say at rest? (hint 1)
+# What does the equation for $P_{12}$ give in the stationary case? (hint 1)
 positive = sp.diag(R * (sp.sqrt(a**2 + Q / R) - a), R * (sp.sqrt(a**2 + Q / R) - a))
 # Is this $P_{12}$ one with which $P_{11}$ is a variance? (hint 2)
 positive = sp.Matrix(

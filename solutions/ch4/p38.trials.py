@@ -1,7 +1,7 @@
 # %% wrong
 # Does an unstable system forbid a filter, if one sees what it does? (hint 1)
 exists = sp.And(a > 0, b > 0)
-# Can every position be told from the speed? Try a body that no spring holds. (hint 2)
+# Can every position be found from the speed? Try a body that no spring holds. (hint 2)
 exists = sp.true
 exists = sp.Ne(a, 0)  # Is it the friction that makes the position visible? (hint 2)
 # Are both variances of this matrix positive? Try the other root. (hint 2)
@@ -27,7 +27,7 @@ limit_exists = b > 0  # Does it suffice that the position is held? Try $a = 0$. 
 limit_exists = a > 0
 # Is this where a filter exists for each R? What happens as R grows? (hint 1)
 limit_exists = sp.Ne(b, 0)
-limit = sp.zeros(2)  # Does one know everything if the measurement is worth nothing? (hint 1)
+limit = sp.zeros(2)  # Are the errors zero if the measurement is worth nothing? (hint 1)
 limit = Q / a * sp.diag(1 / b, 1)  # Where has the two of the expansion gone? (hint 1)
 limit = Q / (2 * a) * sp.diag(1, 1 / b)  # Have the two variances changed places?
 free = Q / (2 * a) * sp.eye(2)  # Does the stiffness play no part for the position? (hint 1)

@@ -1,6 +1,6 @@
 # %% wrong
 shaping = [-1, 8, 8]  # Does the variance stay what it is with this intensity? (hint 2)
-shaping = [1, 16, 8]  # Does the process forget its past with this coefficient? (hint 1)
+shaping = [1, 16, 8]  # Does the correlation of the process decay with this coefficient? (hint 1)
 shaping = [-1, 16, 0]  # Is y known exactly at the start?
 shaping = [-8, 16, 8]  # Is the rate of decay mixed up with the variance? (hint 1)
 # Does one learn nothing of y from the measurements? (hint 2)

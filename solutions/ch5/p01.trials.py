@@ -13,7 +13,7 @@ costate = sp.sign(b - a)  # Does H vanish with this costate? It has to be normal
 costate = -sp.sign(b - a) / A  # Is H greatest or least for this sign? (hint 1)
 costate = t * sp.sign(b - a) / A  # Does the costate change with time?
 reached = b - a <= A * T  # Can b lie on the other side of a as well? (hint 1)
-reached = sp.Abs(b - a) < A * T  # Is b reached at the very last moment too? (hint 2)
+reached = sp.Abs(b - a) < A * T  # Is b also reached at the final time itself? (hint 2)
 reached = sp.Abs(b - a) <= T  # Was the bound of the speed forgotten? (hint 1)
 
 # %% right

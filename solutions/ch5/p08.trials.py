@@ -21,12 +21,12 @@ crossing = [sp.sin(alpha) * (1 - sp.cos(alpha)), -sp.sin(alpha) * (1 + sp.cos(al
 # Does the semicircle of one radius serve for all? (hint 1)
 in_dispersal = sp.sqrt(1 - (x1 - R + 1) ** 2)
 in_dispersal = 0  # Is the axis the border between the two controls? (hint 2)
-in_law = sp.sign(x2)  # Is it best to push along the velocity at every moment? (hint 1)
+in_law = sp.sign(x2)  # Is it best to push along the velocity at every instant? (hint 1)
 in_law = -sp.sign(x2)  # Is this the law from outside? (hint 1)
 # Does the law of small circles hold for large ones? (hint 2)
 D = (R**2 - x1**2 - x2**2) / 2
 in_law_all = sp.Piecewise((sp.sign(x2 - x1 * sp.sqrt(D / (2 - D))), D < 2), (sp.sign(x2), True))
-in_law_all = sp.sign(x2)  # Is it best to push along the velocity at every moment? (hint 3)
+in_law_all = sp.sign(x2)  # Is it best to push along the velocity at every instant? (hint 3)
 
 # %% right
 reached = True  # everywhere, the two points on the axis counted in

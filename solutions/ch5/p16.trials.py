@@ -14,7 +14,7 @@ a_cost = -5  # Is the place the cost, or the energy? (hint 1)
 a_cost = -25  # Was the factor in the cost forgotten? (hint 1)
 a_cost = sp.Rational(-1, 2)  # Is this the end for the other bound? (hint 1)
 a_costate = [-5 * sp.cos(t), 5 * sp.sin(t)]  # Which sign has the costate at the end? (hint 1)
-# Is the costate at the end as large as transversality says? (hint 1)
+# Does the costate at the end satisfy transversality? (hint 1)
 a_costate = [sp.cos(t), -sp.sin(t)]
 a_costate = [5 * sp.cos(t), 5 * sp.sin(t)]  # Which sign has psi1 in the equation for psi2? (hint 2)
 b_control = 1  # Is this the end next to zero? (hint 2)

@@ -1,7 +1,7 @@
 # %% wrong
 a_control = -sp.sign(x0)  # What happens when zero has been reached? (hint 2)
 a_control = sp.sign(x0)  # Does this lead towards zero? (hint 1)
-a_control = -x0 / T  # Is it good to arrive at the last moment? (hint 1)
+a_control = -x0 / T  # Is it good to arrive only at the final time? (hint 1)
 a_trajectory = x0 - t  # On which side of zero does the start lie? (hint 1)
 a_trajectory = x0 - sp.sign(x0) * t  # What happens when zero has been reached? (hint 1)
 a_trajectory = x0 * (1 - t / T)  # Does this motion go as fast as it may? (hint 1)

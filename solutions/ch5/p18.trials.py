@@ -11,9 +11,9 @@ cost = sp.Rational(-5, 8)  # Is this the end for the other bound? (hint 1)
 cost = sp.Rational(-9, 8)  # Was the place at the end left out? (hint 1)
 cost = -1  # Is the velocity constant here? (hint 1)
 cost = sp.Rational(-13, 4)  # Was the factor in the cost forgotten? (hint 1)
-costate = [0, sp.Rational(3, 2)]  # What is psi2 at a free beginning? (hint 1)
+costate = [0, sp.Rational(3, 2)]  # What is psi2 where the initial velocity is free? (hint 1)
 costate = [sp.Rational(3, 2), -sp.Rational(3, 2) * t]  # Which sign has psi2 at the end? (hint 1)
-costate = [-1, t]  # Is psi2 at the end as large as transversality says? (hint 1)
+costate = [-1, t]  # Does psi2 at the end satisfy transversality? (hint 1)
 
 # %% right
 control = [[1, 1]]  # one arc

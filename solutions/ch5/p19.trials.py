@@ -11,7 +11,7 @@ trajectory = -(t**2) / 2  # Is the mass braked? (hint 1)
 trajectory = sp.Piecewise(
     (t**2 / 2, t < sp.Rational(1, 2)), (sp.Rational(1, 4) - (1 - t) ** 2 / 2, True)
 )
-trajectory = t**3 / 3 - t**2 / 2  # Which force does this motion need at the beginning? (hint 1)
+trajectory = t**3 / 3 - t**2 / 2  # Which force does this motion need at $t = 0$? (hint 1)
 trajectory = -t * (1 - t)  # Does this motion begin at rest? (hint 1)
 cost = sp.Rational(-1, 8)  # Is this half of the way, or the integral of Example 1? (hint 1)
 cost = sp.Rational(-1, 2)  # Is this the way without braking? (hint 1)

@@ -4,7 +4,7 @@ control = 4 * a / sp.pi * sp.sin(t)  # Which costate vanishes at the end? (hint 
 control = a * sp.cos(t)  # Does this force bring the mass to the place? (hint 3)
 # Is this the force for a mass that is to be at rest at the end? (hint 1)
 control = 4 * a * (sp.pi * sp.cos(t) - 2 * sp.sin(t)) / (sp.pi**2 - 4)
-trajectory = a * sp.sin(t)  # Is the mass at rest at the beginning? (hint 1)
+trajectory = a * sp.sin(t)  # Is the mass at rest at $t = 0$? (hint 1)
 trajectory = a * (1 - sp.cos(t))  # Is this the motion under a constant force? (hint 1)
 trajectory = 2 * a / sp.pi * t  # Which force does this motion need? (hint 1)
 cost = sp.pi * a**2 / 2  # Is this the cost of a constant force? (hint 1)

@@ -26,7 +26,7 @@ glide_matrix = [[-2 * 3**-0.25, -sp.sqrt(2) / sp.sqrt(3)], [-2 * sp.sqrt(2), 2 *
 glide_matrix = [[0, -2 * sp.sqrt(2)], [-sp.sqrt(2) / sp.sqrt(3), -2 * 3**-0.25]]
 # Is the steady glide stable for a fixed angle, or for the angle that moves? (hint 1)
 glide_kind = "stable node"
-# A first integral allows two kinds. Which sign tells them apart? (hint 1)
+# A first integral allows two kinds. Which sign distinguishes them? (hint 1)
 glide_kind = "centre"
 fall_matrix = [[2, 0], [0, -2]]  # Which sign has the bracket at the fall? (hint 1)
 fall_matrix = [[-2, -1], [-1, -2]]  # What is the derivative of the sine at this angle? (hint 1)

@@ -29,7 +29,7 @@ a_rate = -b * (1 - c) / (r * c) * sp.cos(alpha) * sp.sin(alpha - beta)
 a_rate = (-sp.sin(alpha) + b * sp.sin(beta)) / r + b * (1 - c) / (r * c) * sp.cos(alpha) * sp.sin(
     alpha - beta
 )
-# Is this in the new time? The answer is asked for in the given one. (hint 1)
+# Is this in the new time? The answer is required in the given one. (hint 1)
 a_rate = -sp.sin(alpha) + b * sp.sin(beta) - b * (1 - c) / c * sp.cos(alpha) * sp.sin(alpha - beta)
 # When does the other factor vanish? (hint 2)
 b_rest = [(0, 0), (0, sp.pi), (sp.pi, 0), (sp.pi, sp.pi)]
@@ -47,7 +47,7 @@ b_rest = [
 b_chase = sp.Matrix([[b / c, -1 / c], [b / c, b - 1 - b / c]])
 # Was the product in the last term differentiated too? (hint 1)
 b_chase = sp.Matrix([[-1, b], [-1 / c, b / c]])
-b_chase_type = "stable node"  # What does the product of the two roots say of them? (hint 1)
+b_chase_type = "stable node"  # What is the sign of the product of the roots? (hint 1)
 b_chase_type = "unstable focus"  # Are the roots complex? (hint 1)
 # Does the cosine of the target's angle stand in the product that vanishes? (hint 1)
 b_collision = sp.sqrt(b**2 - 1) * sp.Matrix([[0, 1], [0, 1 / c]])

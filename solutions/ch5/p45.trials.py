@@ -1,5 +1,5 @@
 # %% wrong
-# Was the time counted with the sign that this aim asks for? (hint 1)
+# Was the time counted with the sign that this aim requires? (hint 1)
 pontryagin = psi1 * v + psi2 * rho * omega**2 + psi3 * (k - 2 * v) * omega / rho + 1
 # Where is the Coriolis term? (hint 1)
 pontryagin = psi1 * v + psi2 * rho * omega**2 + psi3 * k * omega / rho - 1
@@ -40,7 +40,7 @@ away_time = sp.Float("1.7321")  # Is this the time without any thrust? (hint 1)
 away_time = sp.Integer(1)  # Is the speed constant? (hint 1)
 closer_gain = sp.Integer(1)  # Does a faster turn push in or out? (hint 1)
 closer_gain = sp.Integer(0)  # Can the gain do nothing against the turn? (hint 1)
-closer_time = half  # Does the speed at the beginning last? (hint 1)
+closer_time = half  # Does the initial speed last? (hint 1)
 closer_time = sp.Float("1.1939")  # Is this the time of the other item? (hint 1)
 
 # %% right

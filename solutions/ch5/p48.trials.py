@@ -2,7 +2,7 @@
 pontryagin = psi1 * u - psi2 * x1  # Does the control stand in both equations? (hint 1)
 pontryagin = psi1 * u + psi2 * u * x1  # Which sign has the second right-hand side? (hint 1)
 transversality = [psi1, psi2 - 1]  # Is the cost to be small or great? (hint 1)
-transversality = [psi1]  # What does the cost say of the other costate? (hint 1)
+transversality = [psi1]  # What follows from the cost for the other costate? (hint 1)
 switching = psi1  # Is this all that stands beside the control? (hint 1)
 switching = psi1 + psi2 * x1  # Which sign has the second right-hand side? (hint 1)
 rate = psi2 * u  # Was the motion of $x_1$ forgotten? (hint 1)

@@ -1,5 +1,5 @@
 # %% wrong
-# Was the time counted with the sign that this aim asks for? (hint 1)
+# Was the time counted with the sign that this aim requires? (hint 1)
 a_pontryagin = psi1 * (b - sp.cos(beta)) + psi2 * (sp.sin(beta) / rho + u) - 1
 # Where is the cost? (hint 1)
 a_pontryagin = psi1 * (b - sp.cos(beta)) + psi2 * (sp.sin(beta) / rho + u)

@@ -1,5 +1,5 @@
 # %% wrong
-# Was the time counted with the sign that this aim asks for? (hint 1)
+# Was the time counted with the sign that this aim requires? (hint 1)
 pontryagin = psi1 * (sp.cos(alpha) - b) + psi2 * (u - sp.sin(alpha) / rho) + 1
 # Where is the cost? (hint 1)
 pontryagin = psi1 * (sp.cos(alpha) - b) + psi2 * (u - sp.sin(alpha) / rho)

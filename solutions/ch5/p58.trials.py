@@ -18,7 +18,7 @@ a_adjoint = [
         - k0 * omega * (psi1 * sp.cos(alpha) + psi2 * sp.sin(alpha))
     ),
 ]
-# Does transversality speak of the switching function or of the costate? (hint 1)
+# Is transversality a condition on the switching function or on the costate? (hint 1)
 a_transversality = [psi3 + k0 * psi2]
 a_transversality = [psi1, psi2]  # Is the place at the end free, or the direction? (hint 1)
 # What else stands beside the rate of turn? (hint 1)

@@ -16,15 +16,15 @@ b_control = x1 / 2  # Look at the sign in the second derivative. (hint 1)
 b_order = 2  # Is this the number of the derivative itself? (hint 1)
 c_kelley = 4  # Which power of $-1$ belongs to this order? (hint 1)
 c_kelley = -2  # Was the factor of the velocity in the cost kept? (hint 1)
-c_holds = "no"  # Which sign does the condition ask for? (hint 1)
+c_holds = "no"  # Which sign does the condition require? (hint 1)
 d_starts = sp.Abs(b) < 1  # Does the velocity not matter? (hint 1)
 d_starts = b + c < 1  # What of the other side? (hint 1)
 d_starts = sp.Abs(b - c) < 1  # Which combination grows, and which one decays? (hint 1)
 # When is the line reached, and what holds the body there? (hint 2)
 d_control = [[-1, 1], [0, 3]]
-d_control = [[-b, 3]]  # Does it pay to be gentle at the beginning? (hint 1)
+d_control = [[-b, 3]]  # Is a small control at first of advantage? (hint 1)
 d_cost = sp.sqrt(2) * b**2  # Is the start on the line? (hint 1)
-# Is the beginning free of charge? (hint 1)
+# Does the first arc cost nothing? (hint 1)
 d_cost = sp.sqrt(2) * (1 - (1 - b) * sp.cosh(sp.asinh(1 / (1 - b)) - sp.asinh(1))) ** 2
 
 # %% right

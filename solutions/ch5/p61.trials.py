@@ -6,9 +6,9 @@ a_adjoint = [-2 * x1, -psi1]
 a_adjoint = [2 * x1, psi1]  # Look at the sign of the second equation. (hint 1)
 a_regular = sp.sign(psi1)  # Which costate stands beside the control? (hint 1)
 a_regular = -sp.sign(psi2)  # Does this make $H$ greatest or least? (hint 1)
-# Is this all that the derivatives say? Differentiate once more. (hint 1)
+# Is this all that follows from the derivatives? Differentiate once more. (hint 1)
 b_surface = [sp.Eq(x1, 0)]
-b_surface = [sp.Eq(x2, 0)]  # What does the derivative before this one say? (hint 1)
+b_surface = [sp.Eq(x2, 0)]  # What follows from the derivative before this one? (hint 1)
 b_control = 1  # Does the body stay where the equations hold under this control? (hint 1)
 # Which control keeps the switching function at zero? (hint 1)
 b_control = sp.sign(psi2) + x1 - 1
@@ -16,7 +16,7 @@ b_order = 4  # Is this the number of the derivative itself? (hint 1)
 b_order = 1  # Does the second derivative contain the control? (hint 1)
 c_kelley = 2  # Which power of $-1$ belongs to this order? (hint 1)
 c_kelley = -1  # Was the factor of the square in the cost kept? (hint 1)
-c_holds = "no"  # Which sign does the condition ask for, if $H$ is made greatest? (hint 1)
+c_holds = "no"  # Which sign does the condition require, if $H$ is made greatest? (hint 1)
 # This curve belongs to the least time. Does the control switch on it once only? (hint 1)
 d_curve = x2**2 / 2
 # Is this curve steep enough for the motion to cross it? (hint 3)

@@ -43,7 +43,7 @@ gain = [
     -(1 + tau) / (1 + tau + tau**3 / 3 + tau**4 / 12),
     -(tau + tau**2 / 2) / (1 + tau + tau**3 / 3 + tau**4 / 12),
 ]
-# Is the gain of the first moment good for the last one, too?
+# Is the gain at the initial time also right at the final time?
 gain = [-sp.Rational(18, 29), -sp.Rational(28, 29)]
 gain = [0, 0]  # The limit for very much time: how much is there? (hint 1)
 cost = (

@@ -33,7 +33,7 @@ b_rest = [x1 + x2, 0]  # At which rate does the velocity decay? (hint 1)
 b_rest = [x1 + x2 / (1 + sp.sqrt(2)), 0]
 # Which power of the gain stands in the first equation? (hint 1)
 b_repaired = [-(epsilon**2), -1 - sp.sqrt(2 + 2 * epsilon**2)]
-# Does the gain of the velocity know nothing of the place? (hint 1)
+# Is the gain of the velocity independent of the position? (hint 1)
 b_repaired = [-epsilon, -1 - sp.sqrt(2)]
 b_repaired = [0, -1 - sp.sqrt(2)]  # Is this the law without the additional weight? (hint 1)
 # Which sign of the root was taken in the first equation? (hint 1)

@@ -29,7 +29,7 @@ filter_gain = [0, -3 - sp.sqrt(11)]
 filter_gain = [sp.sqrt(2) - 1, 3 + sp.sqrt(8 + 2 * sp.sqrt(2))]
 # Is this the coefficient of the matrix of the errors, with the free motion in it?
 filter_gain = [0, sp.sqrt(11)]
-# Was the filter told about the control? (hint 1)
+# Does the filter contain the control? (hint 1)
 controller = [e2, -e1 + 3 * e2 + (3 + sp.sqrt(11)) * (z - e2)]
 # From what is the measurement counted?
 controller = [e2, -sp.sqrt(2) * e1 - sp.sqrt(8 + 2 * sp.sqrt(2)) * e2 + (3 + sp.sqrt(11)) * z]
@@ -40,7 +40,7 @@ controller = [
     - sp.sqrt(8 + 2 * sp.sqrt(2)) * e2
     + (3 + sp.sqrt(8 + 2 * sp.sqrt(2))) * (z - e2),
 ]
-# What does the innovation tell? (hint 1)
+# What does the innovation correct? (hint 1)
 controller = [e2, -sp.sqrt(2) * e1 - sp.sqrt(8 + 2 * sp.sqrt(2)) * e2]
 price = 6 + 2 * sp.sqrt(8 + 2 * sp.sqrt(2))  # Is the state known without an error? (hint 2)
 # Is this the price of not knowing alone? (hint 1)

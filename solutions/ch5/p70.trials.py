@@ -15,7 +15,7 @@ filter_gain = [0, 1]  # Is this the gain of the regulator, put into the filter?
 filter_gain = [2, 0]  # Which of the two coordinates is measured? (hint 1)
 filter_gain = [0, -2]  # Does the filter move towards the measurement with this sign?
 filter_gain = [0, 4]  # Is this the intensity of the noise itself?
-controller = [e2, -e1 + 2 * (z - e2)]  # Was the filter told about the control? (hint 1)
+controller = [e2, -e1 + 2 * (z - e2)]  # Does the filter contain the control? (hint 1)
 controller = [e2, -e1 - e2 + (z - e2)]  # Which gain belongs to the innovation? (hint 1)
 # Is the sign of the control right, and from what is the measurement counted?
 controller = [e2, -e1 + e2 + 2 * (z - e2)]

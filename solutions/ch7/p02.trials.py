@@ -6,13 +6,13 @@ a_unseen = [0, 0, u, w]
 a_unseen = [-y, x, -w, u]
 # Does any manoeuvre do? In which direction are all targets of the family displaced? (hint 1)
 b_condition = sp.Or(sp.Ne(p, 0), sp.Ne(q, 0))
-# Is the turn compared with the line of sight of the right moment? (hint 2)
+# Is the turn compared with the line of sight at the right instant? (hint 2)
 b_condition = sp.Ne(p * y - q * x, 0)
 # Must the turn have a part along x? (hint 2)
 b_condition = sp.And(sp.Ne(p * (y + w * t) - q * (x + u * t), 0), sp.Ne(p, 0))
 # Is it perpendicular to the line of sight, or just not along it, that is needed? (hint 2)
 b_condition = sp.Eq(p * (x + u * t) + q * (y + w * t), 0)
-# At which moment does the range enter, before the turn or at the bearing? (hint 2)
+# At which instant does the range enter, before the turn or at the bearing? (hint 2)
 c_error = (
     delta
     * ((x + u * t) ** 2 + (y + w * t) ** 2)
@@ -50,6 +50,6 @@ c_error = (
     * ((x + u * t - cx) ** 2 + (y + w * t - cy) ** 2)
     / sp.Abs(cx * (y + w * t) - cy * (x + u * t))
 )
-# by the cross product with the place at the moment of the bearing
+# by the cross product with the position at the time of the bearing
 rx, ry = x + u * t - p * (t - T), y + w * t - q * (t - T)
 c_error = delta * (rx**2 + ry**2) / sp.Abs(rx * (y + w * t) - ry * (x + u * t))

@@ -23,7 +23,7 @@ b_unseen = [
 # Is it enough that position and velocity are perpendicular to the line of sight? (hint 1)
 b_unseen = [[1, 0, -n1 / n3, 0, 0, 0], [0, 2, -2 * n2 / n3, omega, 0, -n1 * omega / n3]]
 c_ranks = [4, 4, 4]  # Does every direction show all four functions? (hint 1)
-c_ranks = [2, 2, 2]  # Does a range in one direction tell only of that coordinate? (hint 1)
+c_ranks = [2, 2, 2]  # Does a range in one direction depend on that coordinate only? (hint 1)
 d_insufficient = sp.Eq(n1 * k3, n3 * k1)  # Is one equality enough? (hint 2)
 # Is it perpendicular or parallel that the directions have to be? (hint 2)
 d_insufficient = sp.Eq(n1 * k1 + n2 * k2 + n3 * k3, 0)

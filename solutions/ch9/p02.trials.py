@@ -1,11 +1,11 @@
 # %% wrong
-a_greatest = D / T + a * T  # Is the mean speed that of the beginning? (hint 1)
+a_greatest = D / T + a * T  # Is the mean speed the initial speed? (hint 1)
 a_greatest = D / T  # Must the speed be constant because nobody has measured a change? (hint 2)
 # Which power of the time stands in the integral with the weight? (hint 1)
 a_greatest = D / T + a * T / 3
 a_least = D / T - a * T / 2  # How fast can the vehicle brake? (hint 1)
-a_least = D / T - b * T  # Is the mean speed that of the beginning? (hint 1)
-b_first = D / T + a * T / 2  # Did the vehicle become faster or slower after the beginning? (hint 2)
+a_least = D / T - b * T  # Is the mean speed the initial speed? (hint 1)
+b_first = D / T + a * T / 2  # Did the vehicle become faster or slower after the time 0? (hint 2)
 b_first = D / T + b * T  # Is the mean speed that of the end? (hint 1)
 
 # %% right

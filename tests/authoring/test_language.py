@@ -41,6 +41,7 @@ PHRASES = {
     r"(systems?|sticks?|equations?) (falls?|fall) apart": "decoupled systems",
     r"remembers? (itself|its past)": "coloured noise",
     r"(time|moment) of turning": "switching time",
+    r"out of reach": "uncontrollable (unobservable) eigenvalue",
 }
 #: What may stand before "of" and a name, and names that are no persons.
 KINDS = (
@@ -63,8 +64,14 @@ def private(phrase):
 
 
 #: Phrases for which any plain sentence is better.
-ODD = r"filters? believes?|are to each other as|back into step|whoever (is|has|wants|takes|knows|begins|starts)"
-PRIVATE = [private(phrase) for phrase in (*PHRASES, ODD)]
+ODD = (
+    r"filters? believes?|are to each other as|back into step|whoever (is|has|wants|takes|knows|begins|starts)",
+    r"at (every|each|any|a single|the first|the same) moment|believe it:",
+    r"(knows?|know) nothing of|(lives?|living) by (itself|themselves)|goes its own way",
+    r"(conditions?|laws?|criteri(on|a)|ranks?|determinant|matrix|filters?|observers?|equations?) "
+    r"(asks?|tells?|wants?|knows?|demands?|believes?|forgets?)",
+)
+PRIVATE = [private(phrase) for phrase in (*PHRASES, *ODD)]
 
 
 def private_phrases(text):
@@ -98,6 +105,9 @@ def test_the_glossary_lists_the_standard_terms():
         ("the conditions of Theorem 1.4", []),
         ("where $M[q_i] = 0$", ["M[q"]),
         ("the system falls apart; whoever knows $x$", ["system falls apart", "whoever knows"]),
+        ("The condition asks for more at every moment.", ["at every moment", "condition asks"]),
+        ("The costate knows nothing of the\n# start.", ["knows nothing of"]),
+        ("the first moment of $x$; a moment of force; the condition is open", []),
         ("the Hurwitz criterion; $E[q_i] = 0$; the rest of the proof", []),
     ],
 )

@@ -1,8 +1,9 @@
 """The recursion of the Kalman filter in parts of a record beside each other ("lanes").
 
-A filter forgets its beginning. So a long record is cut into lanes, and all take their steps together, each
-but the first from a guess. Then each lane starts again from the end of the one before, until it meets what
-it had; from there on that is right. Where this takes longer than a lane, None is returned.
+The influence of the initial covariance decays. So a long record is cut into lanes, and all take
+their steps together, each but the first from a guess. Then each lane starts again from the end of
+the one before, until it meets what it had; from there on that is right. Where this takes longer
+than a lane, None is returned.
 
 What has met stays together: the map of a step does not increase the distance of two covariances, the
 greatest |log| of an eigenvalue of P_1^-1 P_2 (P. Bougerol, SIAM Journal on Control and Optimization
@@ -21,7 +22,7 @@ LOOK = 8
 
 
 def covariance_lanes(model, P, missing):
-    """Return P-, P+ and K of each step, or None where the filter forgets too slowly."""
+    """Return P-, P+ and K of each step, or None where the influence of the start decays too slowly."""
     count, (m, n) = len(missing), model.H.shape[-2:]
     matrices, measured = (model.Phi, model.H, model.Q, model.R), (~missing).astype(float)
     try:

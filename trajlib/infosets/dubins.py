@@ -291,8 +291,8 @@ def _kinks(points, T):
 def _vanishes(gaps, inside, tolerance):
     """Return whether one of two branches has a zero along its last axis.
 
-    Branches are nan where they are not defined. Where the point comes out of reach of the last
-    turn, at the ends of `inside`, the branches meet. Jumps by 2 pi are no zeros.
+    Branches are nan where they are not defined. Where the last turn can no longer reach the
+    point, at the ends of `inside`, the branches meet. Jumps by 2 pi are no zeros.
     """
     branch_ends = np.zeros_like(inside)
     branch_ends[:, 1:] |= inside[:, 1:] & ~inside[:, :-1]

@@ -74,7 +74,7 @@ def observer_equations(
             A,
             values,
             uncertainty_F + uncertainty_G @ abs(matrix_at(H, values)),
-            "an estimate that is exact at one moment does not stay so while the state moves",
+            "an estimate that is exact at one instant does not stay so while the state moves",
             estimates,
         )
     return requirement.judge(in_fractions, F, "the matrix of the errors", "your equations")

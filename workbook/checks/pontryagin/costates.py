@@ -83,7 +83,7 @@ def optimal_costate(claims, problem, time, parameters=None):
             <= (10 * costate.rounding * largest * units + costate.uncertainty(0.0, values)[0])[free]
         ):
             raise Wrong(
-                f"{where}at the beginning your costates are {point_text(initial)}; that of a state "
+                f"{where}at the initial time your costates are {point_text(initial)}; that of a state "
                 "whose initial value is free does not vanish there, against transversality"
             )
     return (

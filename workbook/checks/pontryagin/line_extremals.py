@@ -36,7 +36,7 @@ def other_extremal_exists(answer, system, target, start=None):
             "besides the fastest one"
         ),
     )
-    return f"there is another extremal from these starts and from no others: {agreement}"
+    return f"there is another extremal from these initial states and from no others: {agreement}"
 
 
 def _second_extremal(system, target, start):
@@ -121,7 +121,7 @@ def other_extremal_time(claim, system, target, start=None):
             f"from {point} your expression gives {message}, which is not the time of an extremal "
             "slower than the fastest one"
         )
-    return "it is the time of the slower extremal, from all sample starts that have one"
+    return "it is the time of the slower extremal, from all sample initial states that have one"
 
 
 def _line_extremals(reference):

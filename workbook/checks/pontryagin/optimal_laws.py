@@ -62,7 +62,7 @@ def optimal_law(answer, problem, parameters, time=None):
             _require_scale_invariance(law, values, best, factors)
     for (values, best), times, states in zip(processes, *_motions_under_law(law, processes)):
         require_optimal(times, states, best, problem, law.rounding, prefix_text(values), "your law")
-    return "from all starts tried it does what the best process found does, keeps to the ends, and costs no more"
+    return "from all initial states tried it agrees with the best process found, keeps to the ends, and costs no more"
 
 
 @judged(Expression("domain", "parameters"))

@@ -178,7 +178,7 @@ def _require_remaining_cost(claim, cost_of, values, best, starts, parameters, ke
     for k in np.flatnonzero(wrong)[:1]:
         value_text = f"{claimed[k]:.4g}" if np.isfinite(claimed[k]) else "no real number"
         raise Wrong(
-            f"from the start {point_text(states[:, k])} your value is {value_text}; for the best "
+            f"from the initial state {point_text(states[:, k])} your value is {value_text}; for the best "
             "process found it is "
             + (
                 directed("greater" if true[k] > claimed[k] else "less", "not this number")
@@ -243,7 +243,7 @@ def initial_arc_duration(claim, problem, control, value, parameters):
                     if true > claimed
                     else "for a shorter time"
                     if true
-                    else "at no time in the beginning",
+                    else "at no time at the start",
                     "not just so long",
                 )
             )

@@ -155,8 +155,8 @@ def singular_costates(claims, problem, costates, control=None, domain=None):
         for psi, claim in zip(costates, claims):
             if arcs.control in claim.free_symbols:
                 raise Wrong(
-                    f"your {psi} depends on {arcs.control}, which can have any value there for a "
-                    "moment"
+                    f"your {psi} depends on {arcs.control}, which can have any value at a "
+                    "single instant there"
                 )
             claimed, size = (
                 value_at(claim, values, str(psi)),

@@ -93,7 +93,7 @@ def _time_optimal(claim, data, curve):
     if (claim, str(curve)) not in followed:
         follow(law, reference, batch)
         followed.add((claim, str(curve)))
-    return f"from {len(batch.x)} starts, some of them next to the switching curve, it needs the shortest time there is"
+    return f"from {len(batch.x)} initial states, some of them next to the switching curve, it needs the shortest time"
 
 
 def _judge_next_to_curves(laws, reference, control):
@@ -190,7 +190,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
             f"{reference.start_text(batch, k)} your expression gives {message}"
             + (reason if np.isfinite(claimed[k]) else "")
         )
-    return f"it is the shortest time from {len(batch.x)} starts"
+    return f"it is the shortest time from {len(batch.x)} initial states"
 
 
 @judged(ConditionOn("system.state", "parameters"))
@@ -212,6 +212,6 @@ def reachable_initial_states(claim, system, target, parameters=None, start=None)
                 if reached[k]
                 else "cannot be reached: a line separates it from all states that can be reached, at every time"
             )
-            + "; your condition says otherwise"
+            + "; your condition gives the opposite"
         )
-    return f"it agrees with the reachable sets of {len(claimed)} starts, many of them close to the border"
+    return f"it agrees with the reachable sets from {len(claimed)} initial states, many of them close to the border"

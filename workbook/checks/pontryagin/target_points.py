@@ -42,11 +42,11 @@ def reached_target_points(answer, system, target, ends, variable, parameters=Non
         statement = (
             "optimal motions end"
             if holds
-            else "no admissible motion arrives from the side of the starts"
+            else "no admissible motion arrives from the side of the initial states"
         )
         return (
             f"for {values_text(point)}, at the point {family.point_text(point)} of the target, "
-            f"{statement}; your condition says otherwise"
+            f"{statement}; your condition gives the opposite"
         )
 
     agreement = compare(answer, [variable, *family.parameters], reference, message)
@@ -207,7 +207,7 @@ def minimal_time_continuous(answer, system, target, ends, variable, parameters, 
                 if holds
                 else "jumps across a motion that only touches the target"
             )
-            + "; your condition says otherwise"
+            + "; your condition gives the opposite"
         ),
     )
     return f"next to the motions that touch the target the fastest time jumps for the other values alone: {agreement}"

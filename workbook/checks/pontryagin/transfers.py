@@ -161,7 +161,7 @@ def reachable_in_time(answer, problem, duration, parameters):
             f"time; your condition {'does not hold' if holds else 'holds'}"
         ),
     )
-    return f"it tells the times that suffice from those that do not: {agreement}"
+    return f"it separates the times that suffice from those that do not: {agreement}"
 
 
 @judged
@@ -189,21 +189,21 @@ def switching_count(answer, problem, parameters=()):
                 f"for {values_text(values)} your expression gives {message}; this is not how "
                 "often the fastest control switches"
             )
-    return f"it counts the switchings of the fastest control for {4 * SAMPLES} starts"
+    return f"it counts the switchings of the fastest control for {4 * SAMPLES} initial states"
 
 
 def _judge_greatest_count(claim, problem):
     transfer = Transfer(problem, [x for x in problem.dynamics if problem.initial.get(x) is None])
     greatest = max(best.switchings() for _, best in transfer.samples(4 * SAMPLES))
     if claim < greatest:
-        failure = f"there are starts from which the fastest control switches more often than {_times(claim)}"
+        failure = f"there are initial states from which the fastest control switches more often than {_times(claim)}"
     elif claim > greatest:
         failure = (
-            f"among {4 * SAMPLES} starts there is none from which the fastest control switches as "
+            f"among {4 * SAMPLES} initial states there is none from which the fastest control switches as "
             f"often as {_times(claim)}"
         )
     else:
-        return f"the fastest controls from {4 * SAMPLES} starts confirm it"
+        return f"the fastest controls from {4 * SAMPLES} initial states confirm it"
     raise Wrong(directed(failure, f"{claim} is not the greatest number of switchings"))
 
 
@@ -224,7 +224,7 @@ def switching_interval(claim, problem, parameters):
         0 if in_decimals(claim) else 4 * max(intervals),
     ):
         raise Wrong(
-            f"fastest controls from {len(intervals)} starts do not switch at such intervals"
+            f"fastest controls from {len(intervals)} initial states do not switch at such intervals"
             + directed(f": yours is too {'short' if float(claim) < min(intervals) else 'long'}", "")
         )
     return f"the fastest controls switch at such intervals, {len(intervals)} times"
@@ -250,14 +250,14 @@ def isochrone_radius(claim, problem, duration, count):
         ):
             message = "is no real number" if claimed is None else f"is {claimed:.4g}"
             raise Wrong(
-                f"for {count} = {number} your radius {message}; the farthest starts from which the "
+                f"for {count} = {number} your radius {message}; the farthest initial states from which the "
                 "origin can be reached in that time lie "
                 + directed(
                     "farther out" if claimed is not None and claimed < min(radii) else "closer",
                     "elsewhere",
                 )
             )
-    return "all around the origin the starts that need this time lie at that distance"
+    return "all around the origin the initial states that need this time lie at that distance"
 
 
 def _close(claimed, true, claim, size=0.0, uncertain=None):

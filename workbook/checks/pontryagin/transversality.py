@@ -54,15 +54,15 @@ def transversality(answer, problem, costates):
         )
         if (missing and extra >= 0) or extra > 0:
             raise Wrong(
-                f"at the end {rounded_text(values)} your conditions demand what need not hold: "
-                "there are costates that satisfy the condition of transversality and not yours"
+                f"at the end {rounded_text(values)} your conditions require what need not hold: "
+                "there are costates that satisfy the transversality condition and not yours"
             )
         if missing:
             raise Wrong(
                 f"at the end {rounded_text(values)} your conditions allow costates that are not "
                 "orthogonal to the target"
             )
-    return "they say what the condition of transversality says"
+    return "they are equivalent to the transversality condition"
 
 
 @cached_points

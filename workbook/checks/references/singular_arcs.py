@@ -90,7 +90,7 @@ class SingularArcs:
             e for e in (sp.expand(e.subs(self._known_costates)) for e in equations) if e != 0
         ]
         self._unknown = [s for s in (*self.state, *self.costates) if s not in self._known_costates]
-        #: Whether the equations say nothing of the size of the costates, which may be any then, but
+        #: Whether the equations leave the size of the costates open, which may be any then, but
         #: not zero.
         self._scalable = (
             bool(self._equations)

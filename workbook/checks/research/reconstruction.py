@@ -42,9 +42,9 @@ def transition_polynomial(claim, transition, lam, kappa):
         )
     (symbol,), n, random = lam.free_symbols, transition.rows, np.random.default_rng(61)
     expression_text, power = (
-        ("det(lambda E - A)", 0)
+        ("det(lambda I - A)", 0)
         if lam == symbol
-        else (f"det(lambda E - A)/lambda^{n // 2}", n // 2)
+        else (f"det(lambda I - A)/lambda^{n // 2}", n // 2)
     )
     for stiffness in log_spread(random, 0.1, 9, RECORDS):
         at = random.uniform(-3, 3)

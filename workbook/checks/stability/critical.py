@@ -5,7 +5,7 @@ Multiplicities, motions that grow without bound, and conserved quadratic forms.
 The matrix is that of the deviation equations from zero, or, where a `program` is given, from a
 nominal motion (`workbook.checks.stability.nominal_motions`); a `part` of the state picks a subsystem that
 does not depend on the others. The verdict is computed from the matrix at sampled values of the
-parameters: clusters of eigenvalues and ranks of A - lambda E, by singular values.
+parameters: clusters of eigenvalues and ranks of A - lambda I, by singular values.
 """
 
 import numpy as np
@@ -44,7 +44,7 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
     """Check all eigenvalues as [value, algebraic multiplicity, geometric multiplicity].
 
     The values are judged by the characteristic polynomial, the last number by the rank of A -
-    lambda E.
+    lambda I.
     """
     rows = _rows(answer, parameters)
     for values, matrix in _matrices(
@@ -82,10 +82,10 @@ def eigenvalue_multiplicities(answer, field, state, parameters, program=None, pa
             if _eigenvectors(matrix, number) != geometric:
                 raise Wrong(
                     f"the number of independent eigenvectors for {number_text(number)} is not "
-                    f"{geometric}{where_text(values)}: look at the rank of A - lambda E"
+                    f"{geometric}{where_text(values)}: look at the rank of A - lambda I"
                 )
     return (
-        "they are all roots of the characteristic equation, as often as you say, and A - lambda E "
+        "they are all roots of the characteristic equation, with your multiplicities, and A - lambda I "
         "has the ranks that go with your numbers of eigenvectors"
     )
 
@@ -177,7 +177,7 @@ def unbounded_motion(answer, field, state, parameters, time, constants=(), progr
             )
     return (
         "it satisfies the equations, and its distance from zero exceeds every bound; so does "
-        "every multiple of it, however small its start"
+        "every multiple of it, however small its initial state"
     )
 
 
@@ -205,7 +205,7 @@ def limit_state(answer, field, state, parameters, start, program=None, part=None
                     f"the motion from {point_text(initial)} does not come to your limit "
                     f"{point_text(claimed.real)}{where_text(values)}"
                 )
-    return "motions from several starts come to these states"
+    return "motions from several initial states come to these states"
 
 
 @judged
@@ -264,7 +264,7 @@ def conserved_quadratic_form(answer, field, state, parameters, program=None, par
 
 
 def stability(matrix):
-    """Return the stability of x' = A x; on the imaginary axis the ranks of A - lambda E decide."""
+    """Return the stability of x' = A x; on the imaginary axis the ranks of A - lambda I decide."""
     size = np.linalg.norm(matrix)
     remaining, verdict = list(np.linalg.eigvals(matrix)), "asymptotically stable"
     while remaining:

@@ -80,7 +80,7 @@ def radial_motion(claim, field, state, time, start):
                     f"for r0 = {r0:g} your motion does not satisfy the equation for r': at t = {t:.3g} "
                     f"its r is {r:.4g} and the derivative of its r is {stated:.4g}"
                 )
-    return "it starts at r0, and everywhere r' is what the system demands of it, for motions from five starts"
+    return "it starts at r0, and everywhere r' is that of the system, for motions from five initial states"
 
 
 @judged

@@ -25,7 +25,7 @@ def equilibria(answer, field, state):
             "an equilibrium is missing: the right-hand sides vanish also at a point that is not in "
             "your list"
         )
-    return "the right-hand sides vanish at all of them, and a search from 240 starts finds no other"
+    return "the right-hand sides vanish at all of them, and a search from 240 initial points finds no other"
 
 
 @judged
@@ -34,7 +34,7 @@ def spectra(answer, field, state):
 
     The rows are the coordinates of an equilibrium, then the eigenvalues.
 
-    Judged by the characteristic determinant det(lambda E - A) at the numbers given, and by
+    Judged by the characteristic determinant det(lambda I - A) at the numbers given, and by
     their sum, the trace of A.
     """
     flow, reference_points = _field_and_equilibria(tuple(field), tuple(state))
@@ -142,7 +142,7 @@ def _judge_spectrum(written, matrix, point):
             residual = abs(np.linalg.det(number * np.eye(len(matrix)) - matrix))
             raise Wrong(
                 f"at {point_text(point)} your number {number_text(number)} is no eigenvalue of the "
-                f"linearisation: det(lambda E - A) has the modulus {residual:.4g} there, not zero"
+                f"linearisation: det(lambda I - A) has the modulus {residual:.4g} there, not zero"
             )
         unmatched = [value for value in matching if value in remaining]
         if not unmatched:

@@ -20,7 +20,7 @@ from workbook.checks.tools.wording import values_text
 
 #: The message on a right matrix of deviation equations.
 MATRIX_VERIFIED = (
-    "for small deviations in every direction the right-hand sides change as the matrix says"
+    "for small deviations in every direction the right-hand sides change as the matrix predicts"
 )
 
 

@@ -109,8 +109,7 @@ def first_integral(answer, field, state, parameters, domain=None):
         )
     if not np.any(abs(gradient) > 1e-12):
         raise Wrong(
-            "your expression does not depend on the state: a constant tells nothing about the "
-            "motions"
+            "your expression does not depend on the state: a constant is the same for all motions"
         )
     rates, sizes = (gradient * velocity).sum(axis=0), abs(gradient * velocity).sum(axis=0)
     allowed = 1e-9 * sizes + left_open(

@@ -51,7 +51,9 @@ def equilibrium_types(answer, field, state):
         remaining = [point for point in remaining if point is not matching[0]]
     if remaining:
         raise Wrong("the portrait has a stationary point that your answer does not name")
-    return "at every stationary point the roots of the characteristic equation are as the word says"
+    return (
+        "at every stationary point the roots of the characteristic equation are those of your type"
+    )
 
 
 @judged

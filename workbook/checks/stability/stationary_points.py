@@ -97,7 +97,9 @@ def stationary_linearisation(answer, field, state, parameters, domain=None):
                 raise Wrong(
                     f"{sample_text(values)}{deviation_rate_text(state[k], claimed, true[:, k])}"
                 )
-    return "small deviations from the stationary solution change the right-hand sides as it says"
+    return (
+        "small deviations from the stationary solution change the right-hand sides as it predicts"
+    )
 
 
 @judged(Expression("parameters"))

@@ -174,7 +174,7 @@ def canonical_part_coordinates(claim, system, parameters=()):
     judge_everywhere(
         claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
     )
-    return "z = xi1, and the derivatives are as the form (2.5) says"
+    return "z = xi1, and the derivatives are those of the form (2.5)"
 
 
 def judge_form(claim, pair, form):
@@ -278,7 +278,7 @@ def _judge_change(claim, pair, row_names, by_rows):
         claim, pair.parameters, lambda: pair.generic_condition, "your matrix is undefined"
     )
     return (
-        "z = xi1 and each derivative is as the form says"
+        "z = xi1 and each derivative is that of the form"
         if by_rows
-        else "the control enters the last equation alone and the equations are as the form says"
+        else "the control enters the last equation alone and the equations are those of the form"
     )

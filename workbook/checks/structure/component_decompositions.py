@@ -79,7 +79,7 @@ def _judge_components(claim, system, sequential):
                 f"by turns; asked is part by part, first all that belong to the first component"
             ) from None
         raise
-    return "the matrix is invertible, and every zero that the decomposition asks for is one"
+    return "the matrix is invertible, and every zero that the decomposition requires is one"
 
 
 def _is_parallel(claimed, *arguments):

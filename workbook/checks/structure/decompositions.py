@@ -192,7 +192,7 @@ def _judge_split(claim, pair, side):
         new_A, new_H = claimed @ A @ np.linalg.inv(claimed), H @ np.linalg.inv(claimed)
         raise Wrong(
             f"{_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi has as many "
-            f"coordinates as {side.size} says"
+            f"coordinates as {side.size} gives"
         )
     judge_everywhere(
         claim,
@@ -201,7 +201,7 @@ def _judge_split(claim, pair, side):
         "your matrix is undefined",
         "your matrix has no inverse",
     )
-    return f"it is invertible, and in the new coordinates the {side.part} part stands apart as the form asks"
+    return f"it is invertible, and in the new coordinates the {side.part} part is separated as the form requires"
 
 
 def _judge_system(matrix, output, pair, side):
@@ -224,7 +224,7 @@ def _judge_system(matrix, output, pair, side):
         ).any():
             raise Wrong(
                 f"in your system {_first_mixed(new_A, new_H, size, side)}{where_text(values)}; xi "
-                f"has as many coordinates as {side.size} says"
+                f"has as many coordinates as {side.size} gives"
             )
         uncertainty = entry_uncertainties(matrix, values)
         if not are_similar(A, H, new_A, new_H, tolerance, A, uncertainty):

@@ -76,7 +76,7 @@ OUTPUT = Side(
     "no initial state but zero gives z = 0 for all time",
     "N",
     "row",
-    "(A - lambda E; H)",
+    "(A - lambda I; H)",
     "eigenvector v of A with H v = 0",
 )
 CONTROL = Side(
@@ -86,7 +86,7 @@ CONTROL = Side(
     "the control has an effect on every linear combination of the coordinates but zero",
     "W",
     "column",
-    "(A - lambda E, B)",
+    "(A - lambda I, B)",
     "row w with w A = lambda w and w B = 0",
     subspace="the combinations on which the control has no effect",
     shows=_control_changes,

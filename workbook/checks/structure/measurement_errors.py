@@ -116,7 +116,7 @@ def amplitude_from_output(claim, system, outputs, time):
         yield SameValue(
             claim, amplitude, "C", values, 1e-2 * sum(abs(v) for v in values.values()), 1e-8
         )
-    return "it gives C at every moment of motions with all kinds of starts and errors"
+    return "it gives C at every time of motions from various initial states and with various errors"
 
 
 def _compare_block(claimed, true, claim, property_text, values):

@@ -107,7 +107,7 @@ def difference_text(A, new_A, part, part_output, values, side):
                 number_text(np.polyval(poly, point)) for poly in (true, claimed)
             )
             message = (
-                f"det(lambda E - A) at lambda = {point} is {claimed_value} for your matrix, and "
+                f"det(lambda I - A) at lambda = {point} is {claimed_value} for your matrix, and "
                 "not for the given one: the characteristic polynomials differ"
                 if true_value != claimed_value
                 else "by rounding, your matrix has other eigenvalues; exact numbers would be safe"

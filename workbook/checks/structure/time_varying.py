@@ -34,7 +34,7 @@ def measured_output(claim, system, start, time, parameters=()):
         yield SameValue(
             claim, z, "the measurement", values, np.linalg.norm(row) * np.linalg.norm(x)
         )
-    return f"it is what is measured{tried_text(parameters, 'starts', 'times')}"
+    return f"it is what is measured{tried_text(parameters, 'initial states', 'times')}"
 
 
 @judged(Matrix("system.time", "parameters", shape="system.A"))

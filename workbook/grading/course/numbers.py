@@ -5,7 +5,7 @@
     ben@uni.example,4,11
 
 A column is a problem that varies, a cell the row of its numbers. Rows are drawn at random, none
-twice before each was drawn once; a lecturer may change a cell or add a line. Whoever has no row
+twice before each was drawn once; a lecturer may change a cell or add a line. A student without a row
 cannot be graded, so that nobody chooses a row by a name.
 """
 

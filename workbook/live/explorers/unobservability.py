@@ -52,7 +52,7 @@ def distance_to_unobservable(problem="2.5", item="g"):
     complex_plane.set(
         xlabel=r"Re $\lambda$",
         ylabel=r"Im $\lambda$",
-        title=r"$\log_{10}\,\sigma_{\min}(A - \lambda E;\ H)$",
+        title=r"$\log_{10}\,\sigma_{\min}(A - \lambda I;\ H)$",
     )
     figure.figure.colorbar(image, ax=complex_plane)
     spectrum = np.linalg.eigvals(A)

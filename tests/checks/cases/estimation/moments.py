@@ -60,5 +60,5 @@ CASES = [
     Case("uncorrelated", "never", TURN, "invalid", "a word"),
 ]
 LIMITS = [
-    "A covariance matrix tells of linear quantities only; for others the law gives all values."
+    "A covariance matrix determines linear quantities only; for others the law gives all values."
 ]

@@ -5,7 +5,7 @@ from workbook.systems import Scalar
 
 mu, k1 = sp.symbols("mu", positive=True), sp.Symbol("k1", real=True)
 s, M = sp.Symbol("s", real=True), sp.Matrix
-# (s + 2) is out of reach; (s + 3) is hidden; nothing is lost; (s - 1) is out of reach
+# (s + 2) is uncontrollable; (s + 3) is hidden; nothing is lost; (s - 1) is uncontrollable
 UNDRIVEN, UNSHOWN = (
     Scalar((s + 2) * (s - 1) * s, s + 2, s + 3, s),
     Scalar((s + 3) * (s - 1) * s, 1, s + 3, s),
@@ -15,7 +15,7 @@ FREE, LOST = Scalar(s**2 + s - 2, s + 1, 5, s), Scalar(s**2 + s - 2, s - 1, 5, s
 # x' - x
 COMMON, SEVERAL = Scalar(s**2 - s - 2, s + 1, 1, s), Scalar(s**2 + 2 * s - 3, 2 * s + 1, 4, s)
 RATE, TOP, LOW = Scalar(s**2, 1, s - 1, s), M([[1, 0]]), M([[0, 1]])
-# x'' - x = u' + u, z = x: the root -1 is out of reach; x'' - x = u: every margin
+# x'' - x = u' + u, z = x: the root -1 is uncontrollable; x'' - x = u: every margin
 CANCELS, WHOLE = Scalar(s**2 - 1, s + 1, 1, s), Scalar(s**2 - 1, 1, 1, s)
 FORM = [M([[0, 1], [1, 0]]), M([1, 1]), M([[1, 0]]), M([[1, 0]])]
 PLAIN = [M([[0, 1], [1, 0]]), M([0, 1]), M([[1, 0]]), M([[1, 0]])]
@@ -179,7 +179,7 @@ CASES = [
     Case("equation_gains", [*PLAIN, [-2, 0], [1, 2]], (WHOLE,), "wrong", "an oscillation"),
     Case("equation_gains", [*FORM], (CANCELS,), "invalid", "no gains"),
     Case("equation_gains", [*FORM, [-2, 0, 1], [2, 2]], (CANCELS,), "invalid", "three numbers"),
-    Case("possible_margins", mu <= 2, (UNDRIVEN, mu), "right", "out of reach"),
+    Case("possible_margins", mu <= 2, (UNDRIVEN, mu), "right", "uncontrollable"),
     Case("possible_margins", mu - 3 <= 0, (UNSHOWN, mu), "right", "hidden"),
     Case("possible_margins", sp.true, (FREE, mu), "right", "nothing is lost"),
     Case("possible_margins", sp.false, (LOST, mu), "right", "a growing mode is lost"),

@@ -7,11 +7,11 @@ TURN = {y1: sp.Interval.Lopen(-pi, pi)}
 # A pendulum with a push: hanging at 0, standing at pi.
 PENDULUM = ([y2, -sp.sin(y1) + u], [y1, y2], [u], TURN)
 HANGING, STANDING = [(0, 0), [0, -1]], [(pi, 0), [-3, -2]]
-# y1 is out of reach, with an eigenvalue 0, and comes back by its cube, or drifts away by its
+# y1 is uncontrollable, with an eigenvalue 0, and comes back by its cube, or drifts away by its
 # square.
 CUBE = ([-(y1**3), y2 + u], [y1, y2], [u], None, [y1, y2])
 SQUARE = ([y1**2, y2 + u], [y1, y2], [u], None, [y1, y2])
-# y1 grows out of reach, or decays.
+# y1 grows, uncontrollable, or decays.
 GROWS, DECAYS = ([y1, y2 + u], [y1, y2], [u]), ([-y1, y2 + u], [y1, y2], [u])
 ZERO = (0, 0)
 
@@ -39,8 +39,8 @@ CASES = [
         "critical, and the terms of third order bring it back",
     ),
     Case("equilibrium_gains", [[ZERO, []]], SQUARE, "right", "critical, and no gain keeps it"),
-    Case("equilibrium_gains", [[ZERO, []]], GROWS, "right", "a growing mode out of reach"),
-    Case("equilibrium_gains", [[ZERO, [5, -2]]], DECAYS, "right", "a decaying mode out of reach"),
+    Case("equilibrium_gains", [[ZERO, []]], GROWS, "right", "a growing mode uncontrollable"),
+    Case("equilibrium_gains", [[ZERO, [5, -2]]], DECAYS, "right", "a decaying mode uncontrollable"),
     Case(
         "equilibrium_gains",
         [HANGING, [(pi, 0), [0, -1]]],
@@ -86,8 +86,8 @@ CASES = [
         "wrong",
         "critical, and the motions run away",
     ),
-    Case("equilibrium_gains", [[ZERO, []]], DECAYS, "wrong", "what is out of reach decays"),
-    Case("equilibrium_gains", [[ZERO, [0, -2]]], GROWS, "wrong", "what is out of reach grows"),
+    Case("equilibrium_gains", [[ZERO, []]], DECAYS, "wrong", "what is uncontrollable decays"),
+    Case("equilibrium_gains", [[ZERO, [0, -2]]], GROWS, "wrong", "what is uncontrollable grows"),
     Case("equilibrium_gains", [HANGING, [(pi, 0), [sp.I, -2]]], PENDULUM, "wrong", "not real"),
     Case("equilibrium_gains", [HANGING, [(pi, 0), ...]], PENDULUM, "missing", "half of it"),
     Case("equilibrium_gains", [0, -1], PENDULUM, "invalid", "one gain"),

@@ -117,7 +117,7 @@ CASES = [
         [],
         (Linear(sp.diag(1, -1), M([0, 1])),),
         "right",
-        "a growing mode out of reach",
+        "a growing mode uncontrollable",
     ),
     row(
         "feedback_gain",

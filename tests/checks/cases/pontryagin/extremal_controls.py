@@ -22,7 +22,7 @@ CASES = [
     Case("extremal_control", 0, (WORST, t), "right", "the worst one"),
     Case("extremal_control", 1, (WORST, t), "right", "on a bound"),
     Case("extremal_control", c, (TOTAL, t, ANY, c), "wrong", "constant"),
-    Case("extremal_control", 0, (TOTAL, t, ANY, c), "wrong", "another beginning"),
+    Case("extremal_control", 0, (TOTAL, t, ANY, c), "wrong", "another initial state"),
     Case("extremal_control", c * (1 - 4 * t), (TOTAL, t, ANY, c), "wrong", "beyond the bounds"),
     Case("extremal_control", 1, (SQUARE, t), "wrong", "a bound for the other one"),
     Case("extremal_control", x1, (SQUARE, t), "invalid", "a law"),

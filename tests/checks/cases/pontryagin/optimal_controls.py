@@ -113,7 +113,7 @@ CASES = [
         "the same, one per cent late",
     ),
     Case("optimal_control", HELD, (NEAR, t, STARTS), "right", "a bound, then a singular arc"),
-    Case("optimal_control", 1, (FAR, t), "right", "a maximum, with a free beginning"),
+    Case("optimal_control", 1, (FAR, t), "right", "a maximum, with a free initial state"),
     Case(
         "optimal_control",
         Piecewise((low, t < TURN), (high, True)),

@@ -108,7 +108,7 @@ CASES = [
         [t / 2 + t**2 / 2, t + 0.5],
         (FAR, t),
         "right",
-        "both states, the beginning free",
+        "both states, the initial state free",
     ),
     Case(
         "optimal_motion",

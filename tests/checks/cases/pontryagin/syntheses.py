@@ -261,7 +261,7 @@ LIMITS = [
     "points.",
     "A law may be slower than the optimum by 0.4 per cent of the time; the last 3 per cent of a "
     "motion are taken from the optimum.",
-    "What a law says on a curve alone is asked where it says nothing on one side: on the border "
+    "The value of a law on a curve alone is judged where it has none on one side: on the border "
     "of the set from which the target can be reached.",
     "Next to a barrier (2 per cent) a law is not judged when the target is so thin that the "
     "optimum itself may have missed it.",

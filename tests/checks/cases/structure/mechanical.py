@@ -185,7 +185,7 @@ CASES = [
     ),
     Case("unobservable_states", [[1, 1]], MIXED, "wrong", "the increasing motion"),
     Case("unobservable_states", [[1, 0], [0, 1]], MIXED, "wrong", "everything"),
-    Case("unobservable_states", [[0, 1, 0, 0]], FIRST, "wrong", "unseen at the first moment only"),
+    Case("unobservable_states", [[0, 1, 0, 0]], FIRST, "wrong", "unseen at the initial time only"),
     Case("unobservable_states", [], SUM, "wrong", "none"),
     Case("unobservable_states", ..., SUM, "missing", "the untouched stub"),
     Case("unobservable_states", [[1, -1], [1, -1]], SUM, "invalid", "shapes without velocities"),

@@ -82,7 +82,7 @@ class FastestTimes(SeparatingLines):
         Returns
         -------
         StateBatch
-            With `time` (inf if the target is out of reach), the `control` at first, the `switching`
+            With `time` (inf if the target is unreachable), the `control` at first, the `switching`
             function there, and the `angle` of the separating line.
         """
         x, case = np.asarray(x, dtype=float), np.asarray(case)

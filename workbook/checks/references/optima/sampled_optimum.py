@@ -247,7 +247,7 @@ class SampledOptimum(SampledStarts):
             return np.where(np.isnan(gaps), 0, gaps).max(axis=1) > 0.25 * batch.time
 
     def border(self, decimals):
-        """Return starts in reach and out of reach, many of them on both sides of the border between."""
+        """Return starts with and without a solution, many of them on both sides of the border between."""
         border = self.cache.get(("border", decimals))
         if border is None:
             spread_batch = self.solve(

@@ -24,7 +24,7 @@ class SampledStarts(FastestTimes):
             Plant(field, state, control, bounds),
             ConvexTarget(target, state, list(self.parameters), self.cases),
         )
-        # whether some starts are out of reach: not known yet
+        # whether some starts cannot be steered to the target: not known yet
         self.cache, self._limited = {}, None
         self._rings = {}
 
