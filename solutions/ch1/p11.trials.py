@@ -35,6 +35,8 @@ no_cycles = [rho**2, rho * (2 * b - sp.cos(beta))]
 no_cycles = [rho, sp.cos(beta)]  # Was the multiplier differentiated as well? (hint 2)
 curve = sp.sin(beta) / ubar  # Is the distance positive for these angles? (hint 1)
 curve = -ubar * sp.sin(beta)  # Was the rate of turn multiplied instead of divided by? (hint 1)
+# Does this angle lie in the interval of the statement?
+plus_point = [sp.sqrt(1 - b**2) / ubar, 2 * sp.pi - sp.acos(b)]
 
 # %% right
 # plain symbols, the angle by the arctangent, as a column
@@ -44,8 +46,8 @@ plus_point = sp.Matrix(
         -sp.atan(sp.sqrt(1 - sp.Symbol("b") ** 2) / sp.Symbol("b")),
     ]
 )
-# the distance by the sine of the angle, the angle modulo 2 pi, as a dict
-plus_point = {rho: sp.sin(sp.acos(b)) / ubar, beta: 2 * sp.pi - sp.acos(b)}
+# the distance by the sine of the angle, the angle by the arcsine, as a dict
+plus_point = {rho: sp.sin(sp.acos(b)) / ubar, beta: -sp.asin(sp.sqrt(1 - b**2))}
 minus_point = (sp.sqrt((1 - b) * (1 + b)) / ubar, sp.acos(b))  # factored, a tuple
 # by the arcsine: the angle is acute
 minus_point = [sp.sqrt(1 - b**2) / ubar, sp.asin(sp.sqrt(1 - b**2))]

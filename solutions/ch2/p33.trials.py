@@ -21,6 +21,16 @@ reversed_order = sp.eye(4)  # Does one control enter the part of the other one h
 parallel = sp.Matrix.hstack(b1, A * b1, A**2 * b1, b2)
 parallel = sp.Matrix.hstack(b1, b2, A * b1, A * b2)  # Are the columns sorted part by part? (hint 2)
 parallel = sp.Matrix.hstack(b2, A * b2, b1, A * b1)  # Which part has to stand first? (hint 2)
+parallel_system = [A, u1_first]  # Are these the equations as they were given? (hint 1)
+# Was the influence of the parts on each other left out? (hint 2)
+parallel_system = [
+    sp.diag(parallel_system[0][:2, :2], parallel_system[0][2:, 2:]),
+    parallel_system[1],
+]
+# Are these the equations of the sequential decomposition? (hint 2)
+parallel_system = [sequential.inv() * A * sequential, sequential.inv() * u1_first]
+# Was $P$ put in the place of its inverse? (hint 1)
+parallel_system = [parallel * A * parallel.inv(), parallel * u1_first]
 
 # %% right
 missed_by_u1 = [[0, -4, 0, 0]]  # another length and sign
@@ -31,3 +41,9 @@ sequential = sp.Matrix.hstack(A * b1 - b1, A**2 * b1, 2 * b1, 5 * b2)
 reversed_order = sp.Matrix.hstack(b2, A * b2, A**2 * b2, b1)  # the chains of the textbook
 # each chain up to columns with lower powers of A
 parallel = sp.Matrix.hstack(b1, A * b1 + b2, b2, A * b2 - b1)
+# in coordinates of other lengths
+P = parallel * sp.diag(2, 3, 5, 7)
+parallel_system = [P.inv() * A * P, P.inv() * u1_first]
+# each chain up to columns with lower powers of A
+P = sp.Matrix.hstack(b1, A * b1 + b2, b2, A * b2 - b1)
+parallel_system = [P.inv() * A * P, P.inv() * u1_first]

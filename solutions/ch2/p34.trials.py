@@ -24,6 +24,16 @@ parallel = sp.Matrix.hstack(b1, A * b1, A**2 * b1, sp.Matrix([0, 1, 0, 0]))
 parallel = sp.Matrix.hstack(b1, b2, A * b1, sp.Matrix([0, 1, 0, 0]))
 # Was a column kept that depends on those before it? (hint 2)
 parallel = sp.Matrix.hstack(b1, A * b1, b2, A * b2)
+parallel_system = [A, u1_first]  # Are these the equations as they were given? (hint 1)
+# Was the influence of the parts on each other left out? (hint 1)
+parallel_system = [
+    sp.diag(parallel_system[0][:2, :2], parallel_system[0][2:, 2:]),
+    parallel_system[1],
+]
+# Are these the equations of the sequential decomposition? (hint 2)
+parallel_system = [sequential.inv() * A * sequential, sequential.inv() * u1_first]
+# Was $P$ put in the place of its inverse? (hint 1)
+parallel_system = [parallel * A * parallel.inv(), parallel * u1_first]
 
 # %% right
 uncontrolled = [[0, -3, 3, 0]]  # another length and sign
@@ -36,3 +46,6 @@ sequential = sp.Matrix([[1, 0, 0, 0], [0, 1, 0, 1], [0, 1, 0, -1], [0, 0, 1, 0]]
 reversed_order = sp.Matrix.hstack(A * b2 - b2, 2 * b2, b1, sp.Matrix([0, 1, -1, 0]))
 # each chain up to columns with lower powers
 parallel = sp.Matrix.hstack(2 * b1, A * b1 - b2, b2, sp.Matrix([1, 0, 5, 0]))
+# with the difference of two axes as the last column
+P = sp.Matrix.hstack(b1, A * b1, b2, sp.Matrix([0, 1, -1, 0]))
+parallel_system = [P.inv() * A * P, P.inv() * u1_first]

@@ -9,6 +9,12 @@ determined = sp.And(sp.Ne(v, 0), sp.Ne(x[0], 0), sp.Or(sp.Ne(x[1], 0), sp.Ne(x[2
 unseen = []  # How far away is a target dead ahead? (hint 1)
 unseen = [[1, 0, 0], [0, 1, 0]]  # Does a step aside leave the bearing as it was? (hint 1)
 unseen = [[0, 1, 0], [0, 0, 1]]  # Is this what is seen? (hint 1)
+third = []  # Does the third line of sight leave the course? (hint 1)
+third = [[0, 1, 0], [0, 0, 1]]  # Is this what is seen? (hint 1)
+# What is its component across the new line of sight? (hint 1)
+elsewhere = [[1, 0, 0]]
+# Does a displacement along the new line of sight turn the first bearing, too? (hint 1)
+elsewhere = [[x[0], -h, 0]]
 # Are the two angles of each of three bearings independent of all the others? (hint 2)
 moving = []
 # Whose velocity is subtracted in the relative motion? (hint 1)
@@ -18,4 +24,5 @@ moving = [[x[0], x[1], 0, 0, 0, 0]]  # Does the nearer target stand still, too? 
 # %% right
 determined = sp.Ne(v**2 * (x[1] ** 2 + x[2] ** 2), 0)  # by the cross product with the velocity
 unseen = [[-(x[0] ** 2) - 1, 0, 0]]  # another multiple
+third = [[-3, 0, 0]]  # another multiple
 moving = [[x[0] / v, x[1] / v, 0, -1, 0, 0]]  # another multiple

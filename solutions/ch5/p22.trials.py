@@ -1,4 +1,12 @@
 # %% wrong
+# Is the time counted from the end? (hint 1)
+general_control = 2 * alpha * xi * sp.exp(alpha * t) / (beta * (sp.exp(2 * alpha * T) - 1))
+# Was the factor of the control used in both places? (hint 2)
+general_control = 2 * alpha * xi * sp.exp(alpha * (T - t)) / (sp.exp(2 * alpha * T) - 1)
+# Is a constant push the cheapest one, if the state grows by itself? (hint 1)
+general_control = alpha * xi / (beta * (sp.exp(alpha * T) - 1))
+general_exists = sp.Ne(k, 0)  # Which two exponentials are compared? (hint 1)
+general_exists = k > 1  # Is it needed that the second part decays faster? (hint 1)
 # Is this the Gramian of what is seen? (hint 2)
 a_gramian = sp.Matrix([[1, sp.Rational(1, 2)], [sp.Rational(1, 2), sp.Rational(1, 3)]])
 a_gramian = sp.eye(2)  # Was the exponential forgotten? (hint 1)
@@ -25,6 +33,9 @@ c_energy = xi**2  # Is this the energy without the outflow? (hint 1)
 c_energy = 4 * xi**2 / (1 - sp.exp(-2))  # Is the same inflow counted twice? (hint 2)
 
 # %% right
+# with a hyperbolic sine
+general_control = alpha * xi * sp.exp(-alpha * t) / (beta * sp.sinh(alpha * T))
+general_exists = sp.Or(k < 1, k > 1)  # as two intervals
 a_gramian = [[0.33333, 0.5], [0.5, 1]]  # decimals
 a_control = (6 - 12 * t) * xi1 + (6 * t - 2) * xi2  # by the parts of the end
 a_energy = 3 * (2 * xi1 - xi2) ** 2 + xi2**2  # a sum of squares

@@ -16,6 +16,11 @@ a_values = k > 1  # Does it matter which of the pendulums is the longer one? (hi
 a_values = sp.And(k > 0, sp.Ne(k, 1))  # Is anything lost for a negative stiffness? (hint 1)
 b_starts = sp.Eq(b, 0)  # Can the best end be reached from elsewhere? (hint 2)
 b_starts = b <= T  # What of negative starts? (hint 2)
+b_end = [psi0]  # Is the costate zero at every end, or at one only? (hint 1)
+b_end = [
+    psi0 - 2 * x
+]  # Which sign stands before the gradient, if the cost is to be small? (hint 1)
+b_end = [x]  # Is the end given? (hint 1)
 b_control = v  # Where does the motion end under this control? (hint 1)
 b_control = sp.Piecewise((v, t < 1), (1 - v, True))  # Is the end the best one? (hint 1)
 # Does the trolley leave the mean motion alone? (hint 1)
@@ -29,5 +34,6 @@ a_end = [sp.Eq(psi1, -x1), sp.Eq(psi3, -x3), sp.Eq(psi2 + psi4, 0), sp.Eq(psi2, 
 a_switching = 2 * (psi2 + psi4)  # a positive multiple
 a_values = sp.Or(k < 1, k > 1)  # as two intervals
 b_starts = b**2 <= T**2  # squared
+b_end = sp.Eq(x, -psi0 / 2)  # solved for the state
 b_control = sp.Piecewise((v, t < 1), (-v, True))  # there and back
 c_lost = [sp.Matrix([[1, 1, -1, -1]]), sp.Matrix([[1, -1, -1, 1]])]  # another basis

@@ -33,6 +33,13 @@ control = sp.Integer(0)  # Does the craft stay on the surface without thrust? (h
 # With which sign does the thrust change the mass? (hint 1)
 S = v * sp.diff(Q, v) - Q + v / c * (Q - m * sp.diff(Q, m))
 control = c * Q * sp.diff(S, v) / (c * sp.diff(S, v) + m * sp.diff(S, m))
+power_surface = sp.Eq(v * q, c * (p - 1))  # Was a term with $Q/c$ forgotten? (hint 1)
+power_surface = sp.Eq(
+    v, c * (q - 1) / (p - 1)
+)  # Which exponent belongs to which derivative? (hint 1)
+power_control = sp.Integer(0)  # Does the craft keep its speed without thrust? (hint 1)
+power_control = p * power_drag / q  # Is the speed constant with this thrust? (hint 1)
+power_kelley = True  # Was the sign tested on the surface itself? (hint 1)
 glide = m / (2 * a) * sp.log(v1 / v2)  # Was the second part of the drag forgotten? (hint 1)
 # Is this a time, or a way? (hint 1)
 glide = m / (4 * a) * sp.log((a * v1**4 + b * m**2) / (a * v2**4 + b * m**2)) / v1
@@ -60,5 +67,8 @@ surface = a * v**4 * (c + v) - b * m**2 * (3 * c + v)  # a polynomial
 # with both variables
 S = v * sp.diff(Q, v) - Q + v / c * (Q - m * sp.diff(Q, m))
 control = c * Q * sp.diff(S, v) / (c * sp.diff(S, v) - m * sp.diff(S, m))
+power_surface = v / c - (p - 1) / (q - 1)  # a difference
+# with what holds on the surface
+power_control = power_drag * v * (q - 1) / (c * (p - 1))
 # two logarithms
 glide = m / (4 * a) * (sp.log(a * v1**4 / m**2 + b) - sp.log(a * v2**4 / m**2 + b))

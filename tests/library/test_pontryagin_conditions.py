@@ -223,6 +223,29 @@ def test_a_closed_form_of_the_maximum_is_not_searched_for_long():
 
 
 @pytest.mark.slow
+def test_surface_has_no_factor_that_is_positive_by_assumption():
+    """Greatest range with the drag v**p m**q: the mass is positive, and no factor of the surface."""
+    mass, p, q, c = sp.symbols("mass p q c", positive=True)
+    speed, way, P = sp.symbols("v x P", real=True)
+    drag = speed**p * mass**q
+    arc = (
+        Problem(
+            {way: speed, speed: (P - drag) / mass, mass: -P / c},
+            {P: (0, 3)},
+            {way: 0, speed: 1, mass: 1},
+            [speed - sp.Rational(1, 2), mass - sp.Rational(1, 2)],
+            final=way,
+            maximise=True,
+        )
+        .conditions()
+        .singular[P]
+    )
+    (surface,) = arc.surface
+    assert not surface.has(mass)
+    assert sp.simplify(surface.subs(speed, c * (p - 1) / (q - 1))) == 0
+    assert sp.simplify(arc.control - drag) == 0
+
+
 def test_singular_arc_of_the_goddard_problem():
     """Surface and feedback against the extremal that was found without them."""
     drag = 310 * w**2 * sp.exp(-500 * (h - 1))

@@ -58,6 +58,7 @@ EVALUABLE = {
     "optimal_law": "the law at the state",
     "optimal_motion": "the motion at the start, which is given",
     "parallel_decomposition": "the system in the coordinates of the answer",
+    "parallel_system": "the characteristic polynomial of the answer",
     "research.filter_gain": "the equation with the motion inserted",
     "research.invariant_weights": "the given functions, weighted",
     "sequential_decomposition": "the system in the coordinates of the answer",

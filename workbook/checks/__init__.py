@@ -114,6 +114,7 @@ __getattr__, __dir__, __all__ = lazy_names(
         ],
         "structure.component_decompositions": [
             "parallel_decomposition",
+            "parallel_system",
             "sequential_decomposition",
         ],
         "feedback.equations": ["equation_gains", "state_space_form"],

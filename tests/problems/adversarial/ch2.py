@@ -504,6 +504,41 @@ ROWS = [
         "sp.Matrix.hstack(b1, A*b1 + A*b2/10, b2, A*b2)",
         "a column of the same power is added",
     ),
+    right(
+        "2.33",
+        "parallel_system",
+        "[[[0, -3, 0, 1.0], [1, 3.5, 0, -0.5], [0, 0.5, 0, -1.5], [0, -0.5, 1, 2.5]],"
+        " [[1, 0], [0, 0], [0, 1], [0, 0]]]",
+        "nested lists of decimals",
+    ),
+    wrong(
+        "2.33",
+        "parallel_system",
+        "[[[0, -3, 0, 1.0], [1, 3.5, 0, -0.5], [0, 0.5, 0, -1.5], [0, -0.5, 1, 2.6]],"
+        " [[1, 0], [0, 0], [0, 1], [0, 0]]]",
+        "another trace",
+    ),
+    wrong(
+        "2.33",
+        "parallel_system",
+        "[[[0, 0, -3, 1], [0, 0, half, -3*half], [1, 0, 7*half, -half], [0, 1, -half, 5*half]],"
+        " [[1, 0], [0, 1], [0, 0], [0, 0]]]".replace("half", "sp.Rational(1, 2)"),
+        "a similar system whose coordinates stand in the order of the powers",
+    ),
+    right(
+        "2.34",
+        "parallel_system",
+        "[[[0, 0, -1, 4], [1, 1, 1, 0], [0, 1, 1, -2], [0, 0, 0, 1]],"
+        " [[1, 0], [0, 0], [0, 1], [0, 0]]]",
+        "the last column is (0, 1, -1, 0)",
+    ),
+    wrong(
+        "2.34",
+        "parallel_system",
+        "[[[0, 0, -1, 1], [1, 1, 1, 1], [0, 1, 1, -1], [0, 0, 0, 1]],"
+        " [[1, 0], [0, 0], [0, 1], [0, 1]]]",
+        "a control enters what is left over",
+    ),
     wrong("2.34", "missed_by_u2", "[[0, 1, -1, 0]]", "one row of two"),
     wrong(
         "2.34",

@@ -88,6 +88,9 @@ ROWS = [
     wrong(
         "4.2", "b_fixes", "[(2 + sp.sqrt(3*q - 8))/3, (2.02 - sp.sqrt(3*q - 8))/3]", "one per cent"
     ),
+    right("4.3", "third", "[[x[0]**2 + v**2 + 1, 0, 0]]", "a length that depends on the place"),
+    wrong("4.3", "third", "[[1, 0, 0], [2, 0, 0]]", "twice the same displacement"),
+    wrong("4.3", "elsewhere", "[[0, 0, 1]]", "across all lines of sight"),
     wrong("4.3", "determined", "sp.Ne(v*x[1]*x[2], 0)", "one of the two is enough"),
     right("4.3", "determined", "v**2*(x[1]**2 + x[2]**2) > 0", "a sum of squares"),
     wrong("4.3", "determined", "sp.And(v > 0, x[1]**2 + x[2]**2 > 0)", "backwards too"),

@@ -229,8 +229,8 @@ def _state_factors(expression, state):
         for f in sp.Mul.make_args(sp.factor(numerator))
         if f.free_symbols & set(state)
     }
-    # An exponential has no zeros.
-    return sp.Mul(*(b for b in bases if b != sp.E and not isinstance(b, sp.exp)))
+    # An exponential has no zeros, nor has a state that is positive by assumption.
+    return sp.Mul(*(b for b in bases if not b.is_nonzero and not isinstance(b, sp.exp)))
 
 
 def _eliminated(derivatives, derived, unknowns, surface):

@@ -21,7 +21,12 @@ from workbook.checks.contract.claims import Matrix
 from workbook.checks.contract.tolerance import relative_tolerance
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.references.invariant_subspaces import echelon, product, unobservable_subspace
-from workbook.checks.structure.decompositions import by_observation, require_invertible
+from workbook.checks.structure.decompositions import (
+    by_equations,
+    by_observation,
+    judge_system,
+    require_invertible,
+)
 from workbook.checks.tools.values import matrix_at
 
 
@@ -55,14 +60,29 @@ def parallel_decomposition(claim, system):
     return _judge_components(claim, system, sequential=False)
 
 
+@judged
+def parallel_system(answer, system):
+    """Check the system [A', H'] or [A', B'] in coordinates of a parallel decomposition.
+
+    A change of variables turns the given system into it, and its own coordinates stand in the parts
+    of a parallel decomposition.
+    """
+    matrix, coupling, pair, side = by_equations(answer, system)
+    judge_system(matrix, coupling, pair, side)
+    A, H = matrix_at(matrix, {}), matrix_at(coupling, {})
+    ((_, point),) = pair.samples
+    part = _parts(_sizes_by_turns(*pair.at(point)), pair.order)
+    _judge_parts(np.eye(len(A)), A, H, part, relative_tolerance(matrix, coupling), side, False)
+    return "a change of variables turns the given system into yours, and its parts are as asked"
+
+
 def _judge_components(claim, system, sequential):
     """Judge the zeros outside the blocks of a decomposition by components, by observation."""
     claim, pair, side = by_observation(claim, system)
     tolerance, n, m = relative_tolerance(claim), pair.order, pair.outputs
     ((_, A, H, _),), ((_, point),) = pair.systems, pair.samples
     sizes = (_sizes_in_turn if sequential else _sizes_by_turns)(*pair.at(point))
-    # The part of every coordinate; m is the number of the last part.
-    part = np.repeat(np.arange(m + 1), [*sizes, n - sum(sizes)])
+    part = _parts(sizes, n)
     claimed = matrix_at(claim, {})
     require_invertible(claimed, tolerance, {})
     try:
@@ -80,6 +100,11 @@ def _judge_components(claim, system, sequential):
             ) from None
         raise
     return "the matrix is invertible, and every zero that the decomposition requires is one"
+
+
+def _parts(sizes, n):
+    """Return the number of the part of every coordinate; the rest is the last one."""
+    return np.repeat(np.arange(len(sizes) + 1), [*sizes, n - sum(sizes)])
 
 
 def _is_parallel(claimed, *arguments):

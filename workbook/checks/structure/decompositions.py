@@ -80,16 +80,7 @@ def decomposed_system(answer, system, parameters=()):
 
     Any right coordinates are accepted, xi first, with as many coordinates as N or W has rank.
     """
-    control = has_control(system)
-    matrix, coupling = _as_system(
-        answer,
-        parameters,
-        ("A'", "B'" if control else "H'"),
-        system.B.cols if control else system.H.rows,
-        columns=control,
-    )
-    matrix, pair, side = by_observation(matrix, system, parameters)
-    return _judge_system(matrix, coupling.T if control else coupling, pair, side)
+    return judge_system(*by_equations(answer, system, parameters))
 
 
 @judged
@@ -164,6 +155,20 @@ def by_observation(claim, system, parameters=()):
     return claim, observed_pair(system, parameters), OUTPUT
 
 
+def by_equations(answer, system, parameters=()):
+    """Return the matrices of a claimed system, the pair and the wording, transposed for a control."""
+    control = has_control(system)
+    matrix, coupling = _as_system(
+        answer,
+        parameters,
+        ("A'", "B'" if control else "H'"),
+        system.B.cols if control else system.H.rows,
+        columns=control,
+    )
+    matrix, pair, side = by_observation(matrix, system, parameters)
+    return matrix, coupling.T if control else coupling, pair, side
+
+
 def _judge_split(claim, pair, side):
     """Judge the rows of T for the pair: the first ones vanish on the unobservable states."""
     n, tolerance = pair.order, relative_tolerance(claim)
@@ -204,7 +209,7 @@ def _judge_split(claim, pair, side):
     return f"it is invertible, and in the new coordinates the {side.part} part is separated as the form requires"
 
 
-def _judge_system(matrix, output, pair, side):
+def judge_system(matrix, output, pair, side):
     """Judge a system (A', H') of the pair's order: zero blocks, and similarity to the pair."""
     n, tolerance = pair.order, relative_tolerance(matrix, output)
     if matrix.rows != n:

@@ -19,6 +19,11 @@ LEANING = M.hstack(b1, A7 * b1, A7**2 * b1, M([0, 1, 0, 0]))
 REST = (Linear(M([[0, 1, 0], [0, 0, 0], [0, 0, 1]]), M([[0, 1], [1, 0], [0, 0]])),)
 
 
+def in_coordinates(P):
+    """Return the system of two controls in the coordinates x = P xi."""
+    return [P.inv() * A7 * P, P.inv() * B7]
+
+
 CASES = [
     Case("sequential_decomposition", IN_TURN, CONTROLS, "right", "b1, A b1, A^2 b1, b2"),
     Case(
@@ -58,6 +63,42 @@ CASES = [
         "the columns as taken, not part by part",
     ),
     Case("parallel_decomposition", sp.eye(3), CONTROLS, "invalid", "another order"),
+    Case("parallel_system", in_coordinates(BY_TURNS), CONTROLS, "right", "b1, A b1, b2, A b2"),
+    Case("parallel_system", in_coordinates(CANONICAL), CONTROLS, "right", "canonical parts"),
+    Case(
+        "parallel_system",
+        in_coordinates(BY_TURNS * sp.diag(2, 3, 5, 7)),
+        CONTROLS,
+        "right",
+        "columns of other lengths",
+    ),
+    Case("parallel_system", in_coordinates(IN_TURN), CONTROLS, "wrong", "the sequential one"),
+    Case("parallel_system", [A7, B7], CONTROLS, "wrong", "the system as given"),
+    Case(
+        "parallel_system",
+        in_coordinates(BY_TURNS[:, [2, 3, 0, 1]]),
+        CONTROLS,
+        "wrong",
+        "the part of u2 first",
+    ),
+    Case(
+        "parallel_system",
+        [
+            sp.diag(in_coordinates(BY_TURNS)[0][:2, :2], in_coordinates(BY_TURNS)[0][2:, 2:]),
+            in_coordinates(BY_TURNS)[1],
+        ],
+        CONTROLS,
+        "wrong",
+        "the coupling of the parts is left out",
+    ),
+    Case("parallel_system", [BY_TURNS], CONTROLS, "invalid", "one matrix"),
+    Case(
+        "parallel_system",
+        [part.T for part in in_coordinates(BY_TURNS)],
+        OUTPUTS,
+        "right",
+        "rows h1, h1 A, h2, h2 A",
+    ),
     Case("sequential_decomposition", IN_TURN.T, OUTPUTS, "right", "rows h1, h1 A, h1 A^2, h2"),
     Case(
         "sequential_decomposition",

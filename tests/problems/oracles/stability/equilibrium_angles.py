@@ -10,31 +10,31 @@ from oracles.sameness import LOGIC, holds, same_condition
 
 
 def same_angles(mutant, reference, field, state, parameters, integer):
-    """True if two lists of angles are the same on the circle, for several values of the
-    parameters."""
+    """True if two lists of families have the same angles, for several values of the parameters."""
     samples = [
         {p: -sp.Rational(j, 7) if p.is_negative else sp.Rational(j + 2, 3) for p in parameters}
         for j in (1, 2, 4)
     ]
     one, other = (tuple(map(sp.sympify, angles)) for angles in (mutant, reference))
     return all(
-        _on_circle(one, tuple(values.items()), integer)
-        == _on_circle(other, tuple(values.items()), integer)
+        _angles_near_zero(one, tuple(values.items()), integer)
+        == _angles_near_zero(other, tuple(values.items()), integer)
         for values in samples
     )
 
 
 @functools.lru_cache(maxsize=64)  # that of the reference is asked for with every mutant
-def _on_circle(angles, values, integer):
-    """Points of the circle, rounded; an angle that is not real is a point of its own."""
+def _angles_near_zero(angles, values, integer):
+    """Angles within three turns, rounded; an angle that is not real is one of its own."""
     numbers = [
-        complex(a.subs(dict(values)).subs(integer, j).evalf()) for a in angles for j in range(-6, 7)
+        complex(a.subs(dict(values)).subs(integer, j).evalf())
+        for a in angles
+        for j in range(-20, 21)
     ]
     return {
-        "not real"
-        if abs(x.imag) > 1e-9
-        else (round(math.cos(x.real), 6) + 0.0, round(math.sin(x.real), 6) + 0.0)
+        "not real" if abs(x.imag) > 1e-9 else round(x.real, 6) + 0.0
         for x in numbers
+        if abs(x) < 6 * math.pi
     }
 
 

@@ -49,30 +49,13 @@ def planar_region(mutant, reference, field, state, parameters, domain=None):
 
 
 def same_points(mutant, reference, field, state, parameters, domain=None, zeros=None):
-    """The same value, whatever the order of several points; angles that are numbers count modulo
-    full turns."""
-    angles = [(domain or {}).get(x, sp.S.Reals).measure == 2 * sp.pi for x in state]
-
-    def turned(answer):
-        if isinstance(answer, (list, tuple)) and any(
-            isinstance(point, (list, tuple)) for point in answer
-        ):
-            return [turned(point) for point in answer]
-        if not isinstance(answer, (list, tuple)) or len(answer) != len(state):
-            return answer
-        return [
-            sp.Mod(x, 2 * sp.pi)
-            if angle and sp.sympify(x).is_number and sp.sympify(x).is_real
-            else x
-            for x, angle in zip(map(sp.sympify, answer), angles)
-        ]
-
+    """The same value, whatever the order of several points."""
     several = isinstance(reference, (list, tuple)) and (
         len(state) == 1 or isinstance(reference[0], (list, tuple))
     )
     if several and isinstance(mutant, (list, tuple)) and len(mutant) != len(reference):
         return False  # a point is missing, or given twice
-    return same_value(turned(mutant), turned(reference), "list of vector" if several else "")
+    return same_value(mutant, reference, "list of vector" if several else "")
 
 
 def root_region(mutant, reference, field, state, parameters, domain=None):

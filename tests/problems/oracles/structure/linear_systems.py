@@ -9,7 +9,7 @@ from sympy.core.relational import Relational
 
 from oracles.sameness import LOGIC, same_value
 from oracles.structure.records import kalman, reached, seen
-from workbook.systems import Deviations, Measurements, Varying, WithError
+from workbook.systems import Deviations, Linear, Measurements, Varying, WithError
 
 
 @functools.lru_cache(maxsize=32)
@@ -181,6 +181,15 @@ def decomposed_system(mutant, reference, system, parameters=()):
             [sp.Matrix(part).T for part in mutant], system.A.T, system.B.T, parameters
         )
     return _is_split_system(mutant, system.A, system.H, parameters)
+
+
+def parallel_system(mutant, reference, system):
+    """True if it is an image of the system, and the unit matrix its parallel decomposition."""
+    if not decomposed_system(mutant, reference, system):
+        return False
+    A, coupling = map(sp.Matrix, mutant)
+    claimed = Linear(A, coupling) if system.B.cols else Linear(A, H=coupling)
+    return by_components(parallel)(sp.eye(A.rows), reference, claimed)
 
 
 def _is_split_system(mutant, A, H, parameters):
@@ -392,5 +401,6 @@ ORACLES = {
     "decomposed_system": decomposed_system,
     "sequential_decomposition": by_components(sequential),
     "parallel_decomposition": by_components(parallel),
+    "parallel_system": parallel_system,
     "similarity_matrix": similarity_matrix,
 }
