@@ -142,7 +142,10 @@ def casadi_rk4():
     def solve(case, guess_time):
         n = len(case.start)
         x, u, h = ca.SX.sym("x", n), ca.SX.sym("u"), ca.SX.sym("h")
-        rate = ca.Function("f", [x, u], [ca.vertcat(*case.field(x, u)), case.density(x, u)])
+        states = ca.vertsplit(x)  # a column of CasADi cannot be unpacked
+        rate = ca.Function(
+            "f", [x, u], [ca.vertcat(*case.field(states, u)), case.density(states, u)]
+        )
         (k1, c1), (k2, c2) = rate(x, u), rate(x + h / 2 * rate(x, u)[0], u)
         k3, c3 = rate(x + h / 2 * k2, u)
         k4, c4 = rate(x + h * k3, u)

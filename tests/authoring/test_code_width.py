@@ -13,6 +13,8 @@ PAGES = [
     *master_paths(ROOT / "solutions"),
     *sorted((ROOT / "book").glob("ch*/*.md")),
     *sorted((ROOT / "book" / "errata").glob("ch*.md")),
+    ROOT / "book" / "guides" / "engineer.md",
+    *sorted((ROOT / "book" / "guides" / "tutorials").glob("*.md")),
 ]
 
 

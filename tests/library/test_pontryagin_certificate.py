@@ -155,6 +155,12 @@ def test_arguments_of_certify():
     )
 
 
+def test_rounding_proves_no_target_out_of_reach():
+    """x2 cannot fall; the equations ask for x2 = 0, with an error of least squares."""
+    problem = Problem({x1: v, x2: u}, {v: (-1, 1), u: (0, 1)}, {x1: 0, x2: 0}, [x1 + x2 - 1, x2])
+    assert problem.solve().duration == pytest.approx(1, abs=1e-12)
+
+
 @pytest.mark.parametrize(
     "problem, error, message",
     [

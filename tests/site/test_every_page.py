@@ -19,7 +19,13 @@ PROBLEMS = {
 PHONE = 390
 #: Pages with many formulas, long code and long outputs: the problems, the chapters, the guides and
 #: the library.
-WIDE = ("solutions/ch*/p*.html", "book/ch*/*.html", "book/guides/*.html", "book/library/*.html")
+WIDE = (
+    "solutions/ch*/p*.html",
+    "book/ch*/*.html",
+    "book/guides/*.html",
+    "book/guides/tutorials/*.html",
+    "book/library/*.html",
+)
 
 
 @pytest.fixture(scope="module", autouse=True)

@@ -108,8 +108,9 @@ class Stabilising:
         roots = sp.roots(inner, cubics=False, quartics=False, multiple=True)
         if len(roots) < inner.degree() or inner.free_symbols_in_domain:
             raise NotImplementedError(
-                f"the stationary covariance needs the roots of {inner.as_expr()}, which square "
-                "roots do not express; give the matrices as arrays of floats"
+                "an exact solution of the Riccati equation needs the roots of "
+                f"{inner.as_expr(sp.Symbol('y'))}, which square roots do not express; give the "
+                "matrices as arrays of floats"
             )
         half = sp.Poly(1, s)
         for root in roots:
@@ -128,8 +129,8 @@ class Stabilising:
                 if stability_conditions(factor.as_expr(), [], symbol=f.gen).region == sp.true:
                     return factor
         raise NotImplementedError(
-            f"the stationary covariance needs the roots of {f.as_expr()}; give the matrices as "
-            "arrays of floats"
+            f"an exact solution of the Riccati equation needs the roots of {f.as_expr()}; give the "
+            "matrices as arrays of floats"
         )
 
     def _root(self, square):

@@ -3,7 +3,7 @@
 catalogue         the problems of the edition that is being built, from their front matter
 problem_pages     a problem's page: title, chips, download, answers and hints, labels for both editions
 listings          the list of all problems and the index by topic, made from the catalogue
-downloads         the students' notebooks and the wheel
+downloads         the notebooks of students and tutorials, and the wheel
 common_mistakes   wrong answers with their verdicts, folded after the checks of solved problems
 answer_boxes      boxes for answers that are checked in the page
 folding           statements; solutions, hints and code folded with the browser's own <details>

@@ -1,11 +1,14 @@
-"""Downloads: the students' notebooks, the wheel of trajlib and workbook, the book as PDF, the whole site.
+"""Downloads: notebooks of students and of tutorials, the wheel of trajlib and workbook, the book as
+PDF, the whole site.
 
-A notebook has the same path as in the repository, exercises/ch1/p15.ipynb; `make` puts the wheel
-into wheels/, what `make pdf` printed into pdf/ and what `make bundle` packed into bundle/.
+A student's notebook has the same path as in the repository, exercises/ch1/p15.ipynb, and the notebook of
+a page lies beside it; `make` puts the wheel into wheels/, what `make pdf` printed into pdf/ and what
+`make bundle` packed into bundle/.
 """
 
 import json
 import posixpath
+import re
 from datetime import datetime
 from html import escape
 from importlib.metadata import version
@@ -14,7 +17,9 @@ from pathlib import Path
 from docutils import nodes
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
+from workbook.authoring.plain_markdown import plain_markdown
 from workbook.notebooks import exercises
+from workbook.notebooks.new_cells import new_code_cell, new_markdown_cell, new_notebook
 from workbook_site import catalogue
 
 
@@ -33,6 +38,15 @@ class InstallWheelRole(SphinxRole):
 
     def run(self):
         return [nodes.literal("", f'pip install "{wheel_name()}[{self.text}]"')], []
+
+
+class PageNotebookRole(SphinxRole):
+    """Links to the notebook of the page itself: The page {page-notebook}`as a notebook`."""
+
+    def run(self):
+        page = self.env.docname
+        self.env.metadata[page]["notebook"] = True
+        return [link(page, f"{page}.ipynb", escape(self.text))], []
 
 
 class BuiltFilesDirective(SphinxDirective):
@@ -86,6 +100,35 @@ def _copy_notebooks(app, exception):
             )
 
 
+def _write_page_notebooks(app, exception):
+    if exception is not None or app.builder.format != "html":
+        return
+    for page in app.env.found_docs:
+        if app.env.metadata[page].get("notebook"):
+            text = Path(app.env.doc2path(page)).read_text(encoding="utf-8")
+            copy = app.outdir / f"{page}.ipynb"
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_text(
+                json.dumps(page_notebook(text), indent=1, ensure_ascii=False) + "\n",
+                encoding="utf-8",
+            )
+
+
+def page_notebook(text):
+    """Return the notebook of a page in MyST Markdown, without the line that links to it."""
+    from jupytext.myst import myst_to_notebook
+
+    text = re.sub(r"^.*\{page-notebook\}.*\n", "", text, flags=re.M)
+    return new_notebook(
+        [
+            new_code_cell(cell.source)
+            if cell.cell_type == "code"
+            else new_markdown_cell(plain_markdown(cell.source)[0])
+            for cell in myst_to_notebook(text).cells
+        ]
+    )
+
+
 def served_notebook(app, problem):
     """Return a student notebook with links to this edition, if the site has an address."""
     source, base = app.srcdir / problem.notebook, app.config.html_baseurl
@@ -104,5 +147,7 @@ def served_notebook(app, problem):
 def setup(app):
     app.add_role("wheel", WheelRole())
     app.add_role("install-wheel", InstallWheelRole())
+    app.add_role("page-notebook", PageNotebookRole())
     app.add_directive("built-files", BuiltFilesDirective)
     app.connect("build-finished", _copy_notebooks)
+    app.connect("build-finished", _write_page_notebooks)

@@ -22,6 +22,8 @@ from trajlib.pontryagin.problem.numeric import NumericProblem
 
 # Margin by which a value counts as beyond a bound, relative to the size of the values.
 MARGIN = 1e-9
+# Rounding errors of weights by least squares, relative to the greatest of them.
+ROUNDING = 1e-12
 
 
 def refuse_infeasible(numeric: NumericProblem) -> None:
@@ -35,11 +37,12 @@ def refuse_infeasible(numeric: NumericProblem) -> None:
         return
     for p, mu, drift, gains in _quantities(numeric):
         weights, *_ = np.linalg.lstsq(G.T, p, rcond=None)
-        if np.max(np.abs(G.T @ weights - p)) > 1e-12 * np.max(np.abs(p)):
+        if np.max(np.abs(G.T @ weights - p)) > ROUNDING * np.max(np.abs(p)):
             continue
         value, required = float(p @ numeric.start), float(weights @ d)
         least, greatest = _range(value, mu, drift, gains, numeric)
         size = MARGIN * float(np.abs(p) @ np.abs(numeric.start) + np.abs(weights) @ np.abs(d))
+        size += ROUNDING * float(np.abs(weights).max() * np.abs(d).sum())
         # Without a bound of the time a stable quantity approaches its limit and does not reach it.
         asymptotic = mu < 0 and numeric.duration is None and not numeric.time_bounds_given
         below = required < least - size or (asymptotic and required <= least < value)
