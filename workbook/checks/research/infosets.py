@@ -11,7 +11,6 @@ import math
 
 import numpy as np
 import sympy as sp
-from scipy.integrate import quad
 
 from workbook.checks.contract.claims import Expression, Expressions
 from workbook.checks.contract.verdict import Wrong, judged
@@ -78,6 +77,8 @@ def greatest_distance(claim, duration, direction, given, final=None):
     It starts at the origin with the heading 0 and the speed 1. With `final` its last heading is
     given. At each time the heading is the possible one that is nearest to the direction.
     """
+    from scipy.integrate import quad
+
     symbols = _symbols([duration, direction])
     for values in in_every_case(
         allowed_values(symbols, given, DISTANCES), claim, conjunction(given)
@@ -88,7 +89,8 @@ def greatest_distance(claim, duration, direction, given, final=None):
             turned = s if final is None else min(s, total - s + final)
             return math.cos(max(towards - turned, 0))
 
-        kinks = [towards, total - towards, total / 2]
+        last = total + (final or 0)
+        kinks = [towards, last - towards, last / 2]
         true, _ = quad(rate, 0, total, points=[s for s in kinks if 0 < s < total])
         yield SameValue(claim, true, "the greatest distance", values, total)
     return "it is the distance with the best possible heading at each time"

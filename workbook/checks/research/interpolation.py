@@ -9,7 +9,6 @@ import math
 
 import numpy as np
 import sympy as sp
-from scipy.optimize import minimize
 
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import judged
@@ -76,6 +75,8 @@ def _parameters(quantity, box):
 
 def _greatest(function, sides):
     """Return the maximum of a function in a box: the best point of a grid, improved."""
+    from scipy.optimize import minimize
+
     grid = itertools.product(*(np.linspace(*side, GRID) for side in sides))
     best = max(grid, key=function)
     improved = minimize(lambda point: -function(point), best, bounds=sides, tol=1e-13)
