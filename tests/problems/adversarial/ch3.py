@@ -1083,7 +1083,7 @@ ROWS = [
     wrong(
         "3.10",
         "rest",
-        "[[(-sp.pi if y == sp.pi else y) for y in p] for p in rest]",
+        "[(0, 0), (0, -sp.pi), (-sp.pi, 0), (-sp.pi, -sp.pi), (sp.pi/2, sp.pi/2)]",
         "angles that lie outside the domain",
     ),
     wrong("3.3", "a_angles", "[-sp.atan(w/g), sp.pi - sp.atan(w/g)]", "of one turn alone"),

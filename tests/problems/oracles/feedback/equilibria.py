@@ -1,4 +1,4 @@
-"""Oracle of gains at equilibria: the points modulo full turns, SymPy's polynomials of the loops by
+"""Oracle of gains at equilibria: the points as they are written, SymPy's polynomials of the loops by
 Hurwitz's minors."""
 
 import sympy as sp
@@ -14,10 +14,12 @@ def equilibrium_gains(mutant, reference, field, state, controls, domain=None, ze
         for pair in mutant
     ):
         return False
-    left = {_angles(place): K for place, K in reference}
+    left = {_numbers(place): K for place, K in reference}
     for place, K in mutant:
         near = [
-            other for other in left if all(abs(a - b) < 1e-9 for a, b in zip(_angles(place), other))
+            other
+            for other in left
+            if all(abs(a - b) < 1e-9 for a, b in zip(_numbers(place), other))
         ]
         if len(near) != 1:
             return False
@@ -38,8 +40,8 @@ def equilibrium_gains(mutant, reference, field, state, controls, domain=None, ze
     return not left
 
 
-def _angles(place):
-    return tuple(complex(sp.exp(sp.I * x).evalf()) for x in place)
+def _numbers(place):
+    return tuple(complex(sp.sympify(x).evalf()) for x in place)
 
 
 ORACLES = {"equilibrium_gains": equilibrium_gains}
