@@ -97,10 +97,10 @@ def test_links_go_both_ways(pages):
     assert len({page for _, page in to_pages}) > (50 if (root / "solutions").exists() else 5)
 
 
-def test_the_first_page_links_the_library_for_engineers(browser, addresses):
+def test_the_first_page_leads_engineers_to_their_guide(browser, addresses):
     browser.open(f"{addresses['http']}/book/index.html")
     cards = browser.run(
         "[...document.querySelectorAll('.sd-card')].map(card => "
         "[card.querySelector('.sd-card-title').innerText, card.querySelector('a').href])"
     )
-    assert dict(cards)["Engineers"].endswith("/book/library.html")
+    assert dict(cards)["Engineers"].endswith("/book/guides/engineer.html")

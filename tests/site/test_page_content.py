@@ -210,7 +210,8 @@ def test_a_problem_without_items_has_one_solution_without_a_letter(pages):
         assert titles and (
             titles[0].startswith("Worked solution") and "item" not in titles[0]
             if len(titles) == 1
-            else all("item" in title for title in titles)
+            # what is asked in general, before the items, is solved first and has no letter
+            else all("item" in title for title in titles[1:])
         ), (path.name, titles)
 
 
