@@ -287,7 +287,10 @@ def rayleigh():
         path=[u + x / 6 <= 0],
     )
     guess = np.round(problem.solve().costate(0), 3)
-    end = lambda psi: path_of(rate, [-5, -5, 0, *psi], (0, 4.5)).y[:, -1]  # noqa: E731
+
+    def end(psi):
+        return path_of(rate, [-5, -5, 0, *psi], (0, 4.5)).y[:, -1]
+
     cost = end(fsolve(lambda psi: end(psi)[3:], guess, xtol=1e-12))[2]
     return Record(
         problem,
@@ -542,7 +545,7 @@ def test_inactive_constraint():
     free = double_integrator(terminal={x: 1, v: 0})
     limited = double_integrator(terminal={x: 1, v: 0}, path=[v <= 2])
     assert abs(limited.solve().cost - free.solve().cost) < 1e-14
-    assert not limited.solve().contacts
+    assert not limited.solve().touches_boundary
 
 
 def test_conditions():

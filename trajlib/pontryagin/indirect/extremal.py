@@ -131,7 +131,7 @@ class Extremal:
         return self._along(t, lambda flow, y: flow.values("slopes", y, self.multiplier))
 
     @property
-    def contacts(self) -> bool:
+    def touches_boundary(self) -> bool:
         """Whether the trajectory touches the boundary of a path constraint."""
         kinds = ((kind,) if isinstance(kind, str) else kind for kind, _, _ in self.arcs)
         return bool(self.jumps) or any(k.startswith(BOUNDARY) for arc in kinds for k in arc)
@@ -234,7 +234,7 @@ class Extremal:
         proof = relaxed_sufficiency_theorem(self.problem)
         if proof and (self.normal or not proof[1]):
             return optimality("proved", proof[0])
-        if self.contacts:
+        if self.touches_boundary:
             return optimality(
                 "extremal", "the second variation is not computed on the boundary of a constraint"
             )

@@ -227,7 +227,11 @@ class _Refinement:
             extremal = self._first_certified(solution, duration)
             if extremal is not None:
                 sign = 1
-                if not extremal.optimality.proved and extremal.normal and not extremal.contacts:
+                if (
+                    not extremal.optimality.proved
+                    and extremal.normal
+                    and not extremal.touches_boundary
+                ):
                     sign = extremal._variation.sign
                 # More time may change nothing to second order because it costs nothing at all.
                 if sign == 0 and duration is None:
