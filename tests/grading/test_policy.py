@@ -154,7 +154,7 @@ def test_an_exemption_is_the_reason_of_a_change(tmp_path, store):
     path.write_text(record.compared(path, before, scores(store, before), "1")[2])
     after = an_assignment(tmp_path, EXEMPT)
     changes, _, _ = record.compared(path, after, scores(store, after), "2")
-    assert {(change.problem, change.why) for change in changes} == {
+    assert {(change.problem, change.reason) for change in changes} == {
         ("1.18", "the student is exempt from it"),
         ("1.17", "the assignment's points changed"),
     }

@@ -3,12 +3,16 @@
 import functools
 import importlib
 import inspect
+import re
 
 import pytest
 
 import trajlib
 
 NumpyDocString = pytest.importorskip("numpydoc.docscrape").NumpyDocString
+
+#: A heading that a reflow has joined with its underline and its text.
+HEADING_IN_A_LINE = re.compile(r"^\w[\w ]* -{4,}", re.MULTILINE)
 
 #: The longest first line of a docstring.
 LONGEST = 90
@@ -70,6 +74,8 @@ def faults(name, value):
     missing = [argument for argument in arguments(value) if argument not in listed]
     if missing:
         found.append(f"{name}: not documented: {', '.join(missing)}")
+    if HEADING_IN_A_LINE.search(text):
+        found.append(f"{name}: a heading and its underline stand in one line")
     return found
 
 

@@ -14,9 +14,9 @@ def chain(n):
     return np.diag(np.ones(n - 1), 1), np.eye(n)[:, -1:]
 
 
-def distance(A, B, gain, wanted):
+def distance(A, B, gain, requested):
     left, worst = list(np.linalg.eigvals(A + B @ gain)), 0.0
-    for value in wanted:
+    for value in requested:
         k = int(np.argmin([abs(value - other) for other in left]))
         worst = max(worst, abs(value - left.pop(k)))
     return worst
@@ -40,12 +40,12 @@ def test_gain_of_a_chain_has_all_digits(n):
 
 @pytest.mark.parametrize("spread", [0, 3, 8])
 @pytest.mark.parametrize(
-    "wanted", [[-1] * 6, [-1, -2, -3, -4, -5, -6], [-1 + 2j, -1 - 2j, -1 + 2j, -1 - 2j, -3, 0]]
+    "requested", [[-1] * 6, [-1, -2, -3, -4, -5, -6], [-1 + 2j, -1 - 2j, -1 + 2j, -1 - 2j, -3, 0]]
 )
-def test_one_control_gives_the_exact_gain_rounded(wanted, spread):
-    A, B = random_pair(np.random.default_rng(len(str(wanted))), 6, 1, spread)
+def test_one_control_gives_the_exact_gain_rounded(requested, spread):
+    A, B = random_pair(np.random.default_rng(len(str(requested))), 6, 1, spread)
     s = sp.Symbol("s")
-    polynomial = sp.expand(sp.prod([s - sp.nsimplify(value) for value in wanted]))
+    polynomial = sp.expand(sp.prod([s - sp.nsimplify(value) for value in requested]))
     exact = regulator(
         *(
             sp.Matrix(*part.shape, [sp.Rational(x) for x in part.ravel().tolist()])
@@ -54,7 +54,7 @@ def test_one_control_gives_the_exact_gain_rounded(wanted, spread):
         polynomial,
         s,
     ).gain
-    found = place(A, B, wanted)
+    found = place(A, B, requested)
     assert found.gain[0].tolist() == [float(k) for k in exact]
 
 
@@ -65,20 +65,20 @@ def test_one_control_gives_the_exact_gain_rounded(wanted, spread):
 def test_no_peer_places_more_accurately(n, s, spread):
     """Compare medians up to a factor of two: differences in the last digits are chance."""
     rng, ratios = np.random.default_rng(100 * n + s), {"place_poles": [], "acker": []}
-    wanted = -np.linspace(0.5, 2, n)
+    requested = -np.linspace(0.5, 2, n)
     for _ in range(9 if n * s < 20 else 2):
         A, B = random_pair(rng, n, s, spread)
-        ours = distance(A, B, place(A, B, wanted).gain, wanted)
-        gains = {"place_poles": scipy.signal.place_poles(A, B, wanted).gain_matrix}
+        ours = distance(A, B, place(A, B, requested).gain, requested)
+        gains = {"place_poles": scipy.signal.place_poles(A, B, requested).gain_matrix}
         if s == 1 and np.linalg.matrix_rank(control.ctrb(A, B)) == n:  # else it refuses
-            gains["acker"] = np.atleast_2d(control.acker(A, B, wanted))
+            gains["acker"] = np.atleast_2d(control.acker(A, B, requested))
         for name, gain in gains.items():
-            ratios[name].append(ours / max(distance(A, B, -gain, wanted), 1e-15))
+            ratios[name].append(ours / max(distance(A, B, -gain, requested), 1e-15))
     assert all(np.median(found) <= 2 for found in ratios.values() if found), ratios
 
 
 @pytest.mark.parametrize(
-    ("n", "s", "wanted"),
+    ("n", "s", "requested"),
     [
         (4, 2, [-1] * 4),
         (6, 2, [-1] * 6),
@@ -88,9 +88,9 @@ def test_no_peer_places_more_accurately(n, s, spread):
         (8, 2, [-1] * 4 + [-2] * 4),
     ],
 )
-def test_eigenvalues_repeated_more_often_than_there_are_controls(n, s, wanted):
+def test_eigenvalues_repeated_more_often_than_there_are_controls(n, s, requested):
     A, B = random_pair(np.random.default_rng(n + s), n, s)
-    found = place(A, B, wanted)
+    found = place(A, B, requested)
     assert found.gain.shape == (s, n) and found.residual < 1e-12
     # As many chains as controls: no eigenvalue is spread more than a chain of that length spreads
     # it.
@@ -102,8 +102,8 @@ def test_eigenvalues_repeated_more_often_than_there_are_controls(n, s, wanted):
 
 def test_bad_units_of_several_controls():
     A, B = random_pair(np.random.default_rng(8), 8, 2, 6)
-    wanted = -np.arange(1.0, 9)
-    found = place(A, B, wanted)
+    requested = -np.arange(1.0, 9)
+    found = place(A, B, requested)
     assert found.distance < 1e-7 and found.residual < 1e-14
 
 
@@ -113,7 +113,7 @@ def test_reported_accuracy_is_true():
     assert sorted(found.reached, key=lambda z: (z.real, z.imag)) == pytest.approx(
         sorted(np.linalg.eigvals(A + B @ found.gain), key=lambda z: (z.real, z.imag))
     )
-    assert found.distance == pytest.approx(abs(found.reached - found.wanted).max())
+    assert found.distance == pytest.approx(abs(found.reached - found.requested).max())
     assert found.distance <= found.uncertainty < 1e-6
 
 
@@ -138,10 +138,10 @@ def test_uncontrollable_modes_are_named():
     with pytest.raises(ValueError, match=r"controllable.*2|2.*controllable"):
         place(np.diag([1.0, 2.0]), np.array([[1.0], [0.0]]), [-1, -2])
     A, B = chain(3)
-    for wanted, words in (
+    for requested, words in (
         ([-1, -2], "expected 3"),
         ([-1, -2, np.inf], "finite"),
         ([-1, -2 + 1j, -2], "pairs"),
     ):
         with pytest.raises(ValueError, match=words):
-            place(A, B, wanted)
+            place(A, B, requested)

@@ -163,7 +163,7 @@ def test_observability_of_the_examples(name):
     for i in range(2 * n):
         assert H1 * A11**i * T[:k, :] == H * A**i
     whole, hidden = (
-        (m.charpoly(lam).as_expr() for m in (A, split.rest))
+        (m.charpoly(lam).as_expr() for m in (A, split.complement))
         if k < n
         else (A.charpoly(lam).as_expr(), sp.Integer(1))
     )
@@ -216,7 +216,7 @@ def test_controllability_of_the_examples(name):
             and (w * B).expand().is_zero_matrix
         )
     assert {m.eigenvalue for m in found.hidden_modes} == (
-        set(split.rest.eigenvals()) if k < n else set()
+        set(split.complement.eigenvals()) if k < n else set()
     )
 
 

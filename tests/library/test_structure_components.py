@@ -40,7 +40,7 @@ def entry(matrix, i, j, value):
     assert sp.simplify(matrix[i, j] - value) == 0, (i, j, matrix)
 
 
-def judge_outputs(A, H, T, Anew, Hnew, sizes, remaining, how):
+def judge_outputs(A, H, T, Anew, Hnew, sizes, remaining, form):
     """Assert all properties of a decomposition by outputs that `components` states."""
     n, total = A.rows, sum(sizes)
     assert T.det() != 0 and total == observability_matrix(A, H).rank() and remaining == n - total
@@ -53,7 +53,7 @@ def judge_outputs(A, H, T, Anew, Hnew, sizes, remaining, how):
                 for column in range(other, other + length):
                     free = (
                         row == start + size - 1 and j <= i
-                        if how == "sequential"
+                        if form == "sequential"
                         else column == other
                     )
                     if not free:
@@ -62,12 +62,12 @@ def judge_outputs(A, H, T, Anew, Hnew, sizes, remaining, how):
             for column in range(other, other + length):
                 free = (
                     not size and j < i
-                    if how == "sequential"
+                    if form == "sequential"
                     else column == other and j < i and size < length
                 )
                 if not free:
                     entry(Hnew, i, column, int(j == i and column == start))
-    if how == "parallel":
+    if form == "parallel":
         # The length of the chain of output i in the shuttle's order.
         rows, lengths = sp.zeros(0, n), [0] * H.rows
         for power in range(n):
@@ -85,7 +85,7 @@ def judge_inputs(A, B, found):
     """Assert the dual: transposed, in the parallel form with each subsystem reversed."""
     order, start = list(range(A.rows)), 0
     for size in found.sizes:
-        if found.how == "parallel":
+        if found.form == "parallel":
             order[start : start + size] = reversed(order[start : start + size])
         start += size
     P = found.basis[:, order]
@@ -97,11 +97,11 @@ def judge_inputs(A, B, found):
         found.inputs[order, :].T,
         found.sizes,
         found.remaining,
-        found.how,
+        found.form,
     )
 
 
-@pytest.mark.parametrize("how", ["sequential", "parallel"])
+@pytest.mark.parametrize("form", ["sequential", "parallel"])
 @pytest.mark.parametrize(
     "system, sizes",
     [
@@ -111,18 +111,18 @@ def judge_inputs(A, B, found):
     ],
     ids=["example 7", "2.33", "2.34"],
 )
-def test_decompositions_by_inputs(system, sizes, how):
-    found = decompose_by_inputs(*system, how)
+def test_decompositions_by_inputs(system, sizes, form):
+    found = decompose_by_inputs(*system, form)
     assert (
-        found.sizes == sizes[how] and found.remaining == 4 - controllability_matrix(*system).rank()
+        found.sizes == sizes[form] and found.remaining == 4 - controllability_matrix(*system).rank()
     )
     judge_inputs(*system, found)
 
 
-@pytest.mark.parametrize("how", ["sequential", "parallel"])
+@pytest.mark.parametrize("form", ["sequential", "parallel"])
 @pytest.mark.parametrize("system", [P14, P15], ids=["2.14", "2.15"])
-def test_decompositions_by_outputs(system, how):
-    found = decompose_by_outputs(*system, how)
+def test_decompositions_by_outputs(system, form):
+    found = decompose_by_outputs(*system, form)
     judge_outputs(
         *system,
         found.transformation,
@@ -130,7 +130,7 @@ def test_decompositions_by_outputs(system, how):
         found.outputs,
         found.sizes,
         found.remaining,
-        how,
+        form,
     )
 
 
@@ -162,17 +162,17 @@ def systems(draw):
 
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(systems(), st.sampled_from(["sequential", "parallel"]))
-def test_random_systems(system, how):
+def test_random_systems(system, form):
     A, H = system
-    found = decompose_by_outputs(A, H, how)
+    found = decompose_by_outputs(A, H, form)
     judge_outputs(
-        A, H, found.transformation, found.matrix, found.outputs, found.sizes, found.remaining, how
+        A, H, found.transformation, found.matrix, found.outputs, found.sizes, found.remaining, form
     )
-    judge_inputs(A.T, H.T, decompose_by_inputs(A.T, H.T, how))
+    judge_inputs(A.T, H.T, decompose_by_inputs(A.T, H.T, form))
 
 
 def test_errors_and_display():
-    with pytest.raises(ValueError, match='how: expected "sequential" or "parallel"'):
+    with pytest.raises(ValueError, match='form: expected "sequential" or "parallel"'):
         decompose_by_inputs(*SEVEN, "shuttle")
     import numpy as np
 

@@ -110,7 +110,7 @@ def test_canonical_forms(A, H):
                 )
 
 
-@pytest.mark.parametrize("how", ["sequential", "parallel"])
+@pytest.mark.parametrize("form", ["sequential", "parallel"])
 @pytest.mark.parametrize(
     "A, H",
     [
@@ -119,10 +119,10 @@ def test_canonical_forms(A, H):
         (M([[0, 1, 0], [0, 0, a], [0, 0, b]]), M([[1, 0, 0], [0, a, 1]])),
     ],
 )
-def test_component_decompositions(A, H, how):
+def test_component_decompositions(A, H, form):
     for found, system in (
-        (decompose_by_outputs(A, H, how), A),
-        (decompose_by_inputs(A.T, H.T, how), A.T),
+        (decompose_by_outputs(A, H, form), A),
+        (decompose_by_inputs(A.T, H.T, form), A.T),
     ):
         for values in itertools.product(VALUES, repeat=2):
             point = dict(zip((a, b), values))

@@ -203,7 +203,7 @@ def _transposed_test(A, H):
 def _family(A, H, prescription, test, kalman):
     parts = observability_decomposition(A, H)
     observable, unobservable = parts.sizes
-    (A11, H1), A22 = parts.part, parts.rest
+    (A11, H1), A22 = parts.part, parts.complement
     symbol = prescription.symbol or visible_symbol(A, H)
     fixed = characteristic_polynomial(A22, symbol) if unobservable else sp.Integer(1)
     movable = prescription.movable(symbol, observable, fixed, lambda: test(A, H), kalman)

@@ -57,10 +57,10 @@ class Placement:
     ----------
     gain : numpy.ndarray, shape (s, n)
         K of u = Kx.
-    wanted : numpy.ndarray, shape (n,)
+    requested : numpy.ndarray, shape (n,)
         The eigenvalues asked for.
     reached : numpy.ndarray, shape (n,)
-        The eigenvalues of A + BK as NumPy computes them, in the order of `wanted`.
+        The eigenvalues of A + BK as NumPy computes them, in the order of `requested`.
     distance : float
         The greatest distance between the two.
     residual : float
@@ -76,7 +76,7 @@ class Placement:
     """
 
     gain: np.ndarray
-    wanted: np.ndarray
+    requested: np.ndarray
     reached: np.ndarray
     distance: float
     residual: float

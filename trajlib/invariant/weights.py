@@ -39,7 +39,7 @@ class Sampled:
 
     Attributes
     ----------
-    given : tuple
+    uncentred : tuple
         Basis and nuisance as they were given.
     functions : list
         Functions with the span of the basis, to which functionals are applied.
@@ -50,7 +50,7 @@ class Sampled:
     """
 
     times: np.ndarray
-    given: tuple
+    uncentred: tuple
     functions: list
     combination: np.ndarray
     Psi: np.ndarray
@@ -77,7 +77,7 @@ class Sampled:
         cut = replace(self, times=times, Psi=self.Psi[:, samples], Theta=self.Theta[:, samples])
         solver = WeightSolver(cut, covariance)
         if solver.margin < CENTRED_ANEW:
-            solver = WeightSolver(Sampled.on(times, *self.given), covariance)
+            solver = WeightSolver(Sampled.on(times, *self.uncentred), covariance)
         return solver
 
 
@@ -132,7 +132,7 @@ class WeightSolver:
         """Rank of the samples of all functions; None if floats do not tell it."""
         if self.rank == self.count:
             return self.rank
-        basis, nuisance = self.sampled.given
+        basis, nuisance = self.sampled.uncentred
         return exact_rank([*basis, *nuisance], self.sampled.times)
 
     def _raise_undetermined(self, o, undetermined):

@@ -103,10 +103,12 @@ def is_positive_definite(V: sp.Expr, state: Symbols) -> Definiteness:
     Definiteness
         The verdict, perhaps with a condition on the parameters.
 
-    Notes ----- Variables that do not occur together in a term are judged separately: in one
-    variable by the first derivative that does not vanish, in several by Sylvester's criterion on
-    the second derivatives, in two by the real roots of the lowest form. Source: Definition 1.3 of
-    the problem book.
+    Notes
+    -----
+    Variables that do not occur together in a term are judged separately: in one variable by the
+    first derivative that does not vanish, in several by Sylvester's criterion on the second
+    derivatives, in two by the real roots of the lowest form. Source: Definition 1.3 of the problem
+    book.
 
     Examples
     --------
@@ -280,10 +282,12 @@ def barbashin_krasovskii(V: sp.Expr, field: Expressions, state: Symbols) -> Zero
     ZeroDerivativeSet
         M, and whether it holds whole trajectories besides the origin.
 
-    Notes ----- A trajectory that stays in {g = 0} satisfies g = 0, g' = 0, g'' = 0, ... with
-    derivatives taken along the system; the common zeros of these are found exactly. Parameters that
-    are factors of V' are taken to be nonzero. Source: Theorem 1.5 of the problem book
-    (Barbashin-Krasovskii, LaSalle).
+    Notes
+    -----
+    A trajectory that stays in {g = 0} satisfies g = 0, g' = 0, g'' = 0, ... with derivatives taken
+    along the system; the common zeros of these are found exactly. Parameters that are factors of V'
+    are taken to be nonzero. Source: Theorem 1.5 of the problem book (Barbashin-Krasovskii,
+    LaSalle).
 
     Examples
     --------

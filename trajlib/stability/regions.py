@@ -189,10 +189,11 @@ def stability_conditions(
         For symbols that are not named as parameters, for a negative margin, and as
         `hurwitz_matrix`.
 
-    Notes ----- Definition 1.5 of the problem book, with its sign corrected, asks for Re lambda <=
-    -mu; the region here is the interior of that set: the points of its boundary, where a root lies
-    on the line Re lambda = -mu, are not in it. With mu = 0 it is the Hurwitz criterion, Theorem
-    1.2.
+    Notes
+    -----
+    Definition 1.5 of the problem book, with its sign corrected, asks for Re lambda <= -mu; the
+    region here is the interior of that set: the points of its boundary, where a root lies on the
+    line Re lambda = -mu, are not in it. With mu = 0 it is the Hurwitz criterion, Theorem 1.2.
 
     Examples
     --------

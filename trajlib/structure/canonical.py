@@ -93,8 +93,10 @@ def observer_canonical_form(A: MatrixLike, h: MatrixLike | None = None) -> Canon
     ValueError
         If there are several outputs, or if the pair is not observable: then there is no such form.
 
-    Notes ----- MATLAB: ``canon``, "companion". Source: Definition 2.6, Theorem 2.7, example 1 of
-    the problem book.
+    Notes
+    -----
+    MATLAB: ``canon``, "companion". Source: Definition 2.6, Theorem 2.7, example 1 of the problem
+    book.
 
     Examples
     --------

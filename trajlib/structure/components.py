@@ -72,7 +72,7 @@ class ComponentDecomposition:
         adds nothing).
     remaining : int
         The number of coordinates, the last ones, that are unobservable (or uncontrollable).
-    how : str
+    form : str
         "sequential" or "parallel".
     outputs : sympy.Matrix or None
         H T^-1, for a decomposition by outputs.
@@ -84,7 +84,7 @@ class ComponentDecomposition:
     matrix: sp.Matrix
     sizes: tuple[int, ...]
     remaining: int
-    how: str
+    form: str
     outputs: sp.Matrix | None = None
     inputs: sp.Matrix | None = None
 
@@ -111,7 +111,7 @@ class ComponentDecomposition:
 
 
 @accepts_state_space("A", "H", C="H")
-def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDecomposition:
+def decompose_by_outputs(A: MatrixLike, H: MatrixLike, form: str) -> ComponentDecomposition:
     """Return the decomposition by the components of the output, sequential or parallel.
 
     The forms are described in the module `trajlib.structure.components`.
@@ -120,10 +120,10 @@ def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDec
     ----------
     A : matrix_like, shape (n, n)
         Matrix of x' = Ax; exact, with symbols generic. A StateSpace stands for A and H:
-        `decompose_by_outputs(sys, how)`.
+        `decompose_by_outputs(sys, form)`.
     H : matrix_like, shape (m, n)
         Matrix of the output z = Hx; exact.
-    how : {"sequential", "parallel"}
+    form : {"sequential", "parallel"}
         Parallel is also called shuttle.
 
     Returns
@@ -134,7 +134,7 @@ def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDec
     Raises
     ------
     ValueError
-        For another `how`, if shapes do not fit, or for floats, whose chains would end by a decision
+        For another `form`, if shapes do not fit, or for floats, whose chains would end by a decision
         on rounding.
 
     Notes
@@ -155,20 +155,20 @@ def decompose_by_outputs(A: MatrixLike, H: MatrixLike, how: str) -> ComponentDec
     [1, 0, 2]]))
     """
     A, H = read_observed(A, H)
-    T, sizes = _coordinates(A, H, how, "H")
+    T, sizes = _coordinates(A, H, form, "H")
     inverse = exact.inverse(T)
     return ComponentDecomposition(
         T,
         exact.product(T, A, inverse),
         sizes,
         A.rows - sum(sizes),
-        how,
+        form,
         outputs=exact.product(H, inverse),
     )
 
 
 @accepts_state_space("A", "B")
-def decompose_by_inputs(A: MatrixLike, B: MatrixLike, how: str) -> ComponentDecomposition:
+def decompose_by_inputs(A: MatrixLike, B: MatrixLike, form: str) -> ComponentDecomposition:
     """Return the decomposition by the components of the control, sequential or parallel.
 
     The forms are described in the module `trajlib.structure.components`.
@@ -177,10 +177,10 @@ def decompose_by_inputs(A: MatrixLike, B: MatrixLike, how: str) -> ComponentDeco
     ----------
     A : matrix_like, shape (n, n)
         Matrix of x' = Ax + Bu; exact, with symbols generic. A StateSpace stands for A and B:
-        `decompose_by_inputs(sys, how)`.
+        `decompose_by_inputs(sys, form)`.
     B : matrix_like, shape (n, s)
         Matrix of the control; exact.
-    how : {"sequential", "parallel"}
+    form : {"sequential", "parallel"}
         Parallel is also called shuttle.
 
     Returns
@@ -193,8 +193,10 @@ def decompose_by_inputs(A: MatrixLike, B: MatrixLike, how: str) -> ComponentDeco
     ValueError
         As `decompose_by_outputs`.
 
-    Notes ----- MATLAB has no word for it; it is Luenberger's form. Source: example 7, problems 2.33
-    and 2.34 of the problem book.
+    Notes
+    -----
+    MATLAB has no word for it; it is Luenberger's form. Source: example 7, problems 2.33 and 2.34 of
+    the problem book.
 
     Examples
     --------
@@ -215,8 +217,8 @@ def decompose_by_inputs(A: MatrixLike, B: MatrixLike, how: str) -> ComponentDeco
     [-1/2, 1/2, -3/2, 5/2]])
     """
     A, H = read_controlled(A, B)
-    rows, sizes = _coordinates(A, H, how, "B")
-    if how == "parallel":
+    rows, sizes = _coordinates(A, H, form, "B")
+    if form == "parallel":
         rows = _reversed_blocks(rows, sizes)
     basis = rows.T
     T = exact.inverse(basis)
@@ -225,25 +227,25 @@ def decompose_by_inputs(A: MatrixLike, B: MatrixLike, how: str) -> ComponentDeco
         exact.product(T, A.T, basis),
         sizes,
         A.rows - sum(sizes),
-        how,
+        form,
         inputs=exact.product(T, H.T),
     )
 
 
-def _coordinates(A, H, how, name):
+def _coordinates(A, H, form, name):
     """Return the rows of T for a decomposition by outputs, and the sizes of the subsystems."""
-    if how not in ("sequential", "parallel"):
-        raise ValueError(f'how: expected "sequential" or "parallel", got {how!r}')
+    if form not in ("sequential", "parallel"):
+        raise ValueError(f'form: expected "sequential" or "parallel", got {form!r}')
     if isinstance(A, np.ndarray):
         raise ValueError(
             f"{name}: expected exact matrices (SymPy), since every chain ends by an exact "
             "decision; write the numbers as integers or sp.Rational"
         )
-    chains = _sequential_chains(A, H) if how == "sequential" else _shuttle_chains(A, H)
+    chains = _sequential_chains(A, H) if form == "sequential" else _shuttle_chains(A, H)
     sizes = tuple(len(chain) for chain in chains)
     rows = sp.Matrix.vstack(sp.zeros(0, A.rows), *(row for chain in chains for row in chain))
     rows = sp.Matrix.vstack(rows, exact.null_columns(rows).T)
-    return (rows if how == "sequential" else _luenberger(A, rows, sizes)), sizes
+    return (rows if form == "sequential" else _luenberger(A, rows, sizes)), sizes
 
 
 def _sequential_chains(A, H):

@@ -60,7 +60,7 @@ class Decomposition:
         return (A11, self.inputs[:k, :]) if self.outputs is None else (A11, self.outputs[:, :k])
 
     @property
-    def rest(self) -> Matrix:
+    def complement(self) -> Matrix:
         """Return A22, the matrix of the unobservable (uncontrollable) part."""
         return self.matrix[self.sizes[0] :, self.sizes[0] :]
 
@@ -155,8 +155,10 @@ def controllability_decomposition(A: MatrixLike, B: MatrixLike | None = None) ->
     ValueError
         If shapes do not fit.
 
-    Notes ----- MATLAB: ``ctrbf``, which puts the controllable coordinates last. Source: Theorem 2.8
-    and example 6 of the problem book.
+    Notes
+    -----
+    MATLAB: ``ctrbf``, which puts the controllable coordinates last. Source: Theorem 2.8 and example
+    6 of the problem book.
 
     Examples
     --------

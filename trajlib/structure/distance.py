@@ -118,8 +118,10 @@ def distance_to_uncontrollable(
     ValueError
         If shapes do not fit, for entries that are not real numbers, or for `within` outside (0, 1).
 
-    Notes ----- The size of a change is the 2-norm of (dA, dB), in the units given; complex changes
-    are allowed, so real ones may have to be larger. MATLAB has no word for it.
+    Notes
+    -----
+    The size of a change is the 2-norm of (dA, dB), in the units given; complex changes are allowed,
+    so real ones may have to be larger. MATLAB has no word for it.
 
     Examples
     --------

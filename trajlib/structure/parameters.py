@@ -134,8 +134,10 @@ def controllability_conditions(A: MatrixLike, B: MatrixLike, parameters: Symbols
     ValueError, NotImplementedError
         As `observability_conditions`.
 
-    Notes ----- MATLAB has no word for it (``rank(ctrb(A, B))`` by hand). Source: Theorem 2.2 and
-    its corollary in the problem book.
+    Notes
+    -----
+    MATLAB has no word for it (``rank(ctrb(A, B))`` by hand). Source: Theorem 2.2 and its corollary
+    in the problem book.
 
     Examples
     --------

@@ -102,11 +102,13 @@ def solve(
     NotConverged
         If no process was found, which proves nothing.
 
-    Notes ----- `Extremal.optimality` has what is known beyond the necessary conditions. For linear
-    plants with a convex cost and a given duration, and for the least time to a point at which a
-    linear plant can be held, the extremal is proved optimal. Otherwise the search begins at several
-    guesses, leaves saddles and maxima along the second variation, and returns the best extremal it
-    found; a better one is not excluded (see `compare`). Source: Theorem 5.1 of the problem book.
+    Notes
+    -----
+    `Extremal.optimality` has what is known beyond the necessary conditions. For linear plants with
+    a convex cost and a given duration, and for the least time to a point at which a linear plant
+    can be held, the extremal is proved optimal. Otherwise the search begins at several guesses,
+    leaves saddles and maxima along the second variation, and returns the best extremal it found; a
+    better one is not excluded (see `compare`). Source: Theorem 5.1 of the problem book.
 
     Examples
     --------

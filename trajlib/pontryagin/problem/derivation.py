@@ -49,8 +49,10 @@ class Conditions:
     switching : dict
         {control: dH/du} for the controls in which H is linear.
 
-    Notes ----- H = psi^T f - lambda_0 f_0 is maximised by the optimal control. Source: Theorem 5.1
-    of the problem book.
+    Notes
+    -----
+    H = psi^T f - lambda_0 f_0 is maximised by the optimal control. Source: Theorem 5.1 of the
+    problem book.
 
     Examples
     --------

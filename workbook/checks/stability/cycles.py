@@ -302,7 +302,7 @@ def _circles(flow, reach=20.0):
             abs(v[1]) for v in velocities
         )
         rotating = min(abs(v[1]) for v in velocities) > 1e-9
-        if closed and rotating and not any(abs(radius - known) < 1e-5 * radius for known in radii):
+        if closed and rotating and not any(abs(radius - other) < 1e-5 * radius for other in radii):
             radii.append(float(radius))
     return radii
 

@@ -333,9 +333,9 @@ class Explorer:
 
     def _inputs_of(self, formulas, series=()):
         """Return the names of the parameters on which formulas, given by role, and series depend."""
-        names = {name for role in formulas.values() for one in role for name in one.scalars}
+        names = {name for role in formulas.values() for formula in role for name in formula.scalars}
         return frozenset().union(
-            *(self._inputs[name] for name in names), *(one.inputs for one in series)
+            *(self._inputs[name] for name in names), *(column.inputs for column in series)
         )
 
     def _dragged(self):
@@ -380,10 +380,10 @@ class Explorer:
         self.series.append(Series(self, len(self.series), tuple(columns), step.inputs))
         return self.series[-1]
 
-    def _reduce(self, series, how, symbol, value):
+    def _reduce(self, series, kind, symbol, value):
         formulas = {"value": [self._formula("value", value, series.columns)]}
         self._define(symbol, self._inputs_of(formulas, [series]))
-        self._add(how, formulas, {"series": series.index}, series=[series])
+        self._add(kind, formulas, {"series": series.index}, series=[series])
 
     def __repr__(self):
         count = len(self.panels)

@@ -47,12 +47,12 @@ def data(explorer):
             for role, role_formulas in formulas.items()
         }
 
-    def part(one):
-        moved = [None if name is None else order[name] for name in one.dragged]
-        more = {"series": one.series} if one.series is not None else {}
+    def part(drawn):
+        moved = [None if name is None else order[name] for name in drawn.dragged]
+        more = {"series": drawn.series} if drawn.series is not None else {}
         more |= {"moved": moved} if any(k is not None for k in moved) else {}
-        common = {"kind": one.kind, "style": one.style, "label": one.label}
-        return common | {"uses": uses(one.inputs)} | written(one.formulas) | more
+        common = {"kind": drawn.kind, "style": drawn.style, "label": drawn.label}
+        return common | {"uses": uses(drawn.inputs)} | written(drawn.formulas) | more
 
     return {
         "description": explorer.description,

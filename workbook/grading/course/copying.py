@@ -62,33 +62,33 @@ def pairs(scores, lines):
             if answer.verdict.status == WRONG and answer.hash:
                 name = f"{answer.problem} {answer.answer}"
                 answers[score.student].add((name, answer.hash))
-    most = max(RARE_COUNT, RARE_SHARE * len(scores))
+    limit = max(RARE_COUNT, RARE_SHARE * len(scores))
     counts = Counter(line for own in lines.values() for line in own)
     rare_lines = {
-        student: {line for line in own if counts[line] <= most} for student, own in lines.items()
+        student: {line for line in own if counts[line] <= limit} for student, own in lines.items()
     }
     lines_of_pairs = [
         pair
-        for pair in _sharing(rare_lines, "lines of code", LEAST_LINES, most)
+        for pair in _sharing(rare_lines, "lines of code", LEAST_LINES, limit)
         if len(pair.shared)
         >= LEAST_LINE_SHARE * min(len(rare_lines[student]) for student in pair.students)
     ]
     return [
-        *_sharing(notebooks, "identical notebooks", 1, most),
-        *_sharing(answers, "wrong answers", LEAST_ANSWERS, most),
+        *_sharing(notebooks, "identical notebooks", 1, limit),
+        *_sharing(answers, "wrong answers", LEAST_ANSWERS, limit),
         *lines_of_pairs,
     ]
 
 
-def _sharing(items, kind, least, most):
-    """Return the pairs that share `least` items or more, which at most `most` students have."""
+def _sharing(items, kind, least, limit):
+    """Return the pairs that share `least` items or more, which at most `limit` students have."""
     owners = defaultdict(list)
     for student in sorted(items):
         for item in items[student]:
             owners[item].append(student)
     shared = defaultdict(list)
     for item, students in owners.items():
-        if 1 < len(students) <= most:
+        if 1 < len(students) <= limit:
             name = item if isinstance(item, str) else item[0]
             for pair in combinations(students, 2):
                 shared[pair].append((name, len(students)))

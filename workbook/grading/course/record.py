@@ -17,7 +17,7 @@ from workbook.grading.course.objections import Objection
 
 @dataclass(frozen=True)
 class Change:
-    """A change of the verdict or the points of one answer, and the reason `why`."""
+    """A change of the verdict or the points of one answer, and its reason."""
 
     when: str
     student: str
@@ -27,7 +27,7 @@ class Change:
     new_verdict: str
     old_points: float
     new_points: float
-    why: str
+    reason: str
 
 
 #: Reasons for more than one kind of change.

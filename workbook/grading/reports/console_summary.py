@@ -155,5 +155,5 @@ def _change_text(change):
     )
     return (
         f"{change.student} {change.problem} {change.answer}: {' -> '.join(verdicts)}, "
-        f"{change.old_points:g} -> {change.new_points:g} points ({change.why})"
+        f"{change.old_points:g} -> {change.new_points:g} points ({change.reason})"
     )

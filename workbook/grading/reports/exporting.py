@@ -76,7 +76,7 @@ def changes_csv(changes):
             change.new_verdict,
             decimal(change.old_points),
             decimal(change.new_points),
-            change.why,
+            change.reason,
         ]
         for change in changes
     ]

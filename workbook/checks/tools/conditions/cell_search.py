@@ -152,8 +152,8 @@ class _Search:
 
         def search(cell):
             values = _Values(cell, space, self)
-            truths = [values.truth(part) for part in required]
-            if False in truths:
+            truth_values = [values.truth(part) for part in required]
+            if False in truth_values:
                 return
             if len(cell.coordinates) < outer:
                 for upper in space.above(cell):
@@ -268,22 +268,22 @@ class _Values:
             return OPERATORS[type(node)](numerator * denominator, 0)
         if isinstance(node, (sp.And, sp.Or)):
             absorbing = isinstance(node, sp.Or)
-            truths = set()
+            truth_values = set()
             for part in node.args:
-                truths.add(self._truth(part))
-                if absorbing in truths:
+                truth_values.add(self._truth(part))
+                if absorbing in truth_values:
                     return absorbing
-            return None if None in truths else not absorbing
+            return None if None in truth_values else not absorbing
         if isinstance(node, sp.ITE):
             test, yes, no = node.args
             return self._truth(sp.Or(sp.And(test, yes), sp.And(sp.Not(test), no)))
-        truths = list(map(self._truth, node.args))
-        if None in truths:
+        truth_values = list(map(self._truth, node.args))
+        if None in truth_values:
             return None
         if isinstance(node, sp.Not):
-            return not truths[0]
+            return not truth_values[0]
         if isinstance(node, sp.Xor):
-            return sum(truths) % 2 == 1
+            return sum(truth_values) % 2 == 1
         raise Undecidable
 
     def exact(self):
