@@ -12,6 +12,7 @@ NOT_CHECKS = {
     "collecting",
     "hide_direction",
     "judged",
+    "kept_for_grading",
     "report",
 }
 #: The names of all checks, those of the research chapters with their package.

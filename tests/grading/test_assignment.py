@@ -11,6 +11,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 from classroom import an_assignment, write_assignment
 
+from workbook import checks
 from workbook.grading.course import assignment as assignments
 from workbook.grading.course import handing_out, submissions
 from workbook.grading.course.assignment import AssignmentError
@@ -109,7 +110,7 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         (
             ONE + "titel = 'x'",
             "unknown field titel; there are attempt, attempts, by_hand, direction, due, early, exemptions, "
-            "extensions, labels, late, points, problems, title",
+            "extensions, kept_for_grading, labels, late, points, problems, title",
         ),
         (ONE + "title = 3", "title is one line of text"),
         (ONE + 'title = " "', "title is one line of text"),
@@ -124,6 +125,10 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         (ONE + "attempts = true", "attempts is a whole number from 1 up"),
         (ONE + "attempts = 1.5", "attempts is a whole number from 1 up"),
         (ONE + 'direction = "false"', "direction is true or false"),
+        (
+            ONE + 'kept_for_grading = ["1.15.z"]',
+            "kept_for_grading is a list of problems or answers",
+        ),
         (ONE + "points = 5", "points is a table"),
         (ONE + "[points]\n1.15 = 10", "in points a problem stands in quotes"),
         (ONE + '[points]\n"1.15" = -1', 'points."1.15" is a number from 0 up'),
@@ -219,11 +224,16 @@ def test_a_homework_to_hand_out(tmp_path):
     )
 
 
+def released_text(exercise, site=""):
+    homework = assignments.of_problems("hw1", [exercise.number])
+    return handing_out.release(homework, exercise.number, site)
+
+
 def test_a_handed_out_notebook_is_the_exercise_without_dead_links(tmp_path):
     for exercise in exercises.read_all():
         pristine = json.loads(exercise.path.read_text(encoding="utf-8"))
         for site in ("", "https://example.org/course/"):
-            released = json.loads(handing_out.release(exercise.number, site))
+            released = json.loads(released_text(exercise, site))
             assert released["metadata"] == pristine["metadata"] and len(released["cells"]) == len(
                 pristine["cells"]
             )
@@ -264,9 +274,33 @@ def test_the_direction_of_a_wrong_number_is_left_out_unless_the_homework_tells_i
             assert exercise.sources_to_run([source, "1"]) == ["", "1"]
 
 
+def test_answers_kept_for_grading_are_not_judged_in_the_notebook(tmp_path):
+    made = handing_out.make(tmp_path, "hw1", ["1.15", "1.17"], kept_for_grading=["1.15.e_region"])
+    assert made == assignments.read(tmp_path / "hw1" / "assignment.toml")
+    assert (made.kept_of("1.15"), made.kept_of("1.17")) == (["e_region"], [])
+    assert "Only the grading judges `e_region` of 1.15." in (
+        tmp_path / "hw1" / "README.md"
+    ).read_text(encoding="utf-8")
+    handed_out = exercises.read(tmp_path / "hw1" / "ch1-p15.ipynb")
+    sources = [source for _, source in handed_out.code("check")]
+    *others, last = made.exercise("1.15").code("check")
+    assert sources[:-1] == [source for _, source in others]
+    assert "e_region=checks.kept_for_grading(e_region))" in sources[-1]
+    assert "stability_region" not in sources[-1] and "stability_region" in last[1]
+    # The grader knows the cell as unchanged, and judges the answer by its own.
+    assert exercises.find("1.15").sources_to_run(sources) == [""] * len(sources)
+    for answer, status in (("...", "missing"), ("lambda: 1", "invalid"), ("k1 > 0", "unchecked")):
+        space = {}
+        exec("".join(source + "\n" for _, source in handed_out.code("data")), space)
+        exec(f"e_region = {answer}", space)
+        with checks.collecting() as verdicts:
+            exec(sources[-1], space)
+        assert verdicts["e_region"].status == status
+
+
 def test_a_handed_out_notebook_is_known_without_its_metadata(tmp_path):
     for exercise in exercises.read_all():
-        notebook = json.loads(handing_out.release(exercise.number))
+        notebook = json.loads(released_text(exercise))
         notebook["metadata"] = {}
         path = tmp_path / "ann" / "hw1" / handing_out.file_name(exercise.number)
         path.parent.mkdir(parents=True, exist_ok=True)

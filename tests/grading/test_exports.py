@@ -1,6 +1,7 @@
 """Tables for other systems: each format as a golden text, and unusual names."""
 
 import csv
+import dataclasses
 import io
 import json
 import sys
@@ -302,11 +303,13 @@ TEST = {
 }
 
 
-def test_gradescope_json(small):
+def test_gradescope_json(small, homework):
     _ann, bob, cid, dan = small
     hints = {("1.17", "b_region"): 2}
     result = json.loads(
-        exporting.gradescope_json(bob, hints, ["1.17: notebook: code cell 2: NameError"], 3.5, 12.4)
+        exporting.gradescope_json(
+            bob, homework, hints, ["1.17: notebook: code cell 2: NameError"], 3.5, 12.4
+        )
     )
     assert result == {
         "score": 3.5,
@@ -350,7 +353,7 @@ def test_gradescope_json(small):
         ],
     }
     for score in small:
-        result = json.loads(exporting.gradescope_json(score, {}, [], score.points, 0.1))
+        result = json.loads(exporting.gradescope_json(score, homework, {}, [], score.points, 0.1))
         assert all(isinstance(result[key], RESULT[key]) for key in result)
         assert all(
             isinstance(test[key], TEST[key]) and set(test) == set(TEST)
@@ -360,13 +363,16 @@ def test_gradescope_json(small):
         assert sum(test["score"] for test in result["tests"]) == pytest.approx(result["score"])
     (unchecked,) = [
         test
-        for test in json.loads(exporting.gradescope_json(cid, {}, [], 1.0, 0.1))["tests"]
+        for test in json.loads(exporting.gradescope_json(cid, homework, {}, [], 1.0, 0.1))["tests"]
         if "unchecked" in test["output"]
     ]
     assert "It is not judged wrong" in unchecked["output"]
+    keeping = dataclasses.replace(homework, kept_for_grading=("1.17.a_region",))
+    tests = json.loads(exporting.gradescope_json(cid, keeping, {}, [], 1.0, 0.1))["tests"]
+    assert {test["name"] for test in tests if test["visibility"] != "visible"} == {"1.17 a_region"}
     assert MISSING not in {
         test["status"]
-        for test in json.loads(exporting.gradescope_json(dan, {}, [], 0.0, 0.1))["tests"]
+        for test in json.loads(exporting.gradescope_json(dan, homework, {}, [], 0.0, 0.1))["tests"]
     }
 
 

@@ -164,7 +164,7 @@ def test_the_page_has_each_students_own_text_beside_fields(three, tmp_path, home
     )
     path.write_text(json.dumps(data))
     released = hand_in(tmp_path, "bob", "1.17", {})
-    released.write_text(handing_out.release("1.17", "https://example.org"))
+    released.write_text(handing_out.release(homework, "1.17", "https://example.org"))
     texts = text_cells.read(tmp_path / "submitted", "hw1")
     assert texts == {"ann": [("ch1-p17.ipynb", ["Because <b>k</b> > 0,\n$x = 1$.", "</pre>\\x1b"])]}
     page = text_page(homework, three.values(), texts)

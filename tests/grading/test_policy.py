@@ -146,6 +146,17 @@ def test_other_answers_share_the_points_of_what_is_not_asked(tmp_path, store):
     assert "dan" not in exporting.moodle_csv(homework, [ann, bob, cid, dan])
 
 
+def test_points_by_hand_do_not_grow_with_an_exemption(tmp_path):
+    by_hand = '[by_hand]\nsketch = {points = 3, text = "a sketch"}\n'
+    homework = an_assignment(tmp_path, EXEMPT.replace("[labels]", by_hand + "[labels]"))
+    assert homework.points_of("bob") == {
+        "1.17": {"a_region": 4.5, "b_region": 1.5},
+        "1.18": {},
+        "by_hand": {"sketch": 3},
+    }
+    assert homework.points_of("dan")["by_hand"] == {"sketch": 9}, "nothing else is asked of dan"
+
+
 def test_an_exemption_is_the_reason_of_a_change(tmp_path, store):
     graded(store, "bob", "1.17", {"a_region": RIGHT, "b_region": RIGHT})
     graded(store, "bob", "1.18", {"a_region": RIGHT, "b_region": RIGHT})

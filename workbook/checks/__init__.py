@@ -15,6 +15,7 @@ __getattr__, __dir__, __all__ = lazy_names(
         "contract.reporting": ["NotYet", "collecting"],
         "workbook.mistakes.reporting": ["report"],
         "contract.direction": ["hide_direction"],
+        "contract.kept": ["kept_for_grading"],
         "contract.verdict": ["Unusable", "Verdict", "judged"],
         "stability.regions": ["stability_region"],
         "stability.equilibrium": ["equilibria", "spectra", "stable_equilibria"],

@@ -249,6 +249,13 @@ def new(
             "--direction", help="Messages say whether a number is too great or too small."
         ),
     ] = False,
+    kept_for_grading: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--keep",
+            help="A problem or answer (1.15.e_region) that only the grading judges; may repeat.",
+        ),
+    ] = None,
     own_numbers: Annotated[
         bool,
         typer.Option(
@@ -278,6 +285,7 @@ def new(
         due_date(due) if due else None,
         site,
         direction,
+        kept_for_grading or (),
         own_numbers,
     )
     answers = sum(len(points) for points in homework.points.values())

@@ -14,8 +14,12 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
+from workbook.checks.contract.check_cells import check_calls
+
 #: The report of a check cell, and what stands above it in a homework.
 REPORT, HIDING = "checks.report(", "checks.hide_direction()\n"
+#: In the place of the check of an answer that only the grading judges.
+KEPT = re.compile(r"(\w+)=checks\.kept_for_grading\(\1\)")
 PACKAGE = Path(__file__).resolve().parents[1]
 CHECKOUT = PACKAGE.parent
 #: Notebooks of variants: generated, and not part of the repository.
@@ -58,10 +62,14 @@ class Exercise:
     def sources_to_run(self, sources):
         """Return a student's code cells, with "" for check cells that have not been changed."""
 
-        def plain(source):  # in practice and in homework
-            return source.replace(HIDING, "").strip()
+        checks = [source for _, source in self.code("check")]
+        calls = {name: call for source in checks for name, call in check_calls(source).items()}
 
-        pristine = {plain(source) for _, source in self.code("check")}
+        def plain(source):  # in practice and in homework
+            checked = KEPT.sub(lambda kept: f"{kept[1]}={calls.get(kept[1], '')}", source)
+            return checked.replace(HIDING, "").strip()
+
+        pristine = set(map(plain, checks))
         return ["" if plain(source) in pristine else source for source in sources]
 
 
@@ -137,6 +145,19 @@ def in_homework(exercise):
 def hiding_direction(source):
     """Return a check cell whose verdicts do not say in which direction a number is wrong."""
     return source.replace(REPORT, HIDING + REPORT, 1)
+
+
+def keeping_for_grading(source, names):
+    """Return a check cell that leaves answers with these names to the grading of the homework.
+
+    >>> cell = "checks.report(a=checks.root(a), b=checks.root(b))"
+    >>> keeping_for_grading(cell, ["b"])
+    'checks.report(a=checks.root(a), b=checks.kept_for_grading(b))'
+    """
+    for name, call in check_calls(source).items():
+        if name in names:
+            source = source.replace(f"{name}={call}", f"{name}=checks.kept_for_grading({name})", 1)
+    return source
 
 
 def notebook_path(number):

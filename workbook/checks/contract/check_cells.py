@@ -15,6 +15,18 @@ def reported_names(source):
     ]
 
 
+def check_calls(source):
+    """Return {answer: the text of its check} of a check cell.
+
+    >>> check_calls("checks.report(a=checks.set_of(a, [1, 2]))")
+    {'a': 'checks.set_of(a, [1, 2])'}
+    """
+    report = ast.parse(source).body[-1].value
+    return {
+        keyword.arg: ast.get_source_segment(source, keyword.value) for keyword in report.keywords
+    }
+
+
 def with_one_answer(source, name):
     """Return a check cell that reports on one of its answers alone."""
     tree = ast.parse(source)

@@ -8,6 +8,7 @@ It is one file, `assignment.toml`:
     attempt = "best"                    # or "last": which of several submissions counts
     attempts = 3                        # optional; further ones are kept but do not count
     direction = false                   # or true: whether messages say "greater" or "less" of a number
+    kept_for_grading = ["1.15.e_region"]  # optional: answers that the notebook does not judge
 
     [points]                            # optional; an answer is worth 1 point unless said otherwise
     "1.15" = 10                         # a problem: shared equally by its answers
@@ -66,6 +67,7 @@ FIELDS = {
     "attempt",
     "attempts",
     "direction",
+    "kept_for_grading",
     "points",
     BY_HAND,
 } | policies.FIELDS
@@ -103,6 +105,8 @@ class Assignment:
         How many attempts at a problem count.
     direction : bool
         Whether verdicts say in which direction a number is wrong.
+    kept_for_grading : tuple of str
+        Problems, and answers such as "1.15.e_region", that only the grading judges.
     numbers : dict or None
         {student: {problem: row}} where students have numbers of their own (`numbers.csv`).
     by_hand : dict
@@ -117,6 +121,7 @@ class Assignment:
     attempt: str = "best"
     attempts: int | None = None
     direction: bool = False
+    kept_for_grading: tuple = ()
     numbers: dict | None = None
     by_hand: dict = field(default_factory=dict)
 
@@ -129,7 +134,8 @@ class Assignment:
         """Return the points of the answers that are asked of a student.
 
         The other answers share the points of those from which the student is exempt, each as it is
-        worth: so the homework is worth the same for all.
+        worth: so the homework is worth the same for all. Points by hand stay as the lecturer gives
+        them, unless nothing else is asked.
         """
         exempt = self.policy.exempt_of(student)
         points = {
@@ -140,12 +146,22 @@ class Assignment:
             }
             for problem, answers in self.points.items()
         }
-        remaining = sum(sum(answers.values()) for answers in points.values())
-        factor = self.max_points / remaining if remaining else 1.0
-        return {
-            problem: {answer: worth * factor for answer, worth in answers.items()}
-            for problem, answers in points.items()
-        }
+        worth = {problem: sum(answers.values()) for problem, answers in points.items()}
+        sharing = [p for p in worth if p != BY_HAND and worth[p]] or [p for p in worth if worth[p]]
+        shared = sum(worth[problem] for problem in sharing)
+        gained = self.max_points - sum(worth.values())
+        for problem in sharing:
+            for answer in points[problem]:
+                points[problem][answer] *= 1 + gained / shared
+        return points
+
+    def kept_of(self, problem):
+        """Return the names of a problem's answers that only the grading judges."""
+        return [
+            answer
+            for answer in self.points[problem]
+            if {problem, f"{problem}.{answer}"} & set(self.kept_for_grading)
+        ]
 
     def row(self, problem, student):
         """Return the row of numbers that a student has; 0 is the site's, None that there is none."""
@@ -238,7 +254,15 @@ def from_text(text, path):
     direction = table.get("direction", False)
     _require(type(direction) is bool, path, "direction is true or false, without quotes")
     by_hand, points_by_hand = _by_hand(path, table.get(BY_HAND, {}))
-    points = _points(path, problems, table.get("points", {})) | points_by_hand
+    points = _points(path, problems, table.get("points", {}))
+    kept = table.get("kept_for_grading", [])
+    names = {*points, *(f"{p}.{a}" for p, answers in points.items() for a in answers)}
+    _require(
+        isinstance(kept, list) and all(name in names for name in kept),
+        path,
+        'kept_for_grading is a list of problems or answers of the assignment: ["1.17", "1.15.e_region"]',
+    )
+    points |= points_by_hand
     try:
         policy = policies.read(table, points)
     except policies.PolicyError as error:
@@ -252,6 +276,7 @@ def from_text(text, path):
         attempt,
         attempts,
         direction,
+        tuple(kept),
         by_hand=by_hand,
     )
 

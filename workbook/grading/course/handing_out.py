@@ -28,7 +28,7 @@ README = """\
 1. Install the workbook as the end of each notebook says, and open the notebooks in Jupyter.
 2. Replace each `...` by your answer; the comment beside it says what is asked. Keep the names of the variables: answers
    are found by name, in whatever cell they are assigned.
-3. Run the check cell as often as you like. It says what holds and what does not.
+3. Run the check cell as often as you like. It says what holds and what does not.{kept}
 
 ## How to hand in
 
@@ -41,7 +41,17 @@ Changing a check cell changes nothing, since answers are judged by the cells as 
 """
 
 
-def make(folder, name, problems, title=None, due=None, site="", direction=False, own_numbers=False):
+def make(
+    folder,
+    name,
+    problems,
+    title=None,
+    due=None,
+    site="",
+    direction=False,
+    kept_for_grading=(),
+    own_numbers=False,
+):
     """Write a homework into `folder`/`name`, which must not exist.
 
     Parameters
@@ -60,6 +70,8 @@ def make(folder, name, problems, title=None, due=None, site="", direction=False,
         Address of the student edition of the site, for links to the theory.
     direction : bool
         Whether verdicts say in which direction a number is wrong.
+    kept_for_grading : sequence of str
+        Problems, and answers such as "1.15.e_region", that only the grading judges.
     own_numbers : bool
         Whether the notebooks are left out, since each student gets others (`student_folders`).
 
@@ -81,14 +93,11 @@ def make(folder, name, problems, title=None, due=None, site="", direction=False,
         )
     if target.exists():
         raise AssignmentError(f"{target} is already there; take another name or remove it")
-    files = {
-        file_name(problem): release(problem, site, direction)
-        for problem in _checked(problems)
-        if not own_numbers
-    }
-    files["assignment.toml"] = _toml(title or name, problems, due, direction)
-    homework = assignments.from_text(files["assignment.toml"], target / "assignment.toml")
-    files["README.md"] = _readme(homework)
+    toml = _toml(title or name, _checked(problems), due, direction, kept_for_grading)
+    homework = assignments.from_text(toml, target / "assignment.toml")
+    files = {"assignment.toml": toml, "README.md": _readme(homework)}
+    if not own_numbers:
+        files |= {file_name(problem): release(homework, problem, site) for problem in problems}
     created = False
     try:
         target.mkdir(parents=True)
@@ -112,15 +121,17 @@ def file_name(problem):
     return f"ch{chapter}-p{number:0>2}.ipynb"
 
 
-def release(problem, site="", direction=False):
+def release(homework, variant, site=""):
     """Return the text of a student's notebook, whose references are links to `site` if given.
 
-    Its check cells say in which direction a number is wrong, or do not.
+    Its check cells say what the homework wants them to.
     """
-    notebook = json.loads(exercises.find(problem).path.read_text(encoding="utf-8"))
+    notebook = json.loads(exercises.find(variant).path.read_text(encoding="utf-8"))
+    kept = homework.kept_of(variant.partition("~")[0])
     for cell in notebook["cells"]:
-        if not direction and "check" in cell["metadata"].get("tags", ()):
-            cell["source"] = exercises.hiding_direction("".join(cell["source"]))
+        if "check" in cell["metadata"].get("tags", ()):
+            source = exercises.keeping_for_grading("".join(cell["source"]), kept)
+            cell["source"] = source if homework.direction else exercises.hiding_direction(source)
     if site:
         # Homework links to the student edition, which has no solutions.
         to_site = exercises.site_urls(site)
@@ -162,7 +173,7 @@ def _checked(problems):
     return problems
 
 
-def _toml(title, problems, due, direction):
+def _toml(title, problems, due, direction, kept_for_grading):
     quoted = ", ".join(_text(problem) for problem in problems)
     points = "\n".join(
         f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
@@ -180,7 +191,9 @@ def _toml(title, problems, due, direction):
         + 'attempt = "best"  # which of several submissions counts: "best" or "last"\n# attempts = 3  # further '
         "ones do not count\n"
         f"direction = {str(direction).lower()}  # true: messages say whether a number is too great or "
-        "too small, as in practice\n\n"
+        "too small, as in practice\n"
+        f"kept_for_grading = [{', '.join(map(_text, kept_for_grading))}]  # answers that the notebooks do "
+        "not judge, only the grading\n\n"
         f"# A problem's points are shared equally by its answers; "
         f"{_text(problems[0] + '.' + assignments.answers_of(problems[0])[0])} = 2 "
         f"would set one answer's.\n[points]\n{points}\n\n"
@@ -214,7 +227,24 @@ def _readme(homework):
         if homework.attempts
         else f"You may hand in again; {counts}."
     )
-    return README.format(title=homework.title, due=due, problems="\n".join(rows), attempts=attempts)
+    return README.format(
+        title=homework.title,
+        due=due,
+        problems="\n".join(rows),
+        kept=_kept(homework),
+        attempts=attempts,
+    )
+
+
+def _kept(homework):
+    names = [
+        f"`{answer}` of {problem}"
+        for problem in homework.problems
+        for answer in homework.kept_of(problem)
+    ]
+    if not names:
+        return ""
+    return f"\n   Only the grading judges {', '.join(names)}."
 
 
 def due_text(due):

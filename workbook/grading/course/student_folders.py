@@ -167,7 +167,7 @@ def _write_folder(target, student, own, homework, site):
     put(folder / "README.md", readme + README)
     for problem in homework.problems:
         variant = f"{problem}~{own[problem]}" if problem in own else problem
-        put(folder / file_name(problem), release(variant, site, homework.direction))
+        put(folder / file_name(problem), release(homework, variant, site))
 
 
 def _is_folder_name(student):

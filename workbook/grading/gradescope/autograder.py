@@ -70,7 +70,7 @@ def main(root=Path("/autograder")):
     ]
     points, notes = _counting_points(homework, earlier, score.points)
     text = exporting.gradescope_json(
-        score, hint_counts, [*notes, *remarks], points, time.monotonic() - began
+        score, homework, hint_counts, [*notes, *remarks], points, time.monotonic() - began
     )
     record.put(root / "results" / "results.json", text)
 

@@ -152,13 +152,15 @@ def nbgrader_csv(assignment, scores):
     return quoted([header, *rows])
 
 
-def gradescope_json(score, hint_counts, remarks, points, seconds):
+def gradescope_json(score, homework, hint_counts, remarks, points, seconds):
     """Return results.json for one submission: a test for each answer, never the solution.
 
     Parameters
     ----------
     score : StudentScore
         Of the submission.
+    homework : Assignment
+        Its kept answers are shown to the student only when the grades are published.
     hint_counts : dict
         How many hints the notebook has, by (problem, answer).
     remarks : list of str
@@ -175,7 +177,9 @@ def gradescope_json(score, hint_counts, remarks, points, seconds):
     """
     tests = [
         _gradescope_test(answer, hint_counts.get((answer.problem, answer.answer), 0))
+        | {"visibility": "after_published" if answer.answer in kept else "visible"}
         for answer in score.answers
+        for kept in [homework.kept_of(answer.problem)]
     ]
     return (
         json.dumps(
@@ -216,7 +220,6 @@ def _gradescope_test(answer, hint_count):
         "status": "passed" if status == RIGHT else "failed",
         "output": "\n".join([f"{status}: {message}", *mistake.splitlines(), *waiting, *hints]),
         "output_format": "text",
-        "visibility": "visible",
     }
 
 
