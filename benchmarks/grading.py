@@ -155,9 +155,9 @@ def hand_in(course, students, problems):
         shutil.copy(exercise.path, course / "source" / "hw1" / name)
         notebook = json.loads(exercise.path.read_text(encoding="utf-8"))
         stubs = [cell for cell in notebook["cells"] if cell["metadata"].get("tags") == ["answer"]]
-        for cell, source in zip(
-            stubs, read(ROOT / "solutions" / master_file(problem)).code("answer"), strict=True
-        ):
+        # A student's notebook has a cell for each answer, a master one for several.
+        answers = read(ROOT / "solutions" / master_file(problem)).code("answer")
+        for cell, source in zip(stubs, ["\n".join(answers)] + [""] * (len(stubs) - 1), strict=True):
             cell["source"] = source
         first = next(k for k, cell in enumerate(notebook["cells"]) if cell["cell_type"] == "code")
         for k in range(students):
