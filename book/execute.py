@@ -27,7 +27,7 @@ from jupyter_cache import get_cache
 from jupyter_cache.base import CacheBundleIn
 from jupyter_client.localinterfaces import local_ips
 from jupyter_client.provisioning import KernelProvisionerFactory
-from kernel import Kernel
+from kernel import INK, Kernel
 from myst_nb.core.read import is_myst_markdown_notebook, read_myst_markdown_notebook
 from myst_parser.config.main import MdParserConfig
 from nbclient import NotebookClient
@@ -259,7 +259,11 @@ def execute(page, timeout):
             NotebookClient(
                 page.notebook, km=kernel.manager(), timeout=timeout, record_timing=False
             ).execute()
-        slim_pictures(page.notebook)
+        for output in (
+            output for cell in page.notebook.cells for output in cell.get("outputs", ())
+        ):
+            if picture := output.get("data", {}).get("image/svg+xml"):
+                output.data["image/svg+xml"] = for_page(picture)
         failure = missing_picture(page.notebook) or heavy_picture(page.notebook)
     except (CellExecutionError, CellTimeoutError) as error:
         failure = explain(page.notebook, error)
@@ -316,15 +320,14 @@ def heavy_picture(notebook):
     return None
 
 
-def slim_pictures(notebook):
-    """Round the curves of an SVG to hundredths of a point; Matplotlib writes millionths."""
-    for cell in notebook.cells:
-        for output in cell.get("outputs", ()):
-            data = output.get("data", {})
-            if "image/svg+xml" in data:
-                data["image/svg+xml"] = CURVE.sub(
-                    lambda curve: re.sub(r"(\.\d\d)\d+", r"\1", curve[0]), data["image/svg+xml"]
-                )
+def for_page(picture):
+    """Return an SVG with the page's ink for black, its curves to hundredths of a point.
+
+    Matplotlib writes millionths.
+    """
+    return CURVE.sub(
+        lambda curve: re.sub(r"(\.\d\d)\d+", r"\1", curve[0]), picture.replace("#000000", INK)
+    )
 
 
 def describe_cell(notebook, number):

@@ -21,7 +21,8 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 
 import sympy as sp
-from execute import CURVE, EXECUTION, import_for, modules_loaded, run_in_parallel, shared_digest
+from execute import EXECUTION, for_page, import_for, modules_loaded, run_in_parallel, shared_digest
+from kernel import PICTURES, add_font
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import BooleanAtom, BooleanFunction
 
@@ -225,7 +226,8 @@ def draw(answer, right, point):
     symbols = [sp.Symbol(name, real=True) for name in point]
     x, y = (float(sp.Rational(text)) for text in point.values())
     ranges = [(-half, half) for half in (max(2, 1.6 * abs(x)), max(2, 1.6 * abs(y)))]
-    with plotting.style(), plt.rc_context({"svg.hashsalt": "workbook"}):
+    add_font()
+    with plotting.style(), plt.rc_context(PICTURES["rc"]):
         figure, axes = plt.subplots(1, 2, figsize=(6.2, 3.1), layout="constrained")
         for ax, region, title in zip(axes, (answer, right), ("this answer", "right answer")):
             plotting.region(_plain(_condition(region), symbols), symbols, *ranges, ax=ax)
@@ -234,7 +236,7 @@ def draw(answer, right, point):
         drawn = io.StringIO()
         figure.savefig(drawn, format="svg", bbox_inches="tight", metadata={"Date": None})
         plt.close(figure)
-    return CURVE.sub(lambda curve: re.sub(r"(\.\d)\d+", r"\1", curve[0]), drawn.getvalue())
+    return for_page(drawn.getvalue())
 
 
 def _condition(value):

@@ -2,9 +2,9 @@
 
     python book/pdf.py [CHAPTER ...]      for example: python book/pdf.py 1 5
 
-Chromium prints each page of the site. Then the pages of a document are joined: a link to another of
-them leads to its place in the document, titles become bookmarks, and every sheet gets its running head
-and number.
+Chromium prints each page of the site, a problem's page in two parts: its statement, and its solution
+for the appendix of the chapter. Then the pages of a document are joined: a link to another of them
+leads to its sheet, titles become bookmarks, and every sheet gets its running head and number.
 """
 
 import base64
@@ -15,7 +15,7 @@ import shutil
 import sys
 import tempfile
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from urllib.parse import unquote, urldefrag, urljoin, urlsplit
 
@@ -36,17 +36,31 @@ SCALE = 0.8
 STYLE = (ROOT / "book" / "pdf.css").read_text()
 
 
+#: What the anchor of a problem's page is called that leads to its solution.
+SOLUTION = "solution"
+#: What is not printed in each part of a problem's page; "" is the statement.
+HIDDEN = {
+    "": ".solution, .tag_check, .common-mistakes, .used-in, .to-statement",
+    SOLUTION: ".problem-head, .exercise, .problem-answers, .problem-core, .to-solution",
+}
+
+
 @dataclass(frozen=True)
 class Page:
-    """A page of the site: its name without ".html", its title, and its level in the contents."""
+    """A page of the site, or a part of it: its name without ".html", its title, its level in the bookmarks."""
 
     name: str
     title: str
     level: int
+    part: str = ""
 
     @property
     def address(self):
-        return (SITE / f"{self.name}.html").as_uri()
+        return (SITE / f"{self.name}.html").as_uri() + (f"#{self.part}" if self.part else "")
+
+    @property
+    def is_problem(self):
+        return self.name.startswith("solutions/")
 
 
 def title_of(name):
@@ -57,7 +71,7 @@ def title_of(name):
 
 
 def chapters():
-    """Return the pages of each chapter by its number: the chapter, its sections, its problems."""
+    """Return the pages of each chapter by its number: the chapter, its sections, its problems' statements."""
     toc = yaml.safe_load((ROOT / "_toc.yml").read_text())
     return {
         (number := entry["file"].removeprefix("book/ch")): [
@@ -90,7 +104,8 @@ class Printer:
         """Return the PDF of a page, in the light theme; the anchors become named destinations."""
         if page.name not in self.printed:
             self.driver.get(page.address)
-            # Chromium keeps the place of an element only if a link of the same page leads to it
+            # Chromium keeps the position of an element only if a link of the same page leads to it, and
+            # only those links that lead to an element or to another address
             self.driver.execute_async_script(
                 """
                 document.documentElement.dataset.theme = 'light';
@@ -98,12 +113,30 @@ class Printer:
                 for (const anchor of arguments[0])
                     links.appendChild(document.createElement('a')).href = '#' + anchor;
                 document.querySelector('article').append(links);
+                document.querySelector('.problem-head')?.insertAdjacentHTML('beforebegin',
+                    `<p class=to-solution><a href="?#${arguments[1]}">Solution</a></p>
+                     <p class=to-statement><a href="${location.pathname}">Problem</a></p>`);
                 const ready = window.MathJax?.startup?.promise ?? Promise.resolve();
-                ready.then(() => document.fonts.ready).then(arguments[1]);""",
+                ready.then(() => document.fonts.ready).then(arguments[2]);""",
                 sorted(anchors),
+                SOLUTION,
             )
-            self.printed[page.name] = self._pdf(MARGINS | {"scale": SCALE})
-        return PdfReader(io.BytesIO(self.printed[page.name]))
+            self.printed[page.name] = {
+                part: self._part(hidden)
+                for part, hidden in (HIDDEN if page.is_problem else {"": "none"}).items()
+            }
+        return PdfReader(io.BytesIO(self.printed[page.name][page.part]))
+
+    def _part(self, hidden):
+        """Return the PDF of the open page without some elements of its article."""
+        self.driver.execute_script(
+            """
+            const style = new CSSStyleSheet();
+            style.replaceSync(`article :is(${arguments[0]}) { display: none !important }`);
+            document.adoptedStyleSheets = [style];""",
+            hidden,
+        )
+        return self._pdf(MARGINS | {"scale": SCALE})
 
     def typeset(self, body):
         """Return the PDF of a body of HTML that has its own sheets."""
@@ -168,30 +201,32 @@ class Document:
 
     def __init__(self):
         self.writer = PdfWriter()
-        self.places = {}  # (page, anchor) -> number of the sheet and the height on it
+        self.positions = {}  # (page, anchor) -> number of the sheet and the height on it
         self.heads = []  # the running heads of the sheets: left, right
         self.links = []  # the sheets with the page that they belong to
 
     def append(self, page, printed, chapter):
         """Append a page under its chapter's running head."""
         first = len(self.writer.pages)
-        self.places[page.name, ""] = first, None
-        for anchor, place in printed.named_destinations.items():
-            sheet = printed.get_destination_page_number(place)
-            self.places[page.name, anchor.lstrip("/")] = first + sheet, place.top
+        self.positions[page.name, page.part] = first, None
+        for anchor, position in printed.named_destinations.items():
+            sheet = printed.get_destination_page_number(position)
+            self.positions.setdefault(
+                (page.name, anchor.lstrip("/")), (first + sheet, position.top)
+            )
         self.writer.append(printed, import_outline=False)
-        self.heads += [(chapter, page.title if page.title != chapter else "")] * len(printed.pages)
+        title = f"Solution of {page.title}" if page.part else page.title
+        self.heads += [(chapter, title if title != chapter else "")] * len(printed.pages)
         self.links += [page] * len(printed.pages)
 
     def bookmark(self, pages):
-        """Make the titles of the pages bookmarks, sections under their chapter."""
-        parent = None
+        """Make the titles of the pages bookmarks, each under the last one of a lower level."""
+        parents = {-1: None}
         for page in pages:
-            sheet, _ = self.places[page.name, ""]
-            item = self.writer.add_outline_item(
-                title=page.title, page_number=sheet, parent=parent if page.level else None
+            sheet, _ = self.positions[page.name, page.part]
+            parents[page.level] = self.writer.add_outline_item(
+                title=page.title, page_number=sheet, parent=parents[page.level - 1]
             )
-            parent = item if page.level == 0 else parent
 
     def connect(self):
         """Let every link to a page of the document lead to its sheet; links to other pages end."""
@@ -212,10 +247,10 @@ class Document:
             name, anchor = page.name, str(link["/Dest"]).lstrip("/")
         else:
             return True
-        place = self.places.get((name, anchor)) or self.places.get((name, ""))
-        if place is None:
+        position = self.positions.get((name, anchor)) or self.positions.get((name, ""))
+        if position is None:
             return False
-        number, top = place
+        number, top = position
         height = NullObject() if top is None else FloatObject(top)
         link.pop("/A", None)
         sheet, unchanged = self.writer.pages[number].indirect_reference, NullObject()
@@ -245,34 +280,51 @@ class Document:
 
 
 def contents(title, pages, sheets):
-    """Return the HTML of a contents page; `sheets` are the numbers of the pages' first sheets."""
+    """Return the HTML of a contents page; `sheets` maps pages to the numbers of their first sheets."""
     rows = "".join(
         f"<a class={'section' if page.level else 'chapter'} href='{page.address}'>"
-        f"<span>{html.escape(page.title)}</span><i></i><span>{sheets[page.name]}</span></a>"
+        f"<span>{html.escape(page.title)}</span><i></i><span>{sheets[page]}</span></a>"
         for page in pages
     )
     return f"<div class=contents><h1>{html.escape(title)}</h1>{rows}</div>"
 
 
+def appendix(group):
+    """Return the appendix of a chapter: a contents page and the solutions; nothing without problems."""
+    solutions = [replace(page, level=2, part=SOLUTION) for page in group if page.is_problem]
+    return [Page(f"{group[0].name}-solutions", "Solutions", 1), *solutions] if solutions else []
+
+
 def join(printer, title, groups, anchors, path):
     """Join groups of pages (chapters, back matter) to one document with contents."""
-    pages = [page for group in groups for page in group]
-    printed = {page.name: printer.print(page, anchors[page.name]) for page in pages}
-    # the numbers of sheets depend on the length of the contents, which does not depend on them
-    length = len(printer.typeset(contents(title, pages, dict.fromkeys(printed, "1000"))).pages)
-    sheets, number = {}, length + 1
-    for name, pdf in printed.items():
-        sheets[name] = number
-        number += len(pdf.pages)
-    document = Document()
     front = Page("contents", "Contents", 0)
-    document.append(front, printer.typeset(contents(title, pages, sheets)), title)
+    chapter_of = {front: title}
+    rows = {front: (title, [])}  # of each contents page its heading and the pages that it lists
     for group in groups:
-        for page in group:
-            document.append(page, printed[page.name], group[0].title)
-    document.bookmark([front, *pages])
+        solutions = appendix(group)
+        chapter_of |= dict.fromkeys([*group, *solutions], group[0].title)
+        rows[front][1].extend([*group, *solutions[:1]])
+        if solutions:
+            rows[solutions[0]] = f"{group[0].title}: solutions", solutions[1:]
+
+    def printed(page, sheets):
+        if page in rows:
+            heading, listed = rows[page]
+            return printer.typeset(contents(heading, listed, sheets))
+        return printer.print(page, anchors[page.name])
+
+    # the numbers of sheets depend on the length of the contents, which does not depend on them
+    sheets, number = dict.fromkeys(chapter_of, "1000"), 1
+    lengths = {page: len(printed(page, sheets).pages) for page in chapter_of}
+    for page, length in lengths.items():
+        sheets[page] = number
+        number += length
+    document = Document()
+    for page, chapter in chapter_of.items():
+        document.append(page, printed(page, sheets), chapter)
+    document.bookmark(chapter_of)
     document.connect()
-    document.number(printer, length)
+    document.number(printer, lengths[front])
     document.write(path, title)
     print(f"{path.name}: {len(document.heads)} sheets, {path.stat().st_size / 1e6:.1f} MB")
 

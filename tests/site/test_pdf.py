@@ -35,11 +35,42 @@ def document(request, pdf, tmp_path_factory):
 def test_bookmarks_lead_to_the_sheets_with_these_titles(document):
     pages, path = document
     reader = PdfReader(path)
-    chapter, sections = reader.outline[1:]
+    chapter, (*sections, appendix, solutions) = reader.outline[1:]
     assert [chapter.title, *(section.title for section in sections)] == [p.title for p in pages]
-    for entry in sections:
-        text = reader.pages[reader.get_destination_page_number(entry)].extract_text()
-        assert entry.title.split("$")[0][:20] in " ".join(text.split())
+    problems = [page.title for page in pages if page.is_problem]
+    assert appendix.title == "Solutions" and [entry.title for entry in solutions] == problems
+    numbers = [reader.get_destination_page_number(entry) for entry in (*sections, *solutions)]
+    assert numbers == sorted(set(numbers))
+    for number, entry in zip(numbers, (*sections, *solutions), strict=True):
+        assert entry.title.split("$")[0][:20] in text_of(reader.pages[number])
+
+
+def text_of(sheet):
+    return " ".join(sheet.extract_text().split())
+
+
+def test_solutions_stand_in_the_appendix(document):
+    """A statement is printed without its solution, and each leads to the other."""
+    reader = PdfReader(document[1])
+    first = {}
+    for entry in (sections := reader.outline[2]) + sections[-1]:
+        if not isinstance(entry, list):
+            first.setdefault(entry.title, []).append(reader.get_destination_page_number(entry))
+    appendix = first["Solutions"][0]
+    problems = {title: sheets for title, sheets in first.items() if len(sheets) == 2}
+    assert len(problems) == sum(page.is_problem for page in document[0]) > 0
+    for statement, solution in problems.values():
+        assert statement < appendix < solution
+        for sheet, other in ((statement, solution), (solution, statement)):
+            assert reader.pages[other].indirect_reference.idnum in {
+                link.get_object()["/Dest"][0].idnum
+                for link in reader.pages[sheet]["/Annots"]
+                if "/Dest" in link.get_object()
+            }
+    solved = [
+        number for number, sheet in enumerate(reader.pages) if "Worked solution" in text_of(sheet)
+    ]
+    assert solved and min(solved) > appendix
 
 
 def test_sheets_are_numbered(document):

@@ -1,4 +1,4 @@
-"""Legends in the pictures of the built pages, read from their SVG."""
+"""Legends and colours of the pictures of the built pages, read from their SVG."""
 
 import itertools
 import re
@@ -209,3 +209,117 @@ def test_indistinguishable_entries(tmp_path):
         plt.close(fig)
         [entries] = legend_styles((tmp_path / "two.svg").read_text(encoding="utf-8"))
         assert len(entries) == 2 and len(indistinguishable(entries)) == pairs
+
+
+#: A path that is filled with white and has no line: the ground of a figure or of its axes.
+GROUND = re.compile(r'style="fill: #ffffff"/>')
+STYLE_SHEET = Path(__file__).resolve().parents[2] / "book" / "_static" / "workbook.css"
+
+
+def test_pictures_have_no_ground_and_the_ink_and_font_of_the_page(pictures):
+    """Formulas have the font of TeX, as in the page."""
+    assert not [name for name, svg in pictures.items() if GROUND.search(svg) or "#000000" in svg]
+    fonts = [set(re.findall(r'<path id="([A-Za-z0-9]+)-', svg)) for svg in pictures.values()]
+    with_words = [names for names in fonts if names & {"WorkbookSans", "DejaVuSans"}]
+    assert len(with_words) > 200
+    assert sum("WorkbookSans" not in names for names in with_words) < len(with_words) / 20
+
+
+@pytest.fixture(scope="module")
+def look():
+    """Return the colours of the page in a theme, and the colour that a picture's has in it."""
+    text = STYLE_SHEET.read_text(encoding="utf-8")
+    invert, brightness = map(
+        float, re.search(r"invert\((.*?)\) hue-rotate\(180deg\) brightness\((.*?)\)", text).groups()
+    )
+    # the matrix of CSS for half a turn of the hue
+    turn = np.array([[-0.574, 1.43, 0.144], [0.426, 0.43, 0.144], [0.426, 1.43, -0.856]])
+
+    def dark(colour):
+        return np.clip(
+            brightness * np.clip(turn @ (invert + (1 - 2 * invert) * colour), 0, 1), 0, 1
+        )
+
+    def page(theme):
+        start = text.index(f'data-theme="{theme}"')
+        return {
+            name: colour_of(re.search(rf"--{name}: (#\w+);", text[start:])[1])
+            for name in ("ink", "paper", "card")
+        }
+
+    return {"light": (page("light"), lambda colour: colour), "dark": (page("dark"), dark)}
+
+
+def colour_of(code):
+    return np.array([int(code[k : k + 2], 16) / 255 for k in (1, 3, 5)])
+
+
+def contrast(first, second):
+    """Return the contrast of two colours by WCAG 2."""
+    low, high = sorted(
+        0.05 + np.array([0.2126, 0.7152, 0.0722]) @ linear(c) for c in (first, second)
+    )
+    return high / low
+
+
+def curves(svg):
+    """Yield the colours of lines and markers in axes, but for the grey field under them."""
+    for group in ElementTree.fromstring(svg).iter(f"{SVG}g"):
+        if re.match("line2d_|LineCollection", group.get("id", "")):
+            for part in group.iter(f"{SVG}path"):
+                style = dict(STYLE.findall(part.get("style", "")))
+                colour = style.get("stroke", "none")
+                if colour.startswith("#") and not GREY.search(f"stroke: {colour}"):
+                    yield colour
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+def test_colours_of_curves_have_a_contrast_of_3_to_the_page(pictures, look, theme):
+    page, shown = look[theme]
+    drawn = {colour for svg in pictures.values() for colour in curves(svg)} - {"#ffffff"}
+    ratios = {colour: contrast(shown(colour_of(colour)), page["paper"]) for colour in drawn}
+    assert len(ratios) > 10
+    assert {colour: round(float(ratio), 2) for colour, ratio in ratios.items() if ratio < 3} == {}
+
+
+def test_the_dark_theme_shows_pictures_in_its_ink_on_its_paper(look):
+    page, shown = look["dark"]
+    ink = look["light"][0]["ink"]
+    assert np.abs(shown(ink) - page["ink"]).max() < 0.03
+    assert np.abs(shown(np.ones(3)) - page["paper"]).max() < 0.03
+
+
+#: Linear maps of linear colours for readers without one kind of cone (Machado and others 2009).
+BLINDNESS = {
+    "red": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+    "green": [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
+    "blue": [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("cones", BLINDNESS)
+def test_the_colours_of_the_library_differ_for_colour_blind_readers(look, theme, cones):
+    """By 10 in CIELAB, about five times the least visible difference of two neighbouring fields."""
+    from trajlib import plotting
+
+    _, shown = look[theme]
+    names = ("BLUE", "RED", "GREEN", "ORANGE", "SKY", "PURPLE", "BLACK")
+    labs = [
+        lab(BLINDNESS[cones] @ linear(shown(colour_of(getattr(plotting, name))))) for name in names
+    ]
+    for (first, a), (second, b) in itertools.combinations(zip(names, labs, strict=True), 2):
+        assert np.linalg.norm(a - b) > 10, (first, second)
+
+
+def linear(colour):
+    return np.where(colour <= 0.04045, colour / 12.92, ((colour + 0.055) / 1.055) ** 2.4)
+
+
+def lab(colour):
+    """Return the CIELAB coordinates of a linear sRGB colour under daylight."""
+    to_xyz = np.array(
+        [[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]]
+    )
+    x, y, z = np.cbrt(np.clip(to_xyz @ colour / [0.9505, 1, 1.089], 1e-3, None))
+    return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])

@@ -1,9 +1,10 @@
 """Pictures: each function draws on the Axes it is given and returns that Axes.
 
-Colours are those of Okabe and Ito, which colour-blind readers can distinguish. A line style, a
-marker or a hatching repeats what a colour means, so that the pictures survive a black-and-white
-printer. Sizes suit a narrow screen. Importing this package changes nothing in Matplotlib: the style
-applies to figures made here, and elsewhere inside `with style():`.
+Colours are those of Okabe and Ito, which colour-blind readers can distinguish, the lightest three
+darkened to a contrast of 3 to white. A line style, a marker or a hatching repeats what a colour
+means, so that the pictures survive a black-and-white printer. Sizes suit a narrow screen. Importing
+this package changes nothing in Matplotlib: the style applies to figures made here, and elsewhere
+inside `with style():`.
 
 >>> from trajlib import plotting
 >>> "phase_portrait" in dir(plotting)

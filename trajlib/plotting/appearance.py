@@ -9,9 +9,9 @@ BLACK, BLUE, RED, GREEN, ORANGE, SKY, PURPLE, GREY = (
     "#0072B2",
     "#D55E00",
     "#009E73",
-    "#E69F00",
-    "#56B4E9",
-    "#CC79A7",
+    "#8A5307",
+    "#3D97CE",
+    "#C4709A",
     "#8C8C8C",
 )
 

@@ -56,7 +56,7 @@ class Sheet:
         from matplotlib.figure import Figure
 
         size = x_range[1] - x_range[0], y_range[1] - y_range[0]
-        self._figure = Figure(figsize=size, facecolor="white")
+        self._figure = Figure(figsize=size)
         self._ax = self._figure.add_axes((0, 0, 1, 1), xlim=x_range, ylim=y_range)
         self._ax.set_axis_off()
         self._layer = 1
