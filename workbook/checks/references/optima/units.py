@@ -244,6 +244,10 @@ class OptimumInUnits:
             for u, *ends in self._best.arcs
         ]
 
+    def breaks(self):
+        """Return the times at which the control of a fastest transfer switches."""
+        return [t * self.units.time for t in self._best.breaks()]
+
     def changes(self):
         """Return where arcs follow one another, as `direct_optimum.Optimum.changes` does."""
         return [
@@ -285,7 +289,7 @@ class OptimumInUnits:
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        return "the best process found ends " + ("earlier" if duration > self.duration else "later")
+        return self._best.duration_message(duration / self.units.time)
 
     def switching_function(self):
         """Return pairs (time, dH/du), the costate being followed back from the end."""
