@@ -76,6 +76,13 @@ def _maximum(new, answer, arguments):
     return new.value(answer, new.of_control)
 
 
+def _radius(new, answer, arguments):
+    first, second = new.of_state
+    if first != second:
+        raise NoRule("a circle in states of different units")
+    return new.value(answer, first)
+
+
 def _slopes(new):
     first, second = new.of_state
     return second / first
@@ -133,7 +140,7 @@ RULES = {
     "kelley_holds": UNCHANGED,
     # transfers in least time
     "optimal_switching": _times(lambda new: new.cost / new.time / new.of_control),
-    "isochrone_radius": _several(lambda new: new.of_state),
+    "isochrone_radius": _radius,
     "switching_interval": TIME,
     "switching_count": UNCHANGED,
     "transferable_initial_states": UNCHANGED,

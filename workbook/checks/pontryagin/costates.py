@@ -64,6 +64,7 @@ def optimal_costate(claims, problem, time, parameters=None):
             _require_maximum(
                 extended,
                 *process_point,
+                units,
                 problem.duration,
                 f"{where}at t = {t:.4g}",
                 np.append(psi_uncertainty, 0),
@@ -134,7 +135,7 @@ def _require_adjoint_equation(
         )
 
 
-def _require_maximum(extended, best, y, u, rounding, duration, location, uncertainty):
+def _require_maximum(extended, best, y, u, rounding, units, duration, location, uncertainty):
     terms, *rival_terms = (
         extended * best.field(np.append(y, 0), v) for v in (u, *_rival_controls(best, u))
     )
@@ -152,7 +153,7 @@ def _require_maximum(extended, best, y, u, rounding, duration, location, uncerta
             f"{location} the optimal control does not make H greatest with your costates: another one "
             "gives more"
         )
-    _require_stationary(extended, best, y, u, uncertainty, location)
+    _require_stationary(extended, best, y, u, units, uncertainty, location)
     H_uncertainty = uncertainty @ np.abs(fields[0])
     if (duration is None or isinstance(duration, tuple)) and not abs(H) <= 10 * rounding * (
         size + best.units.cost / best.units.time
@@ -188,7 +189,7 @@ def _require_equal_at_jumps(costate, best, values, sign, where):
             )
 
 
-def _require_stationary(extended, best, y, u, uncertainty, location):
+def _require_stationary(extended, best, y, u, units, uncertainty, location):
     """Raise `Wrong` unless dH/du = 0 where the control lies between its bounds."""
     step = 1e-4 * (best.units.control + abs(u))
     if not best.bounds[0] < u - 9 * step < u + 9 * step < best.bounds[1]:
@@ -198,7 +199,7 @@ def _require_stationary(extended, best, y, u, uncertainty, location):
     if np.abs(curvature).max() > 1e-2 * np.abs(after - before).max():
         return  # a corner, as of |u| at zero
     if not abs(extended @ rate) <= CONTROL_ACCURACY * np.abs(extended * rate).sum() + (
-        uncertainty + CONTROL_ACCURACY / 10
+        uncertainty + CONTROL_ACCURACY / 10 * np.append(units, 1)
     ) @ np.abs(rate):
         raise Wrong(
             f"{location} dH/du is not zero with your costates, where the optimal control lies between "

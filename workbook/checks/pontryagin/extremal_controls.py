@@ -7,7 +7,9 @@ from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.sample_points import RIVALS, control_bounds
 from workbook.checks.pontryagin.simulation import parabola_range
 from workbook.checks.pontryagin.time_functions import Control, Steering
+from workbook.checks.references.natural_units import COST, TIME
 from workbook.checks.references.optima.runge_kutta import rk4
+from workbook.checks.references.optima.units import sample_units
 from workbook.checks.references.singular_arcs import hamiltonian
 from workbook.checks.tools.domains import sample_cases
 from workbook.checks.tools.numeric_functions import real_function
@@ -26,6 +28,7 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
     arcs = Control.coerce(answer, [time, *(parameters or {})], time)
     steering, sign = Steering(arcs, time, parameters), -1 if problem.maximise else 1
     costates = [sp.Dummy() for _ in problem.state]
+    units = sample_units(problem, costates, parameters)
     H, symbols = hamiltonian(problem, costates), [*problem.state, *costates, u]
     function = real_function(symbols, [H])
     flow = real_function(symbols, [*problem.field, *(-sp.diff(H, y) for y in problem.state)])
@@ -46,6 +49,7 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
             )
         return np.array(rows[::-1])
 
+    control_slack, unit = steering.rounding * float(units[u]), float(units[COST] / units[TIME])
     for case in sample_cases(parameters or {}):
         values = dict(zip(parameters or {}, case))
         where = f"for {rounded_text(values)} " if values else ""
@@ -60,11 +64,11 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
         steps = _steps(steering.sections(values, float(problem.duration)))
         for t, _, controls in steps:
             for value in controls:
-                if not low - steering.rounding <= value <= high + steering.rounding:
+                if not low - control_slack <= value <= high + control_slack:
                     raise Wrong(
                         f"{where}your control is {value:.4g} near t = {t:.4g}, outside its bounds"
                     )
-        if start is not None and not abs(steps[0][2][0] - values[start]) <= steering.rounding:
+        if start is not None and not abs(steps[0][2][0] - values[start]) <= control_slack:
             raise Wrong(f"{where}your control begins with {steps[0][2][0]:.4g}")
         advantages = advantage(steps)
         perturbed_advantages = [
@@ -79,7 +83,7 @@ def extremal_control(answer, problem, time, parameters=None, start=None):
             ),
             np.zeros_like(advantages),
         )
-        slack = 10 * steering.rounding * (1 + np.abs(advantages).max())
+        slack = 10 * steering.rounding * (unit + np.abs(advantages).max())
         for k in np.flatnonzero((advantages + uncertainty < -slack).any(axis=1))[-1:]:
             raise Wrong(
                 f"{where}at t = {steps[k][0]:.4g} your control, with the costates that belong to "

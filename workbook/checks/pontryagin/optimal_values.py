@@ -223,9 +223,9 @@ def initial_arc_duration(claim, problem, control, value, parameters):
         level = float(sp.sympify(value).subs(values))
         tolerance = CONTROL_ACCURACY * float((high - low).subs(values))
         initial_arcs = itertools.takewhile(
-            lambda arc: abs(arc[1][j] - level) <= tolerance, best.arcs
+            lambda arc: abs(arc[0][j] - level) <= tolerance, best.arcs
         )
-        true = float(sum(length for length, _ in initial_arcs))
+        true = float(sum(end - begin for _, begin, end in initial_arcs))
         true_durations.append((values, true))
         if not agree(
             claimed,

@@ -19,7 +19,7 @@ MOST_TERMS = 64
 TIME, COST = sp.Dummy("time"), sp.Dummy("cost")
 
 
-def natural_units(problem, parameters=None):
+def natural_units(problem, parameters=None, unknown=()):
     """Return the units of states, controls, `TIME` and `COST` as exact numbers, by symbol.
 
     Parameters
@@ -28,9 +28,11 @@ def natural_units(problem, parameters=None):
         The problem, or a record with its attributes.
     parameters : dict, optional
         Intervals of parameters, which have the size of the numbers in them.
+    unknown : list of sympy.Symbol
+        Parameters of any size, which get units of their own.
     """
-    symbols = [*problem.state, *problem.control, TIME, COST]
-    logs = Sizes(problem, parameters or {}).solution(symbols)
+    symbols = [*problem.state, *problem.control, *unknown, TIME, COST]
+    logs = Sizes(problem, parameters or {}, unknown).solution(symbols)
     units = {s: _unit(log) for s, log in logs.items()}
     _keep_plain(problem, units)
     return units
@@ -52,16 +54,17 @@ def _unit(log):
 class Sizes:
     """Equations for the logarithms of units: each term of the statement should have size one."""
 
-    def __init__(self, problem, parameters):
+    def __init__(self, problem, parameters, unknown=()):
         cases = np.abs(np.array(sample_cases(parameters), dtype=float))
         self._log_sizes = {
             p: float(np.mean(np.log10(column[column > 0]))) if (column > 0).any() else 0.0
             for p, column in zip(parameters, cases.T)
         }
         self._equations = []
-        self._units = {TIME, COST} if problem is None else {*problem.state, *problem.control}
+        self._units = {TIME, COST}
         if problem is None:
             return
+        self._units = {*problem.state, *problem.control, *unknown}
         for x, rate in problem.dynamics.items():
             self._equate(rate, {x: 1, TIME: -1})
         for s, value in [

@@ -15,7 +15,6 @@ from workbook.checks.references.optima.transfer_optima import SAMPLES, Transfer,
 from workbook.checks.references.optima.units import in_scaled_units
 
 
-@in_scaled_units
 def best_processes(problem, parameters=None, count=SAMPLES):
     """Return pairs ({parameter: value}, optimum).
 
@@ -29,23 +28,18 @@ def best_processes(problem, parameters=None, count=SAMPLES):
     count : int
         Their number.
     """
-    if len(problem.controls) > 1:
-        return optima_of_several(problem, parameters)
-    pairs = thrust_optima(problem, parameters) if isinstance(parameters or {}, dict) else None
-    if pairs is not None:
-        return pairs
     if not isinstance(parameters, dict):
         try:
             return Transfer(problem, parameters or ()).samples(count)
         except Unknown:
             if parameters:
                 raise
-    return optima(problem, parameters)
+    return best_processes_at(problem, parameters)
 
 
 @in_scaled_units
-def best_processes_at(problem, parameters, points):
-    """Return pairs (point, optimum) at points, dicts from the parameters to numbers."""
+def best_processes_at(problem, parameters, points=None):
+    """Return pairs (point, optimum) at points, dicts from the parameters to numbers, or at samples."""
     if len(problem.controls) > 1:
         return optima_of_several(problem, parameters, points)
     pairs = thrust_optima(problem, parameters, points)

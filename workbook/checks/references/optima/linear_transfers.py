@@ -102,9 +102,13 @@ class LinearTransfer(TransferSystem):
     def _support(self, normals, time):
         return self._back.extreme(normals, np.full(len(normals), time), 1)
 
-    def radii(self, duration):
+    def radii(self, duration, units):
+        """Return distances from zero, in all directions, of the states with this least time.
+
+        The distances are those of the statement, in which the states here have these `units`.
+        """
         normals = directions(np.linspace(0, 2 * math.pi, 90, endpoint=False))
-        support = self._support(normals, duration)
+        support = self._support(normals * units, duration)
         # The set {q.x <= S(q) for all q} is met along a direction d at the least S(q)/q.d.
         cosines = normals @ normals.T
         return np.min(

@@ -10,6 +10,7 @@ its statement is used.
 
 import functools
 import itertools
+import math
 
 import numpy as np
 import sympy as sp
@@ -76,7 +77,7 @@ def optima(problem, parameters=None, points=None):
 class Optimum:
     """A fastest process: `duration`, which is the `cost`, and `arcs`.
 
-    An arc is a pair (length, values of the controls).
+    An arc is (values of the controls, beginning, end).
     """
 
     #: What an arc is worth that is too short to be put in, as a share.
@@ -84,7 +85,12 @@ class Optimum:
 
     def __init__(self, lengths, controls):
         self.duration = self.cost = float(sum(lengths))
-        self.arcs = [(h, u) for h, u in zip(lengths, controls) if h > SHORT * self.duration]
+        ends = np.cumsum(lengths)
+        self.arcs = [
+            (u, end - h, end)
+            for h, u, end in zip(lengths, controls, ends)
+            if h > SHORT * self.duration
+        ]
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
@@ -105,11 +111,10 @@ def _optima(stated, parameters):
     for _, domain in parameters:
         # Each parameter takes values all over its interval.
         shares = (random.permutation(count) + random.uniform(size=count)) / count
+        width = float(domain.sup) - float(domain.inf)
+        step = sp.Integer(10) ** (math.floor(math.log10(width)) - 3)
         cases.append(
-            [
-                sp.Rational(round(1000 * value), 1000)
-                for value in float(domain.inf) + (float(domain.sup) - float(domain.inf)) * shares
-            ]
+            [step * round(value / float(step)) for value in float(domain.inf) + width * shares]
         )
     return [
         (dict(zip(names, case)), search.best([float(value) for value in case]))

@@ -18,10 +18,21 @@ import operator
 import numpy as np
 import sympy as sp
 
+from workbook.checks.references.natural_units import COST, TIME, natural_units
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.linear_transfers import LinearTransfer
-from workbook.checks.references.optima.transfer_systems import HomogeneousTransfer, ScalarTransfer
-from workbook.checks.references.optima.units import Units, is_time_optimal
+from workbook.checks.references.optima.transfer_systems import (
+    HomogeneousTransfer,
+    ScalarTransfer,
+    TransferOptimum,
+)
+from workbook.checks.references.optima.units import (
+    OptimumInUnits,
+    Units,
+    constant_of,
+    in_units,
+    is_time_optimal,
+)
 
 #: For how many sets of parameters an answer is tried.
 SAMPLES = 10
@@ -60,9 +71,7 @@ class Transfer:
             for x, value in problem.initial.items()
         ]
         state = list(problem.dynamics)
-        self.terminal = [  # without factors
-            sp.sympify(gap).as_independent(*state, as_Add=False)[1] for gap in problem.terminal
-        ]
+        self.terminal = _without_factors(problem)
         bounds = [bound for pair in problem.controls.values() for bound in pair]
         if (
             not is_time_optimal(problem)
@@ -75,6 +84,7 @@ class Transfer:
                 "control"
             )
         (self.control,), self.bounds = problem.controls, bounds
+        self._in_units(problem)
         self._decided, self._found = _cached_results(self._key())
         scale = sp.Dummy("scale", positive=True)
         if len(state) == 1:
@@ -94,6 +104,24 @@ class Transfer:
         else:
             raise Unknown("no independent optimum is known for a transfer of this kind")
 
+    def _in_units(self, problem):
+        """State the problem in its natural units, in which optima are computed and samples drawn."""
+        sizes = [p for p in self.parameters if not p.is_integer]
+        units = natural_units(problem, unknown=[p for p in sizes if p not in self.dynamics])
+        self._sizes = [units.get(p, sp.S.One) for p in self.parameters]
+        fields = {*problem.state, self.control, TIME}
+        scaled = in_units(
+            problem, {s: f for s, f in units.items() if s in fields} | {COST: sp.S.One}
+        )
+        self._scaled = scaled.field, scaled.controls[self.control], _without_factors(scaled)
+        self._units = Units(
+            float(units[TIME]),
+            np.array([float(units[x]) for x in problem.state]),
+            float(units[self.control]),
+            float(problem.running * units[TIME]),
+        )
+        self._constant = constant_of(problem)
+
     def _linear(self):
         symbols = [*self.dynamics, self.control]
         return len(self.dynamics) == 2 and all(
@@ -106,16 +134,16 @@ class Transfer:
         def substituted(e):
             return e.subs(values, simultaneous=True)
 
-        start = np.array([float(substituted(e)) for e in self.initial])
+        start = np.array([float(substituted(e)) for e in self.initial]) / self._units.states
         # State symbols that stand for the start are values of parameters, never to be replaced in
         # the dynamics.
         free = {p: v for p, v in values.items() if p not in self.dynamics}
-        parts = (
-            tuple(e.subs(free) for e in expressions)
-            for expressions in (self.dynamics.values(), self.bounds, self.terminal)
-        )
+        parts = (tuple(e.subs(free) for e in expressions) for expressions in self._scaled)
         system = _system(self._kind, tuple(self.dynamics), self.control, *parts)
-        return _Optimum(system, start, self.slowest, **options)
+        best = TransferOptimum(system, start, self.slowest, **options)
+        return OptimumInUnits(
+            best, self._units._replace(constant=float(substituted(self._constant)))
+        )
 
     def samples(self, count=SAMPLES):
         """Return sets of parameters for which the target can be reached, with the optimum.
@@ -129,7 +157,8 @@ class Transfer:
         return self._found[count]
 
     def _sampled(self, count):
-        solvable, samples = filter(self.solvable, _random_values(self.parameters, 400 * count)), []
+        candidates = _random_values(dict(zip(self.parameters, self._sizes)), 400 * count)
+        solvable, samples = filter(self.solvable, candidates), []
         while len(samples) < count:
             candidates = [
                 (values, self.at(values))
@@ -184,7 +213,9 @@ class Transfer:
             return self.at(values).possible()
         if self._condition is not None:  # the directions below are right for limited times only
             return bool(self._condition.subs(values))
-        return self._modes_allow(start) and self._system().holds(np.array(start, dtype=float))
+        return self._modes_allow(start) and self._system().holds(
+            np.array(start, dtype=float) / self._units.states
+        )
 
     def solvable_condition(self):
         """Return the condition that the target can be reached from a start off it, or None."""
@@ -225,17 +256,11 @@ class Transfer:
 
     def reach(self, duration):
         """Return distances from zero, in many directions, of the starts with this least time."""
-        return self._system().radii(duration)
+        return self._system().radii(duration / self._units.time, self._units.states)
 
     def _system(self):
-        return _system(
-            LinearTransfer,
-            tuple(self.dynamics),
-            self.control,
-            tuple(self.dynamics.values()),
-            tuple(self.bounds),
-            tuple(self.terminal),
-        )
+        parts = map(tuple, self._scaled)
+        return _system(LinearTransfer, tuple(self.dynamics), self.control, *parts)
 
     def _modes_allow(self, start):
         """Return, exactly, whether the control can undo the start's part along each growing mode."""
@@ -271,19 +296,27 @@ class Transfer:
         return modes
 
 
+def _without_factors(problem):
+    """Return what vanishes on the target, without constant factors."""
+    return [
+        sp.sympify(gap).as_independent(*problem.state, as_Add=False)[1] for gap in problem.terminal
+    ]
+
+
 @functools.lru_cache(maxsize=64)
 def _cached_results(key):
     """Return the cached reachability of starts of a transfer, and its samples, for all answers."""
     return {}, {}
 
 
-def _random_values(parameters, count):
+def _random_values(sizes, count):
+    """Yield values of parameters, given with their sizes."""
     random = np.random.default_rng(51)
     for k in range(count):
         scale = (sp.S.One, sp.Rational(1, 4), sp.Integer(3))[k % 3]
         values = {}
-        for p in parameters:
-            size = (
+        for p, unit in sizes.items():
+            size = unit * (
                 sp.Integer(int(random.integers(1, 6)))
                 if p.is_integer
                 else scale * sp.Rational(int(random.integers(3, 40)), 13)
@@ -292,84 +325,6 @@ def _random_values(parameters, count):
                 size if p.is_positive or not (p.is_negative or random.integers(2)) else -size
             )
         yield values
-
-
-class _Optimum:
-    """The fastest or slowest transfer from a start, like a `direct_optimum.Optimum`.
-
-    The last entry of `start` and `field` is the time that has passed.
-    """
-
-    units = Units()
-
-    def __init__(self, system, start, slowest, meetings=1):
-        self.system, self.begin, self.slowest, self.meetings = system, start, slowest, meetings
-        self.start, self.bounds = np.append(start, 0.0), system.bounds
-
-    @functools.cached_property
-    def duration(self):
-        return self.system.duration(self.begin, self.slowest, self.meetings)
-
-    @property
-    def cost(self):
-        return self.duration
-
-    def cost_size(self):
-        return self.duration
-
-    def possible(self):
-        """Return whether the target can be reached at all."""
-        return self.system.possible(self.begin)
-
-    def size(self):
-        """Return the size of the states of this transfer."""
-        return (
-            float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
-        )
-
-    def remaining_costs(self):
-        """Return states on the way, and the remaining time there."""
-        return self.states, self.duration - self.times
-
-    def duration_message(self, duration):
-        return self.system.time_message(self.begin, duration, self.duration)
-
-    def switchings(self):
-        return self.system.switchings(self.begin, self.duration)
-
-    def breaks(self):
-        """Return the times at which the control switches."""
-        return self.system.breaks(self.begin, self.duration)
-
-    def switching_function(self):
-        """Return pairs (time, dH/du), the costate being followed back from the end."""
-        return self.system.switching_function(self.begin, self.duration, self.slowest)
-
-    def field(self, y, u):
-        return np.append(self.system.field(y[:-1], u), 1.0)
-
-    def gap(self, y):
-        return self.system.gap(y[:-1])
-
-    def total(self, y):
-        return float(y[-1])
-
-    def jacobians(self, y, u):
-        n = len(y)
-        return (
-            np.vstack([self.system.jacobian(y, u), np.zeros(n)]),
-            np.zeros((1, n)),
-            self.system.normals(),
-        )
-
-    @functools.cached_property
-    def _path(self):
-        """Times, states and controls along the optimum, at instants away from the switchings."""
-        return self.system.path(self.begin, self.duration, self.slowest, 37)
-
-    times = property(lambda self: self._path[0])
-    states = property(lambda self: np.array(self._path[1]).T)
-    controls = property(lambda self: self._path[2])
 
 
 @functools.lru_cache(maxsize=256)

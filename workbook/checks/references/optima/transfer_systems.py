@@ -8,6 +8,7 @@ import sympy as sp
 
 from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.runge_kutta import rk4
+from workbook.checks.references.optima.units import Units
 
 
 class TransferSystem:
@@ -215,3 +216,81 @@ class HomogeneousTransfer(TransferSystem):
             "the direction of (x, x') does not turn just then by the angle from the start to the "
             "target"
         )
+
+
+class TransferOptimum:
+    """The fastest or slowest transfer from a start, like a `direct_optimum.Optimum`.
+
+    The last entry of `start` and `field` is the time that has passed.
+    """
+
+    units = Units()
+
+    def __init__(self, system, start, slowest, meetings=1):
+        self.system, self.begin, self.slowest, self.meetings = system, start, slowest, meetings
+        self.start, self.bounds = np.append(start, 0.0), system.bounds
+
+    @functools.cached_property
+    def duration(self):
+        return self.system.duration(self.begin, self.slowest, self.meetings)
+
+    @property
+    def cost(self):
+        return self.duration
+
+    def cost_size(self):
+        return self.duration
+
+    def possible(self):
+        """Return whether the target can be reached at all."""
+        return self.system.possible(self.begin)
+
+    def size(self):
+        """Return the size of the states of this transfer."""
+        return (
+            float(np.linalg.norm(self.begin) + np.linalg.norm(self.system.gap(self.begin))) or 1.0
+        )
+
+    def remaining_costs(self):
+        """Return states on the way, and the remaining time there."""
+        return self.states, self.duration - self.times
+
+    def duration_message(self, duration):
+        return self.system.time_message(self.begin, duration, self.duration)
+
+    def switchings(self):
+        return self.system.switchings(self.begin, self.duration)
+
+    def breaks(self):
+        """Return the times at which the control switches."""
+        return self.system.breaks(self.begin, self.duration)
+
+    def switching_function(self):
+        """Return pairs (time, dH/du), the costate being followed back from the end."""
+        return self.system.switching_function(self.begin, self.duration, self.slowest)
+
+    def field(self, y, u):
+        return np.append(self.system.field(y[:-1], u), 1.0)
+
+    def gap(self, y):
+        return self.system.gap(y[:-1])
+
+    def total(self, y):
+        return float(y[-1])
+
+    def jacobians(self, y, u):
+        n = len(y)
+        return (
+            np.vstack([self.system.jacobian(y, u), np.zeros(n)]),
+            np.zeros((1, n)),
+            self.system.normals(),
+        )
+
+    @functools.cached_property
+    def _path(self):
+        """Times, states and controls along the optimum, at instants away from the switchings."""
+        return self.system.path(self.begin, self.duration, self.slowest, 37)
+
+    times = property(lambda self: self._path[0])
+    states = property(lambda self: np.array(self._path[1]).T)
+    controls = property(lambda self: self._path[2])

@@ -18,11 +18,11 @@ from workbook.checks.references.natural_units import COST, TIME, Sizes, natural_
 
 
 class Units(NamedTuple):
-    """Units of times, of the states, of the control and of costs, and what is added to the cost."""
+    """Units of times, of the states, of the controls and of costs, and what is added to the cost."""
 
     time: float = 1.0
     states: np.ndarray | float = 1.0
-    control: float = 1.0
+    control: np.ndarray | float = 1.0
     cost: float = 1.0
     constant: float = 0.0
 
@@ -94,7 +94,6 @@ def scaled_problem(problem, parameters, only_cost=False):
         Whether the units of the states are to be kept, whose symbols stand for initial values, too.
     """
     bare, constant = without_constant(problem), constant_of(problem)
-    only_cost = only_cost or len(problem.control) > 1
     factors = _factors(bare, dict(parameters), only_cost)
     if all(factor == 1 for factor in factors.values()):
         terminal = [_normalised_gap(gap, problem.state, parameters) for gap in problem.terminal]
@@ -103,12 +102,13 @@ def scaled_problem(problem, parameters, only_cost=False):
         return bare, Units(), constant
     scaled = in_units(bare, factors)
     gaps = [_normalised_gap(gap, problem.state, parameters) for gap in scaled.terminal]
+    several = [float(factors[u]) for u in problem.control]
     return (
         dataclasses.replace(scaled, terminal=gaps),
         Units(
             float(factors[TIME]),
             np.array([float(factors[x]) for x in problem.state]),
-            float(factors[problem.control[0]]),
+            np.array(several) if len(several) > 1 else several[0],
             float(factors[COST]),
         ),
         constant,
@@ -237,12 +237,14 @@ class OptimumInUnits:
 
     @property
     def arcs(self):
-        if self.units.time == self.units.control == 1:
-            return self._best.arcs
         return [
             (None if u is None else u * self.units.control, *(t * self.units.time for t in ends))
             for u, *ends in self._best.arcs
         ]
+
+    def breaks(self):
+        """Return the times at which the control of a fastest transfer switches."""
+        return [t * self.units.time for t in self._best.breaks()]
 
     def changes(self):
         """Return where arcs follow one another, as `direct_optimum.Optimum.changes` does."""
@@ -285,7 +287,7 @@ class OptimumInUnits:
 
     def duration_message(self, duration):
         """Return the text on a wrong duration."""
-        return "the best process found ends " + ("earlier" if duration > self.duration else "later")
+        return self._best.duration_message(duration / self.units.time)
 
     def switching_function(self):
         """Return pairs (time, dH/du), the costate being followed back from the end."""
