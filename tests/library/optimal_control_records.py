@@ -735,7 +735,14 @@ def ramsey_growth():
 def robot_arm():
     return Record(
         reach(),
-        None,
+        [
+            ("u-", "u+", "u-"),
+            ("u+", "u+", "u-"),
+            ("u+", "u+", "u+"),
+            ("u+", "u-", "u+"),
+            ("u+", "u-", "u-"),
+            ("u-", "u-", "u-"),
+        ],
         None,
         arm(),
         "SciPy: two equations for the switching times",
@@ -771,7 +778,7 @@ def turning():
             {x: 0, y: 0, v: 0, w: 0},
             [x - 1, y - 1, v - sp.pi / 2, w],
         ),
-        None,
+        ["u-", "u+", "u-", "u+"],
         None,
         turn(),
         "SciPy: four arcs; SLSQP from random lengths of four to seven arcs found none better",
@@ -792,8 +799,44 @@ UNCONSTRAINED = {
 }
 
 
+NAMES = (*UNCONSTRAINED, *INTEGRATED, *CONSTRAINED)
+
+
 @cache
 def record(name):
     """Return the record of a name, its second route being computed once."""
     value = {**CONSTRAINED, **INTEGRATED, **UNCONSTRAINED}[name]
     return value() if callable(value) else value
+
+
+def data(name):
+    """Return a record as strings, numbers and lists; expressions as SymPy reads them.
+
+    The cost has the digits on which both routes agree, and so have the times.
+    """
+    value = record(name)
+    problem, digits = value.problem, round(-np.log10(value.tolerance))
+    times = None if value.times is None else [f"{float(s):.{digits}g}" for s in value.times]
+    return {
+        "dynamics": {str(s): str(f) for s, f in problem.dynamics.items()},
+        "controls": {str(s): [str(low), str(high)] for s, (low, high) in problem.controls.items()},
+        "initial": {str(s): None if f is None else str(f) for s, f in problem.initial.items()},
+        "terminal": [str(g) for g in problem.terminal],
+        "terminal_inequalities": [str(g) for g in problem.terminal_inequalities],
+        "path": [str(g) for g in problem.path],
+        "running": str(problem.running),
+        "final": str(problem.final),
+        "duration": _duration(problem.duration),
+        "maximise": problem.maximise,
+        "cost": f"{float(value.cost):.{digits}g}",
+        "arcs": value.arcs,
+        "times": times,
+        "route": value.route,
+        "source": value.source,
+        "published": [[where, number] for where, number, _ in value.published],
+        "refuted": [list(pair) for pair in value.refuted],
+    }
+
+
+def _duration(duration):
+    return [str(d) for d in duration] if isinstance(duration, tuple) else duration and str(duration)

@@ -1,17 +1,20 @@
 """Hard problems of the literature, compared with independent references."""
 
+import json
 import time
 
 import optimal_control_records
 import pytest
 import sympy as sp
-from optimal_control_records import UNCONSTRAINED
+from optimal_control_records import NAMES, UNCONSTRAINED
 
 from trajlib.pontryagin import Infeasible, NotUnique, Problem
 
 pytestmark = pytest.mark.slow
 x, y, v, u, x1, x2 = sp.symbols("x y v u x1 x2")
 ONE = {u: (-1, 1)}
+# Names that SymPy would read as its functions.
+SYMBOLS = {name: sp.Symbol(name) for name in ("theta", "S", "N", "Q")}
 PROVED = ["a switching function with a threefold zero at the end"]
 
 
@@ -32,6 +35,30 @@ def test_record(name):
     if "singular" in (record.arcs or []):
         assert evidence.kelley < 0
     assert extremal.optimality.kind == ("proved" if name in PROVED else "locally minimal")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_data_file_states_the_same_problem(name):
+    """The data of a record, read from JSON, lead to the same statement."""
+    record = optimal_control_records.record(name)
+    entry = json.loads(json.dumps(optimal_control_records.data(name)))
+
+    def read(value):
+        if isinstance(value, list):
+            return [read(part) for part in value]
+        if isinstance(value, dict):
+            return {sp.Symbol(key): read(part) for key, part in value.items()}
+        return sp.sympify(value, locals=SYMBOLS) if isinstance(value, str) else value
+
+    parts = ("dynamics", "controls", "initial", "terminal", "running", "final", "duration", "path")
+    problem = Problem(
+        **{part: read(entry[part]) for part in parts},
+        terminal_inequalities=read(entry["terminal_inequalities"]),
+        maximise=entry["maximise"],
+    )
+    assert repr(problem) == repr(record.problem)
+    assert float(entry["cost"]) == pytest.approx(record.cost, rel=10 * record.tolerance)
+    assert record.source or not record.published
 
 
 def test_a_process_found_late_leads_to_better_ones():
