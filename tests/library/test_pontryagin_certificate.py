@@ -180,7 +180,7 @@ def test_rounding_proves_no_target_out_of_reach():
             Infeasible,
             "duration 1 is too short: the least time in which the target is reached is 2",
         ),
-        (Problem({x: u}, {u: None}, {x: 1}, [x]), Unbounded, "tends to zero"),
+        (Problem({x: u}, {u: None}, {x: 1}, [x]), Unbounded, "in any time t > 0"),
         (
             Problem({x: u}, {u: None}, {x: 1}, running=x, duration=1),
             Unbounded,

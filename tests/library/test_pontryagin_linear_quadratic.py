@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from trajlib.pontryagin import Infeasible, Problem
+from trajlib.pontryagin import Infeasible, Problem, Unbounded
 
 pytestmark = pytest.mark.slow
 R = sp.Rational
@@ -78,6 +78,9 @@ CASES = {
     "unstable, long": Problem(
         {x: 2 * x + u}, {u: None}, {x: 1}, [x - 3], running=x**2 + u**2, duration=30
     ),
+    "cost that is not convex": Problem(
+        {x: y, y: u - x}, {u: None}, {x: 1, y: 0}, [y], running=u**2 - x**2 / 4, duration=1
+    ),
     "oscillator": Problem(FAST, {u: None}, {x: 1, y: 0}, [x, y], running=u**2, duration=5),
     "decimals and roots": Problem(
         {x: sp.sqrt(2) * y, y: 0.1 * u - sp.pi * x},
@@ -126,3 +129,47 @@ def test_uncontrollable_states_on_their_target():
     assert extremal.certificate().holds()
     with pytest.raises(Infeasible, match="does not depend on the control"):
         Problem(plant, {u: None}, {x: 1, y: R(1, 2)}, [x, y], running=u**2, duration=1).solve()
+
+
+@pytest.mark.parametrize("duration", [1, R(31, 10), R(313, 100)])
+def test_cost_that_is_not_convex_is_decided(duration):
+    """J = int u^2 - x^2 from 1 to 0: x'' = -x, cot T, until the conjugate point T = pi."""
+    extremal = Problem(
+        {x: u}, {u: None}, {x: 1}, [x], running=u**2 - x**2, duration=duration
+    ).solve()
+    assert extremal.cost == pytest.approx(1 / np.tan(float(duration)), rel=1e-12)
+    assert extremal.optimality.proved and extremal.certificate().holds(1e-11)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_quadratic_cost_that_falls_without_bound(sign):
+    problem = Problem(
+        {x: u},
+        {u: None},
+        {x: 1},
+        [x],
+        running=sign * (u**2 - x**2),
+        duration=R(32, 10),
+        maximise=sign < 0,
+    )
+    with pytest.raises(Unbounded, match=r"without bound.* second variation is (negative|positive)"):
+        problem.solve()
+
+
+def test_chain_with_a_cost_that_is_not_convex():
+    """The part of the cost that is not convex is small: J = J_0 - 1e-3 int x1^2 to first order."""
+    states = sp.symbols("x1:5")
+    problem = chain(4)
+    problem = Problem(
+        problem.dynamics,
+        problem.controls,
+        problem.initial,
+        problem.terminal,
+        running=u**2 / 2 - states[0] ** 2 / 1000,
+        duration=1,
+    )
+    extremal = problem.solve()
+    times = np.polynomial.legendre.leggauss(20)
+    squares = chain(4).solve().state((1 + times[0]) / 2)[0] ** 2
+    assert extremal.cost == pytest.approx(50400 - times[1] @ squares / 2000, rel=1e-12)
+    assert extremal.optimality.proved and extremal.certificate().holds(1e-11)

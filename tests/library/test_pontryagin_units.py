@@ -11,10 +11,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 import sympy as sp
+from optimal_control_records import CONSTRAINED, INTEGRATED, UNCONSTRAINED, record
 from test_pontryagin_book_problems import BOOK_PROBLEMS
-from test_pontryagin_constraints import RECORDS as CONSTRAINED
-from test_pontryagin_extremals import FIGURES, RECORDS
-from test_pontryagin_literature import CASES as LITERATURE
+from test_pontryagin_extremals import RECORDS
 
 from trajlib.pontryagin import Problem
 
@@ -22,12 +21,12 @@ pytestmark = pytest.mark.slow
 R = sp.Rational
 x, v, u = sp.symbols("x v u")
 PROBLEMS = {
-    **{name: (case.problem, 1e-10) for name, case in LITERATURE.items()},
-    **{name: (record.problem, FIGURES.get(name, 1e-11)) for name, record in RECORDS.items()},
+    **{name: (extremal.problem, 1e-11) for name, extremal in RECORDS.items()},
     **{name: (problem.problem, problem.accuracy) for name, problem in BOOK_PROBLEMS.items()},
-    **{name: (record.problem, 1e-10) for name, record in CONSTRAINED.items()},
 }
-# Those of Goddard, van der Pol and Rayleigh are computed, not known, to these figures.
+# Their second route is computed where the problem is restated.
+LITERATURE = [*UNCONSTRAINED, *CONSTRAINED, *INTEGRATED]
+# The relative accuracy of costs.
 ACCURACY = 1e-10
 NUMBERS = {
     "nanojoules": {"cost": 10**9},
@@ -88,7 +87,7 @@ TOUCHING = {"a bound that is touched", "Bryson-Denham 1/4"}
 
 def validate(name, numbers):
     """Compare the extremals of a problem and of the same in other numbers."""
-    problem, accuracy = PROBLEMS[name]
+    problem, accuracy = PROBLEMS[name] if name in PROBLEMS else (record(name).problem, 1e-10)
     extremal, restated_extremal = problem.solve(), restated(problem, **numbers).solve()
     unit, constant = float(numbers.get("cost", 1)), float(numbers.get("constant", 0))
     time, length = float(numbers.get("time", 1)), float(numbers.get("length", 1))
@@ -109,12 +108,13 @@ def validate(name, numbers):
     )
 
 
+NAMES = [*LITERATURE, *PROBLEMS]
 # Every second problem in one kind of numbers, each kind for every ninth of them; make test-units
 # takes each problem in all kinds.
 CASES = (
-    list(itertools.product(PROBLEMS, NUMBERS))
+    list(itertools.product(NAMES, NUMBERS))
     if os.environ.get("WORKBOOK_ALL_PROBLEMS")
-    else list(zip(list(PROBLEMS)[::2], itertools.cycle(NUMBERS)))
+    else list(zip(NAMES[::2], itertools.cycle(NUMBERS)))
 )
 
 

@@ -1,5 +1,6 @@
 """What is said of problems without a solution, or with more than one, before and after the search."""
 
+import re
 import time
 
 import numpy as np
@@ -14,6 +15,7 @@ R = sp.Rational
 x, y, z, u, v = sp.symbols("x y z u v")
 TWINS, FREE, ONE = {x: -x + u, y: -y + u}, {u: None}, {u: (-1, 1)}
 START = {x: 1, y: R(1, 2)}
+BEGIN = {x: 1, y: 0, z: 0}
 
 
 @pytest.mark.parametrize(
@@ -28,6 +30,13 @@ START = {x: 1, y: R(1, 2)}
             "at the times 0.693147 and 0.346574",
         ),
         (Problem({x: y, y: u, z: 2}, ONE, {x: 1, y: 0, z: 0}, [x, y, z + 1]), r"z (= 2\*t|begins)"),
+        # Modes with complex and repeated eigenvalues: a spiral, a circle, t + 1, (t + 1) e^(-t).
+        (Problem({x: -x + y, y: -x - y, z: u}, ONE, BEGIN, [x, y, z - 1]), "x = 0, y = 0, .* at once"),
+        (Problem({x: y, y: -x, z: u}, ONE, BEGIN, [x - 2, z - 1]), "x - 2 = 0, .* at no time"),
+        (Problem({x: y, y: -x, z: u}, ONE, BEGIN, [x, y, z - 1]), "x = 0, y = 0, .* at once"),
+        (Problem({x: y, y: -x, z: u}, ONE, BEGIN, [x, z - 1], duration=(2, 4)), "x = 0, .* no time"),
+        (Problem({x: y, y: 0, z: u}, ONE, {**BEGIN, y: 1}, [x, z - 1]), "eigenvalues 0"),
+        (Problem({x: y - x, y: -y, z: u}, ONE, {**BEGIN, y: 1}, [x, z - 1]), "eigenvalues -1"),
         # The limit of x' = -x + u with |u| <= 1, for the units of the user as well.
         (Problem({x: -x + u}, ONE, {x: 0}, [x - 1]), "remains below 1"),
         (Problem({x: -x + u}, {u: (-R(1, 10**9), R(1, 10**9))}, {x: 0}, [x - R(2, 10**9)]), "below"),
@@ -44,6 +53,15 @@ def test_modes_that_reach_the_target():
     """The mode x - y is zero at both ends."""
     extremal = Problem(TWINS, ONE, {x: 1, y: 1}, [x, y]).solve()
     assert extremal.duration == pytest.approx(float(sp.log(2)), rel=1e-12)
+
+
+def test_oscillation_that_reaches_the_target():
+    """x = cos t = 1/2 first at t = pi/3; z = 1 then costs t + 1/t."""
+    extremal = Problem(
+        {x: y, y: -x, z: u}, ONE, BEGIN, [x - R(1, 2), z - 1], running=1 + u**2
+    ).solve()
+    assert extremal.duration == pytest.approx(np.pi / 3, rel=1e-12)
+    assert extremal.cost == pytest.approx(np.pi / 3 + 3 / np.pi, rel=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -156,8 +174,32 @@ def test_polynomial_that_falls_without_bound():
         Problem({x: u**3}, FREE, {x: 0}, [x - 1], running=u**2, duration=1),
         Problem({x: u}, FREE, {x: 1}, [x], running=x**2, duration=1),
         Problem({x: y, y: u}, FREE, {x: 1, y: 0}, [x, y], running=x**2 + y**2, duration=1),
+        Problem(
+            {x: y, y: u}, FREE, {x: 0, y: 0}, [x - 1, y], running=sp.sqrt(1 + u**2), duration=1
+        ),
     ],
 )
 def test_impulses_are_named(problem):
     with pytest.raises(Unbounded, match="impulses seem to approach the infimum"):
         problem.solve()
+
+
+def test_impulses_are_named_by_the_control_of_the_user():
+    problem = Problem({x: u}, FREE, {x: 0}, [x - 1], running=(1 + x) * sp.Abs(u), duration=1)
+    with pytest.raises(PontryaginError, match=r"max\(u, 0\)") as error:
+        problem.solve()
+    assert "_u" not in str(error.value)
+
+
+def test_shortest_duration_is_no_infimum():
+    """u = T^(-1/3) costs T + T^(1/3): the infimum is 0, and no number stands for it."""
+    with pytest.raises(Unbounded, match=r"ever shorter processes") as error:
+        Problem({x: u**3}, FREE, {x: 0}, [x - 1], running=1 + u**2).solve()
+    assert not re.search("infimum [0-9]", str(error.value))
+
+
+def test_least_time_without_bounds_is_not_attained():
+    begin = time.process_time()
+    with pytest.raises(Unbounded, match="in any time t > 0"):
+        Problem({x: y, y: u}, FREE, {x: 0, y: 0}, [x - 1, y]).solve()
+    assert time.process_time() - begin < 1

@@ -17,6 +17,7 @@ uses              links between the names of the library and the pages that use 
 tiles             pages with their titles and pictures, for the front page
 lectures          blocks that only the notebook of a lecture shows
 check_cases       answers that checks accept and reject, from the tables that are their tests
+control_problems  test problems of optimal control, from the records that are their tests
 search_index      the entries of the search, read by book/_static/search.js
 invalidation      what makes a page outdated, beyond its own text
 slim_environment  less of each page is kept from one build to the next
@@ -32,6 +33,7 @@ from workbook_site import (
     cell_output,
     check_cases,
     common_mistakes,
+    control_problems,
     downloads,
     explorers,
     figures,
@@ -55,6 +57,7 @@ EXTENSIONS = (
     problem_pages,
     listings,
     downloads,
+    control_problems,
     common_mistakes,
     answer_boxes,
     folding,

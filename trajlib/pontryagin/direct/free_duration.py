@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 import numpy as np
+import sympy as sp
 
 from trajlib.pontryagin.direct.guesses import starting_guesses
 from trajlib.pontryagin.direct.transcription import (
@@ -31,10 +32,10 @@ def fixed_duration(numeric: NumericProblem, solution: DirectSolution) -> float |
     T, low, high = solution.duration, numeric.shortest, numeric.longest
     if T <= 1.5 * low and not numeric.time_bounds_given:
         raise Unbounded(
-            f"the best duration tends to zero (it ran into {numeric.user_time(low):g}): the infimum "
-            f"{numeric.user_cost(solution.cost)} is approached by ever shorter processes and not "
-            "attained. Bound the controls, or give a duration; if processes as short as that are "
-            "meant, choose a smaller unit of time."
+            f"the best duration tends to zero (it ran into {numeric.user_time(low):g}, with a cost of "
+            f"{numeric.user_cost(solution.cost):.6g}): the infimum is approached by ever shorter "
+            "processes and not attained. Bound the controls, or give a duration; if processes as "
+            "short as that are meant, choose a smaller unit of time."
         )
     if T >= high * (1 - 1e-6) and not numeric.time_bounds_given:
         raise Unbounded(
@@ -47,6 +48,36 @@ def fixed_duration(numeric: NumericProblem, solution: DirectSolution) -> float |
             if abs(T - bound) <= 1e-6 * (1 + bound):
                 return bound
     return None
+
+
+def refuse_any_duration(numeric: NumericProblem) -> None:
+    """Raise `Unbounded` if a linear plant reaches the target in any time, and as fast as possible.
+
+    Controls without bounds lead a controllable plant from any state to any other in any time t > 0.
+    """
+    problem = numeric.problem
+    slopes = sp.Matrix(problem.field).jacobian([*problem.state, *problem.control])
+    if (
+        not problem.time_optimal
+        or problem.maximise
+        or problem.duration is not None
+        or problem.constrained
+        or slopes.free_symbols
+        or sp.Matrix(problem.terminal).jacobian(problem.state).free_symbols
+    ):
+        return
+    n = len(problem.state)
+    unbounded = [
+        n + j for j, pair in enumerate(problem.controls.values()) if pair == (-sp.oo, sp.oo)
+    ]
+    A, B = slopes[:, :n], slopes.extract(range(n), unbounded)
+    if unbounded and sp.Matrix.hstack(*(A**i * B for i in range(n))).rank() == n:
+        names = ", ".join(str(u) for u, pair in problem.controls.items() if pair == (-sp.oo, sp.oo))
+        raise Unbounded(
+            f"the least time is not attained: {names} without bounds leads the plant, which is "
+            "controllable, to the target in any time t > 0, however short. Bound the controls, or "
+            "give a cost that grows with them."
+        )
 
 
 def refuse_falling_cost(numeric, search_result):

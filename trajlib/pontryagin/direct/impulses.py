@@ -14,9 +14,11 @@ import sympy as sp
 from trajlib.pontryagin.direct.descent import solution_from_controls
 from trajlib.pontryagin.problem.errors import Unbounded
 
-# Growth of the largest control from one grid to a finer one, and the decrease of the cost as a share
-# of it, that are not errors of the steps.
+# Growth of the largest control from one grid to a finer one, and the mean decrease of the cost as a
+# share of it, that are not errors of the steps.
 GROWS, FALLS = 1.2, 1e-3
+# A large control, with which the growth of terms is measured.
+LARGE = 2**40
 # How many intervals of a finer grid one of the coarser has.
 FINER = 4
 
@@ -27,7 +29,8 @@ def refuse_impulses(numeric, solution, side):
         j: degree
         for j, u in enumerate(numeric.problem.control)
         if not np.isfinite([numeric.lower[j], numeric.upper[j]]).all()
-        and (degree := _impulsive_degree(numeric.problem, u))
+        and (degree := _impulsive_degree(numeric.problem, u)) is not None
+        and degree > 0
     }
     if not degrees:
         return
@@ -39,7 +42,8 @@ def refuse_impulses(numeric, solution, side):
             return
         solutions.append(finer)
     costs = [s.cost for s in solutions]
-    falls = all(b < a - FALLS * abs(a) for a, b in pairwise(costs))
+    falls = all(b < a for a, b in pairwise(costs))
+    falls = falls and costs[-1] < costs[0] - 2 * FALLS * abs(costs[0])
     for j in degrees:
         largest = [float(np.max(np.abs(s.controls[:, j]))) for s in solutions]
         if falls and all(b > GROWS * a for a, b in pairwise(largest)):
@@ -58,10 +62,29 @@ def refuse_impulses(numeric, solution, side):
 
 def _impulsive_degree(problem, u):
     """Return the degree of f in u if that of f_0 is not larger; None elsewhere."""
-    if not all(e.is_polynomial(u) for e in (problem.running, *problem.field)):
+    degrees = [_degree(e, u) for e in (problem.running, *problem.field)]
+    if None in degrees:
         return None
-    cost, *rates = (sp.degree(e, u) if e.has(u) else 0 for e in (problem.running, *problem.field))
+    cost, *rates = degrees
     return max(rates) if cost <= max(rates) else None
+
+
+def _degree(e, u):
+    """Return the degree of a polynomial in u, or the power by which another term grows with u.
+
+    The latter at a point without symmetry and to three decimals; None if it is not a power.
+    """
+    if not e.has(u):
+        return 0
+    if e.is_polynomial(u):
+        return sp.degree(e, u)
+    others = sorted(e.free_symbols - {u}, key=str)
+    point = {s: sp.sqrt(2 + i) / 3 for i, s in enumerate(others)}
+    sizes = [abs(complex(e.subs({**point, u: LARGE * factor}).evalf())) for factor in (1, 2, 4)]
+    if not np.isfinite(sizes).all() or not min(sizes) > 0:
+        return None
+    first, second = np.round(np.diff(np.log2(sizes)), 3)
+    return float(first) if first == second else None
 
 
 def _sharpened(controls, degrees):

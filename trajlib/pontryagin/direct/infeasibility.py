@@ -16,6 +16,7 @@ Contradictory linear terminal equations are refused too. Angles count as vectors
 import numpy as np
 import sympy as sp
 
+from trajlib.pontryagin.direct.free_motion import refuse_missed_target
 from trajlib.pontryagin.direct.uncontrollable_modes import refuse_uncontrollable_modes
 from trajlib.pontryagin.problem.errors import Infeasible
 from trajlib.pontryagin.problem.numeric import NumericProblem
@@ -116,6 +117,7 @@ def _refuse_unmoved(numeric):
         return
     if numeric.duration is None:
         refuse_uncontrollable_modes(numeric, problem)
+        refuse_missed_target(numeric, problem)
     A, _B, c = plant
     state, n = sp.Matrix(problem.state), numeric.n
     G = sp.Matrix(problem.terminal).jacobian(problem.state)

@@ -113,7 +113,8 @@ def split_l1_controls(problem: Statement) -> L1Split | None:
         else:
             if (sign * sp.expand(problem.running).coeff(sp.Abs(u))).is_negative:
                 raise WrongStructure(REWARDED_MESSAGE)
-            pairs[u] = p, q = sp.symbols(f"{u}_+ {u}_-", cls=sp.Dummy)
+            # Messages show the names.
+            pairs[u] = p, q = sp.Symbol(f"max({u}, 0)"), sp.Symbol(f"max(-{u}, 0)")
             controls |= {p: (zero, high), q: (zero, -low)}
             values |= {sp.Abs(u): p + q, u: p - q}
         parts.append(tuple(range(first, len(controls))))

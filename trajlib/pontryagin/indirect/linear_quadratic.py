@@ -1,4 +1,4 @@
-"""Linear plants with a convex quadratic cost: the extremal by one linear solve.
+"""Linear plants with a quadratic cost: the extremal by one linear solve.
 
 y' = A y + B u + c with f_0 and phi_0 of at most the second degree, R = d2f_0/du2 positive definite,
 no bounds on u, linear terminal equations G y = d and a given duration. Then H_u = 0 gives
@@ -13,6 +13,10 @@ follows from their values, since with the linear terms q y + r u and the constan
 The fundamental matrix e^(K T) has entries of very different sizes (T^j/j! with j < 2n for a chain of n
 integrators), and the linear equations for z(0) lose as many digits as these sizes differ: so they
 are solved with as many digits as it takes until the rounded values no longer change.
+
+The cost need not be convex. It is a quadratic functional of the variation v of a process,
+J = J(extremal) + Q(v), Q being half the second variation: if Q is positive, the extremal is the
+only optimal process; if it is negative in one direction, the cost falls without bound along it.
 """
 
 from dataclasses import dataclass, replace
@@ -28,6 +32,7 @@ from trajlib.pontryagin.indirect.newton import CANCELLING
 from trajlib.pontryagin.indirect.refinement import INTEGRATED, finer_steps, growth
 from trajlib.pontryagin.indirect.scaled_extremal import restore_units
 from trajlib.pontryagin.indirect.shooting import ShootingSolution
+from trajlib.pontryagin.problem.errors import Unbounded
 from trajlib.pontryagin.problem.numeric import NumericProblem
 from trajlib.pontryagin.problem.scaling import units_of_process
 from trajlib.pontryagin.verification.optimality import sufficiency_theorem
@@ -38,6 +43,7 @@ DIGITS, MAX_DIGITS = 40, 1280
 AGREEMENT = 1e-15
 # Largest number of segments, along each of which errors grow by CANCELLING at most.
 MAX_SEGMENTS = 512
+PROOF = "a linear plant, and a quadratic cost with a positive second variation"
 # Points on each segment at which the sizes of the values are taken.
 SAMPLES = 16
 
@@ -61,15 +67,16 @@ class _BoundaryProblem:
 
 
 def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
-    """Return the extremal of a convex linear-quadratic problem.
+    """Return the extremal of a linear-quadratic problem.
 
-    None for other problems, and where the linear equations have no unique solution. The target must
-    not be infeasible (`direct.infeasibility`).
+    None for other problems, and where the linear equations have no unique solution or the sign of
+    the second variation is not clear of rounding errors. The target must not be infeasible
+    (`direct.infeasibility`). Raises `Unbounded` if the second variation is negative.
     """
     problem = numeric.problem
     unbounded = all(pair == (-sp.oo, sp.oo) for pair in problem.controls.values())
     duration = numeric.duration
-    if duration is None or not unbounded or sufficiency_theorem(problem) is None:
+    if duration is None or not unbounded or not _is_linear_quadratic(problem):
         return None
     boundary = _boundary_problem(problem)
     count = boundary and _segment_count(boundary.K, duration)
@@ -85,15 +92,53 @@ def solve_linear_quadratic(numeric: NumericProblem) -> Extremal | None:
         problem, samples[:, :n].T, samples[:, n : 2 * n].T, samples[:, 2 * n :].T, duration
     )
     if scaling is None:
-        return replace(_extremal(numeric, samples, multipliers), cost=cost)
+        extremal = _decided(_extremal(numeric, samples, multipliers), problem)
+        return extremal and replace(extremal, cost=cost)
     states, terminal = (
         np.array(v, dtype=float) for v in (scaling.states, scaling.terminal[: numeric.m])
     )
     unit = float(scaling.cost)
     units = np.concatenate([states, unit / states, np.array(scaling.controls, dtype=float)])
     inner = NumericProblem(scaling.problem, scaling)
-    extremal = _extremal(inner, samples / units, multipliers * terminal / unit)
-    return replace(restore_units(scaling, extremal), cost=cost)
+    extremal = _decided(_extremal(inner, samples / units, multipliers * terminal / unit), problem)
+    return extremal and replace(restore_units(scaling, extremal), cost=cost)
+
+
+def _is_linear_quadratic(problem):
+    """Check for a linear plant with linear terminal equations and a quadratic cost."""
+    arguments = [*problem.state, *problem.control]
+    slopes = [
+        sp.diff(e, s)
+        for e in (*problem.field, *problem.terminal, *_gradient(problem))
+        for s in arguments
+    ]
+    return not any(slope.free_symbols & set(arguments) for slope in slopes)
+
+
+def _gradient(problem):
+    """Return the derivatives of f_0 and phi_0 by states and controls."""
+    arguments = [*problem.state, *problem.control]
+    return [sp.diff(e, s) for e in (problem.running, problem.final) for s in arguments]
+
+
+def _decided(extremal, problem):
+    """Return the extremal, proved optimal by its second variation where the cost is not convex.
+
+    None if its sign is not clear of rounding errors; `problem` is the one in the user's units.
+    """
+    if sufficiency_theorem(problem) is not None:
+        return extremal
+    sign = extremal._variation.sign
+    # The direction in which the cost falls may violate an inequality.
+    if sign < 0 and not problem.constrained:
+        raise Unbounded(
+            f"the cost {'rises' if problem.maximise else 'falls'} without bound: it is quadratic, the "
+            "plant is linear, and the second variation is "
+            f"{'positive' if problem.maximise else 'negative'} in some direction, along which the cost "
+            "changes with the square of the distance. Check the sign of the cost, bound the controls, or "
+            "choose a shorter duration."
+        )
+    return replace(extremal, _proof=PROOF) if sign > 0 else None
 
 
 def _extremal(numeric, samples, multipliers):

@@ -14,6 +14,7 @@ from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
 from trajlib.pontryagin.direct.free_duration import (
     fixed_duration,
+    refuse_any_duration,
     refuse_falling_cost,
     refuse_unbounded_duration,
 )
@@ -137,6 +138,7 @@ def solve(
     refuse_start_on_target(numeric)
     refuse_ends_beyond_constraints(numeric)
     refuse_infeasible(numeric)
+    refuse_any_duration(numeric)
     extremal = solve_linear_quadratic(numeric) if kinds is None else None
     if extremal is None and kinds is None and guess is None:
         extremal = solve_polynomial_end(problem)
