@@ -16,8 +16,10 @@ from workbook.live.explorers import (
     pole_zero_cancellation,
     region_of_stability,
 )
+from workbook.live.explorers.blitting import BlittedFigure
 from workbook.live.explorers.by_name import NAMES
 from workbook.live.explorers.circle import STEP, trajectories
+from workbook.live.explorers.explorer import Explorer, slider
 from workbook.live.explorers.fastest import _extremal, _synthesis
 from workbook.live.explorers.portraits import PORTRAITS
 from workbook.live.worked_problem import WorkedProblem
@@ -64,7 +66,7 @@ def test_every_portrait_follows_its_parameters(problem):
             middle = picture(explorer)
             explorer.set(**{name: low + 0.9 * (high - low)})
             assert picture(explorer) != middle, f"{problem} {item} {name}"
-        assert "no picture" not in text(explorer)
+        assert explorer.error.value == ""
 
 
 def test_every_planar_problem_of_chapter_1_has_a_portrait():
@@ -219,6 +221,42 @@ def test_bad_input_ends_in_one_line(line, message):
     assert message in str(raised.value) and "\n" not in str(raised.value)
     # in a cell without a magic, too
     assert raised.value._render_traceback_() == [str(raised.value)]
+
+
+def send(widget, **state):
+    """Change a widget as the page does."""
+    widget._handle_msg({"content": {"data": {"method": "update", "state": state}}})
+
+
+def test_an_error_of_a_callback_is_one_line_in_the_explorer(capsys, caplog):
+    failing = {"draw": False, "stroke": False}
+
+    def draw(x):
+        if failing["draw"]:
+            raise TypeError("no <number>\nbut a list")
+        return f"x = {x:g}"
+
+    def on_stroke(axes, points):
+        if failing["stroke"]:
+            raise LiveError("press inside the circle")
+
+    explorer = Explorer(BlittedFigure(1), {"x": slider("x", 0, 1, 0.5)}, draw, on_stroke)
+    (axes,) = explorer.figure.axes
+    message = "this does not work: TypeError: no &lt;number&gt;"
+    failing["draw"] = True
+    send(explorer.controls["x"], value=0.25)
+    assert message in explorer.error.value and "but a list" not in explorer.error.value
+    failing.update(draw=False, stroke=True)
+    send(explorer.controls["x"], value=0.75)
+    assert explorer.error.value == "" and "0.75" in text(explorer)
+    stroke(explorer, axes, [(0.5, 0.5)])
+    assert ">press inside the circle<" in explorer.error.value
+    send(explorer._pointer, value="not a number")
+    assert "this does not work: ValueError" in explorer.error.value
+    failing.update(draw=True, stroke=False)  # the stroke succeeds, the frame does not
+    stroke(explorer, axes, [(0.5, 0.5)])
+    assert message in explorer.error.value
+    assert capsys.readouterr().err == "" and not caplog.records
 
 
 def test_the_list_names_every_explorer():
