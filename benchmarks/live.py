@@ -74,11 +74,9 @@ def start_times():
         print(f"first cell, cold: jupyter lab  {time_lecture(lab)['first cell']:6.2f} s")
 
 
-#: Explorers with the parameters that are moved.
+#: Explorers that the kernel draws, with the parameters that are moved.
 EXPLORERS = {
-    "region_of_stability": "k1",
     "phase_portrait 1.4": "epsilon",
-    "pole_zero_cancellation": "beta",
     "distance_to_unobservable": "alpha",
     "fastest_motion": "frame",
     "circle_synthesis": "R",
@@ -144,7 +142,7 @@ def frame_formats():
 
     from workbook.live.explorers import explore
 
-    explorer = explore("region_of_stability")
+    explorer = explore("phase_portrait 1.4")
     figure, canvas = explorer.figure.figure, explorer.figure._canvas
     picture = Image.frombuffer(
         "RGBA", canvas.get_width_height(), canvas.buffer_rgba(), "raw", "RGBA", 0, 1

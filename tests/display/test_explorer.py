@@ -52,6 +52,16 @@ def test_values_are_those_of_the_closed_forms():
     assert sorted(roots[1]) == pytest.approx([-1.5, 1.5]) and table.tolist() == [[0, 1], [2, 3]]
 
 
+def test_first_values_are_set_by_name():
+    changed = figure()
+    changed.set(k="2.25", x=0.5)
+    assert (
+        evaluate(changed).scalars[:2]
+        == [0.5, 2.25]
+        == evaluate(figure(), {"x": 0.5, "k": 2.25}).scalars[:2]
+    )
+
+
 def test_the_page_holds_the_declaration_the_question_and_a_picture():
     page = BeautifulSoup(figure()._repr_html_(), "html.parser")
     box = page.find(class_="explorer")
@@ -110,8 +120,11 @@ def panel():
     [
         (lambda: explorer().parameter(X, 0, (-1, 1)), "symbol: x has a value already"),
         (lambda: explorer().parameter("k", 0, (-1, 1)), "symbol: expected a symbol"),
-        (lambda: explorer().parameter(K, 2, (-1, 1)), "value: expected a number from -1 to 1"),
+        (lambda: explorer().parameter(K, 2, (-1, 1)), "k: expected a number from -1 to 1, got 2"),
         (lambda: explorer().parameter(K, 1, (1, 1)), "limits: expected"),
+        (lambda: figure().set(k=10), "k: expected a number from 1 to 9, got 10"),
+        (lambda: figure().set(q=1), "there is no parameter q; there is x, k"),
+        (lambda: figure().set(k="much"), "k: expected a number, got much"),
         (lambda: explorer().parameter(K, 1, (0, 1), step=0), "step: expected a positive number"),
         (lambda: explorer().parameter(K, 1, (0, 1), play=-1), "play: expected a positive number"),
         (lambda: explorer().quantity(C, X + K), "value: k is neither a parameter nor a quantity"),

@@ -3,8 +3,11 @@
 import numpy as np
 import pytest
 import sympy as sp
+from scipy.integrate import quad_vec
+from scipy.linalg import expm
 
 from trajlib import stability
+from workbook.display.explorer.evaluation import evaluate
 from workbook.live import LiveError
 from workbook.live.explorers import (
     distance_to_unobservable,
@@ -16,8 +19,10 @@ from workbook.live.explorers import (
     pole_zero_cancellation,
     region_of_stability,
 )
+from workbook.live.explorers.blitting import BlittedFigure
 from workbook.live.explorers.by_name import NAMES
 from workbook.live.explorers.circle import STEP, trajectories
+from workbook.live.explorers.explorer import Explorer, slider
 from workbook.live.explorers.fastest import _extremal, _synthesis
 from workbook.live.explorers.portraits import PORTRAITS
 from workbook.live.worked_problem import WorkedProblem
@@ -40,18 +45,20 @@ def stroke(explorer, axes, points):
     )
 
 
+def sentence(figure, **values):
+    """What an explorer of formulas says for values of its parameters."""
+    return figure.sentences[0].text(evaluate(figure, values).scalars)
+
+
 def test_roots_follow_the_parameters():
-    explorer = region_of_stability("1.15", "a")
-    before, frames = picture(explorer), explorer.frames
-    stroke(explorer, explorer.figure.axes[0], [(0, 0), (2.5, 1.5)])
-    # two sliders, one frame
-    assert explorer.frames == frames + 1 and picture(explorer) != before
-    assert [round(control.value, 2) for control in explorer.controls.values()] == [2.5, 1.5]
-    assert "3 of 3 roots lie left" in text(explorer)
-    explorer.set(k1=0.5, k2=1)  # below the hyperbola
-    assert "1 of 3 roots lie left" in text(explorer)
-    stroke(explorer, explorer.figure.axes[1], [(0, 0)])  # the roots cannot be pulled
-    assert explorer.controls["k1"].value == 0.5
+    figure = region_of_stability("1.15", "a")
+    for k1, k2, stable in ((2.5, 1.5, True), (2.5, 0.3, False), (0.5, 1, False)):
+        values = evaluate(figure, {"k1": k1, "k2": k2})
+        expected = np.roots([1, k1, k2, 1])
+        assert values.series[0][0].max() == pytest.approx(expected.real.max())
+        (region,) = (part for part in figure.panels[0].parts if part.kind == "region")
+        assert bool(region.formulas["condition"][0](values.scalars, [k1, k2])) == stable
+        assert sentence(figure, k1=k1, k2=k2).startswith("All" if stable else "Not all")
 
 
 @pytest.mark.slow
@@ -64,7 +71,7 @@ def test_every_portrait_follows_its_parameters(problem):
             middle = picture(explorer)
             explorer.set(**{name: low + 0.9 * (high - low)})
             assert picture(explorer) != middle, f"{problem} {item} {name}"
-        assert "no picture" not in text(explorer)
+        assert explorer.error.value == ""
 
 
 def test_every_planar_problem_of_chapter_1_has_a_portrait():
@@ -116,20 +123,42 @@ def test_a_click_draws_the_motion_through_it():
         )
 
 
+def test_ellipses_of_problem_2_27_are_those_of_the_gramians():
+    figure, data = pole_zero_cancellation(), WorkedProblem("2.27").data
+    A = np.array(data["A"], dtype=float)
+    for alpha, beta in ((0.5, 2.0), (-2.0, 0.75)):
+        B, H = (
+            np.array(data[name].subs({data["alpha"]: alpha, data["beta"]: beta}), dtype=float)
+            for name in "BH"
+        )
+        for panel, matrix, column, size in (
+            (figure.panels[0], A, B, 1),
+            (figure.panels[1], A.T, H.T, 10),
+        ):
+            gramian = quad_vec(
+                lambda t: expm(matrix * t) @ column @ (expm(matrix * t) @ column).T, 0, 3
+            )[0]
+            values = evaluate(figure, {"alpha": alpha, "beta": beta})
+            line = next(part for part in panel.parts if part.kind == "line")
+            points = np.array(
+                [
+                    line.formulas[role][0](values.scalars, values.series[line.series])
+                    for role in "xy"
+                ]
+            )
+            form = np.linalg.inv(gramian) if size == 1 else gramian
+            forms = size**2 * np.einsum("in,ij,jn->n", points, form, points)
+            assert forms == pytest.approx(1, abs=1e-8)
+
+
 def test_uncontrollable_modes_of_problem_2_27():
-    explorer = pole_zero_cancellation()
-    explorer.set(alpha=0, beta=0)
-    assert (
-        "mode −2: control has no hold of it" in text(explorer)
-        and text(explorer).count("no hold") == 1
-    )
-    explorer.set(alpha=-1.5, beta=1)
-    assert (
-        "mode −1: control has no hold of it" in text(explorer)
-        and text(explorer).count("no hold") == 1
-    )
-    explorer.set(alpha=-1.02, beta=2)
-    assert "no hold" not in text(explorer)
+    figure = pole_zero_cancellation()
+    for beta in (0, 1):
+        assert "uncontrollable" in sentence(figure, alpha=-1.5, beta=beta)
+    assert "unobservable" in sentence(figure, alpha=-1, beta=2)
+    assert "No mode is cancelled" in sentence(figure, alpha=-1.05, beta=2)
+    with pytest.raises(LiveError, match="there is no parameter gamma; there is alpha, beta"):
+        explore("pole_zero_cancellation gamma=1")
 
 
 def test_distance_vanishes_for_an_unobservable_pair():
@@ -202,8 +231,11 @@ def test_fastest_motion_ends_at_rest_and_switches_with_the_costate():
         ),
         ("region_of_stability 1.4", "has no item a with a polynomial"),
         ("region_of_stability 9.9", "no problem 9.9"),
-        ("region_of_stability 1.15 a k1=7", "k1 = 7: it goes from -2 to 4 here"),
+        ("region_of_stability 1.15 a k1=7", "k1: expected a number from -2 to 4, got 7"),
         ("region_of_stability 1.15 a k9=1", "there is no parameter k9; there is k1, k2"),
+        ("phase_portrait 1.4 epsilon=7", "epsilon = 7: it goes from -2 to 3 here"),
+        ("phase_portrait 1.4 k9=1", "there is no parameter k9; there is epsilon"),
+        ("phase_portrait 1.4 epsilon=much", "epsilon: expected a number, got much"),
         ("region_of_stability 1.15 a k1=much", "k1: expected a number, got much"),
         ("phase_portrait 1.15", "moves in no plane"),
         ("phase_portrait 1.4 b", "it has one only"),
@@ -219,6 +251,42 @@ def test_bad_input_ends_in_one_line(line, message):
     assert message in str(raised.value) and "\n" not in str(raised.value)
     # in a cell without a magic, too
     assert raised.value._render_traceback_() == [str(raised.value)]
+
+
+def send(widget, **state):
+    """Change a widget as the page does."""
+    widget._handle_msg({"content": {"data": {"method": "update", "state": state}}})
+
+
+def test_an_error_of_a_callback_is_one_line_in_the_explorer(capsys, caplog):
+    failing = {"draw": False, "stroke": False}
+
+    def draw(x):
+        if failing["draw"]:
+            raise TypeError("no <number>\nbut a list")
+        return f"x = {x:g}"
+
+    def on_stroke(axes, points):
+        if failing["stroke"]:
+            raise LiveError("press inside the circle")
+
+    explorer = Explorer(BlittedFigure(1), {"x": slider("x", 0, 1, 0.5)}, draw, on_stroke)
+    (axes,) = explorer.figure.axes
+    message = "this does not work: TypeError: no &lt;number&gt;"
+    failing["draw"] = True
+    send(explorer.controls["x"], value=0.25)
+    assert message in explorer.error.value and "but a list" not in explorer.error.value
+    failing.update(draw=False, stroke=True)
+    send(explorer.controls["x"], value=0.75)
+    assert explorer.error.value == "" and "0.75" in text(explorer)
+    stroke(explorer, axes, [(0.5, 0.5)])
+    assert ">press inside the circle<" in explorer.error.value
+    send(explorer._pointer, value="not a number")
+    assert "this does not work: ValueError" in explorer.error.value
+    failing.update(draw=True, stroke=False)  # the stroke succeeds, the frame does not
+    stroke(explorer, axes, [(0.5, 0.5)])
+    assert message in explorer.error.value
+    assert capsys.readouterr().err == "" and not caplog.records
 
 
 def test_the_list_names_every_explorer():

@@ -113,6 +113,7 @@ def test_a_lecture_plays_in_lab(slug, lecture, browser):
         browser.run(f"void ({notebook}.activeCellIndex = 0, {notebook}.activate())")
         last = None
         while (k := browser.run(f"{notebook}.activeCellIndex")) != last:
+            assert k == 0 if last is None else k == last + 1, "a cell is passed over"
             last = k
             if browser.run(f"{notebook}.activeCell.model.type") == "code":
                 cell = f"{notebook}.widgets[{k}]"

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from workbook.live import LiveError
+from workbook.live import LiveError, polls
 from workbook.live.polls import options, poll
 from workbook.live.worked_problem import WorkedProblem
 
@@ -49,6 +49,22 @@ def test_hands_are_counted_before_the_reveal(problem):
         "✗" in message for k, message in enumerate(explanations) if k != right
     )
     assert any("Which minor was not looked at?" in message for message in explanations)
+
+
+def test_an_error_of_a_callback_is_one_line_in_the_poll(problem, monkeypatch, capsys, caplog):
+    widget = poll(problem, "a_region")
+    hand, count = widget.children[2].children[1:3]
+    monkeypatch.setattr(polls, "typeset", lambda text: 1 / 0)
+    click = {"method": "custom", "content": {"event": "click"}}
+    widget._reveal._handle_msg({"content": {"data": click}, "buffers": []})
+    message = "this does not work: ZeroDivisionError: division by zero"
+    assert message in widget.error.value
+    hand.click()
+    assert count.value == 1 and widget.error.value == ""
+    monkeypatch.setattr(widget, "_draw", lambda: 1 / 0)
+    hand.click()
+    assert count.value == 2 and message in widget.error.value
+    assert capsys.readouterr().err == "" and not caplog.records
 
 
 def test_choices_are_options_too():

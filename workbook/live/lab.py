@@ -16,7 +16,8 @@ from pathlib import Path
 from workbook.live.kernel_forkserver import skip_rfc3987_grammars
 
 #: Shift+Enter selects the next cell when the cell has run, so that a cell inserted by a magic is next.
-RUN_THEN_DOWN = {"commands": ["notebook:run-cell", "notebook:move-cursor-down"]}
+#: JupyterLab's own command for this passes over folded cells.
+RUN_THEN_DOWN = {"commands": ["notebook:run-cell", "workbook:next-cell"]}
 #: Settings by plugin: Shift+Enter (on slides labextension/ does it), large fonts for a projector.
 SETTINGS = {
     "@jupyterlab/shortcuts-extension/shortcuts": {

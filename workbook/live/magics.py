@@ -26,7 +26,7 @@ from workbook.authoring.statements import assigned_names
 from workbook.checks.contract.reporting import NotYet
 from workbook.live import steps
 from workbook.live.catch_up import cells_above
-from workbook.live.errors import LiveError
+from workbook.live.errors import LiveError, error_line
 from workbook.live.recordings import Recordings
 from workbook.live.worked_problem import WorkedProblem, choose_answer
 from workbook.mistakes.reporting import report
@@ -317,8 +317,7 @@ def _show_markdown(problem, text):
 def _errors_in_one_line():
     try:
         yield
-    except (LiveError, UsageError) as error:
-        raise UsageError(str(error)) from None
+    except UsageError:
+        raise
     except Exception as error:
-        message = str(error).partition("\n")[0]
-        raise UsageError(f"this does not work: {type(error).__name__}: {message}") from None
+        raise UsageError(error_line(error)) from None

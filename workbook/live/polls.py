@@ -13,6 +13,7 @@ import ipywidgets
 
 from trajlib.typesetting import FORMULA, typeset
 from workbook.authoring.mistakes import mistake_sentence
+from workbook.live.callbacks import ErrorLine
 from workbook.live.errors import LiveError
 
 #: At most so many wrong options, of at most so many letters.
@@ -127,6 +128,8 @@ class Poll(ipywidgets.VBox):
                 f"{len(counts)}"
             )
         answer = problem.master.answers[name]
+        self.error = ErrorLine()
+        guard = self.error.guard
         self.counts = [
             ipywidgets.BoundedIntText(count, min=0, max=9999, layout={"width": "90px"})
             for count in counts or [0] * len(self.options)
@@ -138,7 +141,7 @@ class Poll(ipywidgets.VBox):
         self._reveal = ipywidgets.Button(
             description="Reveal", button_style="primary", layout={"width": "140px"}
         )
-        self._reveal.on_click(self.reveal)
+        self._reveal.on_click(guard(self.reveal))
         rows = []
         for letter, option, count, bar, explanation in zip(
             LETTERS, self.options, self.counts, self._bars, self._explanations
@@ -146,8 +149,8 @@ class Poll(ipywidgets.VBox):
             hand = ipywidgets.Button(
                 description="+1", tooltip=f"one hand more for {letter}", layout={"width": "60px"}
             )
-            hand.on_click(lambda _, count=count: setattr(count, "value", count.value + 1))
-            count.observe(lambda _: self._draw(), "value")
+            hand.on_click(guard(lambda _, count=count: setattr(count, "value", count.value + 1)))
+            count.observe(guard(lambda _: self._draw()), "value")
             text = ipywidgets.HTMLMath(
                 f"<b>{letter}</b>&ensp; {option.text}", layout={"width": "560px"}
             )
@@ -157,7 +160,7 @@ class Poll(ipywidgets.VBox):
             rows += [row, explanation]
         question = f"<b>{problem.number}, {name.replace('_', ' ')}.</b> Which one is it? {_text_html(answer.text)}"
         super().__init__(
-            [ipywidgets.HTML(STYLE), ipywidgets.HTMLMath(question), *rows, self._reveal]
+            [ipywidgets.HTML(STYLE), ipywidgets.HTMLMath(question), *rows, self._reveal, self.error]
         )
         self.add_class("workbook-poll")
         self._draw()

@@ -23,7 +23,7 @@ import sympy as sp
 from workbook.display.explorer.formulas import Formula, pretty
 from workbook.display.explorer.panels import Panel
 from workbook.display.explorer.sentences import Sentence
-from workbook.display.explorer.steps import Parameter, Series, Step, numbers
+from workbook.display.explorer.steps import Parameter, Series, Step, numbers, with_values
 
 __all__ = ["Explorer"]
 
@@ -74,29 +74,19 @@ class Explorer:
         step : float, optional
             Step of the slider; without it a two-hundredth of its range.
         play : float, optional
-            Seconds in which a button moves the slider over its range, for a time of motion. Where
-            the system is set to reduced motion, the button goes on by a step.
+            Seconds in which a button moves the slider over its range. Where the system is set to
+            reduced motion, the button goes on by a step.
 
         Raises
         ------
         ValueError
-            If the symbol has a value already, the limits are empty, the value is not between, or
-            the step or the seconds are not positive.
+            If the symbol has a value already; see `Parameter`.
         """
         low, high = (float(limit) for limit in limits)
-        if not low < high:
-            raise ValueError(f"limits: expected (low, high) with low < high, got {limits}")
-        if not low <= value <= high:
-            raise ValueError(f"value: expected a number from {low:g} to {high:g}, got {value}")
         step = (high - low) / 200 if step is None else float(step)
-        if not step > 0:
-            raise ValueError(f"step: expected a positive number, got {step:g}")
-        if play is not None and not play > 0:
-            raise ValueError(f"play: expected a positive number of seconds, got {play}")
+        label = label or pretty(symbol)
         self._define(symbol, frozenset([str(symbol)]))
-        self.parameters.append(
-            Parameter(symbol, float(value), (low, high), label or pretty(symbol), step, play)
-        )
+        self.parameters.append(Parameter(symbol, float(value), (low, high), label, step, play))
         self.steps.append(Step("parameter", {}, {}, frozenset([str(symbol)])))
 
     def quantity(self, symbol, value):
@@ -332,7 +322,7 @@ class Explorer:
         return Formula(argument, value, self.scalars, columns)
 
     def _inputs_of(self, formulas, series=()):
-        """Return the names of the parameters on which formulas, given by role, and series depend."""
+        """Return the names of the parameters on which formulas by role and series depend."""
         names = {name for role in formulas.values() for formula in role for name in formula.scalars}
         return frozenset().union(
             *(self._inputs[name] for name in names), *(column.inputs for column in series)
@@ -341,6 +331,21 @@ class Explorer:
     def _dragged(self):
         """Return the names of the parameters that a point sets, not a slider."""
         return {name for panel in self.panels for name in panel.dragged}
+
+    def set(self, **values):
+        """Set the first values of parameters.
+
+        Parameters
+        ----------
+        **values : float or str
+            Values by the names of the parameters.
+
+        Raises
+        ------
+        ValueError
+            If there is no such parameter, or the value is no number between its limits.
+        """
+        self.parameters = with_values(self.parameters, values)
 
     def plot(self, **values):
         """Draw the static picture.

@@ -40,8 +40,8 @@ def explore(words):
 
     Returns
     -------
-    Explorer
-        A widget.
+    workbook.display.Explorer or workbook.live.explorers.explorer.Explorer
+        A figure of formulas, or a widget that the kernel draws.
 
     Raises
     ------
@@ -64,5 +64,8 @@ def explore(words):
             f"{' '.join(positional)}"
         )
     explorer = function(*positional)
-    explorer.set(**dict(word.split("=", 1) for word in arguments if "=" in word))
+    try:
+        explorer.set(**dict(word.split("=", 1) for word in arguments if "=" in word))
+    except ValueError as error:
+        raise LiveError(error) from None
     return explorer

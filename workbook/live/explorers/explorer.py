@@ -13,6 +13,7 @@ import ipywidgets
 import numpy as np
 
 from trajlib.typesetting import typeset
+from workbook.live.callbacks import ErrorLine
 from workbook.live.errors import LiveError
 
 #: Handler: records the points since the pointer was pressed, as fractions of the picture from its
@@ -60,6 +61,8 @@ class Explorer(ipywidgets.VBox):
 
     Attributes
     ----------
+    error : ErrorLine
+        The error of the last frame or stroke, in one line.
     frames : int
         Number of frames drawn so far.
     follows_pointer : bool
@@ -70,6 +73,7 @@ class Explorer(ipywidgets.VBox):
         self.figure, self.controls, self.frames = figure, controls, 0
         self._draw, self._on_stroke, self._suspended = draw, on_stroke, False
         self._image = ipywidgets.Image(format="jpeg")
+        self.error = ErrorLine()
         self._text = ipywidgets.HTML()
         self._pointer = ipywidgets.Text(layout={"display": "none"})
         self._pointer.add_class("workbook-pointer")
@@ -77,7 +81,7 @@ class Explorer(ipywidgets.VBox):
             control.observe(self._on_change, "value")
         self.follows_pointer = on_stroke is not None
         if self.follows_pointer:
-            self._pointer.observe(self._on_pointer, "value")
+            self._pointer.observe(self.error.guard(self._on_pointer), "value")
         handler = html.escape(" ".join(POINTER_HANDLER.split()), quote=True)
         layer = ipywidgets.HTML(
             f'<div class="workbook-layer" onpointerdown="{handler}" '
@@ -93,19 +97,19 @@ class Explorer(ipywidgets.VBox):
         head = ipywidgets.HTML(
             STYLE + (f'<div class="workbook-text">{typeset(title)}</div>' if title else "")
         )
-        super().__init__([head, row, picture, self._text, self._pointer])
+        super().__init__([head, row, picture, self._text, self.error, self._pointer])
         self.add_class("workbook-explorer")
         self.show()
 
     def show(self):
-        """Draw a frame."""
-        try:
-            text = self._draw(**{name: control.value for name, control in self.controls.items()})
-            self._image.value = self.figure.frame()
-        except (ArithmeticError, ValueError, np.linalg.LinAlgError) as error:
-            text = f"no picture here: {error}"
-        self._text.value = f'<div class="workbook-text">{typeset(text or "")}</div>'
+        """Draw a frame; where it cannot be drawn, the error is shown in one line."""
+        self.error.guard(self._show)()
         self.frames += 1
+
+    def _show(self):
+        text = self._draw(**{name: control.value for name, control in self.controls.items()})
+        self._image.value = self.figure.frame()
+        self._text.value = f'<div class="workbook-text">{typeset(text or "")}</div>'
 
     @contextmanager
     def together(self):

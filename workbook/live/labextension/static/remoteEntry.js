@@ -11,6 +11,8 @@
    A cell that a magic inserts belongs to no slide there; here it gets one, below the one of the magic. Code is chosen by its place in the notebook, which
    such cells change; here the first code of the slide is chosen.
 
+   In the notebook, Shift+Enter goes on to the next cell, also where it is folded, which JupyterLab passes over without running it.
+
    On slides and in the notebook, Alt+C opens the folded code of a cell and folds it again. */
 {
 let shared;
@@ -27,6 +29,15 @@ async function run(app) {
   const {dataset} = content.activeCell.node;
   dataset.state = "running";
   try { return await NotebookActions.run(content, context.sessionContext); } finally { dataset.state = "ran"; }
+}
+
+function nextCell(app) {
+  const {content} = app.shell.currentWidget;
+  if (content.activeCellIndex === content.widgets.length - 1) return;
+  content.deselectAll();
+  content.activeCellIndex += 1;
+  content.activate();
+  return content.scrollToItem(content.activeCellIndex, "auto");
 }
 
 function fold(app) {
@@ -81,6 +92,7 @@ function prepareSlides(app) {
 
 function activate(app) {
   app.commands.addCommand("workbook:fold", {execute: () => fold(app), label: "Fold or open the code of the cell"});
+  app.commands.addCommand("workbook:next-cell", {execute: () => nextCell(app), label: "Go on to the next cell"});
   for (const mode of ["edit", "command"]) {
     const selector = `.jp-Notebook.jp-mod-${mode}Mode`;
     app.commands.addKeyBinding({command: "workbook:fold", keys: ["Alt C"], args: {}, selector});
