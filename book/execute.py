@@ -1,8 +1,8 @@
 """Execute the stale pages of the book into the cache from which the site is built.
 
-A page is stale if its code cells changed, or a module of ours that it loads (also indirectly), or
-requirements.txt, or the way in which pages are executed. Jupyter Book's own cache compares only the
-cells. Records that no page uses any more are removed.
+A page is stale if its code cells changed, or a file that they name, or a module of ours that it
+loads (also indirectly), or requirements.txt, or the way in which pages are executed. Jupyter Book's
+own cache compares only the cells. Records that no page uses any more are removed.
 
 Libraries are imported here, once; each page then has its own kernel, forked from this process. One
 page is executed on each core.
@@ -61,6 +61,8 @@ LIBRARIES = (
 STILL = '<img class="explorer-still"'
 #: The largest size of a picture, in characters.
 LARGEST = 600_000
+#: A file that a page may read: its path from the page, in quotes.
+FILE_NAME = re.compile(r"""["']([\w./-]+\.\w+)["']""")
 CURVE = re.compile(r'(?<= d=")[^"]*')
 FORK = multiprocessing.get_context("fork")
 
@@ -77,7 +79,7 @@ def main(root=ROOT):
     """Bring the cache of the book at `root` up to date; return the exit code."""
     cache = get_cache(root / "_build" / ".jupyter_cache")
     state_file, common = cache.path / "fresh_pages.json", shared_digest(root)
-    hashes = {path: hashlib.sha256(path.read_bytes()).hexdigest() for path in page_paths(root)}
+    hashes = {path: digest_with_files(path) for path in page_paths(root)}
     known = read_state(state_file, common)
     keys = {
         path: known[path][1]
@@ -124,7 +126,7 @@ def main(root=ROOT):
 
 
 def read_state(state_file, common):
-    """Return path -> (hash of its text, key of its record or None) of the fresh pages.
+    """Return path -> (`digest_with_files`, key of its record or None) of the fresh pages.
 
     These are the pages that were fresh after the last run; none if the digest of everything that
     all pages share has changed. A page with the same hash need not be read again.
@@ -159,6 +161,22 @@ def shared_digest(root):
     return combined.hexdigest()
 
 
+def digest_with_files(path):
+    """Return one hash of a page's text and of the files that it names."""
+    text = path.read_text(encoding="utf-8")
+    return hashlib.sha256(json.dumps([text, named_files(path, text)]).encode()).hexdigest()
+
+
+def named_files(path, text):
+    """Return name -> hash, for every file that a text in the folder of `path` names in quotes."""
+    files = {name: path.parent / name for name in FILE_NAME.findall(text)}
+    return {
+        name: hashlib.sha256(file.read_bytes()).hexdigest()
+        for name, file in sorted(files.items())
+        if file.is_file()
+    }
+
+
 def page_paths(root):
     """Return the pages of the table of contents."""
     toc = parse_toc_yaml(root / "_toc.yml")
@@ -182,7 +200,8 @@ def read_pages(root, config, paths):
             code = [cell.source for cell in notebook.cells if cell.cell_type == "code"]
             if code:
                 modules = modules_loaded(code)
-                parts = json.dumps([code, modules, shared], sort_keys=True)
+                files = named_files(path, "\n".join(code))
+                parts = json.dumps([code, files, modules, shared], sort_keys=True)
                 pages.append(
                     Page(path, notebook, hashlib.sha256(parts.encode()).hexdigest(), tuple(modules))
                 )

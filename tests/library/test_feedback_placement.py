@@ -1,8 +1,10 @@
 """Gains in floats: known and exact gains, repeated and complex eigenvalues, units, errors."""
 
 import control
+import mpmath
 import numpy as np
 import pytest
+import scipy.optimize
 import scipy.signal
 import sympy as sp
 
@@ -114,7 +116,29 @@ def test_reported_accuracy_is_true():
         sorted(np.linalg.eigvals(A + B @ found.gain), key=lambda z: (z.real, z.imag))
     )
     assert found.distance == pytest.approx(abs(found.reached - found.requested).max())
-    assert found.distance <= found.uncertainty < 1e-6
+    assert found.distance < 1e-6
+
+
+REPEATED = [-1] * 4, [-1] * 6, [-5, -5, -6, -6], [-1 + 1j, -1 - 1j] * 3
+SIMPLE = [-1, -2, -3, -4 + 1j, -4 - 1j], list(-np.linspace(0.5, 2, 10))
+
+
+@pytest.mark.parametrize("eigenvalues", [*REPEATED, *SIMPLE])
+@pytest.mark.parametrize("s", [1, 2])
+def test_uncertainty_is_above_the_error_and_near_it(eigenvalues, s):
+    """The eigenvalues of A + BK, for the K of floats, with sixty digits."""
+    ratios, n = [], len(eigenvalues)
+    for seed in range(4):
+        A, B = random_pair(np.random.default_rng(seed), n, s, 5 * (seed % 2))
+        found = place(A, B, eigenvalues)
+        with mpmath.workdps(60):
+            exact_A, exact_B, gain = (mpmath.matrix(M.tolist()) for M in (A, B, found.gain))
+            values = mpmath.eig(exact_A + exact_B * gain, left=False, right=False)
+        distances = abs(np.subtract.outer(eigenvalues, [complex(value) for value in values]))
+        error = distances[scipy.optimize.linear_sum_assignment(distances)].max()
+        assert error < found.uncertainty
+        ratios.append(found.uncertainty / max(error, 1e-16))
+    assert np.median(ratios) < 1000
 
 
 @pytest.mark.parametrize("spread", [0, 5])

@@ -148,6 +148,20 @@ def test_a_page_follows_the_modules_it_loads(book, monkeypatch):
     assert "p1.md" in printed and "p2.md" not in printed
 
 
+def test_a_page_follows_the_files_it_reads(book):
+    (book.root / "data").mkdir()
+    data = book.root / "data" / "track.csv"
+    data.write_text("1")
+    book.write("p1", "print(open('data/track.csv').read())")
+    book.write("p2", "2 + 2")
+    book.run()
+    assert "nothing has changed" in book.run()[1]
+    data.write_text("2")
+    _, printed, _ = book.run()
+    assert "p1.md" in printed and "p2.md" not in printed
+    assert [output.text for output in book.outputs("p1")] == ["2\n"]
+
+
 def test_a_changed_environment_makes_every_page_stale(book):
     book.write("p1", "1 + 1")
     book.run()

@@ -6,20 +6,27 @@ more for n = 40. So it is computed with many digits, and again with twice as man
 to all those of a float; bad units cost nothing, since these numbers have no bounds on their
 exponents. The rounding of K to floats is all the error that is left. It can be too much by itself:
 to move thirty eigenvalues of a general matrix by one control takes a gain so large that its last
-digit moves them by more than their size. Then there is no good gain of floats, and `Placement`
-shows it.
+digit moves them by more than their size. Then no gain of floats is good.
 
 With several controls the gain is chosen for well-conditioned eigenvectors, by
-`scipy.signal.place_poles` (A. L. Tits and Y. Yang, Globally convergent algorithms for robust pole
-assignment by state feedback, 1996). That refuses an eigenvalue which comes more often than there
-are controls, since eigenvectors are then missing. In this case chains of Jordan are prescribed: A X
-+ B G = X J, K = G X^-1 (S. P. Bhattacharyya and E. de Souza, Pole assignment via Sylvester's
-equation, 1982), for several G. SciPy's eigenvectors are left a little off by its search; they are
-corrected once.
+`scipy.signal.place_poles` (A. L. Tits and Y. Yang, 1996). That refuses an eigenvalue which comes
+more often than there are controls, since eigenvectors are then missing. In this case Jordan chains
+are prescribed: A X + B G = X J, K = G X^-1 (S. P. Bhattacharyya and E. de Souza, 1982), for several
+G. SciPy's eigenvectors are left a little off by its search; they are corrected once.
 
 Of the gains found, SciPy's in the given units among them, the one is returned whose loop comes
 closest; for one control the exact one, rounded, unless SciPy's is ten times closer: then the digits
 of floats have ended, and a smaller gain does less harm.
+
+The accuracy of a gain is judged by the rational function
+
+    h(z) = det(I - K (zI - A)^-1 B) = det(zI - A - BK)/det(zI - A)    and
+    f(z) = prod(z - lambda_i)/det(zI - A),
+
+which needs the resolvent of A only, not that of the loop. If |h - f| < |f| on a circle, A + BK has as
+many eigenvalues within as are prescribed there (E. Rouche). The least circles about the prescribed
+values for which this is so, whatever the rounding of h and f, give the uncertainty, also where
+eigenvectors are missing: there an eigenvalue in a chain of k moves like the k-th root of a change.
 """
 
 import warnings
@@ -47,6 +54,8 @@ UNEVEN = 100
 #: How much closer another gain may come by the chance of its last digits.
 LUCK = 10
 EPS = np.finfo(float).eps
+#: Points of the upper half of the circles.
+CIRCLE = np.exp(1j * np.pi * np.linspace(0, 1, 9))
 
 
 @dataclass(frozen=True)
@@ -70,9 +79,9 @@ class Placement:
         Condition number of the eigenvectors of A + BK, in the same units; infinite or huge if some are
         missing, as for an eigenvalue that is repeated more often than there are controls.
     uncertainty : float
-        By how much the rounding of the entries of A + BK may move an eigenvalue (Bauer-Fike bound), for
-        one control with the gain that would be exact. Where it is not small beside the eigenvalues, no
-        gain of floats does better.
+        Bound for the distance of the eigenvalues of A + BK, for this K of floats and without the rounding
+        of their computation, from those asked for; for one control with the gain that would be exact,
+        rounded. Where it is not small beside the eigenvalues, no gain of floats does better.
     """
 
     gain: np.ndarray
@@ -322,7 +331,8 @@ def _judged(A, B, gain, prescribed):
     loop = A + B @ gain
     # Units in which the loop is judged: they change no eigenvalue.
     balance = balanced(loop, np.zeros((1, len(loop))))
-    matrix, rate = balance.A, balance.rate
+    matrix, rate, units = balance.A, balance.rate, balance.units
+    scaled = A * units / units[:, None] / rate, B / units[:, None] / rate, gain * units
     residual = max(
         np.linalg.svd(matrix - value / rate * np.eye(len(matrix)), compute_uv=False)[-1]
         for value in set(prescribed.tolist())
@@ -338,8 +348,49 @@ def _judged(A, B, gain, prescribed):
         float(abs(prescribed - reached).max()),
         float(residual),
         condition,
-        float(EPS * condition * rate * np.linalg.norm(matrix, 2)),
+        float(rate * _displacement(*scaled, prescribed / rate)),
     )
+
+
+def _displacement(A, B, gain, values):
+    """Return a bound for the distance of the eigenvalues of A + BK from `values`, to a factor of two."""
+    # No eigenvalue, prescribed or not, is further from another.
+    largest = 4 * (np.linalg.norm(A) + np.linalg.norm(B) * np.linalg.norm(gain) + abs(values).max())
+    radius = EPS * max(abs(values).max(), EPS)
+    for value in {value for value in values.tolist() if value.imag >= 0}:
+        if not _encloses(A, B, gain, values, value, radius):
+            low, high = np.log2(radius), np.log2(largest)
+            while high - low > 1:
+                middle = (low + high) / 2
+                enclosed = _encloses(A, B, gain, values, value, 2**middle)
+                low, high = (low, middle) if enclosed else (middle, high)
+            radius = 2**high
+    return radius
+
+
+def _encloses(A, B, gain, values, value, radius):
+    """Whether |h - f| < |f| on the circle about a value, judged at points of it."""
+    z = value + radius * (CIRCLE if value.imag == 0 else np.append(CIRCLE, CIRCLE.conj()))
+    shifted = z[:, None, None] * np.eye(len(A)) - A
+    with np.errstate(all="ignore"):
+        try:
+            resolvent = np.linalg.inv(shifted)
+            response = resolvent @ B
+            loop = np.eye(B.shape[1]) - gain @ response
+            cofactors = np.linalg.det(loop)[:, None, None] * np.linalg.inv(loop)
+        except np.linalg.LinAlgError:
+            return False
+        signs, logarithms = np.linalg.slogdet(shifted)
+        logarithms = np.log(z[:, None] - values + 0j).sum(axis=1) - logarithms
+        expected = np.exp(logarithms) / signs
+        # Rounding, to first order: of the resolvent and its determinant, and of the products with K.
+        relative = EPS * (abs(resolvent) @ abs(shifted))
+        response_error = relative @ abs(response) + EPS * abs(response)
+        loop_error = abs(gain) @ (response_error + EPS * abs(response))
+        rounding = (abs(cofactors).transpose(0, 2, 1) * loop_error).sum(axis=(1, 2))
+        rounding += abs(expected) * np.trace(relative, axis1=1, axis2=2)
+        difference = abs(np.linalg.det(loop) - expected)
+        return bool((difference + rounding < abs(expected)).all())
 
 
 def _matched(prescribed, values):
