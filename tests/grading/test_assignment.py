@@ -109,7 +109,7 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         (
             ONE + "titel = 'x'",
             "unknown field titel; there are attempt, attempts, by_hand, direction, due, early, exemptions, "
-            "extensions, labels, late, points, problems, title",
+            "extensions, labels, late, points, pool, problems, title",
         ),
         (ONE + "title = 3", "title is one line of text"),
         (ONE + 'title = " "', "title is one line of text"),

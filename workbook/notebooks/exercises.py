@@ -16,6 +16,8 @@ from pathlib import Path
 
 #: The report of a check cell, and what stands above it in a homework.
 REPORT, HIDING = "checks.report(", "checks.hide_direction()\n"
+#: A report with the name of its problem or variant.
+NAMED_REPORT = re.compile(r'checks\.report\((f?"[\d.]+(~\d+|~\{row\})?",?)?')
 PACKAGE = Path(__file__).resolve().parents[1]
 CHECKOUT = PACKAGE.parent
 #: Notebooks of variants: generated, and not part of the repository.
@@ -58,8 +60,8 @@ class Exercise:
     def sources_to_run(self, sources):
         """Return a student's code cells, with "" for check cells that have not been changed."""
 
-        def plain(source):  # in practice and in homework
-            return source.replace(HIDING, "").strip()
+        def plain(source):  # in practice and in homework, with any numbers
+            return NAMED_REPORT.sub(REPORT, source.replace(HIDING, "")).strip()
 
         pristine = {plain(source) for _, source in self.code("check")}
         return ["" if plain(source) in pristine else source for source in sources]

@@ -11,7 +11,7 @@ import shutil
 from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course.assignment import AssignmentError
+from workbook.grading.course.assignment import POOL, AssignmentError
 from workbook.grading.course.policy import can_be_due
 from workbook.notebooks import exercises
 
@@ -41,7 +41,17 @@ Changing a check cell changes nothing, since answers are judged by the cells as 
 """
 
 
-def make(folder, name, problems, title=None, due=None, site="", direction=False, own_numbers=False):
+def make(
+    folder,
+    name,
+    problems,
+    title=None,
+    due=None,
+    site="",
+    direction=False,
+    own_numbers=False,
+    pool=(),
+):
     """Write a homework into `folder`/`name`, which must not exist.
 
     Parameters
@@ -62,6 +72,8 @@ def make(folder, name, problems, title=None, due=None, site="", direction=False,
         Whether verdicts say in which direction a number is wrong.
     own_numbers : bool
         Whether the notebooks are left out, since each student gets others (`student_folders`).
+    pool : list of str
+        Further problems, of which each student gets one.
 
     Returns
     -------
@@ -83,10 +95,10 @@ def make(folder, name, problems, title=None, due=None, site="", direction=False,
         raise AssignmentError(f"{target} is already there; take another name or remove it")
     files = {
         file_name(problem): release(problem, site, direction)
-        for problem in _checked(problems)
+        for problem in _checked([*problems, *pool])
         if not own_numbers
     }
-    files["assignment.toml"] = _toml(title or name, problems, due, direction)
+    files["assignment.toml"] = _toml(title or name, problems, due, direction, pool)
     homework = assignments.from_text(files["assignment.toml"], target / "assignment.toml")
     files["README.md"] = _readme(homework)
     created = False
@@ -162,16 +174,22 @@ def _checked(problems):
     return problems
 
 
-def _toml(title, problems, due, direction):
-    quoted = ", ".join(_text(problem) for problem in problems)
+def _toml(title, problems, due, direction, pool):
+    quoted, pool_quoted = (", ".join(map(_text, numbers)) for numbers in (problems, pool))
     points = "\n".join(
         f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
         for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems)
     )
+    if pool:
+        points = (
+            f"{POOL} = {len(assignments.answers_of(pool[0]))}  # each of its problems\n{points}"
+        )
+    first = (*problems, *pool)[0]
     return (
         "# What counts. README.md tells the students the same: after a change here, change it "
         "there too.\n"
         f"title = {_text(title)}\nproblems = [{quoted}]\n"
+        + (f"pool = [{pool_quoted}]  # each student has one of them\n" if pool else "")
         + (
             f"due = {due.isoformat(timespec='seconds')}\n"
             if due
@@ -182,7 +200,7 @@ def _toml(title, problems, due, direction):
         f"direction = {str(direction).lower()}  # true: messages say whether a number is too great or "
         "too small, as in practice\n\n"
         f"# A problem's points are shared equally by its answers; "
-        f"{_text(problems[0] + '.' + assignments.answers_of(problems[0])[0])} = 2 "
+        f"{_text(first + '.' + assignments.answers_of(first)[0])} = 2 "
         f"would set one answer's.\n[points]\n{points}\n\n"
         "# Without this lateness is marked and costs nothing.\n# [late]\n"
         "# per_day = 0.1  # the share of the points that each day begun takes\n"
@@ -191,7 +209,7 @@ def _toml(title, problems, due, direction):
         "# [extensions]\n"
         '# "ann" = 2026-10-08T23:59:00+03:00  # a due date of her own\n\n'
         "# [exemptions]\n"
-        f'# "bob" = [{_text(problems[-1])}]  # his other answers share its points\n'
+        f'# "bob" = [{_text((*problems, *pool)[-1])}]  # his other answers share its points\n'
     )
 
 
@@ -201,12 +219,16 @@ def _text(value):
 
 
 def _readme(homework):
-    rows = [
+    entries = [
         f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
         f"{sum(points.values()):g} point{'s' * (sum(points.values()) != 1)} for {len(points)} "
         f"answer{'s' * (len(points) != 1)}"
         for problem, points in homework.points.items()
     ]
+    common = len(entries) - len(homework.pool)
+    rows = entries[:common]
+    if homework.pool:
+        rows += ["- one of these, which is in your folder:", *(f"  {e}" for e in entries[common:])]
     due = f"\nDue {due_text(homework.due)}.\n" if homework.due else ""
     counts = "the best one counts" if homework.attempt == "best" else "the last one counts"
     attempts = (
