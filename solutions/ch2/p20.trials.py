@@ -1,38 +1,81 @@
 # %% wrong
-possible = sp.Ne(alpha, 6)  # Was a sign lost in the determinant? (hint 2)
+value = next(iter(lost))
+possible = sp.Ne(alpha, -value)  # Was a sign lost in the determinant? (hint 2)
 # Is this the determinant of A instead of that of W? (hint 2)
-possible = sp.Ne(alpha, sp.Rational(2, 3))
+possible = sp.Ne(A.det(), 0)
 possible = True  # Is it enough that the characteristic polynomial exists? (hint 1)
-lost = {-6: [[1, 1]]}  # Is this the direction that is controlled? (hint 1)
-lost = {-6: [[2, -1]]}  # Is this a right eigenvector where a left one is needed? (hint 2)
-canonical = sp.Matrix([[-1, 1], [2 - 3 * alpha, 0]])  # Is this the form by observation? (hint 1)
+lost = {value: [[1, 1]] for value in lost}  # Is this the direction that is controlled? (hint 1)
+# Is this a right eigenvector where a left one is needed? (hint 2)
+value = next(iter(lost))
+matrix = A.subs(alpha, value)
+lost = {value: [list((matrix - (A[0, 0] - A[1, 0]) * sp.eye(2)).nullspace()[0])]}
+# Is this the form by observation? (hint 1)
+canonical = sp.Matrix(canonical)[::-1, ::-1].T
 # Which sign have the coefficients of the polynomial in this form? (hint 1)
-canonical = sp.Matrix([[0, 1], [3 * alpha - 2, 1]])
+canonical = sp.diag(1, -1) * sp.Matrix(canonical)
 # Are these the columns of W, which lead to another form? (hint 1)
-basis = sp.Matrix([[1 + alpha, 1], [-5, 1]])
-# Do the columns stand in the right order? (hint 1)
-basis = sp.Matrix([[1, alpha + 2], [1, -4]])
+basis = sp.Matrix.hstack(A * b, b)
+basis = sp.Matrix(basis)[:, ::-1]  # Do the columns stand in the right order? (hint 1)
 coordinate = [1, -1]  # Is the direction right and its factor missing? (hint 2)
 # Was a column of P taken where a row of its inverse is needed? (hint 1)
-coordinate = [alpha + 2, -4]
+coordinate = list(sp.Matrix(basis)[:, 0])
 # Is this the equation of another variable? (hint 1)
-equation = sp.Eq(y.diff(t, 2) + y.diff(t) + (3 * alpha - 2) * y, u.diff(t) - 4 * u)
+equation = sp.Eq(
+    y.diff(t, 2) - A.trace() * y.diff(t) + A.det() * y, u.diff(t) + (A[1, 0] - A[0, 0]) * u
+)
 # Is a factor of the control left that the canonical coordinate has not? (hint 1)
-equation = sp.Eq(y.diff(t, 2) + y.diff(t) + (3 * alpha - 2) * y, (alpha + 6) * u)
+factor = alpha - next(iter(lost))
+equation = sp.Eq(y.diff(t, 2) - A.trace() * y.diff(t) + A.det() * y, factor * u)
 # Did the terms change their sign when they were moved to the left? (hint 1)
-equation = sp.Eq(y.diff(t, 2) - y.diff(t) + (2 - 3 * alpha) * y, u)
+equation = sp.Eq(y.diff(t, 2) + A.trace() * y.diff(t) - A.det() * y, u)
 
 # %% right
-possible = sp.Or(alpha < -6, alpha > -6)  # two half-lines
-lost = {-6.0: [sp.Matrix([[-2, 2]])]}  # another length, a row of a matrix
+value = next(iter(lost))
+possible = sp.Or(alpha < value, alpha > value)  # two half-lines
+# another length, a row of a matrix
+lost = {float(value): [sp.Matrix([[-2, 2]])] for value in lost}
 # the left eigenvector computed
 import numpy as np
 
-values, rows = np.linalg.eig(np.array([[1.0, -6], [-3, -2]]).T)
-lost = {-6: [rows[:, int(np.argmax(values))]]}
+value = next(iter(lost))
+values, rows = np.linalg.eig(np.array(A.subs(alpha, value).T, dtype=float))
+lost = {value: [rows[:, int(np.argmin(abs(values - float(A[0, 0] - A[1, 0]))))]]}
 # solved for the second derivative
-equation = sp.Eq(y.diff(t, 2), (2 - 3 * alpha) * y - y.diff(t) + u)
+equation = sp.Eq(y.diff(t, 2), A.trace() * y.diff(t) - A.det() * y + u)
 # multiplied by a number, with functions of one's own
 s, q = sp.symbols("t alpha")
 Y, U = sp.Function("y"), sp.Function("u")
-equation = sp.Eq(2 * U(s), 2 * sp.diff(Y(s), s, s) + sp.diff(2 * Y(s), s) + (6 * q - 4) * Y(s))
+last = sp.expand(2 * A.det().subs(alpha, q))
+equation = sp.Eq(2 * U(s), 2 * sp.diff(Y(s), s, s) - sp.diff(2 * A.trace() * Y(s), s) + last * Y(s))
+
+# %% numbers
+from workbook.authoring.numbers import linear_form
+
+A = [
+    sp.Matrix([[p, alpha], [q, r]])
+    for p, q, r in [
+        (1, -3, -2),
+        (1, -3, -3),
+        (2, -2, -1),
+        (1, -1, 3),
+        (-1, 3, -2),
+        (-3, 3, -2),
+        (2, -1, -1),
+        (2, -2, 1),
+        (2, -2, 3),
+        (-2, 2, 3),
+        (1, -3, 2),
+        (-3, 3, -1),
+        (1, 2, 2),
+        (3, -3, -2),
+    ]
+]
+sides = [linear_form([*A.row(k), b[k]], ["x_1", "x_2", "u"]) for k in range(2)]
+shown = [r"\dot x_1 = «sides[0]», \qquad \dot x_2 = «sides[1]»"]
+value = A[1, 0] + A[1, 1] - A[0, 0]
+possible = sp.Ne(alpha, value)
+lost = {value: [[1, -1]]}
+canonical = sp.Matrix([[0, 1], [-A.det(), A.trace()]])
+basis = sp.Matrix.hstack(A * b - A.trace() * b, b)
+coordinate = [1 / (alpha - value), -1 / (alpha - value)]
+equation = sp.Eq(y.diff(t, 2) - A.trace() * y.diff(t) + A.det() * y, u)

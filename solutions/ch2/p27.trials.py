@@ -1,56 +1,98 @@
 # %% wrong
 controllable = sp.Ne(beta, 0)  # Is it enough that the control enters both equations? (hint 2)
 # Has the left eigenvector the right sign? (hint 1)
-controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, -1))
+value = next(v for v in uncontrolled if v)
+controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, -value))
 # Does the output matter for controllability? (hint 1)
-controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, 1), sp.Ne(alpha, -1))
+controllable = sp.And(*(sp.Ne(beta, v) for v in uncontrolled), sp.Ne(alpha, *unseen))
 # Does a constant numerator mean that control is lost? (hint 1)
-controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, 1), sp.Ne(alpha * beta, -1))
+controllable = sp.And(*(sp.Ne(beta, v) for v in uncontrolled), sp.Ne(alpha * beta, -1))
 # Are these columns, directions that can be controlled, in the place of rows? (hint 1)
-uncontrolled = {0: [[1, 0]], 1: [[1, 1]]}
+uncontrolled = {v: [list(B.subs(beta, v))] for v in uncontrolled}
 uncontrolled = {0: [[0, 1]]}  # Was one of the two left eigenvectors overlooked? (hint 2)
-uncontrolled = {0: [[1, -1]], 1: [[0, 1]]}  # Have the two combinations changed places? (hint 1)
+# Have the two combinations changed places? (hint 1)
+p, q = uncontrolled
+uncontrolled = {p: uncontrolled[q], q: uncontrolled[p]}
 observable = sp.Ne(alpha, 0)  # Must both coordinates stand in z? (hint 1)
 # Is it enough that $x_2$ acts on $x_1$? Think of the motions that $z$ may lose. (hint 2)
 observable = sp.true
-observable = sp.Ne(alpha, 1)  # Was a sign lost in the row h A? (hint 2)
+value = next(iter(unseen))
+observable = sp.Ne(alpha, -value)  # Was a sign lost in the row h A? (hint 2)
 # Does the control matter for what is seen? (hint 2)
-observable = sp.And(sp.Ne(alpha, -1), sp.Ne(beta, 0))
+observable = sp.And(sp.Ne(alpha, *unseen), sp.Ne(beta, 0))
 # Is this the row of the output in the place of a state that it does not see? (hint 1)
-unseen = {-1: [[1, -1]]}
-unseen = {-1: [[1, 0]]}  # Is this the eigenvector of the other eigenvalue? (hint 1)
+unseen = {value: [[1, value]] for value in unseen}
+# Is this the eigenvector of the other eigenvalue? (hint 1)
+unseen = {value: [[1, 0]] for value in unseen}
 unseen = {0: [[0, 1]]}  # Is a coordinate lost as soon as it is not measured? (hint 1)
 # Was the derivative of the control forgotten? (hint 1)
-equation = sp.Eq(z.diff(t, 2) + 3 * z.diff(t) + 2 * z, (2 - beta + alpha * beta) * u)
+left, right = equation.args
+equation = sp.Eq(left, right.subs(u.diff(t), 0))
 # Which sign has the action of $x_2$ on $x_1$? (hint 1)
-equation = sp.Eq(
-    z.diff(t, 2) + 3 * z.diff(t) + 2 * z,
-    (1 + alpha * beta) * u.diff(t) + (2 + beta + alpha * beta) * u,
-)
+left, right = equation.args
+equation = sp.Eq(left, right - 2 * A[0, 1] * beta * u)
 # Does this equation hold for one special value only? It has to be of second order. (hint 2)
-equation = sp.Eq(z.diff(t) + z, (1 - beta) * u)
+equation = sp.Eq(z.diff(t) - A[0, 0] * z, (1 - beta) * u)
 # Were the two fractions added without a common denominator? (hint 1)
-equation = sp.Eq(z.diff(t, 2) + 3 * z.diff(t) + 2 * z, (1 + alpha * beta) * u)
+equation = sp.Eq(equation.args[0], (1 + alpha * beta) * u)
 
 # %% right
-controllable = sp.Ne(beta**2 - beta, 0)  # the determinant
+value = next(v for v in uncontrolled if v)
+controllable = sp.Ne(beta**2 - value * beta, 0)  # the determinant
 # three intervals, with a plain symbol
-v = sp.Symbol("beta")
-controllable = sp.Or(v < 0, sp.And(v > 0, v < 1), v > 1)
+v, (p, q) = sp.Symbol("beta"), sorted(uncontrolled)
+controllable = sp.Or(v < p, sp.And(v > p, v < q), v > q)
 # other lengths and signs, columns for rows
-uncontrolled = {1: sp.Matrix([-2, 2]), 0: sp.Matrix([0, 5])}
-uncontrolled = {0.0: [(0, -0.25)], 1.0: [(0.5, -0.5)]}  # decimals
-observable = sp.Or(alpha < -1, alpha > -1)  # two half-planes
-observable = sp.Ne(-1 - sp.Symbol("alpha"), 0)  # the determinant, with a plain symbol
-unseen = {-1: [(-3, -3)]}  # another length and sign
-unseen = {-1.0: sp.Matrix([0.5, 0.5])}  # a decimal key and a column
-# solved for the second derivative, sorted by the parameters, plain symbols
-a, b = sp.symbols("alpha beta")
-equation = sp.Eq(
-    z.diff(t, 2), -3 * z.diff(t) - 2 * z + u.diff(t) + 2 * u + b * (a * (u.diff(t) + u) - u)
-)
+uncontrolled = {v: -2 * sp.Matrix(rows[0]) for v, rows in uncontrolled.items()}
+# decimals
+uncontrolled = {float(v): [[float(w) / 4 for w in rows[0]]] for v, rows in uncontrolled.items()}
+value = next(iter(unseen))
+observable = sp.Or(alpha < value, alpha > value)  # two half-planes
+# the determinant, with a plain symbol
+observable = sp.Ne(sp.Matrix([H, H * A]).det().subs(alpha, sp.Symbol("alpha")), 0)
+unseen = {v: [[-3 * x for x in rows[0]]] for v, rows in unseen.items()}  # another length and sign
+# a decimal key and a column
+unseen = {float(v): sp.Matrix(rows[0]) / 2 for v, rows in unseen.items()}
+# solved for the second derivative, plain symbols
+left, right = equation.args
+second = right - left + z.diff(t, 2)
+equation = sp.Eq(z.diff(t, 2), second.subs({alpha: sp.Symbol("alpha"), beta: sp.Symbol("beta")}))
 # factors as operators
-first, second = z.diff(t) + z, (1 - beta) * u
+p, q, c = A[0, 0], A[1, 1], A[0, 1]
+first = z.diff(t) - p * z
+numerator = u.diff(t) - q * u + c * beta * u + alpha * beta * (u.diff(t) - p * u)
+equation = sp.Eq(first.diff(t) - q * first, numerator)
+
+# %% numbers
+from workbook.authoring.numbers import linear_form
+
+A = [
+    sp.Matrix([[p, c], [0, q]])
+    for p, c, q in [
+        (-1, -1, -2),
+        (-1, 2, -3),
+        (-3, 1, -1),
+        (-1, 3, -4),
+        (-2, -1, -5),
+        (-4, 2, -1),
+        (-3, -2, -4),
+        (-1, -2, -4),
+        (-5, 1, -2),
+        (-2, 3, -5),
+        (-2, -2, -3),
+        (-4, 1, -2),
+        (-5, -2, -4),
+        (-3, 3, -1),
+    ]
+]
+sides = [linear_form([*A.row(k), B[k]], ["x_1", "x_2", "u"]) for k in range(2)]
+shown = [r"\dot x_1 = «sides[0]»,\qquad \dot x_2 = «sides[1]»,\qquad z"]
+p, c, q = A[0, 0], A[0, 1], A[1, 1]
+controllable = sp.And(sp.Ne(beta, 0), sp.Ne(beta, (q - p) / c))
+uncontrolled = {0: [[0, 1]], (q - p) / c: [[p - q, c]]}
+observable = sp.Ne(alpha, c / (p - q))
+unseen = {c / (p - q): [[c, q - p]]}
 equation = sp.Eq(
-    first.diff(t) + 2 * first, second.diff(t) + 2 * second + (1 + alpha) * beta * (u.diff(t) + u)
+    z.diff(t, 2) - (p + q) * z.diff(t) + p * q * z,
+    (1 + alpha * beta) * u.diff(t) + (c * beta - q - p * alpha * beta) * u,
 )

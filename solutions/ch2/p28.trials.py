@@ -1,28 +1,73 @@
 # %% wrong
 controllable = True  # Is it enough that every equation holds the control? (hint 1)
-uncontrolled = []  # Is nothing lost? The control enters both equations alike. (hint 1)
-uncontrolled = [[1, 1]]  # Is this the direction in which the control pushes? (hint 1)
-uncontrolled = [[1, -2]]  # Is this an eigenvector of A instead of its transpose? (hint 2)
-lost = [2]  # Is this the eigenvalue of the direction in which the control pushes? (hint 1)
-lost = [-1, 2]  # Are all eigenvalues lost? (hint 1)
+uncontrolled = []  # Is nothing lost? Look for a combination without the control. (hint 1)
+uncontrolled = [list(b)]  # Is this the direction in which the control pushes? (hint 1)
+# Is this an eigenvector of A instead of its transpose? (hint 2)
+uncontrolled = [list((A - lost[0] * sp.eye(2)).nullspace()[0])]
+# Is this the eigenvalue of the direction in which the control pushes? (hint 1)
+lost = [A.trace() - lost[0]]
+lost = list(A.eigenvals())  # Are all eigenvalues lost? (hint 1)
 lost = []  # Is no eigenvalue lost, though a combination escapes the control? (hint 1)
 # Does this lead from x to the new coordinates, instead of from them to x? (hint 1)
-split = sp.Matrix([[1, 1], [1, -2]]).inv()
-split = sp.Matrix([[1, 1], [-2, 1]])  # Which coordinate has to stand first? (hint 1)
-split = sp.Matrix([[1, 2], [1, 2]])  # Has this matrix an inverse? (hint 1)
+split = sp.Matrix.hstack(b, (A - lost[0] * sp.eye(2)).nullspace()[0]).inv()
+# Which coordinate has to stand first? (hint 1)
+split = sp.Matrix.hstack((A - lost[0] * sp.eye(2)).nullspace()[0], b)
+split = sp.Matrix.hstack(b, 2 * b)  # Has this matrix an inverse? (hint 1)
 split = sp.eye(2)  # Can the coordinates be left as they are? (hint 1)
 # Does the control still enter the equation of what is lost? (hint 2)
-split_system = [sp.Matrix([[2, 0], [0, -1]]), sp.Matrix([1, 1])]
+split_system = [sp.diag(A.trace() - lost[0], lost[0]), sp.Matrix([1, 1])]
 # Does the coupling stand on the right side of the diagonal? (hint 1)
-split_system = [sp.Matrix([[2, 0], [2, -1]]), sp.Matrix([1, 0])]
+split_system = [sp.Matrix([[A.trace() - lost[0], 0], [2, lost[0]]]), sp.Matrix([1, 0])]
 # Have the two eigenvalues changed places? (hint 1)
-split_system = [sp.Matrix([[-1, 0], [0, 2]]), sp.Matrix([1, 0])]
+split_system = [sp.diag(lost[0], A.trace() - lost[0]), sp.Matrix([1, 0])]
 
 # %% right
-uncontrolled = [[5, -5]]  # another length and sign
-lost = [-sp.sqrt(1)]  # the number in another form
-split = sp.Matrix([[1, 1], [1, 0]])  # b and the first axis
-split = sp.Matrix([[-3, 0], [-3, 7]])  # another length of b, the second axis
+uncontrolled = [[5 * w for w in uncontrolled[0]]]  # another length and sign
+lost = [float(lost[0])]  # a decimal
+split = sp.Matrix.hstack(b, sp.Matrix([1, 0]))  # b and the first axis
+split = sp.Matrix.hstack(-3 * b, sp.Matrix([0, 7]))  # another length of b, the second axis
 # with the first axis: eta acts on xi
-split_system = [sp.Matrix([[2, 2], [0, -1]]), sp.Matrix([1, 0])]
-split_system = [sp.Matrix([[2, -5], [0, -1]]), sp.Matrix([3, 0])]  # other lengths
+P = sp.Matrix.hstack(b, sp.Matrix([1, 0]))
+split_system = [P.inv() * A * P, sp.Matrix([1, 0])]
+# other lengths
+split_system = [sp.Matrix([[A.trace() - lost[0], -5], [0, lost[0]]]), sp.Matrix([3, 0])]
+
+
+# %% numbers
+from workbook.authoring.numbers import linear_form
+
+
+def system(reached, coupling, last, ratio):
+    """A matrix with the eigenvector (1, ratio) of the eigenvalue `reached`, and this vector."""
+    first = reached - coupling * ratio
+    return sp.Matrix([[first, coupling], [ratio * (reached - last), last]]), sp.Matrix([1, ratio])
+
+
+A, b = [
+    system(*parts)
+    for parts in [
+        (2, 1, 0, 1),
+        (3, 1, 2, 2),
+        (1, -1, 2, 2),
+        (2, 2, 1, -1),
+        (-1, 1, 1, 3),
+        (-2, 3, -1, -1),
+        (2, 1, -1, -2),
+        (3, -1, 1, -1),
+        (2, 1, 3, 3),
+        (-1, -1, -2, 2),
+        (4, 2, 1, 2),
+        (2, -2, 3, -1),
+        (-3, 1, -1, -2),
+        (5, 2, 4, 3),
+    ]
+]
+sides = [linear_form([*A.row(k), b[k]], ["x_1", "x_2", "u"]) for k in range(2)]
+shown = [
+    r"\dot x_1 = «sides[0]», \qquad \dot x_2 = «sides[1]»",
+    "both equations«' alike' if b[0] == b[1] else ''»",
+]
+lost = [(sp.Matrix([[b[1], -b[0]]]) * A)[0] / b[1]]
+uncontrolled = [[b[1], -b[0]]]
+split = sp.Matrix.hstack(b, sp.Matrix([0, 1]))
+split_system = [split.inv() * A * split, sp.Matrix([1, 0])]

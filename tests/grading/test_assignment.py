@@ -110,7 +110,7 @@ DUE = f"{ONE}due = 2026-10-01T12:00:00Z\n"
         (
             ONE + "titel = 'x'",
             "unknown field titel; there are attempt, attempts, by_hand, direction, due, early, exemptions, "
-            "extensions, kept_for_grading, labels, late, points, problems, title",
+            "extensions, kept_for_grading, labels, late, points, pool, problems, title",
         ),
         (ONE + "title = 3", "title is one line of text"),
         (ONE + 'title = " "', "title is one line of text"),

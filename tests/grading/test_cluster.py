@@ -270,6 +270,7 @@ def test_a_worker_without_a_sandbox_refuses(dask, tmp_path):
         ({"workbook": "0"}, "its workbook is another one than here"),
         ({"problem 1.15": "0"}, "its problem 1.15 is another one than here"),
         ({"problem 99.1": "0"}, "its problem 99.1 is another one than here"),
+        ({"problem 2.4~999": "0"}, r"2\.4~999 is not there: run `workbook variants 2\.4` in"),
     ],
 )
 def test_the_part_of_the_library_that_differs_is_named(changes, message, monkeypatch):

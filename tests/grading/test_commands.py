@@ -977,6 +977,13 @@ def the_class_is_known(folder):
     (folder / "class.csv").write_text("login\nann\nbob\ncid\ndan\n", encoding="utf-8")
 
 
+def students_of_canvas_hand_in_untouched_notebooks(folder):
+    content = json.dumps(notebook("2.4", {}))
+    with zipfile.ZipFile(folder / "untouched.zip", "w") as archive:
+        for name in ("ableann_101_9101", "beebob_102_9102"):
+            archive.writestr(f"{name}_ch2-p04.ipynb", content)
+
+
 def friends_hand_in(folder):
     """Ann her own work, Bob hers, Cid the site's answers with the site's data cell."""
     lines = (folder / "assignments" / "hw3" / "numbers.csv").read_text("utf-8").split()
@@ -993,6 +1000,7 @@ MEANWHILE = {
     "When something changes": cid_hands_in_again,
     "Hand the grades on": canvas_exports_its_gradebook,
     "A homework with other numbers for each student": the_class_is_known,
+    "Hand them out by Moodle, Canvas or one file": students_of_canvas_hand_in_untouched_notebooks,
     "Grade them": friends_hand_in,
 }
 

@@ -13,12 +13,19 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_2_4, SITE_2_4, an_assignment, notebook, write_assignment
+from classroom import RIGHT_1_15, RIGHT_2_4, SITE_2_4, an_assignment, notebook, write_assignment
 
+from workbook import own_numbers
 from workbook.authoring.variants import variants_of
 from workbook.grading import commands
-from workbook.grading.course import handing_out, numbers, student_folders
-from workbook.grading.course.assignment import InputError
+from workbook.grading.course import (
+    handing_out,
+    notebook_for_all,
+    numbers,
+    student_archives,
+    student_folders,
+)
+from workbook.grading.course.assignment import AssignmentError, InputError
 from workbook.grading.gradescope import bundle
 from workbook.grading.reports.canvas import read_roster
 from workbook.notebooks import exercises
@@ -111,7 +118,7 @@ def test_an_archive_for_moodle(tmp_path):
         encoding="utf-8",
     )
     assert read_roster(worksheet).identities([]) == ["ann@uni.example", "bob@uni.example"]
-    path, absent = student_folders.moodle_archive(tmp_path / "assignments", "hw1", worksheet)
+    path, absent = student_archives.moodle_archive(tmp_path / "assignments", "hw1", worksheet)
     with zipfile.ZipFile(path) as archive:
         # Moodle splits the name at its underscores: name, participant, plugin
         assert archive.namelist() == ["Ann Able_1101_assignfeedback_file/ch2-p04.ipynb"]
@@ -119,7 +126,169 @@ def test_an_archive_for_moodle(tmp_path):
     assert absent == ["dan@uni.example"]
     worksheet.write_text(f"{header}Participant 1102,Bob Bee,bob@uni.example,,\n", encoding="utf-8")
     with pytest.raises(InputError, match="addresses of none of the students"):
-        student_folders.moodle_archive(tmp_path / "assignments", "hw1", worksheet)
+        student_archives.moodle_archive(tmp_path / "assignments", "hw1", worksheet)
+
+
+def test_an_archive_for_canvas(tmp_path):
+    """Canvas attaches a file to the submission by the two numbers before its name."""
+    target = tmp_path / "assignments" / "hw1"
+    for student in ("101", "102", "103"):
+        (target / "students" / student).mkdir(parents=True)
+        (target / "students" / student / "ch2-p04.ipynb").write_text(student, encoding="utf-8")
+    table = {student: {"2.4": 3} for student in ("101", "102", "103")}
+    (target / numbers.NAME).write_text(numbers.text(table, ["2.4"]), encoding="utf-8")
+    gradebook = tmp_path / "canvas.csv"
+    gradebook.write_text(
+        "Student,ID,SIS User ID,SIS Login ID,Section,HW (4711)\n"
+        '"Able, Ann",101,u101,ann,G,\n"Bee, Bob",102,u102,bob,G,\n"Cee, Cid",103,u103,cid,G,\n',
+        encoding="utf-8",
+    )
+    download = tmp_path / "submissions.zip"
+    names = [
+        "ableann_101_9001_ch2-p04.ipynb",
+        "beebob_LATE_102_9002_ch2-p04-1.ipynb",
+        "beebob_LATE_102_9003_ch2-p07.ipynb",  # not of this homework
+        "ceecid_103_9004_notes.pdf",
+        "deedan_104_9005_ch2-p04.ipynb",  # not in the table
+    ]
+    with zipfile.ZipFile(download, "w") as archive:
+        for name in names:
+            archive.writestr(name, "{}")
+    roster = read_roster(gradebook)
+    path, absent = student_archives.canvas_archive(
+        tmp_path / "assignments", "hw1", download, roster
+    )
+    with zipfile.ZipFile(path) as archive:
+        assert {name: archive.read(name) for name in archive.namelist()} == {
+            names[0]: b"101",
+            names[1]: b"102",
+        }
+    assert absent == ["103"]
+    with zipfile.ZipFile(download, "w") as archive:
+        archive.writestr(names[-1], "{}")
+    with pytest.raises(InputError, match="of none of its students"):
+        student_archives.canvas_archive(tmp_path / "assignments", "hw1", download)
+
+
+POOL = 'problems = ["2.4"]\npool = ["1.15", "1.17", "3.3"]\n'
+
+
+def test_all_problems_of_a_pool_are_worth_the_same(tmp_path):
+    homework = replace(
+        an_assignment(tmp_path, POOL), numbers={"ann": {"pool": "1.17"}, "ben": {"pool": "3.3"}}
+    )
+    assert homework.max_points == 3 + 5
+    for student, problem in (("ann", "1.17"), ("ben", "3.3"), ("eva", "1.15")):
+        points = homework.points_of(student)
+        assert sum(points[problem].values()) == pytest.approx(5)
+        assert sum(sum(answers.values()) for answers in points.values()) == pytest.approx(8)
+        assert homework.row(problem, student) == (None if student == "eva" else 0)
+    assert homework.row("1.15", "ann") is None
+    worth = an_assignment(tmp_path, POOL + '[points]\npool = 10\n"1.15.a_region" = 2')
+    assert worth.max_points == 13 and worth.points["1.15"]["b_region"] == 2
+
+
+@pytest.mark.parametrize(
+    "text, message",
+    [
+        ('pool = ["1.15"]', "pool is a list"),
+        ('pool = "1.15"', "pool is a list"),
+        ('problems = ["1.15"]\npool = ["1.15", "1.17"]', "names a problem twice"),
+        (POOL + '[points]\n"1.17" = 1', "the problems of the pool are worth the same"),
+        ("problems = []", "problems is a list"),
+    ],
+)
+def test_a_pool_that_cannot_be_used(tmp_path, text, message):
+    with pytest.raises(AssignmentError, match=message):
+        an_assignment(tmp_path, text)
+
+
+def test_each_student_has_one_problem_of_a_pool(tmp_path):
+    assignments = tmp_path / "assignments"
+    handing_out.make(assignments, "hw1", [], own_numbers=True, pool=["1.15", "1.17"])
+    table = student_folders.hand_out(assignments, "hw1", CLASS)
+    assert Counter(own["pool"] for own in table.values()) == {"1.15": 3, "1.17": 3}
+    path = assignments / "hw1" / numbers.NAME
+    assert numbers.read(path) == table
+    path.write_text("student,pool\nann,1.15\nben,1.17\n", encoding="utf-8")
+
+    def submit(student, answers):
+        file = tmp_path / "submitted" / student / "hw1" / "ch1-p15.ipynb"
+        file.parent.mkdir(parents=True)
+        file.write_text(json.dumps(notebook("1.15", answers)), encoding="utf-8")
+
+    submit("ann", RIGHT_1_15)
+    submit("ben", RIGHT_1_15)  # right, and not asked of him
+    grade = [tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True]
+    if table["ann"]["pool"] == table["ben"]["pool"]:  # their folders are those of the draw
+        with pytest.raises(InputError, match="ch1-p1[57].ipynb: numbers.csv says 1"):
+            commands.grade_course(*grade)
+    student_folders.hand_out(assignments, "hw1")
+    folders = assignments / "hw1" / "students"
+    assert [file.name for file in folders.glob("ben/*.ipynb")] == ["ch1-p17.ipynb"]
+    result = commands.grade_course(*grade)
+    assert result["assignments"]["hw1"] == {"ann": 5.0, "ben": 0.0}
+    assert [reason for _, reason in result["left aside"]] == [
+        "numbers.csv says 1.17 for ben, not 1.15"
+    ]
+    path.write_text("student,pool\nann,2.4\n", encoding="utf-8")
+    with pytest.raises(InputError, match="2.4, which ann has, is not in the pool"):
+        commands.grade_course(*grade)
+    path.unlink()
+    with pytest.raises(InputError, match="who has which problem of the pool"):
+        commands.grade_course(*grade)
+
+
+def test_a_notebook_for_all_does_not_decide(tmp_path, monkeypatch):
+    """It shows a row by name; a student who writes another name is graded by the own row."""
+    assignments = tmp_path / "assignments"
+    handing_out.make(assignments, "hw1", ["2.4"], own_numbers=True)
+    path = assignments / "hw1" / numbers.NAME
+    path.write_text("student,2.4\nann,1\nben,2\ncat,3\n", encoding="utf-8")
+    student_folders.proved_rows(["2.4"])
+    (file,) = notebook_for_all.write(assignments, "hw1")
+    text = file.read_text(encoding="utf-8")
+    assert "ann" not in text and json.loads(text)["metadata"]["workbook"]["number"] == "2.4"
+    for row in (1, 2, 3):  # the texts and numbers are those of the student's own notebook
+        shown = _run_for_all(text, ("ann", "ben", "cat")[row - 1], monkeypatch)
+        own = json.loads(handing_out.release(f"2.4~{row}"))
+        assert shown[0] == own["cells"][0]["source"].replace(f"2.4~{row}", "2.4")
+        names = variants_of(ROOT, "2.4").names(row)
+        assert shown[-1] == tuple(names[n] for n in ("weight", "friction", "stiffness"))
+    with pytest.raises(ValueError, match="'eve' is nobody in the course"):
+        _run_for_all(text, "eve", monkeypatch)
+    for student, name in (("ann", '"ann"'), ("ben", '"ann"'), ("cat", "...")):
+        document = notebook("2.4", RIGHT_2_4)
+        document["cells"] = [
+            answered if "answer" in cell["metadata"].get("tags", ()) else cell
+            for cell, answered in _with_answers(json.loads(text)["cells"])
+        ]
+        document["cells"][0]["source"] = f"student = {name}"
+        target = tmp_path / "submitted" / student / "hw1" / "ch2-p04.ipynb"
+        target.parent.mkdir(parents=True)
+        target.write_text(json.dumps(document), encoding="utf-8")
+    result = commands.grade_course(
+        tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
+    )
+    assert result["assignments"]["hw1"] == {"ann": 3.0, "ben": 0.0, "cat": 3.0}
+
+
+def _with_answers(cells):
+    for cell in cells:
+        name = "".join(cell["source"]).rpartition("\n")[2].partition(" = ")[0]
+        yield cell, cell | {"source": f"{name} = {RIGHT_2_4.get(name)}"}
+
+
+def _run_for_all(text, student, monkeypatch):
+    """Return the texts that the notebook for all shows to a student, and the numbers of its data."""
+    shown, names = [], {}
+    monkeypatch.setattr(own_numbers, "show", lambda texts, row: shown.append(texts[row]))
+    for cell in json.loads(text)["cells"]:
+        source = "".join(cell["source"])
+        tags = cell["metadata"].get("tags", ())
+        if cell["cell_type"] == "code" and not {"setup", "answer", "check"} & set(tags):
+            exec(source.replace("student = ...", f"student = {student!r}"), names)
+    return [*shown, tuple(names[name] for name in ("weight", "friction", "stiffness"))]
 
 
 def test_six_students(tmp_path):
@@ -188,7 +357,7 @@ def test_six_students(tmp_path):
 
     # a row given to somebody else, of which the folder does not know
     path.write_text(path.read_text("utf-8").replace("eva,13", "eva,10"), encoding="utf-8")
-    with pytest.raises(InputError, match=r"eva/ch2-p04\.ipynb has other numbers than 2\.4~10"):
+    with pytest.raises(InputError, match=r"eva/ch2-p04\.ipynb: it has other numbers than 2\.4~10"):
         commands.grade_course(
             tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True
         )

@@ -144,6 +144,22 @@ def phrases(numbers, namespace):
     return [FIELD.sub(field, phrase) for phrase in namespace.get("shown", ())]
 
 
+def linear_form(coefficients, names):
+    r"""Return a sum of products as the pages write it.
+
+    >>> linear_form([2, 0, -1, sp.Symbol("alpha")], ["x_1", "x_2", "x_3", "u"])
+    '2x_1 - x_3 + \\alpha u'
+    """
+    terms = []
+    for coefficient, name in zip(coefficients, names):
+        text = sp.latex(sp.sympify(coefficient))
+        sign, size = ("-", text[1:]) if text.startswith("-") else ("+", text)
+        space = " " if size.startswith("\\") else ""
+        terms += [(sign, ("" if size == "1" else size + space) + name)] if text != "0" else []
+    first, *others = terms
+    return " ".join([first[0].replace("+", "") + first[1], *(f"{s} {term}" for s, term in others)])
+
+
 def _targets(statement):
     """Return the names of a plain assignment to names, {} for any other statement."""
     if not isinstance(statement, ast.Assign) or len(statement.targets) != 1:

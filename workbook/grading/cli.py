@@ -262,6 +262,10 @@ def new(
             "--numbers", help="Each student of the --roster gets other numbers, in a folder."
         ),
     ] = False,
+    pool: Annotated[
+        list[str] | None,
+        typer.Option(help="With --numbers: a problem of which some students get another; repeat."),
+    ] = None,
     roster: Annotated[
         Path | None, typer.Option(help="For --numbers: table (.csv) of all students.")
     ] = None,
@@ -272,11 +276,13 @@ def new(
 
     if own_numbers != (roster is not None):
         raise UserError("--numbers needs the class, --roster class.csv, and only --numbers does")
+    if pool and not own_numbers:
+        raise UserError("--pool needs --numbers: which student has which problem is in numbers.csv")
     if own_numbers:
         from workbook.grading.course.student_folders import proved_rows
 
         students = _students(roster)
-        proved_rows(numbers)  # before anything is written
+        proved_rows([*numbers, *(pool or [])], pool)  # before anything is written
     homework = make(
         assignments,
         name,
@@ -287,10 +293,12 @@ def new(
         direction,
         kept_for_grading or (),
         own_numbers,
+        pool or [],
     )
-    answers = sum(len(points) for points in homework.points.values())
+    asked = homework.points.keys() - set(homework.pool[1:])
+    answers = sum(len(homework.points[problem]) for problem in asked)
     console.print(
-        f"{assignments / name}: {count(len(homework.problems), 'problem')}, {count(answers, 'answer')}, "
+        f"{assignments / name}: {count(len(asked), 'problem')}, {count(answers, 'answer')}, "
         f"{homework.max_points:g} points, "
         + (f"due {due_text(homework.due)}" if homework.due else "no due date"),
         markup=False,
@@ -311,22 +319,51 @@ def write_numbers(
         Path | None,
         typer.Option(help="Moodle's grading worksheet, to make an archive that Moodle hands out."),
     ] = None,
+    canvas: Annotated[
+        Path | None,
+        typer.Option(help="Canvas's archive of submissions, to make one that Canvas hands out."),
+    ] = None,
+    for_all: Annotated[
+        bool,
+        typer.Option("--for-all", help="Write notebooks, too, that ask whose numbers to show."),
+    ] = False,
 ):
     """Write the students' folders by numbers.csv again, after a change of it or of the class."""
     _hand_out(assignments, name, _students(roster) if roster is not None else (), site)
     if worksheet is not None:
-        from workbook.grading.course.student_folders import moodle_archive
+        from workbook.grading.course.student_archives import moodle_archive
 
         archive, absent = moodle_archive(assignments, name, worksheet)
-        console.print(f"{archive}: for Moodle's feedback files", markup=False)
-        if absent:
-            console.print(f"not in {worksheet}: {', '.join(absent)}", markup=False, style="yellow")
+        _print_archive(archive, "Moodle's feedback files", worksheet, absent)
+    if canvas is not None:
+        from workbook.grading.course.student_archives import canvas_archive
+        from workbook.grading.reports.canvas import read_roster
+
+        people = read_roster(roster) if roster is not None else None
+        archive, absent = canvas_archive(assignments, name, canvas, people)
+        _print_archive(archive, "Canvas's *Upload submissions*", canvas, absent)
+    if for_all:
+        from workbook.grading.course.notebook_for_all import write
+        from workbook.grading.reports.pages import count
+
+        paths = write(assignments, name, site)
+        number = count(len(paths), "notebook")
+        console.print(f"{paths[0].parent}: {number} for all, asking for a name", markup=False)
+
+
+def _print_archive(archive, purpose, source, absent):
+    console.print(f"{archive}: for {purpose}", markup=False)
+    if absent:
+        console.print(f"not in {source}: {', '.join(absent)}", markup=False, style="yellow")
 
 
 def _students(roster):
-    from workbook.grading.reports.canvas import read_roster
+    """Return the class as `workbook collect` names it: at Canvas by its "ID"."""
+    from workbook.grading.reports.canvas import Gradebook, read_roster
 
-    return [name for name in read_roster(roster).identities([]) if name]
+    people = read_roster(roster)
+    names = people.column("ID") if isinstance(people, Gradebook) else people.identities([])
+    return [name for name in names if name]
 
 
 def _hand_out(assignments, name, students, site):

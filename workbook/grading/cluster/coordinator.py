@@ -64,7 +64,9 @@ class Cluster:
         `SandboxUnavailableError` if a worker has no sandbox, before anything is graded.
         """
         tasks = list(tasks)
-        library = dask_worker.library_versions(sorted({task["problem"] for task in tasks}))
+        library = dask_worker.library_versions(
+            sorted({name for t in tasks for name in (t["problem"], *t.get("other variants", ()))})
+        )
         try:
             with connected(self) as client:
                 run = _Run(

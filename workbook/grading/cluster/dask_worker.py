@@ -242,6 +242,12 @@ def _require_same_library(expected):
             raise UnfitWorkerError(
                 f"it has {part} {versions[part] or '(none)'}, and this machine {version or '(none)'}"
             )
+        base, _, row = part.removeprefix("problem ").partition("~")
+        if row and version is not None:  # variants are written on each machine
+            raise UnfitWorkerError(
+                f"its {part} is {'another one than here' if versions[part] else 'not there'}: run "
+                f"`workbook variants {base}` in the checkout there"
+            )
         raise UnfitWorkerError(
             f"its {part} is another one than here: install the same workbook there, and start the "
             "worker again"

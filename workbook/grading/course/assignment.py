@@ -4,6 +4,7 @@ It is one file, `assignment.toml`:
 
     title = "Homework 1: stability"
     problems = ["1.4", "1.15"]
+    pool = ["3.3", "3.4", "3.10"]       # optional: each student gets one of these, by numbers.csv
     due = 2026-10-01T23:59:00+03:00     # optional; later work is marked late
     attempt = "best"                    # or "last": which of several submissions counts
     attempts = 3                        # optional; further ones are kept but do not count
@@ -14,6 +15,7 @@ It is one file, `assignment.toml`:
     "1.15" = 10                         # a problem: shared equally by its answers
     "1.4" = 10                          # with an answer named below: the others share what is left
     "1.4.a_matrix" = 2                  # one answer
+    pool = 5                            # each of the pool; by default as much as the first
 
     [by_hand]                           # optional: what a lecturer grades, free text or on paper
     sketch = {points = 2, text = "the phase portrait of 1.4, on paper"}
@@ -61,6 +63,8 @@ RESERVED_NAMES = {
 }
 #: In the place of a problem, for what a lecturer grades by hand.
 BY_HAND = "by_hand"
+#: The field of the pool, and in the table of numbers the column that says who has which problem.
+POOL = "pool"
 FIELDS = {
     "title",
     "problems",
@@ -70,6 +74,7 @@ FIELDS = {
     "kept_for_grading",
     "points",
     BY_HAND,
+    POOL,
 } | policies.FIELDS
 
 
@@ -94,9 +99,9 @@ class Assignment:
     name, title : str
         The name of its folder, and the title for people.
     problems : tuple of str
-        The problems' numbers.
+        The problems' numbers, those of the pool last.
     points : dict
-        {answer: points} by problem.
+        {answer: points} by problem; all problems of the pool are worth the same.
     policy : Policy
         When it is due, for whom, and what the time does to the points.
     attempt : str
@@ -108,9 +113,12 @@ class Assignment:
     kept_for_grading : tuple of str
         Problems, and answers such as "1.15.e_region", that only the grading judges.
     numbers : dict or None
-        {student: {problem: row}} where students have numbers of their own (`numbers.csv`).
+        {student: {problem: row}} where students have numbers of their own (`numbers.csv`); by `POOL`
+        it has the student's problem of the pool.
     by_hand : dict
         What a lecturer grades by hand: {name: what it is}; its points are those of `BY_HAND`.
+    pool : tuple of str
+        Problems of which each student has one.
     """
 
     name: str
@@ -124,6 +132,7 @@ class Assignment:
     kept_for_grading: tuple = ()
     numbers: dict | None = None
     by_hand: dict = field(default_factory=dict)
+    pool: tuple = ()
 
     @property
     def due(self):
@@ -137,7 +146,7 @@ class Assignment:
         worth: so the homework is worth the same for all. Points by hand stay as the lecturer gives
         them, unless nothing else is asked.
         """
-        exempt = self.policy.exempt_of(student)
+        exempt = self.exempt_of(student)
         points = {
             problem: {
                 answer: worth
@@ -163,8 +172,20 @@ class Assignment:
             if {problem, f"{problem}.{answer}"} & set(self.kept_for_grading)
         ]
 
+    def exempt_of(self, student):
+        """Return the problems and answers that are not asked of a student."""
+        # a student who was forgotten in the table owes the first problem of the pool
+        drawn = self.drawn(student) or next(iter(self.pool), None)
+        return self.policy.exempt_of(student) | (set(self.pool) - {drawn})
+
+    def drawn(self, student):
+        """Return the problem of the pool that a student has, None if there is none."""
+        return (self.numbers or {}).get(student, {}).get(POOL)
+
     def row(self, problem, student):
         """Return the row of numbers that a student has; 0 is the site's, None that there is none."""
+        if problem in self.pool and problem != self.drawn(student):
+            return None
         if self.numbers is None or all(problem not in rows for rows in self.numbers.values()):
             return 0
         return self.numbers.get(student, {}).get(problem)
@@ -187,8 +208,9 @@ class Assignment:
 
     @property
     def max_points(self):
-        """The points of all answers."""
-        return sum(sum(answers.values()) for answers in self.points.values())
+        """The points of all answers; of the pool one problem counts."""
+        counted = self.points.keys() - set(self.pool[1:])
+        return sum(sum(self.points[problem].values()) for problem in counted)
 
 
 def read(path):
@@ -236,12 +258,9 @@ def from_text(text, path):
         path,
         "title is one line of text in quotes",
     )
-    problems = table.get("problems")
-    _require(
-        isinstance(problems, list) and problems and all(isinstance(p, str) for p in problems),
-        path,
-        'problems is a list of numbers in quotes, ["1.4", "1.15"]',
-    )
+    pool = _problems(path, POOL, table.get(POOL, []), at_least=2 if POOL in table else 0)
+    problems = _problems(path, "problems", table.get("problems", []), at_least=0 if pool else 1)
+    problems += pool
     _require(len(set(problems)) == len(problems), path, "problems names a problem twice")
     attempt = table.get("attempt", "best")
     _require(attempt in ("best", "last"), path, 'attempt is "best" or "last"')
@@ -254,7 +273,7 @@ def from_text(text, path):
     direction = table.get("direction", False)
     _require(type(direction) is bool, path, "direction is true or false, without quotes")
     by_hand, points_by_hand = _by_hand(path, table.get(BY_HAND, {}))
-    points = _points(path, problems, table.get("points", {}))
+    points = _points(path, problems, table.get("points", {}), pool)
     kept = table.get("kept_for_grading", [])
     names = {*points, *(f"{p}.{a}" for p, answers in points.items() for a in answers)}
     _require(
@@ -278,6 +297,7 @@ def from_text(text, path):
         direction,
         tuple(kept),
         by_hand=by_hand,
+        pool=tuple(pool),
     )
 
 
@@ -296,9 +316,23 @@ def answers_of(problem):
     return list(exercise.about["answers"])
 
 
-def _points(path, problems, table):
+def _problems(path, name, numbers, at_least):
+    """Return a copy of a list of problems, which has `at_least` so many."""
+    _require(
+        isinstance(numbers, list)
+        and len(numbers) >= at_least
+        and all(isinstance(number, str) for number in numbers),
+        path,
+        f'{name} is a list of numbers in quotes, ["1.4", "1.15"]',
+    )
+    return list(numbers)
+
+
+def _points(path, problems, table, pool=()):
     """Return the points of every answer of every problem, from the table `points`."""
     _require(isinstance(table, dict), path, 'points is a table: [points], and below it "1.15" = 10')
+    if pool and POOL in table:  # each of its problems is worth so much
+        table = dict.fromkeys(pool, table[POOL]) | {k: v for k, v in table.items() if k != POOL}
     points = {}
     for problem in problems:
         try:
@@ -343,6 +377,16 @@ def _points(path, problems, table):
                 dict.fromkeys(answers, max(remaining_points, 0.0) / max(unnamed_count, 1))
             )
         answers.update(named)
+    worths = {problem: sum(points[problem].values()) for problem in pool}
+    for problem in pool:  # by default all of a pool are worth as much as the first
+        if problem not in table and worths[problem]:
+            factor = worths[pool[0]] / worths[problem]
+            points[problem] = {name: worth * factor for name, worth in points[problem].items()}
+    _require(
+        len({round(sum(points[problem].values()), 6) for problem in pool}) < 2,
+        path,
+        "the problems of the pool are worth the same: [points], and below it pool = 5",
+    )
     return points
 
 

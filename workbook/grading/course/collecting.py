@@ -123,11 +123,7 @@ def collect(download, homework, into, grading_worksheet=None, roster=None):
         )
     homework = normalize("NFC", homework)
     participants = worksheet.read(grading_worksheet) if grading_worksheet is not None else {}
-    people = (
-        {(_as_in_canvas(name), identifier) for name, identifier in roster.pairs()}
-        if roster
-        else set()
-    )
+    people = _people(roster)
     ledger, result = Ledger(into), Collected()
     earlier = [entry for entry in ledger.entries(homework) if entry.number]
     with archives.opened(download) as files:
@@ -177,7 +173,26 @@ def collect(download, homework, into, grading_worksheet=None, roster=None):
     return result
 
 
+def named_files(download, roster=None):
+    """Return [(path, the student's number, the name that the student gave)] of a download.
+
+    Raises
+    ------
+    InputError
+        If it cannot be read.
+    """
+    with archives.opened(download) as files:
+        owned_files, _ = _by_owner(files, _people(roster))
+    return [(file.path, owner.number, owner.file) for file, owner in owned_files]
+
+
 # Who: the names that the systems give
+
+
+def _people(roster):
+    """Return {(name as in Canvas, ID)} of a class."""
+    pairs = roster.pairs() if roster else ()
+    return {(_as_in_canvas(name), identifier) for name, identifier in pairs}
 
 
 def _by_owner(files, people):

@@ -304,7 +304,7 @@ def _by_attempt(entries, homeworks, aside_reasons, files):
         elif isinstance(problem, LeftAside):
             aside.append(problem)
         elif homeworks[name].row(problem, entry.student) is None:
-            reason = f"{numbers.NAME} has no row of {problem} for {entry.student}: add it"
+            reason = numbers.why_not_asked(homeworks[name], problem, entry.student)
             aside.append(LeftAside(entry.path, reason, entry.student, name))
         else:
             copies.setdefault((entry.student, name, problem, entry.content), []).append(entry)

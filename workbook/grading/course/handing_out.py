@@ -11,7 +11,7 @@ import shutil
 from pathlib import Path
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course.assignment import AssignmentError
+from workbook.grading.course.assignment import POOL, AssignmentError
 from workbook.grading.course.policy import can_be_due
 from workbook.notebooks import exercises
 
@@ -51,6 +51,7 @@ def make(
     direction=False,
     kept_for_grading=(),
     own_numbers=False,
+    pool=(),
 ):
     """Write a homework into `folder`/`name`, which must not exist.
 
@@ -74,6 +75,8 @@ def make(
         Problems, and answers such as "1.15.e_region", that only the grading judges.
     own_numbers : bool
         Whether the notebooks are left out, since each student gets others (`student_folders`).
+    pool : list of str
+        Further problems, of which each student gets one.
 
     Returns
     -------
@@ -93,11 +96,12 @@ def make(
         )
     if target.exists():
         raise AssignmentError(f"{target} is already there; take another name or remove it")
-    toml = _toml(title or name, _checked(problems), due, direction, kept_for_grading)
+    _check([*problems, *pool])
+    toml = _toml(title or name, problems, due, direction, kept_for_grading, pool)
     homework = assignments.from_text(toml, target / "assignment.toml")
     files = {"assignment.toml": toml, "README.md": _readme(homework)}
     if not own_numbers:
-        files |= {file_name(problem): release(homework, problem, site) for problem in problems}
+        files |= {file_name(p): release(homework, p, site) for p in [*problems, *pool]}
     created = False
     try:
         target.mkdir(parents=True)
@@ -162,7 +166,7 @@ def due_date(text):
     return due if due.tzinfo else due.astimezone()
 
 
-def _checked(problems):
+def _check(problems):
     for problem in problems:
         try:
             assignments.answers_of(problem)
@@ -170,19 +174,24 @@ def _checked(problems):
             raise AssignmentError(str(error)) from None
     if len(set(problems)) != len(problems):
         raise AssignmentError("a problem is named twice")
-    return problems
 
 
-def _toml(title, problems, due, direction, kept_for_grading):
-    quoted = ", ".join(_text(problem) for problem in problems)
+def _toml(title, problems, due, direction, kept_for_grading, pool):
+    quoted, pool_quoted = (", ".join(map(_text, numbers)) for numbers in (problems, pool))
     points = "\n".join(
         f"{_text(problem)} = {len(answers)}  # {', '.join(answers)}"
         for problem, answers in ((problem, assignments.answers_of(problem)) for problem in problems)
     )
+    if pool:
+        points = (
+            f"{POOL} = {len(assignments.answers_of(pool[0]))}  # each of its problems\n{points}"
+        )
+    first = (*problems, *pool)[0]
     return (
         "# What counts. README.md tells the students the same: after a change here, change it "
         "there too.\n"
         f"title = {_text(title)}\nproblems = [{quoted}]\n"
+        + (f"pool = [{pool_quoted}]  # each student has one of them\n" if pool else "")
         + (
             f"due = {due.isoformat(timespec='seconds')}\n"
             if due
@@ -195,7 +204,7 @@ def _toml(title, problems, due, direction, kept_for_grading):
         f"kept_for_grading = [{', '.join(map(_text, kept_for_grading))}]  # answers that the notebooks do "
         "not judge, only the grading\n\n"
         f"# A problem's points are shared equally by its answers; "
-        f"{_text(problems[0] + '.' + assignments.answers_of(problems[0])[0])} = 2 "
+        f"{_text(first + '.' + assignments.answers_of(first)[0])} = 2 "
         f"would set one answer's.\n[points]\n{points}\n\n"
         "# Without this lateness is marked and costs nothing.\n# [late]\n"
         "# per_day = 0.1  # the share of the points that each day begun takes\n"
@@ -204,7 +213,7 @@ def _toml(title, problems, due, direction, kept_for_grading):
         "# [extensions]\n"
         '# "ann" = 2026-10-08T23:59:00+03:00  # a due date of her own\n\n'
         "# [exemptions]\n"
-        f'# "bob" = [{_text(problems[-1])}]  # his other answers share its points\n'
+        f'# "bob" = [{_text((*problems, *pool)[-1])}]  # his other answers share its points\n'
     )
 
 
@@ -214,12 +223,16 @@ def _text(value):
 
 
 def _readme(homework):
-    rows = [
+    entries = [
         f"- **{problem}** {exercises.find(problem).about['title']}, in `{file_name(problem)}`: "
         f"{sum(points.values()):g} point{'s' * (sum(points.values()) != 1)} for {len(points)} "
         f"answer{'s' * (len(points) != 1)}"
         for problem, points in homework.points.items()
     ]
+    common = len(entries) - len(homework.pool)
+    rows = entries[:common]
+    if homework.pool:
+        rows += ["- one of these, which is in your folder:", *(f"  {e}" for e in entries[common:])]
     due = f"\nDue {due_text(homework.due)}.\n" if homework.due else ""
     counts = "the best one counts" if homework.attempt == "best" else "the last one counts"
     attempts = (

@@ -1,10 +1,11 @@
 """Who has which numbers: the table `numbers.csv` beside `assignment.toml`.
 
-    student,2.4,3.8
-    ann@uni.example,17,3
-    ben@uni.example,4,11
+    student,2.4,3.8,pool
+    ann@uni.example,17,3,3.10
+    ben@uni.example,4,11,3.3
 
-A column is a problem that varies, a cell the row of its numbers. Rows are drawn at random, none
+A column is a problem that varies, a cell the row of its numbers; in the column `pool` it is the
+student's problem of the pool. Rows are drawn at random, none
 twice before each was drawn once; a lecturer may change a cell or add a line. A student without a row
 cannot be graded, so that nobody chooses a row by a name.
 """
@@ -14,7 +15,7 @@ import re
 from dataclasses import replace
 
 from workbook.grading.course import assignment as assignments
-from workbook.grading.course.assignment import InputError
+from workbook.grading.course.assignment import POOL, InputError
 from workbook.grading.course.csv_files import parse, read_text
 from workbook.grading.sandbox.sanitising import normalise_name
 
@@ -33,9 +34,20 @@ def read_homework(path):
     if not table.is_file():
         return assignment
     numbers = read(table)
-    for problem in set().union(*numbers.values()) - set(assignment.problems):
+    for problem in set().union(*numbers.values()) - {POOL, *assignment.problems}:
         raise InputError(f"{table}: {problem} is no problem of the homework")
+    for student, own in numbers.items():
+        if POOL in own and own[POOL] not in assignment.pool:
+            raise InputError(f"{table}: {own[POOL]}, which {student} has, is not in the pool")
     return replace(assignment, numbers=numbers)
+
+
+def why_not_asked(assignment, problem, student):
+    """Return why a notebook of a student is left aside for whom there is no row of its problem."""
+    if problem in assignment.pool and (drawn := assignment.drawn(student)):
+        return f"{NAME} says {drawn} for {student}, not {problem}"
+    column = POOL if problem in assignment.pool else problem
+    return f"{NAME} has no row of {column} for {student}: add it"
 
 
 def read(path):
@@ -56,10 +68,12 @@ def read(path):
         if student in table:
             raise InputError(f"{path}: {student} stands there twice")
         for problem, cell in zip(problems, cells):
-            if not re.fullmatch(r"[1-9]\d*|", cell.strip(), re.ASCII):
+            if problem != POOL and not re.fullmatch(r"[1-9]\d*|", cell.strip(), re.ASCII):
                 raise InputError(f"{path}: {cell!r} is no row of {problem} for {student}")
         table[student] = {
-            problem: int(cell) for problem, cell in zip(problems, cells) if cell.strip()
+            problem: cell.strip() if problem == POOL else int(cell)
+            for problem, cell in zip(problems, cells)
+            if cell.strip()
         }
     return table
 
@@ -83,7 +97,7 @@ def draw(table, students, rows, seed=None):
     students : iterable of str
         The class.
     rows : dict
-        The proved rows by problem.
+        The proved rows by problem; by `POOL` the problems of the pool.
     seed : optional
         Of the random numbers; by default the system's.
 

@@ -28,9 +28,10 @@ def make(folder, name, out):
     """Write the bundle for the homework `folder`/`name` to a file; return the `Assignment`."""
     file = Path(folder) / name / "assignment.toml"
     homework = assignments.read(file)
-    if file.with_name(numbers.NAME).is_file():
+    if homework.pool or file.with_name(numbers.NAME).is_file():
         raise AssignmentError(
-            f"{file.parent} has {numbers.NAME}: Gradescope hands the same file to all students"
+            f"{file.parent} has {numbers.NAME} or a pool: Gradescope hands the same file to all "
+            "students"
         )
     if Path(out).suffix != ".zip":
         raise AssignmentError(f"{out}: Gradescope takes a .zip")

@@ -37,7 +37,7 @@ def grades_csv(assignment, scores):
             score.student,
             *(
                 decimal(sum(answer.points for answer in score.of_problem(problem)))
-                if problem not in score.exempt
+                if problem not in assignment.exempt_of(score.student)
                 else "exempt"
                 for problem in assignment.points
             ),
