@@ -99,6 +99,10 @@ price = [
         (1, 5),
         (7, 9),
         (4, 9),
+        (5, 4),
+        (3, 2),
+        (7, 4),
+        (5, 2),
     ]
 ]
 fraction = "" if price == 1 else rf"\tfrac{price.p}{price.q}"

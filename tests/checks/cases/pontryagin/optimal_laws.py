@@ -12,9 +12,11 @@ Piecewise, R = sp.Piecewise, sp.Rational
 NEAR = Problem({x: u}, {u: (-1, 1)}, {x: a}, [], running=x**2 / 2, duration=T)
 LINEAR = Problem({x: u}, {u: (-1, 1)}, {x: a}, [], running=(x**2 + u**2) / 2, duration=T)
 STARTS = {a: sp.Interval(-3, 3), T: sp.Interval(1, 3)}
+FARTHER = {a: sp.Interval(-4, 3), T: sp.Interval(1, 3)}
 WISH = -x * sp.tanh(T - t)
 PLANE = ({x1: x2, x2: u}, {u: (-1, 1)}, {x1: a, x2: b}, [x1, x2])
 FUEL = Problem(*PLANE, running=1 + R(3, 4) * sp.Abs(u))
+DEAR_FUEL = Problem(*PLANE, running=1 + R(5, 2) * sp.Abs(u))
 ENERGY = Problem(*PLANE, running=1 + u**2 / 2)
 WIDE = {a: sp.Interval(-16, 16), b: sp.Interval(-4, 4)}
 TURNED, STEEP, ROUND = x2 * sp.Abs(x2), x2**2 * sp.tanh(10**6 * x2), sp.sqrt(x2**2 + R(1, 10**12))
@@ -66,9 +68,30 @@ CASES = [
         "saturated, with time",
     ),
     Case(
+        "optimal_law",
+        Piecewise((WISH, sp.Abs(WISH) < 1), (sp.sign(WISH), True)),
+        (LINEAR, FARTHER, t),
+        "right",
+        "saturated for a short time only",
+    ),
+    Case(
         "optimal_law", -sp.sign(x), (NEAR, STARTS), "right", "a sign that holds the motion at zero"
     ),
     Case("optimal_law", fuel(2, R(1, 2)), (FUEL, WIDE), "right", "three values"),
+    Case(
+        "optimal_law",
+        fuel(R(11, 2), R(1, 2)),
+        (DEAR_FUEL, WIDE),
+        "right",
+        "a price that makes late switchings cost much",
+    ),
+    Case(
+        "optimal_law",
+        fuel(R(11, 2), R(51, 100)),
+        (DEAR_FUEL, WIDE),
+        "wrong",
+        "there it brakes a little early",
+    ),
     Case(
         "optimal_law",
         -(sp.sign(x1 + 2 * TURNED) + sp.sign(x1 + TURNED / 2)) / 2,

@@ -71,7 +71,30 @@ TINY = Problem({x: u}, {u: (-1, 1)}, {x: sp.Rational(1, 2)}, [], running=x**2 / 
 NOTHING = Problem({x: u}, {u: (-1, 1)}, {x: 0}, [x], running=x**2, final=1000, duration=1)
 
 
+# From any state; on the curve on which the braking begins no other arc is left.
+b = sp.Symbol("b", real=True)
+DEAR = Problem(
+    {x1: x2, x2: u},
+    {u: (-1, 1)},
+    {x1: a, x2: b},
+    [x1, x2],
+    running=1 + sp.Rational(5, 4) * sp.Abs(u),
+)
+STATES = {a: sp.Interval(-16, 16), b: sp.Interval(-4, 4)}
+
+
+def dear(price):
+    side = sp.sign(a + (2 * price + sp.Rational(1, 2)) * b * sp.Abs(b))
+    driven = (1 + price) * side * b + 2 * sp.sqrt((1 + 2 * price) * (side * a + b**2 / 2))
+    drifts = side * (a + b * sp.Abs(b) / 2) < 0
+    return Piecewise(
+        (sp.Abs(a / b) + (price + sp.Rational(1, 2)) * sp.Abs(b), drifts), (driven, True)
+    )
+
+
 CASES = [
+    Case("optimal_cost", dear(sp.Rational(5, 4)), (DEAR, STATES), "right", "three formulas"),
+    Case("optimal_cost", dear(sp.Rational(6, 5)), (DEAR, STATES), "wrong", "another price"),
     Case("optimal_cost", sp.Rational(1, 24 * 10**6), (TINY,), "right", "a small unit"),
     Case("optimal_cost", sp.Rational(1, 23 * 10**6), (TINY,), "wrong", "a small unit"),
     Case("optimal_cost", 1000, (NOTHING,), "right", "zero and a constant"),

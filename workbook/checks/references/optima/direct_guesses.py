@@ -23,6 +23,8 @@ ON_BOUND = 2e-4
 #: To what share of the distance of its bounds a control is about zero, and up to what two costs are
 #: the same.
 QUIET, SAME = 0.05, 1e-9
+#: How close to a bound, as a part of their distance, a control between them may have touched it.
+TOUCHING = 0.03
 
 
 class DirectGuesses(DirectProgramme):
@@ -148,6 +150,53 @@ class DirectGuesses(DirectProgramme):
             u for u in special if neighbours and (u - value) * (neighbours[0] - value) < 0
         ]
         return [min(candidates, key=lambda u: abs(u - value))] if candidates else []
+
+    def _with_end_arcs(self, case, arcs, unknown):
+        """Return the arcs, with short ones of other kinds before and after them, or None.
+
+        An arc at an end that is shorter than a piece of the first run is not seen there. Its length
+        may come out as zero.
+        """
+        times, states, controls, lengths = self._unpacked(arcs, unknown)
+        kinds, count = kinds_of(arcs), FINE[0] * FINE[1]
+        at_start = controls[0] - times[1] * (controls[1] - controls[0]) / (times[2] - times[1])
+        before = self._beyond(case, kinds, at_start)[::-1]
+        after = self._beyond(case, kinds[::-1], controls[-1])
+        if not before and not after:
+            return None
+        ends = {0: len(before), -1: len(after)}
+        first_states, last_states = (
+            np.repeat(states[:, [k]], count * ends[k], axis=1) for k in ends
+        )
+        first_lengths, last_lengths = (np.full(ends[k], times[-1] / COARSE[0] / 2) for k in ends)
+        first_controls, last_controls = (
+            np.repeat([end if kind is None else kind for kind in kinds_beyond], count)
+            for kinds_beyond, end in ((before, controls[0]), (after, controls[-1]))
+        )
+        return (
+            [(kind, FINE[0]) for kind in (*before, *kinds, *after)],
+            self._packed(
+                states[:, 0],
+                np.concatenate([first_states, states[:, 1:], last_states], axis=1),
+                np.concatenate([first_controls, controls, last_controls]),
+                np.concatenate([first_lengths, lengths, last_lengths]),
+            ),
+        )
+
+    def _beyond(self, case, kinds, control):
+        """Return the kinds of arcs that may lie outside the first one, on which the control is given."""
+        (low, high), kind = self.bounds(case), kinds[0]
+        if kind is None:
+            near = TOUCHING * (high - low)
+            return [bound for bound in (low, high) if abs(control - bound) <= near < np.inf]
+        if self._curved and not self._absolute:
+            return []
+        special = [low, *([0.0] if self._absolute else []), high]
+        k = special.index(kind)
+        below, above = special[:k][::-1], special[k + 1 :]
+        if below and above and len(kinds) > 1 and kinds[1] is not None:
+            return above if kinds[1] < kind else below
+        return max(below, above, key=len)
 
     def _with_zero_arcs(self, case, arcs, unknown):
         """Return the arcs with the control zero on inner arcs where it averages zero, or None.

@@ -21,7 +21,7 @@ import sympy as sp
 
 from workbook.checks.contract.direction import directed
 from workbook.checks.references.optima.direct_guesses import DirectGuesses
-from workbook.checks.references.optima.direct_programme import BARRIERS, FINE, kinds_of
+from workbook.checks.references.optima.direct_programme import BARRIERS, FINE, degree_of, kinds_of
 from workbook.checks.references.optima.radau import integrals
 from workbook.checks.references.optima.units import Units, in_scaled_units
 from workbook.checks.tools.domains import sample_cases
@@ -34,6 +34,8 @@ FIXED = (8.0, 16.0, 32.0, 4.0)
 TWICE = 1e-6
 #: Which part of the duration an arc has to take to be one.
 SHORT = 1e-4
+#: An arc that takes a smaller part of the duration came out as none.
+EMPTY = 1e-9
 #: From how many controls a search begins.
 STARTS = 6
 #: Up to what two costs are the same.
@@ -226,6 +228,11 @@ class _Search(DirectGuesses):
             if (process := self._run(case, span, side, *guess, barrier))
         ]
         if not refined:
+            refined = self._refined_beyond(case, span, side, *guesses[0])
+        elif self._curved and not self._absolute:
+            best = min(refined, key=lambda process: process[0])
+            refined += self._refined_beyond(case, span, side, *best[1:3])
+        if not refined:
             raise RuntimeError("the arcs of the best process could not be made exact")
         least = min(refined, key=lambda process: process[0])
         zero_arc_guess = self._with_zero_arcs(case, *guesses[0])
@@ -235,6 +242,12 @@ class _Search(DirectGuesses):
         ):
             least = zero
         return self._optimum(case, *least[:3])
+
+    def _refined_beyond(self, case, span, side, arcs, unknown):
+        """Return, in a list, the process that may have further short arcs at its ends."""
+        guess = self._with_end_arcs(case, arcs, unknown)
+        process = guess and self._run(case, span, side, *guess)
+        return [process] if process else []
 
     def _with_durations(self, case, span, side, random):
         """Return, in a list, a process found from one with a given duration.
@@ -251,13 +264,15 @@ class _Search(DirectGuesses):
 
     def _optimum(self, case, cost, arcs, unknown):
         times, states, controls, lengths = self._unpacked(arcs, unknown)
+        present = lengths > EMPTY * times[-1]
+        keep = np.repeat(present, [pieces * degree_of(arcs) for _, pieces in arcs])
         ends = np.cumsum(lengths)
         return Optimum(
             self,
             case,
             self._sign * cost,
-            times,
-            states,
-            controls,
-            list(zip(kinds_of(arcs), ends - lengths, ends)),
+            times[np.append(True, keep)],
+            states[:, np.append(True, keep)],
+            controls[keep],
+            list(itertools.compress(zip(kinds_of(arcs), ends - lengths, ends), present)),
         )
