@@ -91,7 +91,7 @@ def test_what_cannot_be_handed_out(tmp_path):
         path.with_name(numbers.NAME).write_text(table or f"student,{problem}\n", encoding="utf-8")
 
     for problem, table, students, message in [
-        ("1.15", "", CLASS, "none of the problems 1.15 varies"),
+        ("1.4", "", CLASS, "none of the problems 1.4 varies"),
         ("2.4", "", [], "give --roster"),
         ("2.4", "", ["../ann"], "cannot be the name of a folder"),
         ("2.4", "student,2.4\nann,999\n", [], "no proved row 999"),
