@@ -17,6 +17,7 @@ RIGHT_1_15 = {
     "e_region": "(k1 > 0) & (k2 > k1)",
 }
 #: Right answers of problem 2.4 for all rows of numbers, and those of the site.
+RIGHT_1_18 = {"a_region": "(k1 > 0) & (k1*k2 > 1)", "b_region": "(k1 > k2) & (k2 > 0)"}
 RIGHT_2_4 = {
     "a_observable": "sp.Ne(weight*alpha - beta, weight**2)",
     "b_unobservable": "sp.Eq(h**2 - friction*h + stiffness, 0)",

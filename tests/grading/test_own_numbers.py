@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from classroom import RIGHT_1_15, RIGHT_2_4, SITE_2_4, an_assignment, notebook, write_assignment
+from classroom import RIGHT_1_18, RIGHT_2_4, SITE_2_4, an_assignment, notebook, write_assignment
 
 from workbook import own_numbers
 from workbook.authoring.variants import variants_of
@@ -205,31 +205,31 @@ def test_a_pool_that_cannot_be_used(tmp_path, text, message):
 
 def test_each_student_has_one_problem_of_a_pool(tmp_path):
     assignments = tmp_path / "assignments"
-    handing_out.make(assignments, "hw1", [], own_numbers=True, pool=["1.15", "1.17"])
+    handing_out.make(assignments, "hw1", [], own_numbers=True, pool=["1.18", "1.4"])
     table = student_folders.hand_out(assignments, "hw1", CLASS)
-    assert Counter(own["pool"] for own in table.values()) == {"1.15": 3, "1.17": 3}
+    assert Counter(own["pool"] for own in table.values()) == {"1.18": 3, "1.4": 3}
     path = assignments / "hw1" / numbers.NAME
     assert numbers.read(path) == table
-    path.write_text("student,pool\nann,1.15\nben,1.17\n", encoding="utf-8")
+    path.write_text("student,pool\nann,1.18\nben,1.4\n", encoding="utf-8")
 
-    def submit(student, answers):
-        file = tmp_path / "submitted" / student / "hw1" / "ch1-p15.ipynb"
+    def submit(student):
+        file = tmp_path / "submitted" / student / "hw1" / "ch1-p18.ipynb"
         file.parent.mkdir(parents=True)
-        file.write_text(json.dumps(notebook("1.15", answers)), encoding="utf-8")
+        file.write_text(json.dumps(notebook("1.18", RIGHT_1_18)), encoding="utf-8")
 
-    submit("ann", RIGHT_1_15)
-    submit("ben", RIGHT_1_15)  # right, and not asked of him
+    submit("ann")
+    submit("ben")  # right, and not asked of him
     grade = [tmp_path / "submitted", tmp_path / "graded", assignments, 1, 60, False, True]
     if table["ann"]["pool"] == table["ben"]["pool"]:  # their folders are those of the draw
-        with pytest.raises(InputError, match="ch1-p1[57].ipynb: numbers.csv says 1"):
+        with pytest.raises(InputError, match="ch1-p(18|04).ipynb: numbers.csv says 1"):
             commands.grade_course(*grade)
     student_folders.hand_out(assignments, "hw1")
     folders = assignments / "hw1" / "students"
-    assert [file.name for file in folders.glob("ben/*.ipynb")] == ["ch1-p17.ipynb"]
+    assert [file.name for file in folders.glob("ben/*.ipynb")] == ["ch1-p04.ipynb"]
     result = commands.grade_course(*grade)
-    assert result["assignments"]["hw1"] == {"ann": 5.0, "ben": 0.0}
+    assert result["assignments"]["hw1"] == {"ann": 2.0, "ben": 0.0}
     assert [reason for _, reason in result["left aside"]] == [
-        "numbers.csv says 1.17 for ben, not 1.15"
+        "numbers.csv says 1.4 for ben, not 1.18"
     ]
     path.write_text("student,pool\nann,2.4\n", encoding="utf-8")
     with pytest.raises(InputError, match="2.4, which ann has, is not in the pool"):
@@ -247,11 +247,12 @@ def test_a_notebook_for_all_does_not_decide(tmp_path, monkeypatch):
     path.write_text("student,2.4\nann,1\nben,2\ncat,3\n", encoding="utf-8")
     student_folders.proved_rows(["2.4"])
     (file,) = notebook_for_all.write(assignments, "hw1")
+    homework = numbers.read_homework(path.with_name("assignment.toml"))
     text = file.read_text(encoding="utf-8")
     assert "ann" not in text and json.loads(text)["metadata"]["workbook"]["number"] == "2.4"
     for row in (1, 2, 3):  # the texts and numbers are those of the student's own notebook
         shown = _run_for_all(text, ("ann", "ben", "cat")[row - 1], monkeypatch)
-        own = json.loads(handing_out.release(f"2.4~{row}"))
+        own = json.loads(handing_out.release(homework, f"2.4~{row}"))
         assert shown[0] == own["cells"][0]["source"].replace(f"2.4~{row}", "2.4")
         names = variants_of(ROOT, "2.4").names(row)
         assert shown[-1] == tuple(names[n] for n in ("weight", "friction", "stiffness"))
