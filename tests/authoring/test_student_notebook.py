@@ -418,3 +418,5 @@ def test_lines_of_stubs_fit_a_cell():
         for cell in json.loads(path.read_text(encoding="utf-8"))["cells"]:
             if "answer" in cell["metadata"].get("tags", []):
                 assert all(len(line) <= 79 for line in cell["source"].splitlines()), path
+                # a formula and the name of its variable may have the same plain form
+                assert not re.search(r"\b(\w+) \(\1\)", cell["source"]), path

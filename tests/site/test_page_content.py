@@ -244,3 +244,9 @@ def test_the_front_page_has_tiles_with_pictures(editions):
         ]
         preview = page.select_one("meta[property='og:image']")["content"]
         assert (edition / "book" / preview).resolve().is_file()
+
+
+def test_the_index_has_no_numbers(editions):
+    """An entry of a number alone would stand under "Symbols"."""
+    index = (editions.full / "genindex.html").read_text(encoding="utf-8")
+    assert 'id="S"' in index and 'id="Symbols"' not in index

@@ -213,6 +213,8 @@ def _check_source(source, number):
 def _stub(answer):
     """Return the line `name = ...`, with the answer's meaning as a comment beside or above it."""
     meaning = f"{plural_kind(answer.kind)}: {plain(answer.text)}"
+    # the name of a letter with a bar, beside its formula in the page, is the letter's plain form
+    meaning = re.sub(r"\b(\w+) \(\1\)", r"\1", meaning)
     if len(line := f"{answer.name} = ...  # {meaning}") <= WIDTH:
         return line
     return "\n".join(

@@ -97,6 +97,10 @@ def regularity(synthesis) -> Regularity:
     )
 
 
+def _count(number, noun):
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
 def _cells(synthesis):
     """Test condition A: count regions and curves, exclude singular points."""
     value_function = synthesis._value_function
@@ -116,7 +120,7 @@ def _cells(synthesis):
     regions = _count_regions(modes, walls)
     points = 1 if not synthesis.reached else 0
     text = (
-        f"{regions} regions, {len(curves)} curves"
+        f"{_count(regions, 'region')}, {_count(len(curves), 'curve')}"
         + (" and the target point" if points else "")
         + " in the window"
     )
@@ -230,7 +234,7 @@ def _passages(synthesis):
         "D",
         True,
         largest,
-        f"at most {largest} switchings on a trajectory in the window, then the target",
+        f"at most {_count(largest, 'switching')} on a trajectory in the window, then the target",
     )
 
 
