@@ -13,6 +13,7 @@ import sympy as sp
 
 from workbook.checks.contract.verdict import Wrong
 from workbook.checks.references.natural_units import TIME, natural_units
+from workbook.checks.references.optima.units import normalised_gap
 
 
 def in_natural_units(unit=None):
@@ -120,7 +121,9 @@ class _Conversion:
         return self._target_part(target)
 
     def _target_part(self, part):
-        return self.point(part) if isinstance(part, (list, tuple, sp.Tuple)) else self.value(part)
+        if isinstance(part, (list, tuple, sp.Tuple)):
+            return self.point(part)
+        return normalised_gap(self.value(sp.sympify(part)), list(self.units)[:2], ())
 
     def point(self, point):
         """Return a point of the plane, a list."""

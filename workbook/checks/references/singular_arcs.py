@@ -254,8 +254,12 @@ class SingularArcs:
         _, sizes, basis = np.linalg.svd(matrix)
         free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()) :]
         (remainder, factor), changes = zero + solution @ slopes, free @ slopes
-        # Each of the two has units of its own: it is compared with its terms.
-        terms = np.abs(zero) + np.abs(solution) @ np.abs(slopes)
+        # Each of the two has units of its own: it is compared with its terms, for costates that
+        # contribute alike to the equations, or of size one where all of them are zero.
+        columns = _column_sizes(matrix)
+        alike = np.linalg.norm(solution * columns) / columns
+        costate_sizes = alike if np.abs(constant).max() > share else np.ones(len(alike))
+        terms = np.abs(zero) + costate_sizes @ np.abs(slopes)
         changes_with_costates = np.abs(changes).max(axis=0, initial=0) > share * np.abs(slopes).max(
             axis=0, initial=0
         )
@@ -310,6 +314,10 @@ class SingularArcs:
 
 def _least_squares(matrix, right):
     """Return the least squares solution; unknowns of other sizes are brought to one."""
-    sizes = np.linalg.norm(matrix, axis=0)
-    sizes[sizes == 0] = 1
+    sizes = _column_sizes(matrix)
     return np.linalg.lstsq(matrix / sizes, right, rcond=1e-9)[0] / sizes
+
+
+def _column_sizes(matrix):
+    sizes = np.linalg.norm(matrix, axis=0)
+    return np.where(sizes > 0, sizes, 1)
