@@ -185,6 +185,41 @@ class RescaledField(Rescaled):
         return self.value(list(field), [f / self.time for f in self.of_state])
 
 
+class RescaledSynthesis(Rescaled):
+    """The data of a synthesis in the plane in other units; its cost is the time."""
+
+    def _of_record(self, arguments, units):
+        system = arguments["system"]
+        if units.cost != 1 or units.constant != 0:
+            raise NoRule("the cost is the time itself")
+        self.state, self.control = system.state, [system.control]
+        self._of_states(system.dynamics, sp.Tuple(*system.field), units)
+        self.factors[system.control] = next(
+            self.factors[x] / units.time
+            for x, f in system.dynamics.items()
+            if system.control in f.free_symbols
+        )
+        if arguments.get("curve"):
+            self.factors[arguments["curve"][0]] = self.of_state[1]
+
+    def system(self, system):
+        """Return the system in the new units."""
+        return dataclasses.replace(system, **self._motion(system))
+
+    def target(self, target):
+        """Return the target, expressions that vanish on it or points, in the new units."""
+        return [
+            self.value(part, self.of_state if isinstance(part, (list, tuple)) else 1)
+            for part in (target if isinstance(target, (list, tuple)) else [target])
+        ]
+
+    def with_curve(self, curve):
+        """Return the switching curve that a law may name, in the new units."""
+        symbol, abscissa, ends, *numbered = curve
+        first = self.of_state[0]
+        return symbol, self.value(abscissa, first), self.value(list(ends), self.of_state), *numbered
+
+
 class RescaledFunctional(Rescaled):
     """The data of a check on a `Functional` in other units."""
 
@@ -252,7 +287,12 @@ ARGUMENTS = {
     "problem": lambda new, problem: new.problem(problem),
     "field": lambda new, field: new.field(field),
     "functional": lambda new, functional: new.functional(functional),
+    "system": lambda new, system: new.system(system),
+    "target": lambda new, target: new.target(target),
+    "ends": lambda new, ends: new.value(list(ends), new.of_state),
+    "curve": lambda new, curve: new.with_curve(curve),
     "parameters": Rescaled.domain,
+    "start": lambda new, start: new.value(start) if isinstance(start, Boolean) else start,
     "domain": Rescaled.domain,
     "unknown": Rescaled.domain,
     "law": lambda new, law: new.value(law, new.of_control),

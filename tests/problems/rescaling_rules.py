@@ -3,7 +3,14 @@
 import inspect
 
 import sympy as sp
-from rescaling import NoRule, Rescaled, RescaledField, RescaledFunctional, RescaledQuadratic
+from rescaling import (
+    NoRule,
+    Rescaled,
+    RescaledField,
+    RescaledFunctional,
+    RescaledQuadratic,
+    RescaledSynthesis,
+)
 
 from workbook import checks
 from workbook.checks.references.singular_arcs import singular_arcs
@@ -28,6 +35,8 @@ def rescaled(name, answer, data, options, units):
         record = RescaledQuadratic
     elif "field" in arguments:
         record = RescaledField
+    elif "system" in arguments:
+        record = RescaledSynthesis
     elif "functional" in arguments:
         record = RescaledFunctional
     new = record(arguments, units)
@@ -81,6 +90,11 @@ def _radius(new, answer, arguments):
     if first != second:
         raise NoRule("a circle in states of different units")
     return new.value(answer, first)
+
+
+def _determinants(new):
+    first, second = new.of_state
+    return [first * second / new.time] * 2
 
 
 def _slopes(new):
@@ -147,6 +161,19 @@ RULES = {
     "reachable_in_time": UNCHANGED,
     "meeting_time": TIME,
     "least_rate": _times(lambda new: 1 / new.time),
+    # syntheses in the plane
+    "time_optimal_law": CONTROL,
+    "minimal_time": TIME,
+    "reachable_initial_states": UNCHANGED,
+    "reached_target_points": UNCHANGED,
+    "minimal_time_continuous": UNCHANGED,
+    "switching_curve": _curve,
+    "barrier": _curve,
+    "dispersal_curve": _curve,
+    "switching_points": _several(lambda new: new.of_state),
+    "switching_curve_crossing": _several(_determinants),
+    "other_extremal_exists": UNCHANGED,
+    "other_extremal_time": TIME,
     # the calculus of variations
     "extremum_motion": _times(lambda new: new.motion),
     "extremum_value": lambda new, answer, _: new.value(answer, new.cost) + new.constant,

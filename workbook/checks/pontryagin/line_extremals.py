@@ -9,6 +9,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import Law
+from workbook.checks.pontryagin.synthesis_units import in_natural_units, time_unit
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.sampled_optimum import (
     sampled_optimum,
@@ -21,6 +22,7 @@ from workbook.checks.tools.wording import values_text
 
 
 @judged
+@in_natural_units()
 def other_extremal_exists(answer, system, target, start=None):
     """Check the condition on the initial state for an extremal that is not the fastest one.
 
@@ -105,6 +107,7 @@ def _second_extremal(system, target, start):
 
 
 @judged(Expression("system.state"))
+@in_natural_units(time_unit)
 def other_extremal_time(claim, system, target, start=None):
     """Check the time that the extremal of `other_extremal_exists` takes, where there is one."""
     reference = sampled_optimum(*synthesis_data(system, target, {}, start))

@@ -12,6 +12,7 @@ import sympy as sp
 from workbook.checks.contract.claims import Expression
 from workbook.checks.contract.tolerance import agree, in_decimals, perturbed
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.synthesis_units import in_natural_units, ordinate_unit
 from workbook.checks.references.optima.sampled_optimum import (
     BESIDE,
     BESIDE_DECIMALS,
@@ -27,6 +28,7 @@ LOCATED = 1e-4
 
 
 @judged(Expression("domain", "parameters"))
+@in_natural_units(ordinate_unit)
 def switching_curve(claim, system, target, domain, parameters=None, start=None):
     """Check a branch of the switching curve over the interval that `domain` gives.
 
@@ -38,6 +40,7 @@ def switching_curve(claim, system, target, domain, parameters=None, start=None):
 
 
 @judged(Expression("domain", "parameters"))
+@in_natural_units(ordinate_unit)
 def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
     """Check the curve from which two motions are equally fast, written as a `switching_curve`."""
     return _judge_dispersal(
@@ -46,6 +49,7 @@ def dispersal_curve(claim, system, target, domain, parameters=None, start=None):
 
 
 @judged(Expression("domain", "parameters"))
+@in_natural_units(ordinate_unit)
 def barrier(claim, system, target, domain, parameters=None, start=None):
     """Check the curve across which the fastest time jumps, written as a `switching_curve`."""
     return _judge_barrier(claim, *domain.items(), synthesis_data(system, target, parameters, start))

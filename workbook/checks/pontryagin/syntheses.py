@@ -22,6 +22,7 @@ from workbook.checks.contract.direction import directed
 from workbook.checks.contract.tolerance import in_decimals
 from workbook.checks.contract.verdict import Wrong, judged
 from workbook.checks.pontryagin.closed_loop import EQUAL_CONTROLS, Law, follow
+from workbook.checks.pontryagin.synthesis_units import control_unit, in_natural_units, time_unit
 from workbook.checks.pontryagin.target_points import family_of
 from workbook.checks.references.optima.sampled_optimum import (
     sampled_optimum,
@@ -33,6 +34,7 @@ from workbook.checks.tools.values import left_open
 
 
 @judged(Expression("system.state", "parameters", lambda data: (data["curve"] or ())[:1]))
+@in_natural_units(control_unit)
 def time_optimal_law(claim, system, target, parameters=None, start=None, curve=None):
     """Check a time-optimal law u(state).
 
@@ -167,6 +169,7 @@ def _judge_change(law, reference, batch, control):
 
 
 @judged(Expression("system.state", "parameters"))
+@in_natural_units(time_unit)
 def minimal_time(claim, system, target, parameters=None, start=None):
     """Check the shortest time to the target as an expression in the initial state.
 
@@ -194,6 +197,7 @@ def minimal_time(claim, system, target, parameters=None, start=None):
 
 
 @judged(ConditionOn("system.state", "parameters"))
+@in_natural_units()
 def reachable_initial_states(claim, system, target, parameters=None, start=None):
     """Check the condition on the initial state under which the target can be reached.
 

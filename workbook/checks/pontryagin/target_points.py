@@ -11,6 +11,11 @@ import sympy as sp
 
 from workbook.checks.contract.claims import Expressions
 from workbook.checks.contract.verdict import Wrong, judged
+from workbook.checks.pontryagin.synthesis_units import (
+    determinant_units,
+    in_natural_units,
+    state_units,
+)
 from workbook.checks.references.optima import reach
 from workbook.checks.references.optima.sampled_optimum import (
     sampled_optimum,
@@ -25,6 +30,7 @@ from workbook.checks.tools.wording import values_text
 
 
 @judged
+@in_natural_units()
 def reached_target_points(answer, system, target, ends, variable, parameters=None, start=None):
     """Check the points of the target at which optimal motions end.
 
@@ -98,6 +104,7 @@ def _arrivals(family, offset=0.002):
 
 
 @judged(Expressions("variable", "parameters", length=2))
+@in_natural_units(state_units)
 def switching_points(claim, system, target, ends, variable, parameters=None, start=None):
     """Check the switching curve [x1, x2] by the end points of the optimal motions.
 
@@ -131,6 +138,7 @@ def switching_points(claim, system, target, ends, variable, parameters=None, sta
 
 
 @judged(Expressions("variable", "parameters", length=2))
+@in_natural_units(determinant_units)
 def switching_curve_crossing(claim, system, target, ends, variable, parameters=None, start=None):
     """Check the determinants of (dP/ds, velocity) on the switching curve P(s), [before, after].
 
@@ -176,6 +184,7 @@ def switching_curve_crossing(claim, system, target, ends, variable, parameters=N
 
 
 @judged
+@in_natural_units()
 def minimal_time_continuous(answer, system, target, ends, variable, parameters, start=None):
     """Check the values of a parameter for which the fastest time is continuous.
 

@@ -16,6 +16,8 @@ from workbook.checks.tools.domains import sample_cases
 PLAIN = 1.5
 #: So many terms of a product of sums are looked at.
 MOST_TERMS = 64
+#: The weight of a chosen unit in the least squares.
+CHOSEN = 1e4
 TIME, COST = sp.Dummy("time"), sp.Dummy("cost")
 
 
@@ -32,8 +34,15 @@ def natural_units(problem, parameters=None, unknown=()):
         Parameters of any size, which get units of their own.
     """
     symbols = [*problem.state, *problem.control, *unknown, TIME, COST]
-    logs = Sizes(problem, parameters or {}, unknown).solution(symbols)
-    units = {s: _unit(log) for s, log in logs.items()}
+    sizes = Sizes(problem, parameters or {}, unknown)
+    logs = sizes.solution(symbols)
+    if max(map(abs, logs.values())) <= PLAIN:
+        return dict.fromkeys(symbols, sp.S.One)
+    # One after the other, the time first: the units of the others then go with those that are chosen.
+    units = {}
+    for s in (TIME, *(s for s in symbols if s != TIME)):
+        units[s] = sp.Integer(10) ** _exponent(sizes.solution(symbols)[s])
+        sizes.choose(s, units[s])
     _keep_plain(problem, units)
     return units
 
@@ -47,8 +56,8 @@ def _keep_plain(problem, units):
             units[rate] = units[x] / units[TIME]
 
 
-def _unit(log):
-    return sp.Integer(10) ** round(log) if abs(log) > PLAIN else sp.S.One
+def _exponent(log):
+    return round(log) if abs(log) > PLAIN else 0
 
 
 class Sizes:
@@ -86,6 +95,10 @@ class Sizes:
         right = -np.array([log for log, _ in self._equations])
         logarithms = np.linalg.lstsq(rows, right, rcond=1e-9)[0]
         return dict(zip(unknowns, logarithms[: len(symbols)]))
+
+    def choose(self, symbol, unit):
+        """Demand, before all other equations, that a symbol has this unit."""
+        self._equations.append((-CHOSEN * float(sp.log(unit, 10)), {symbol: CHOSEN}))
 
     def _equate(self, expression, unit):
         for log, weights in self.terms(sp.sympify(expression)):

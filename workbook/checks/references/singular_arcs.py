@@ -7,6 +7,7 @@ The other controls make H greatest. Where all of this holds with no costate but 
 singular arc.
 """
 
+import copy
 import functools
 import itertools
 
@@ -15,7 +16,7 @@ import sympy as sp
 
 from workbook.checks.references.optima.units import in_units, sample_units
 from workbook.checks.tools.domains import random_value, scaled_interval
-from workbook.checks.tools.numeric_functions import real_function
+from workbook.checks.tools.numeric_functions import multiprecision_function, real_function
 from workbook.checks.tools.samples import cached_points
 
 #: From so many points the search for points begins, and so many points are enough.
@@ -98,23 +99,31 @@ class SingularArcs:
             and all(e.subs(dict.fromkeys(self.costates, 0)) == 0 for e in self._equations)
         )
         self._costate = np.array([s in self.costates for s in self._unknown])
-        fixed_symbols = [*self.parameters, *self.other_controls]
-        self._values = real_function([*self._unknown, *fixed_symbols], self._equations)
-        self._slopes = real_function(
-            [*self._unknown, *fixed_symbols],
-            [sp.diff(e, s) for e in self._equations for s in self._unknown],
-        )
+        self._symbols = [*self._unknown, *self.parameters, *self.other_controls]
         self._gain = real_function(
-            [*self._unknown, *fixed_symbols],
-            [sp.diff(H, u).subs(self._known_costates) for u in self.other_controls],
+            self._symbols, [sp.diff(H, u).subs(self._known_costates) for u in self.other_controls]
         )
         #: The derivative of order 2q without the control, and the factor of the control in it.
-        last = (
+        self._last_parts = (
             [sp.S.Zero, sp.S.One]
             if self.highest is None
             else [self.highest.subs(control, 0), sp.diff(self.highest, control)]
         )
-        self._last = real_function([*self._unknown, *fixed_symbols], last)
+        self._evaluate_by(real_function)
+
+    def _evaluate_by(self, kind):
+        slopes = [sp.diff(e, s) for e in self._equations for s in self._unknown]
+        self._values, self._slopes, self._last = (
+            kind(self._symbols, expressions)
+            for expressions in (self._equations, slopes, self._last_parts)
+        )
+
+    def multiprecision(self):
+        """Return the same arcs, with equations that are evaluated in multiprecision numbers."""
+        arcs = copy.copy(self)
+        arcs._scaled = self._scaled and self._scaled.multiprecision()
+        arcs._evaluate_by(multiprecision_function)
+        return arcs
 
     @cached_points
     def points(self, domain=None):
@@ -173,7 +182,7 @@ class SingularArcs:
     def multipliers_exist(self, values, share):
         """Return whether costates exist with which a state is a point of a singular arc.
 
-        `values` holds all symbols but these.
+        `values` holds all symbols but these. None if the equations are not defined there.
         """
         if self._scaled is not None:
             scaled = {s: number / float(self.units.get(s, 1)) for s, number in values.items()}
@@ -196,6 +205,8 @@ class SingularArcs:
                 *(1.0 if s in unknown_costates else values[s] for s in self._unknown), *fixed_values
             )
             size = np.abs(general.reshape(slopes.shape)).max(axis=1) + np.abs(constant)
+            if not np.isfinite([*size, *constant]).all():
+                return None
             matrix, constant = matrix / size[:, None], constant / size
             if self._scalable:
                 if self._solvable_with_unit_costates(
@@ -203,7 +214,7 @@ class SingularArcs:
                 ):
                     return True
                 continue
-            costates = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+            costates = _least_squares(matrix, -constant)
             residual = matrix @ costates + constant
             if np.all(
                 np.abs(residual) <= share * (1 + np.abs(matrix) @ np.abs(costates))
@@ -239,14 +250,22 @@ class SingularArcs:
         slopes = np.array([last(row) - zero for row in np.eye(len(unknown_costates))]).reshape(
             len(unknown_costates), 2
         )
-        solution = np.linalg.lstsq(matrix, -constant, rcond=1e-9)[0]
+        solution = _least_squares(matrix, -constant)
         _, sizes, basis = np.linalg.svd(matrix)
         free = basis[int((sizes > 1e-9 * max(sizes.max(initial=0), 1e-300)).sum()) :]
         (remainder, factor), changes = zero + solution @ slopes, free @ slopes
-        size = 1 + np.abs(slopes).max(initial=0)
-        if max(abs(factor), np.abs(changes[:, 1]).max(initial=0)) > share * size:
+        # Each of the two has units of its own: it is compared with its terms, for costates that
+        # contribute alike to the equations, or of size one where all of them are zero.
+        columns = _column_sizes(matrix)
+        alike = np.linalg.norm(solution * columns) / columns
+        costate_sizes = alike if np.abs(constant).max() > share else np.ones(len(alike))
+        terms = np.abs(zero) + costate_sizes @ np.abs(slopes)
+        changes_with_costates = np.abs(changes).max(axis=0, initial=0) > share * np.abs(slopes).max(
+            axis=0, initial=0
+        )
+        if abs(factor) > share * terms[1] or changes_with_costates[1]:
             return True
-        return abs(remainder) <= share * size or np.abs(changes[:, 0]).max(initial=0) > share * size
+        return abs(remainder) <= share * terms[0] or changes_with_costates[0]
 
     def _derivatives(self, first):
         derivatives = [first]
@@ -291,3 +310,14 @@ class SingularArcs:
             if (s.is_positive and value <= 1e-9) or (s.is_negative and value >= -1e-9):
                 return False
         return bool(np.abs(point).max(initial=0) < 1e3)
+
+
+def _least_squares(matrix, right):
+    """Return the least squares solution; unknowns of other sizes are brought to one."""
+    sizes = _column_sizes(matrix)
+    return np.linalg.lstsq(matrix / sizes, right, rcond=1e-9)[0] / sizes
+
+
+def _column_sizes(matrix):
+    sizes = np.linalg.norm(matrix, axis=0)
+    return np.where(sizes > 0, sizes, 1)

@@ -26,7 +26,7 @@ from workbook.checks.tools.conditions import (
 )
 from workbook.checks.tools.samples import allowed_values, conjunction, in_every_case
 from workbook.checks.tools.turns import finite_list_text, members_of
-from workbook.checks.tools.values import matrix_at, number_at, uncertainty_at
+from workbook.checks.tools.values import entry_uncertainties, matrix_at, number_at, uncertainty_at
 from workbook.checks.tools.wording import number_text, point_text, where_text
 
 #: Stationary values are compared between -REACH and REACH; families are followed as far as that and
@@ -121,14 +121,15 @@ def linearisation_matrices(answer, field, state, parameters=(), given=(), intege
         references = [(point, flow.jacobian(point)) for point in equilibria]
         floor = ROUNDING * max(np.linalg.norm(reference) for _, reference in references)
         claimed = [
-            matrix_at(matrix, values | {s: sp.Integer(k) for s in _symbols(integer)})
+            (matrix_at(matrix, at), matrix, entry_uncertainties(matrix, at))
             for matrix in matrices
             for k in (range(-2, 3) if matrix.has(*_symbols(integer)) else (0,))
+            for at in [values | {s: sp.Integer(k) for s in _symbols(integer)}]
         ]
         for matrix in claimed:
             if not any(_matrices_agree(matrix, reference, floor) for _, reference in references):
                 raise Wrong(
-                    f"the matrix {_matrix_text(matrix)}{where_text(values)} does not consist of the "
+                    f"the matrix {_matrix_text(matrix[0])}{where_text(values)} does not consist of the "
                     "partial derivatives of the right-hand sides at any stationary solution"
                 )
         for _, reference in references:
@@ -319,8 +320,10 @@ def _symbols(integer):
     return [] if integer is None else [integer]
 
 
-def _matrices_agree(matrix, reference, floor):
-    return np.linalg.norm(matrix - reference) <= max(1e-6 * np.linalg.norm(reference), floor)
+def _matrices_agree(claimed, reference, floor):
+    numbers, written, uncertain = claimed
+    agrees = agree(numbers, reference, written, np.linalg.norm(reference), REPEATED, uncertain)
+    return bool(np.all(agrees | (np.abs(numbers - reference) <= floor)))
 
 
 def is_value(number, value, claim, values):

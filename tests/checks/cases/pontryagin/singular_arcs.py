@@ -48,6 +48,17 @@ ESCORT = Problem(
     maximise=True,
 )
 FASTER = {b: sp.Interval(1, 3)}
+# The farthest flight with a drag that is a product of powers.
+of_speed, of_mass = sp.symbols("p q", positive=True)
+GLIDER = Problem(
+    {h: v, v: (P - k * v**of_speed * m**of_mass) / m, m: -P / gas},
+    {P: (0, full)},
+    {h: 0, v: 1, m: 2},
+    [v - speed, m - left],
+    final=h,
+    maximise=True,
+)
+STEEP = {of_speed: sp.Interval(1, sp.oo), of_mass: sp.Interval(1, sp.oo)}
 ROBOT = Problem(
     {y1: v * sp.cos(alpha), y2: v * sp.sin(alpha), alpha: w},
     {v: (0, speed), w: (-1, 1)},
@@ -114,6 +125,17 @@ CASES = [
         "a place where none does as well",
     ),
     Case("singular_surface", sp.Eq(x1**2, x2**2), (LINES, TWO), "right", "two lines"),
+    *(
+        Case("singular_surface", surface, (GLIDER, THREE, None, STEEP), verdict, note)
+        for surface, verdict, note in (
+            (
+                sp.Eq(v * (of_mass - 1), gas * (of_speed - 1)),
+                "right",
+                "drags of thousands, since nothing bounds the exponents",
+            ),
+            (sp.Eq(v * of_mass, gas * (of_speed - 1)), "wrong", "at the same drags"),
+        )
+    ),
     Case("singular_surface", sp.Eq(SURFACE, 0), (ROCKET, THREE), "right", "with parameters"),
     Case(
         "singular_surface",

@@ -150,6 +150,20 @@ CASES = [
         "one matrix with the integer",
     ),
     Case("linearisation_matrices", {"down": DOWN, "up": UP}, PENDULUM, "right", "under names"),
+    *(
+        Case(
+            "linearisation_matrices",
+            [sp.Matrix([[0, 1], [slope, 0]]) for slope in (first, -first)],
+            ([y, sp.Rational(2, 3) * sp.sin(x)], [x, y]),
+            verdict,
+            note,
+        )
+        for first, verdict, note in (
+            (0.667, "right", "three digits"),
+            (0.67, "wrong", "two digits"),
+            (0.6667, "right", "four digits"),
+        )
+    ),
     Case("linearisation_matrices", [DOWN], PENDULUM, "wrong", "one overlooked"),
     Case("linearisation_matrices", [DOWN, UP, sp.eye(2)], PENDULUM, "wrong", "one too many"),
     Case(

@@ -96,12 +96,12 @@ def scaled_problem(problem, parameters, only_cost=False):
     bare, constant = without_constant(problem), constant_of(problem)
     factors = _factors(bare, dict(parameters), only_cost)
     if all(factor == 1 for factor in factors.values()):
-        terminal = [_normalised_gap(gap, problem.state, parameters) for gap in problem.terminal]
+        terminal = [normalised_gap(gap, problem.state, parameters) for gap in problem.terminal]
         if terminal != list(problem.terminal):
             bare = dataclasses.replace(bare, terminal=terminal)
         return bare, Units(), constant
     scaled = in_units(bare, factors)
-    gaps = [_normalised_gap(gap, problem.state, parameters) for gap in scaled.terminal]
+    gaps = [normalised_gap(gap, problem.state, parameters) for gap in scaled.terminal]
     several = [float(factors[u]) for u in problem.control]
     return (
         dataclasses.replace(scaled, terminal=gaps),
@@ -167,7 +167,7 @@ def _factors(problem, parameters, only_cost):
     return factors
 
 
-def _normalised_gap(gap, state, parameters):
+def normalised_gap(gap, state, parameters):
     """Return what vanishes on the target times a power of ten, so that states have factors of size one.
 
     Then a tolerance of the states is one of it.
