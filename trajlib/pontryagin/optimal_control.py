@@ -31,7 +31,7 @@ class Problem(Statement):
         time; if one is given, the other is zero.
     duration : float or tuple, optional
         None for a free final time, a number for a fixed one, (shortest, longest) for one between
-        bounds.
+        bounds, oo for the infinite horizon of a linear plant with a quadratic cost.
     maximise : bool, optional
         Whether the cost is to be as large as possible.
     first_return : bool, optional
@@ -71,6 +71,11 @@ class Problem(Statement):
     1
     >>> limited.solve()
     Extremal(cost=4, duration=4, arcs: u+ [0, 1], boundary [1, 3], u- [3, 4])
+
+    An infinite horizon; the Riccati equation gives J = 1 + sqrt(2).
+
+    >>> Problem({x1: x1 + u}, {u: None}, {x1: 1}, running=x1**2 + u**2, duration=sp.oo).solve()
+    Extremal(cost=2.41421356237, duration=inf, arcs: interior [0, inf])
     """
 
     def conditions(self) -> Conditions:

@@ -332,10 +332,13 @@ class Extremal:
 
     def _repr_markdown_(self):
         rows = "".join(
-            f"| {arc_latex(kind)} | {begin:.9g} | {end:.9g} |\n" for kind, begin, end in self.arcs
+            f"| {arc_latex(kind)} | {begin:.9g} | {end:.9g} |\n".replace("inf", r"$\infty$")
+            for kind, begin, end in self.arcs
         )
         case = r"normal, $\lambda_0 = 1$" if self.normal else r"abnormal, $\lambda_0 = 0$"
+        duration = f"{self.duration:.12g}".replace("inf", r"\infty")
+        optimality = str(self.optimality)
         return (
-            f"$J = {self.cost:.12g}$, $t_k = {self.duration:.12g}$ ({case})\n\n"
-            f"| arc | begin | end |\n|---|---|---|\n{rows}\n{str(self.optimality).capitalize()}.\n"
+            f"$J = {self.cost:.12g}$, $t_k = {duration}$ ({case})\n\n"
+            f"| arc | begin | end |\n|---|---|---|\n{rows}\n{optimality[0].upper()}{optimality[1:]}.\n"
         )

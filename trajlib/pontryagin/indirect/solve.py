@@ -9,6 +9,7 @@ method for the boundary value problem over these arcs (`refinement`, `shooting`,
 from collections.abc import Sequence
 
 import numpy as np
+import sympy as sp
 
 from trajlib.pontryagin.direct.degenerate_target import refuse_degenerate_target
 from trajlib.pontryagin.direct.descent import escape_saddle, finer_solution, solution_from_controls
@@ -37,6 +38,7 @@ from trajlib.pontryagin.indirect.bounded_extremal import (
 from trajlib.pontryagin.indirect.chattering import refuse_chattering
 from trajlib.pontryagin.indirect.contacts import end_constraints
 from trajlib.pontryagin.indirect.extremal import Extremal
+from trajlib.pontryagin.indirect.infinite_horizon import solve_infinite_horizon
 from trajlib.pontryagin.indirect.l1_control import split_l1_controls
 from trajlib.pontryagin.indirect.linear_quadratic import solve_linear_quadratic
 from trajlib.pontryagin.indirect.polynomial_end import solve_polynomial_end
@@ -121,6 +123,10 @@ def solve(
     Extremal(cost=0.375, duration=2, arcs: u- [0, 1], singular [1, 1.5], u+ [1.5, 2])
     """
     _check_effort(starts, time_limit)
+    if problem.duration == sp.oo:
+        if structure is not None or guess is not None:
+            raise ValueError("structure, guess: an infinite horizon needs none; leave them out")
+        return solve_infinite_horizon(problem)
     bounds = with_constant_bounds(problem)
     if bounds is not None:
         structure, guess = inner_structure(bounds, structure), inner_guess(bounds, guess)

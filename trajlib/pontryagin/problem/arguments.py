@@ -136,6 +136,6 @@ def read_duration(duration):
             raise ValueError(f"duration: expected 0 <= shortest < longest, got ({low}, {high})")
         return low, high
     duration = exact_decimals(read_expression(duration, "duration"))
-    if duration.is_positive is False or duration == sp.oo:
+    if duration.is_positive is False and duration != sp.oo:
         raise ValueError(f"duration: expected a positive number, got {duration}")
     return duration

@@ -55,7 +55,8 @@ def conditions_markdown(derived):
         parts += [_block(derivatives), _singular(arc)]
     for constraint in derived.path:
         parts += _state_constraint(constraint)
-    parts.append(r"**Transversality** at $t_k$")
+    when = r"as $t \to \infty$" if problem.duration == sp.oo else "at $t_k$"
+    parts.append(f"**Transversality** {when}")
     parts.append(_block([f"{sp.latex(e)} = 0" for e in derived.transversality]))
     for symbol, g in zip(
         derived.terminal_multipliers[len(problem.terminal) :], problem.end_constraints
