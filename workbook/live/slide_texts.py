@@ -22,7 +22,7 @@ def word_count(text):
 
 
 def slide_texts(text):
-    """Cut Markdown into slides: whole paragraphs where they fit, else sentences or list items.
+    """Cut Markdown into slides: whole paragraphs where they fit, else sentences with their lists.
 
     Parameters
     ----------
@@ -51,17 +51,38 @@ def slide_texts(text):
 
 
 def _pieces(paragraph):
-    """Split a paragraph into sentences and list items, each with the formulas that follow it."""
+    """Split a paragraph into sentences, each with the formulas and the list that belong to it."""
     pieces = []
     for block in BLANK_LINES.split(FORMULA.sub(_hide_blanks, paragraph)):
         if block.startswith("$$") and pieces:
             pieces[-1] += "\n\n" + block
             continue
-        for k, item in enumerate(LIST_ITEM.split(block)):
-            sentences = SENTENCE_END.split(item) if not _is_list(item) else [item]
-            start = "\n\n" if k == 0 and pieces else "\n" if k else ""
-            pieces += [start + sentences[0], *sentences[1:]]
+        items = LIST_ITEM.split(block)
+        sentences = [] if _is_list(items[0]) else SENTENCE_END.split(items.pop(0))
+        if sentences:
+            # a sentence may go on below a formula
+            _append(pieces, sentences[0], "\n\n", joined=sentences[0][0].islower())
+            pieces += sentences[1:]
+        if items:
+            _append_list(pieces, items, "\n" if sentences else "\n\n")
     return [piece.replace(JOINT + "n", "\n").replace(JOINT + "s", " ") for piece in pieces]
+
+
+def _append(pieces, text, joint, joined):
+    """Append a text to the last piece, if it is to be joined and fits there, or as a new one."""
+    if joined and pieces and word_count(pieces[-1] + joint + text) <= MOST_WORDS:
+        pieces[-1] += joint + text
+    else:
+        pieces.append(joint + text if pieces else text)
+
+
+def _append_list(pieces, items, joint):
+    """Append a list to the sentence above it, as a piece of its own, or in parts."""
+    whole = "\n".join(items)
+    if word_count(whole) <= MOST_WORDS:
+        _append(pieces, whole, joint, joined=True)
+    else:
+        pieces += [joint + items[0], *("\n" + item for item in items[1:])]
 
 
 def _hide_blanks(formula):

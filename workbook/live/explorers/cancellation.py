@@ -7,7 +7,7 @@ import sympy as sp
 from workbook.display import Explorer
 from workbook.live.worked_problem import WorkedProblem
 
-HORIZON, REACH, POSITIVE = 3, 3, 1e-9
+HORIZON, REACH, SMALL = 3, 3, 1e-12
 
 
 def pole_zero_cancellation():
@@ -34,33 +34,33 @@ def pole_zero_cancellation():
     figure.quantity(control, sp.Abs(sp.Matrix.hstack(B, A * B).det()))
     figure.quantity(output, sp.Abs(sp.Matrix.vstack(H, H * A).det()))
     around = figure.curve(angle, 0, 2 * sp.pi)
-    reachable, uncertainty = _covariances()
-    determinant = sp.Max((100 * uncertainty).det(), POSITIVE)
+    reachable, observed = _gramians()
+    scale = 1 / (100 * (sp.Abs(observed.det()) + SMALL))
     square = (-REACH, REACH)
-    for matrix, style, label in (
-        (reachable, "solid", "reached with energy 1"),
-        (uncertainty / determinant, "dashed", "left open by the output"),
+    for name, matrix, factor, style, label in (
+        ("W", reachable, 1, "solid", "reached with energy 1"),
+        ("P", observed.adjugate(), scale, "dashed", "left open by the output"),
     ):
         plane = figure.panel("x1", "x2", square, square)
         for _, _, (direction,) in A.eigenvects():
             plane.segments([tuple(-9 * direction), tuple(9 * direction)], "thin")
-        plane.line(around, *_ellipse(matrix, angle), style, label)
+        plane.line(around, *_ellipse(figure, name, matrix, factor, angle), style, label)
     complex_plane = figure.panel("Re s", "Im s", (-4.5, 1.5), (-3, 3))
     complex_plane.marks(poles, *poles.columns, "cross", "poles")
     complex_plane.marks(zero, *zero.columns, "ring", "zero")
     figure.sentence(
-        (control < POSITIVE, "A mode is uncontrollable: the reachable states lie on a line."),
-        (output < POSITIVE, "A mode is unobservable: the output leaves it open."),
+        (control < 1e-9, "A mode is uncontrollable: the reachable states lie on a line."),
+        (output < 1e-9, "A mode is unobservable: the output leaves it open."),
         (True, "No mode is cancelled: det (B, AB) = {control}, det (H; HA) = {output}."),
     )
     return figure
 
 
 @cache
-def _covariances():
-    """Return the matrix of the reachable ellipse, and 0.01 times the adjugate of the other one's."""
+def _gramians():
+    """Return the Gramians of controllability and of observability."""
     A, B, H = (WorkedProblem("2.27").data[name] for name in ("A", "B", "H"))
-    return _gramian(A, B), _gramian(A.T, H.T).adjugate() / 100
+    return _gramian(A, B), _gramian(A.T, H.T)
 
 
 def _gramian(A, B):
@@ -71,8 +71,14 @@ def _gramian(A, B):
     )
 
 
-def _ellipse(W, angle):
-    """Return a point of the ellipse x^T W^-1 x = 1 by the Cholesky factor of W."""
-    first = sp.sqrt(W[0, 0])
-    last = sp.sqrt(sp.Max(W.det(), 0))
-    return first * sp.cos(angle), (W[0, 1] * sp.cos(angle) + last * sp.sin(angle)) / first
+def _ellipse(figure, name, W, factor, angle):
+    """Return a point of the ellipse of a covariance, `factor` W, by its Cholesky factor."""
+    first, mixed, last = entries = sp.symbols(f"{name}1:4")
+    values = (
+        sp.sqrt(factor * W[0, 0]),
+        factor * W[0, 1] / first,
+        sp.sqrt(sp.Abs(W.det())) * factor / first,
+    )
+    for entry, value in zip(entries, values):
+        figure.quantity(entry, value)
+    return first * sp.cos(angle), mixed * sp.cos(angle) + last * sp.sin(angle)
